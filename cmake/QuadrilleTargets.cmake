@@ -1,0 +1,30 @@
+# SPDX-FileCopyrightText: 2026 The Quadrille developers
+# SPDX-License-Identifier: MIT
+# One interface target holds what every target of the project is compiled with.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+include(GNUInstallDirs)
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+    set(CMAKE_C_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+endif()
+
+add_library(quadrille_options INTERFACE)
+target_include_directories(quadrille_options INTERFACE "${CMAKE_SOURCE_DIR}")
+target_compile_options(quadrille_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast
+    -Wno-missing-field-initializers # designated initializers leave the rest at its default
+    $<$<BOOL:${QUADRILLE_WARNINGS_AS_ERRORS}>:-Werror>)
+if(QUADRILLE_SANITIZE)
+    target_compile_options(quadrille_options INTERFACE -fsanitize=${QUADRILLE_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(quadrille_options INTERFACE -fsanitize=${QUADRILLE_SANITIZE})
+endif()
+if(QUADRILLE_COVERAGE)
+    target_compile_options(quadrille_options INTERFACE --coverage)
+    target_link_options(quadrille_options INTERFACE --coverage)
+endif()

@@ -1,0 +1,32 @@
+# SPDX-FileCopyrightText: 2026 The Quadrille developers
+# SPDX-License-Identifier: MIT
+find_package(GTest REQUIRED)
+include(GoogleTest)
+
+# Where tests find the real captures; tests that need them say "skipped" when the folder is not there.
+set(QUADRILLE_DATA_DIR "${CMAKE_SOURCE_DIR}/../shared/data" CACHE PATH "Folder of real captures for tests")
+
+# quadrille_model_test(NAME source.cpp … [LIBRARIES target …]): one GoogleTest program, each of its tests known to ctest.
+function(quadrille_model_test name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES")
+    add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
+    target_link_libraries(${name} PRIVATE Quadrille::Model GTest::gmock GTest::gtest_main ${arg_LIBRARIES})
+    target_compile_definitions(${name} PRIVATE
+        QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}"
+        QUADRILLE_TEST_DATA_DIR="${CMAKE_SOURCE_DIR}/tests/data")
+    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+endfunction()
+
+# quadrille_qt_test(NAME source.cpp … [LIBRARIES target …]): one QtTest program, run on a private X display.
+function(quadrille_qt_test name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES")
+    find_package(Qt6 REQUIRED COMPONENTS Test)
+    add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
+    set_target_properties(${name} PROPERTIES AUTOMOC ON)
+    target_link_libraries(${name} PRIVATE Qt6::Test ${arg_LIBRARIES})
+    target_compile_definitions(${name} PRIVATE
+        QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}"
+        QUADRILLE_TEST_DATA_DIR="${CMAKE_SOURCE_DIR}/tests/data")
+    add_test(NAME ${name} COMMAND xvfb-run -a -s "-screen 0 1600x1000x24" $<TARGET_FILE:${name}>)
+    set_tests_properties(${name} PROPERTIES TIMEOUT 300)
+endfunction()

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/core/image.h"
+
+#include "model/core/error.h"
+#include "model/core/file.h"
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace quadrille {
+
+Image::Image(int w, int h)
+    : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 4)
+{
+}
+
+std::uint8_t* Image::pixel(int x, int y)
+{
+    return pixels.data() +
+           (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 4;
+}
+
+const std::uint8_t* Image::pixel(int x, int y) const
+{
+    return const_cast<Image*>(this)->pixel(x, y);
+}
+
+Image readImage(const std::filesystem::path& path)
+{
+    const FileContent file = readFile(path);
+    const cv::Mat encoded(1, static_cast<int>(file.size), CV_8U, file.data.get());
+    cv::Mat decoded;
+    try {
+        decoded = cv::imdecode(encoded, cv::IMREAD_UNCHANGED);
+    } catch (const cv::Exception&) {
+        decoded.release();
+    }
+    if (decoded.empty())
+        throw Error(ErrorCode::ImageUnreadable, {path, {}, {}});
+    if (decoded.depth() == CV_16U)
+        decoded.convertTo(decoded, CV_8U, 1.0 / 257.0);
+    if (decoded.depth() != CV_8U)
+        throw Error(ErrorCode::ImageUnreadable, {path, {}, {}});
+    Image image(decoded.cols, decoded.rows);
+    cv::Mat target(decoded.rows, decoded.cols, CV_8UC4, image.pixels.data());
+    switch (decoded.channels()) {
+    case 1:
+        cv::cvtColor(decoded, target, cv::COLOR_GRAY2RGBA);
+        break;
+    case 3:
+        cv::cvtColor(decoded, target, cv::COLOR_BGR2RGBA);
+        break;
+    case 4:
+        cv::cvtColor(decoded, target, cv::COLOR_BGRA2RGBA);
+        break;
+    default:
+        throw Error(ErrorCode::ImageUnreadable, {path, {}, {}});
+    }
+    return image;
+}
+
+void writeImage(const Image& image, const std::filesystem::path& path)
+{
+    const cv::Mat source(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.pixels.data()));
+    cv::Mat encodable;
+    cv::cvtColor(source, encodable, cv::COLOR_RGBA2BGRA);
+    std::vector<unsigned char> encoded;
+    bool known = false;
+    try {
+        known = cv::imencode(path.extension().string(), encodable, encoded);
+    } catch (const cv::Exception&) {
+        known = false;
+    }
+    if (!known)
+        throw Error(ErrorCode::FormatUnknown, {path, {}, {}});
+    writeAtomically(path, std::string_view(reinterpret_cast<const char*>(encoded.data()), encoded.size()));
+}
+
+} // namespace quadrille

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace quadrille {
+
+/// 8-bit RGBA picture, rows from top to bottom.
+struct Image
+{
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> pixels; ///< height × width × 4, R G B A
+
+    Image() = default;
+    Image(int w, int h);
+    bool isEmpty() const { return pixels.empty(); }
+    std::uint8_t* pixel(int x, int y);
+    const std::uint8_t* pixel(int x, int y) const;
+    bool operator==(const Image&) const = default;
+};
+
+/// Reads PNG, JPEG or TIFF.
+/// \throws Error FileNotFound, PermissionDenied, FileEmpty, ImageUnreadable.
+Image readImage(const std::filesystem::path& path);
+
+/// Writes PNG, JPEG or TIFF by the path's ending, atomically. PNG bytes depend on the pixels alone.
+/// \throws Error WriteFailed, PermissionDenied, FormatUnknown.
+void writeImage(const Image& image, const std::filesystem::path& path);
+
+} // namespace quadrille

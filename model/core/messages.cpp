@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+// The English sentences of every error and issue, and nothing else: the editor's catalogues translate them.
+#include "model/core/error.h"
+
+// Marks a sentence for the translators' tools; the model itself speaks English.
+#define QUADRILLE_MESSAGE(text) text
+
+namespace quadrille {
+
+ErrorMessage errorMessage(ErrorCode code)
+{
+    switch (code) {
+    case ErrorCode::Cancelled:
+        return {QUADRILLE_MESSAGE("Cancelled."), ""};
+    case ErrorCode::FileNotFound:
+        return {QUADRILLE_MESSAGE("There is no such file or folder."),
+                QUADRILLE_MESSAGE("Check the path, or find the file with Relink.")};
+    case ErrorCode::PermissionDenied:
+        return {QUADRILLE_MESSAGE("You do not have permission to use this file."),
+                QUADRILLE_MESSAGE("Change its permissions or choose another place.")};
+    case ErrorCode::ReadFailed:
+        return {QUADRILLE_MESSAGE("Reading failed: {reason}."),
+                QUADRILLE_MESSAGE("Check the disk and try again.")};
+    case ErrorCode::WriteFailed:
+        return {QUADRILLE_MESSAGE("Writing failed: {reason}."),
+                QUADRILLE_MESSAGE("Check free space and permissions, then try again.")};
+    case ErrorCode::FileEmpty:
+        return {QUADRILLE_MESSAGE("The file is empty."), QUADRILLE_MESSAGE("Export it again.")};
+    case ErrorCode::FileTruncated:
+        return {QUADRILLE_MESSAGE("The file ends too early: {expected} expected, {found} found."),
+                QUADRILLE_MESSAGE("Export or copy it again.")};
+    case ErrorCode::FileEncoding:
+        return {QUADRILLE_MESSAGE("The file is not text in UTF-8."),
+                QUADRILLE_MESSAGE("Save it again as plain text in UTF-8.")};
+    case ErrorCode::FileSyntax:
+        return {QUADRILLE_MESSAGE("This is not what the format allows here: {reason}."),
+                QUADRILLE_MESSAGE("Export it again, or correct this place.")};
+    case ErrorCode::CountTooLarge:
+        return {QUADRILLE_MESSAGE("The header promises {count} {what}, more than the file can hold."),
+                QUADRILLE_MESSAGE("The file is damaged or of another format; export it again.")};
+    case ErrorCode::FormatUnknown:
+        return {QUADRILLE_MESSAGE("The format of this file is not known."),
+                QUADRILLE_MESSAGE("Convert it to OBJ, PLY, PC2 or GLB.")};
+    case ErrorCode::FormatRefused:
+        return {QUADRILLE_MESSAGE("{format} cannot be read here."), QUADRILLE_MESSAGE("{remedy}")};
+    case ErrorCode::FormatNeedsMesh:
+        return {QUADRILLE_MESSAGE("This file holds positions only; a mesh with its faces is needed."),
+                QUADRILLE_MESSAGE("Give the mesh (OBJ or PLY) of the same vertex order with it.")};
+    case ErrorCode::FormatCannotStore:
+        return {QUADRILLE_MESSAGE("{format} cannot hold {what}."),
+                QUADRILLE_MESSAGE("Choose another format.")};
+    case ErrorCode::SeriesEmpty:
+        return {QUADRILLE_MESSAGE("No numbered mesh files were found here."),
+                QUADRILLE_MESSAGE("Choose a folder or pattern that holds NAME_0001.obj, NAME_0002.obj, …")};
+    case ErrorCode::NoVertices:
+        return {QUADRILLE_MESSAGE("The mesh has no vertices."),
+                QUADRILLE_MESSAGE("Export it again with geometry.")};
+    case ErrorCode::NoFaces:
+        return {QUADRILLE_MESSAGE("The mesh has no faces."),
+                QUADRILLE_MESSAGE("Export it with faces, or give a mesh beside it.")};
+    case ErrorCode::PolygonSoup:
+        return {QUADRILLE_MESSAGE("The {count} triangles share no vertices: this is a polygon soup."),
+                QUADRILLE_MESSAGE("Merge vertices by distance in the tool it comes from, and export again.")};
+    case ErrorCode::IndexOutOfRange:
+        return {QUADRILLE_MESSAGE("A face names {what} {index}, but there are only {count}."),
+                QUADRILLE_MESSAGE("Export it again, or correct this face.")};
+    case ErrorCode::NonFiniteCoordinate:
+        return {QUADRILLE_MESSAGE("Vertex {vertex} has a coordinate that is not a finite number."),
+                QUADRILLE_MESSAGE("Leave this frame out by the range, or repair it.")};
+    case ErrorCode::VertexCountMismatch:
+        return {QUADRILLE_MESSAGE("{found} vertices where {expected} are expected."),
+                QUADRILLE_MESSAGE(
+                    "All frames and the mesh of a sequence need the same vertices in the same order.")};
+    case ErrorCode::TopologyMismatch:
+        return {QUADRILLE_MESSAGE("The topology differs from the first frame: {what}."),
+                QUADRILLE_MESSAGE(
+                    "A sequence needs one topology; leave this frame out or track the capture first.")};
+    case ErrorCode::RangeOutside:
+        return {QUADRILLE_MESSAGE("Frames {first} to {last} were asked for, but there are only {count}."),
+                QUADRILLE_MESSAGE("Choose a range inside 0 to the last frame.")};
+    case ErrorCode::NoUvs:
+        return {QUADRILLE_MESSAGE("The mesh has no texture coordinates."),
+                QUADRILLE_MESSAGE("Export it with UVs, or go on without a texture.")};
+    case ErrorCode::ImageUnreadable:
+        return {QUADRILLE_MESSAGE("The picture cannot be read."),
+                QUADRILLE_MESSAGE("Save it as PNG, JPEG or TIFF.")};
+    case ErrorCode::ImageCountMismatch:
+        return {QUADRILLE_MESSAGE("{found} textures for {expected} frames."),
+                QUADRILLE_MESSAGE("Give one texture, or one for each frame.")};
+    case ErrorCode::ProjectSyntax:
+        return {QUADRILLE_MESSAGE("This is not valid JSON: {reason}."),
+                QUADRILLE_MESSAGE("Correct this place.")};
+    case ErrorCode::ProjectInvalid:
+        return {QUADRILLE_MESSAGE("{reason}."), QUADRILLE_MESSAGE("{remedy}")};
+    case ErrorCode::ProjectNewer:
+        return {
+            QUADRILLE_MESSAGE("The project has version {found}; this program knows versions up to {known}."),
+            QUADRILLE_MESSAGE("Open it with a newer Quadrille.")};
+    case ErrorCode::ProjectMissingMedia:
+        return {QUADRILLE_MESSAGE("“{what}” uses a file that is not there: {path}."),
+                QUADRILLE_MESSAGE("Put it back, or relink it.")};
+    case ErrorCode::ProjectUnknownTarget:
+        return {QUADRILLE_MESSAGE("The project has no target “{what}”."),
+                QUADRILLE_MESSAGE("It has: {known}.")};
+    case ErrorCode::ProjectUnknownData:
+        return {QUADRILLE_MESSAGE("The project has no data “{what}”."),
+                QUADRILLE_MESSAGE("It has: {known}.")};
+    case ErrorCode::ResultDamaged:
+        return {QUADRILLE_MESSAGE("A stored result is damaged."),
+                QUADRILLE_MESSAGE("It will be computed again.")};
+    case ErrorCode::BadArgument:
+        return {QUADRILLE_MESSAGE("{reason}."), QUADRILLE_MESSAGE("{remedy}")};
+    }
+    return {"", ""};
+}
+
+ErrorMessage issueMessage(Issue::Code code)
+{
+    switch (code) {
+    case Issue::Code::NumberingGap:
+        return {QUADRILLE_MESSAGE("The numbering has gaps: {missing}."),
+                QUADRILLE_MESSAGE("The frames that exist are used, one after the other.")};
+    case Issue::Code::PolygonsTriangulated:
+        return {QUADRILLE_MESSAGE("{count} polygons with more than three corners were cut into triangles."),
+                ""};
+    case Issue::Code::NonManifoldEdges:
+        return {QUADRILLE_MESSAGE("{count} edges have more than two triangles."), ""};
+    case Issue::Code::DegenerateTriangles:
+        return {QUADRILLE_MESSAGE("{count} triangles have no area."), ""};
+    case Issue::Code::UnusedVertices:
+        return {QUADRILLE_MESSAGE("{count} vertices belong to no triangle."), ""};
+    case Issue::Code::DuplicateFaces:
+        return {QUADRILLE_MESSAGE("{count} triangles name the same vertex twice and were left out."), ""};
+    case Issue::Code::TextureMissing:
+        return {QUADRILLE_MESSAGE("The texture {path} was not found."),
+                QUADRILLE_MESSAGE("The mesh is shown without it.")};
+    case Issue::Code::FpsAssumed:
+        return {QUADRILLE_MESSAGE("The source names no frame rate; {fps} fps is assumed."), ""};
+    case Issue::Code::FpsResampled:
+        return {QUADRILLE_MESSAGE("Resampled from {from} to {to} fps."), ""};
+    case Issue::Code::VerticesWelded:
+        return {QUADRILLE_MESSAGE("{from} vertices that the format had split were joined to {to}."), ""};
+    case Issue::Code::FileLarge:
+        return {QUADRILLE_MESSAGE("The file will take about {size}."), ""};
+    case Issue::Code::Other:
+        return {"{text}", ""};
+    }
+    return {"", ""};
+}
+
+} // namespace quadrille

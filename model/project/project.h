@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/error.h"
+#include "model/sequence/axes.h"
+#include "model/sequence/meshsequence.h"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// Keys of the project file that this version does not know; kept and written again.
+using UnknownKeys = nlohmann::ordered_json;
+
+struct ProjectSettings
+{
+    double fps = 25.0;                 ///< frames per second; everything runs at it
+    CoordinateSystem axes;             ///< up axis and unit that all sequences are converted to
+    std::int64_t cacheMegabytes = 512; ///< frames and textures kept in memory
+    UnknownKeys unknown;
+
+    bool operator==(const ProjectSettings&) const = default;
+};
+
+/// Texture files of a character or sequence: none, one, one per frame (a folder or pattern), or one per
+/// material.
+struct TextureReference
+{
+    enum class Kind
+    {
+        None,
+        Single,
+        PerFrame,
+        PerMaterial,
+    };
+    Kind kind = Kind::None;
+    /// Single: one file. PerFrame: one folder or pattern. PerMaterial: one file per material, in material
+    /// order.
+    std::vector<std::string> paths;
+
+    bool operator==(const TextureReference&) const = default;
+};
+
+struct CharacterEntry
+{
+    std::string name;
+    std::string mesh; ///< path of the mesh that gives topology and UVs
+    TextureReference texture;
+    std::string notes;
+    UnknownKeys unknown;
+
+    bool operator==(const CharacterEntry&) const = default;
+};
+
+struct SequenceEntry
+{
+    std::string name;
+    std::string character;           ///< may be left out in a file with one character
+    std::string source;              ///< a file, a folder or pattern of a series, or "clip:SECTION/NAME"
+    std::string clip;                ///< animation clip of a scene file
+    std::optional<FrameRange> range; ///< in source frames; everything when empty
+    std::optional<double> sourceFps; ///< rate of a source that names none, where it is not settings.fps
+    std::optional<CoordinateSystem> sourceAxes;
+    TextureReference texture;      ///< instead of the character's
+    std::vector<LabelSpan> labels; ///< in frames of the sequence
+    std::vector<ContactSpan> contacts;
+    std::string jointAngles; ///< BVH with reference joint angles, for evaluation
+    UnknownKeys unknown;
+
+    bool operator==(const SequenceEntry&) const = default;
+};
+
+struct ExportEntry
+{
+    std::string name;
+    std::string what; ///< "sequences/NAME"; later "animations/NAME", …
+    std::string path; ///< the ending gives the format, unless `format` does
+    std::string format;
+    std::optional<FrameRange> range;
+    std::optional<double> fps;
+    std::optional<CoordinateSystem> axes;
+    bool textures = true;
+    UnknownKeys unknown; ///< also options of single formats (camera, size)
+
+    bool operator==(const ExportEntry&) const = default;
+};
+
+/// The project document: a plain value, compared and copied as a whole by undo. Paths are relative to the
+/// file, with forward slashes.
+struct Project
+{
+    static constexpr int currentVersion = 1;
+
+    ProjectSettings settings;
+    std::vector<CharacterEntry> characters;
+    std::vector<SequenceEntry> sequences;
+    std::vector<ExportEntry> exports;
+    /// Sections and keys that this version does not know.
+    UnknownKeys unknown;
+
+    bool operator==(const Project&) const = default;
+};
+
+/// Reads, migrates and validates a project file.
+/// \throws Error file errors, ProjectSyntax, ProjectInvalid, ProjectNewer, each with line and column.
+Project loadProject(const std::filesystem::path& file);
+
+/// Writes atomically; the file that was there before stays as NAME.quadrille.bak.
+/// \throws Error WriteFailed, PermissionDenied.
+void saveProject(const Project& project, const std::filesystem::path& file);
+
+} // namespace quadrille

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/sequence/io/formats.h"
+
+namespace quadrille {
+
+std::vector<std::unique_ptr<Importer>> makeImporters()
+{
+    std::vector<std::unique_ptr<Importer>> importers;
+    return importers;
+}
+
+std::vector<std::unique_ptr<Exporter>> makeExporters()
+{
+    std::vector<std::unique_ptr<Exporter>> exporters;
+    return exporters;
+}
+
+} // namespace quadrille

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/sequence/texture.h"
+
+namespace quadrille {
+
+TextureSet::TextureSet(Kind kind, std::vector<Texture> textures)
+    : m_kind(kind), m_textures(std::move(textures))
+{
+}
+
+TextureSet TextureSet::single(Texture texture)
+{
+    return {Kind::Single, {std::move(texture)}};
+}
+
+TextureSet TextureSet::perFrame(std::vector<Texture> textures)
+{
+    return {Kind::PerFrame, std::move(textures)};
+}
+
+TextureSet TextureSet::perMaterial(std::vector<Texture> textures)
+{
+    return {Kind::PerMaterial, std::move(textures)};
+}
+
+int TextureSet::indexFor(FrameIndex sourceFrame, int material) const
+{
+    std::int64_t index = -1;
+    switch (m_kind) {
+    case Kind::None:
+        break;
+    case Kind::Single:
+        index = 0;
+        break;
+    case Kind::PerFrame:
+        index = sourceFrame.value;
+        break;
+    case Kind::PerMaterial:
+        index = material;
+        break;
+    }
+    const bool exists = index >= 0 && index < static_cast<std::int64_t>(m_textures.size()) &&
+                        !m_textures[static_cast<std::size_t>(index)].isEmpty();
+    return exists ? static_cast<int>(index) : -1;
+}
+
+std::shared_ptr<const Image> TextureSet::image(int index, MediaCache& cache) const
+{
+    if (index < 0)
+        return nullptr;
+    const Texture& texture = m_textures[static_cast<std::size_t>(index)];
+    if (texture.embedded)
+        return texture.embedded;
+    if (texture.isEmpty())
+        return nullptr;
+    return std::static_pointer_cast<const Image>(cache.get(m_id, index, [&texture] {
+        auto image = std::make_shared<const Image>(readImage(texture.file));
+        const std::size_t bytes = image->pixels.size();
+        return MediaCache::Loaded{std::move(image), bytes};
+    }));
+}
+
+} // namespace quadrille
