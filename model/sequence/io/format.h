@@ -58,6 +58,9 @@ struct ImportResult
     std::vector<Issue> issues;
     /// The source names its own rate.
     bool hasOwnFps = false;
+    /// What the sequences' positions are in, where the format itself says (glTF, FBX, COLLADA); otherwise
+    /// ImportOptions::from. The importer leaves the conversion to ImportOptions::to to `openSequences`.
+    std::optional<CoordinateSystem> coordinates;
 };
 
 /// Reads one format. Stateless; one instance in the registry.
