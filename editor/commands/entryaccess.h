@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/documents/changeevent.h"
+#include "model/project/project.h"
+
+#include <algorithm>
+#include <cassert>
+#include <type_traits>
+
+namespace quadrille {
+
+template <typename Entry>
+constexpr Section sectionOf()
+{
+    if constexpr (std::is_same_v<Entry, ProjectSettings>)
+        return Section::Project;
+    else if constexpr (std::is_same_v<Entry, CharacterEntry>)
+        return Section::Characters;
+    else if constexpr (std::is_same_v<Entry, SequenceEntry>)
+        return Section::Sequences;
+    else
+        return Section::Exports;
+}
+
+/// The entries of one kind. \tparam ProjectType Project or const Project.
+template <typename Entry, typename ProjectType>
+auto& entriesOf(ProjectType& project)
+{
+    if constexpr (std::is_same_v<Entry, CharacterEntry>)
+        return project.characters;
+    else if constexpr (std::is_same_v<Entry, SequenceEntry>)
+        return project.sequences;
+    else
+        return project.exports;
+}
+
+/// The entry of a name. \pre It is there (for ProjectSettings the name is not looked at).
+template <typename Entry, typename ProjectType>
+auto& entryOf(ProjectType& project, const QString& name)
+{
+    if constexpr (std::is_same_v<Entry, ProjectSettings>) {
+        return project.settings;
+    } else {
+        auto& entries = entriesOf<Entry>(project);
+        const auto found = std::ranges::find(entries, name.toStdString(), &Entry::name);
+        assert(found != entries.end());
+        return *found;
+    }
+}
+
+/// Rough memory of an entry, for the budget of the history.
+std::size_t memoryOf(const ProjectSettings& settings);
+std::size_t memoryOf(const CharacterEntry& character);
+std::size_t memoryOf(const SequenceEntry& sequence);
+std::size_t memoryOf(const ExportEntry& entry);
+
+} // namespace quadrille

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/commands/projectcommand.h"
+
+#include <utility>
+#include <vector>
+
+namespace quadrille {
+
+/// Entries together with the places they take in their section, ascending.
+template <typename Entry>
+using PlacedEntries = std::vector<std::pair<std::size_t, Entry>>;
+
+/// Entries that come and go together: a sequence with its new character, a character with what needs it.
+struct ProjectPart
+{
+    PlacedEntries<CharacterEntry> characters;
+    PlacedEntries<SequenceEntry> sequences;
+    PlacedEntries<ExportEntry> exports;
+
+    bool isEmpty() const { return characters.empty() && sequences.empty() && exports.empty(); }
+    std::size_t bytes() const;
+};
+
+/// Puts a part into the project, or takes it out.
+class InsertPart : public ProjectCommand
+{
+public:
+    enum class Direction
+    {
+        Insert,
+        Remove,
+    };
+
+    InsertPart(ProjectDocument& document, const QString& text, ProjectPart part, Direction direction);
+
+    void redo() override;
+    void undo() override;
+    std::size_t bytes() const override { return sizeof(*this) + m_part.bytes(); }
+    bool changesNothing() const override { return m_part.isEmpty(); }
+
+protected:
+    void release() override { m_part = {}; }
+
+private:
+    void run(bool insert);
+
+    ProjectPart m_part;
+    Direction m_direction;
+};
+
+} // namespace quadrille

@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/commands/projectedits.h"
+
+#include "editor/commands/insertpart.h"
+#include "editor/commands/relinkmedia.h"
+#include "editor/commands/renameentry.h"
+
+#include <QCoreApplication>
+#include <set>
+
+namespace quadrille {
+
+namespace {
+
+struct Texts
+{
+    Q_DECLARE_TR_FUNCTIONS(quadrille::ProjectEdits)
+};
+
+template <typename Entry>
+bool hasName(const Project& project, const QString& name)
+{
+    return std::ranges::find(entriesOf<Entry>(project), name.toStdString(), &Entry::name) !=
+           entriesOf<Entry>(project).end();
+}
+
+bool isTaken(const Project& project, Section section, const QString& name)
+{
+    switch (section) {
+    case Section::Project:
+        return true;
+    case Section::Characters:
+        return hasName<CharacterEntry>(project, name);
+    case Section::Sequences:
+        return hasName<SequenceEntry>(project, name);
+    case Section::Exports:
+        return hasName<ExportEntry>(project, name);
+    }
+    return false;
+}
+
+/// The entries for which `isWanted` holds, with their places.
+template <typename Entry, typename Predicate>
+PlacedEntries<Entry> placed(const std::vector<Entry>& entries, const Predicate& isWanted)
+{
+    PlacedEntries<Entry> result;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        if (isWanted(entries[i]))
+            result.emplace_back(i, entries[i]);
+    }
+    return result;
+}
+
+QString removalText(Section section, const QStringList& names)
+{
+    const int count = static_cast<int>(names.size());
+    if (count == 1)
+        return Texts::tr("Remove “%1”").arg(names.front());
+    switch (section) {
+    case Section::Characters:
+        return Texts::tr("Remove %n characters", nullptr, count);
+    case Section::Exports:
+        return Texts::tr("Remove %n exports", nullptr, count);
+    default:
+        return Texts::tr("Remove %n sequences", nullptr, count);
+    }
+}
+
+} // namespace
+
+QString freeName(const Project& project, Section section, const QString& wanted)
+{
+    QString name = wanted;
+    for (int i = 2; isTaken(project, section, name); ++i)
+        name = QStringLiteral("%1 %2").arg(wanted).arg(i);
+    return name;
+}
+
+QStringList addSequences(ProjectDocument& document, std::vector<SequenceEntry> sequences,
+                         std::vector<CharacterEntry> characters)
+{
+    Project preview = document.project();
+    ProjectPart part;
+    for (CharacterEntry& character : characters) {
+        const QString wanted = QString::fromStdString(character.name);
+        const std::string before = character.name;
+        character.name = freeName(preview, Section::Characters, wanted).toStdString();
+        for (SequenceEntry& sequence : sequences) {
+            if (sequence.character == before)
+                sequence.character = character.name;
+        }
+        part.characters.emplace_back(preview.characters.size(), character);
+        preview.characters.push_back(std::move(character));
+    }
+    QStringList names;
+    for (SequenceEntry& sequence : sequences) {
+        names += freeName(preview, Section::Sequences, QString::fromStdString(sequence.name));
+        sequence.name = names.back().toStdString();
+        part.sequences.emplace_back(preview.sequences.size(), sequence);
+        preview.sequences.push_back(std::move(sequence));
+    }
+    const QString text = names.size() == 1
+                             ? Texts::tr("Add “%1”").arg(names.front())
+                             : Texts::tr("Add %n sequences", nullptr, static_cast<int>(names.size()));
+    document.push(
+        std::make_unique<InsertPart>(document, text, std::move(part), InsertPart::Direction::Insert));
+    return names;
+}
+
+void removeEntries(ProjectDocument& document, Section section, const QStringList& names)
+{
+    const Project& project = document.project();
+    std::set<std::string> wanted;
+    for (const QString& name : names)
+        wanted.insert(name.toStdString());
+    ProjectPart part;
+    std::set<std::string> exported;
+    const auto takeSequences = [&](const auto& isWanted) {
+        part.sequences = placed(project.sequences, isWanted);
+        for (const auto& [place, sequence] : part.sequences)
+            exported.insert("sequences/" + sequence.name);
+    };
+    if (section == Section::Characters) {
+        part.characters = placed(project.characters, [&](const auto& c) { return wanted.contains(c.name); });
+        const bool takesOnly = project.characters.size() == 1 && !part.characters.empty();
+        takeSequences([&](const SequenceEntry& s) {
+            return s.character.empty() ? takesOnly : wanted.contains(s.character);
+        });
+    } else if (section == Section::Sequences) {
+        takeSequences([&](const SequenceEntry& s) { return wanted.contains(s.name); });
+    }
+    part.exports = placed(project.exports, [&](const ExportEntry& e) {
+        return section == Section::Exports ? wanted.contains(e.name) : exported.contains(e.what);
+    });
+    document.push(std::make_unique<InsertPart>(document, removalText(section, names), std::move(part),
+                                               InsertPart::Direction::Remove));
+}
+
+QString duplicateSequence(ProjectDocument& document, const QString& name)
+{
+    const Project& project = document.project();
+    SequenceEntry copy = entryOf<SequenceEntry>(project, name);
+    const QString copyName = freeName(project, Section::Sequences, name);
+    copy.name = copyName.toStdString();
+    const auto original = std::ranges::find(project.sequences, name.toStdString(), &SequenceEntry::name);
+    ProjectPart part;
+    part.sequences.emplace_back(original - project.sequences.begin() + 1, std::move(copy));
+    document.push(std::make_unique<InsertPart>(document, Texts::tr("Duplicate “%1”").arg(name),
+                                               std::move(part), InsertPart::Direction::Insert));
+    return copyName;
+}
+
+bool renameEntry(ProjectDocument& document, const EntryRef& entry, const QString& after)
+{
+    const QString name = after.trimmed();
+    if (name == entry.name)
+        return true;
+    if (name.isEmpty() || isTaken(document.project(), entry.section, name))
+        return false;
+    document.push(std::make_unique<RenameEntry>(
+        document, Texts::tr("Rename “%1” to “%2”").arg(entry.name, name), entry, name));
+    return true;
+}
+
+void setSequenceRange(ProjectDocument& document, const QString& name, std::optional<FrameRange> range,
+                      EditPhase phase)
+{
+    editEntry<SequenceEntry>(
+        document, Texts::tr("Trim “%1”").arg(name), name, QStringLiteral("range"),
+        [&](SequenceEntry& entry) { entry.range = range; }, phase);
+}
+
+void setSequenceFps(ProjectDocument& document, const QString& name, std::optional<double> fps,
+                    EditPhase phase)
+{
+    editEntry<SequenceEntry>(
+        document, Texts::tr("Change the frame rate of “%1”").arg(name), name, QStringLiteral("fps"),
+        [&](SequenceEntry& entry) { entry.sourceFps = fps; }, phase);
+}
+
+void setSequenceAxes(ProjectDocument& document, const QString& name, std::optional<CoordinateSystem> axes,
+                     EditPhase phase)
+{
+    editEntry<SequenceEntry>(
+        document, Texts::tr("Change axes or unit of “%1”").arg(name), name, QStringLiteral("axes"),
+        [&](SequenceEntry& entry) { entry.sourceAxes = axes; }, phase);
+}
+
+void setSequenceTexture(ProjectDocument& document, const QString& name, const TextureReference& texture)
+{
+    editEntry<SequenceEntry>(document, Texts::tr("Change the texture of “%1”").arg(name), name,
+                             QStringLiteral("texture"),
+                             [&](SequenceEntry& entry) { entry.texture = texture; });
+}
+
+void setSequenceCharacter(ProjectDocument& document, const QString& name, const QString& character)
+{
+    editEntry<SequenceEntry>(document, Texts::tr("Change the character of “%1”").arg(name), name,
+                             QStringLiteral("character"),
+                             [&](SequenceEntry& entry) { entry.character = character.toStdString(); });
+}
+
+void setSequenceLabels(ProjectDocument& document, const QString& name, std::vector<LabelSpan> labels,
+                       EditPhase phase)
+{
+    editEntry<SequenceEntry>(
+        document, Texts::tr("Label “%1”").arg(name), name, QStringLiteral("labels"),
+        [&](SequenceEntry& entry) { entry.labels = std::move(labels); }, phase);
+}
+
+void setSequenceContacts(ProjectDocument& document, const QString& name, std::vector<ContactSpan> contacts,
+                         EditPhase phase)
+{
+    editEntry<SequenceEntry>(
+        document, Texts::tr("Mark foot contacts of “%1”").arg(name), name, QStringLiteral("contacts"),
+        [&](SequenceEntry& entry) { entry.contacts = std::move(contacts); }, phase);
+}
+
+void setJointAngles(ProjectDocument& document, const QString& name, const std::string& bvh)
+{
+    editEntry<SequenceEntry>(document, Texts::tr("Change the reference joint angles of “%1”").arg(name), name,
+                             QStringLiteral("jointAngles"),
+                             [&](SequenceEntry& entry) { entry.jointAngles = bvh; });
+}
+
+void setCharacterNotes(ProjectDocument& document, const QString& name, const QString& notes)
+{
+    editEntry<CharacterEntry>(document, Texts::tr("Edit the notes of “%1”").arg(name), name,
+                              QStringLiteral("notes"),
+                              [&](CharacterEntry& entry) { entry.notes = notes.toStdString(); });
+}
+
+void setCharacterTexture(ProjectDocument& document, const QString& name, const TextureReference& texture)
+{
+    editEntry<CharacterEntry>(document, Texts::tr("Change the texture of “%1”").arg(name), name,
+                              QStringLiteral("texture"),
+                              [&](CharacterEntry& entry) { entry.texture = texture; });
+}
+
+void setCharacterMesh(ProjectDocument& document, const QString& name, const std::string& mesh)
+{
+    editEntry<CharacterEntry>(document, Texts::tr("Change the mesh of “%1”").arg(name), name,
+                              QStringLiteral("mesh"), [&](CharacterEntry& entry) { entry.mesh = mesh; });
+}
+
+void setSettings(ProjectDocument& document, const ProjectSettings& settings, EditPhase phase)
+{
+    document.push(std::make_unique<ChangeEntry<ProjectSettings>>(
+        document, Texts::tr("Change the project settings"), QString(), QString(), settings, phase));
+}
+
+QString addExport(ProjectDocument& document, ExportEntry entry)
+{
+    const Project& project = document.project();
+    const QString name = freeName(project, Section::Exports, QString::fromStdString(entry.name));
+    entry.name = name.toStdString();
+    ProjectPart part;
+    part.exports.emplace_back(project.exports.size(), std::move(entry));
+    document.push(std::make_unique<InsertPart>(document, Texts::tr("Add export “%1”").arg(name),
+                                               std::move(part), InsertPart::Direction::Insert));
+    return name;
+}
+
+void setExport(ProjectDocument& document, const QString& name, const ExportEntry& entry)
+{
+    editEntry<ExportEntry>(document, Texts::tr("Change export “%1”").arg(name), name,
+                           QStringLiteral("export"), [&](ExportEntry& changed) { changed = entry; });
+}
+
+void relinkMedia(ProjectDocument& document, const std::vector<std::pair<std::string, std::string>>& newPaths)
+{
+    document.push(std::make_unique<RelinkMedia>(document, Texts::tr("Relink media"), newPaths));
+}
+
+} // namespace quadrille

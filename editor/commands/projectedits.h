@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/commands/changeentry.h"
+#include "editor/documents/projectdocument.h"
+
+#include <QStringList>
+
+namespace quadrille {
+
+// Every edit of a project, as the user names it. Each is one undo step; a drag is one for all its steps.
+// Names that do not exist are a programming error.
+
+/// A name that no entry of the section has yet: `wanted`, or `wanted 2`, `wanted 3`, …
+QString freeName(const Project& project, Section section, const QString& wanted);
+
+/// Adds sequences at the end, and the characters that come with them. Names are made free.
+/// \return the names that the sequences got.
+QStringList addSequences(ProjectDocument& document, std::vector<SequenceEntry> sequences,
+                         std::vector<CharacterEntry> characters = {});
+/// Removes entries and the exports (of sequences) or sequences (of characters) that need them.
+void removeEntries(ProjectDocument& document, Section section, const QStringList& names);
+/// \return the copy's name.
+QString duplicateSequence(ProjectDocument& document, const QString& name);
+/// False when another entry of the section has the name, or it is empty.
+bool renameEntry(ProjectDocument& document, const EntryRef& entry, const QString& after);
+
+/// \param range in source frames; empty for all.
+void setSequenceRange(ProjectDocument& document, const QString& name, std::optional<FrameRange> range,
+                      EditPhase phase = EditPhase::Final);
+void setSequenceFps(ProjectDocument& document, const QString& name, std::optional<double> fps,
+                    EditPhase phase = EditPhase::Final);
+void setSequenceAxes(ProjectDocument& document, const QString& name, std::optional<CoordinateSystem> axes,
+                     EditPhase phase = EditPhase::Final);
+void setSequenceTexture(ProjectDocument& document, const QString& name, const TextureReference& texture);
+void setSequenceCharacter(ProjectDocument& document, const QString& name, const QString& character);
+void setSequenceLabels(ProjectDocument& document, const QString& name, std::vector<LabelSpan> labels,
+                       EditPhase phase = EditPhase::Final);
+void setSequenceContacts(ProjectDocument& document, const QString& name, std::vector<ContactSpan> contacts,
+                         EditPhase phase = EditPhase::Final);
+void setJointAngles(ProjectDocument& document, const QString& name, const std::string& bvh);
+
+void setCharacterNotes(ProjectDocument& document, const QString& name, const QString& notes);
+void setCharacterTexture(ProjectDocument& document, const QString& name, const TextureReference& texture);
+void setCharacterMesh(ProjectDocument& document, const QString& name, const std::string& mesh);
+
+void setSettings(ProjectDocument& document, const ProjectSettings& settings,
+                 EditPhase phase = EditPhase::Final);
+
+/// \return the name that the entry got.
+QString addExport(ProjectDocument& document, ExportEntry entry);
+void setExport(ProjectDocument& document, const QString& name, const ExportEntry& entry);
+
+/// Media that moved: the new path of each old one, as the project holds them.
+void relinkMedia(ProjectDocument& document, const std::vector<std::pair<std::string, std::string>>& newPaths);
+
+} // namespace quadrille

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/documents/projectdocument.h"
+
+#include "editor/commands/projectcommand.h"
+#include "editor/documents/projectpaths.h"
+
+#include <algorithm>
+
+namespace quadrille {
+
+namespace {
+
+template <typename Entry>
+const Entry* findByName(const std::vector<Entry>& entries, const std::string& name)
+{
+    const auto found = std::ranges::find(entries, name, &Entry::name);
+    return found == entries.end() ? nullptr : &*found;
+}
+
+const ProjectCommand* commandAt(const QUndoStack& stack, int index)
+{
+    return static_cast<const ProjectCommand*>(stack.command(index));
+}
+
+} // namespace
+
+ProjectDocument::ProjectDocument(QObject* parent) : QObject(parent)
+{
+    connect(&m_undoStack, &QUndoStack::cleanChanged, this, [this] { emit changed(ChangeEvent::file()); });
+}
+
+ProjectDocument::~ProjectDocument() = default;
+
+const SequenceEntry* ProjectDocument::sequence(const QString& name) const
+{
+    return findByName(m_project.sequences, name.toStdString());
+}
+
+const CharacterEntry* ProjectDocument::character(const QString& name) const
+{
+    return findByName(m_project.characters, name.toStdString());
+}
+
+const ExportEntry* ProjectDocument::exportEntry(const QString& name) const
+{
+    return findByName(m_project.exports, name.toStdString());
+}
+
+const CharacterEntry* ProjectDocument::characterOf(const SequenceEntry& sequence) const
+{
+    if (sequence.character.empty() && m_project.characters.size() == 1)
+        return &m_project.characters.front();
+    return findByName(m_project.characters, sequence.character);
+}
+
+QString ProjectDocument::title() const
+{
+    return isUntitled() ? tr("Untitled") : toQString(m_file.stem());
+}
+
+bool ProjectDocument::canUndo() const
+{
+    const int index = m_undoStack.index();
+    return index > 0 && !commandAt(m_undoStack, index - 1)->isExpired();
+}
+
+void ProjectDocument::undo()
+{
+    if (canUndo())
+        m_undoStack.undo();
+}
+
+void ProjectDocument::redo()
+{
+    m_undoStack.redo();
+}
+
+void ProjectDocument::push(std::unique_ptr<ProjectCommand> command)
+{
+    const int index = m_undoStack.index();
+    const auto* last = index > 0 ? commandAt(m_undoStack, index - 1) : nullptr;
+    const bool endsDrag = last != nullptr && last->isOpen();
+    if (command->changesNothing() && !endsDrag)
+        return;
+    m_undoStack.push(command.release());
+    expireOldCommands();
+}
+
+void ProjectDocument::setHistoryBytes(std::size_t bytes)
+{
+    m_historyBytes = bytes;
+    expireOldCommands();
+}
+
+void ProjectDocument::expireOldCommands()
+{
+    std::size_t bytes = 0;
+    for (int i = m_undoStack.count() - 1; i >= 0; --i) {
+        bytes += commandAt(m_undoStack, i)->bytes();
+        // A command that can still be redone is needed whole.
+        if (bytes > m_historyBytes && i < m_undoStack.index() - 1)
+            const_cast<ProjectCommand*>(commandAt(m_undoStack, i))->expire();
+    }
+}
+
+void ProjectDocument::reset(Project project, bool recovered)
+{
+    show(std::move(project), {}, recovered);
+}
+
+void ProjectDocument::load(const std::filesystem::path& file)
+{
+    const auto absolute = std::filesystem::absolute(file).lexically_normal();
+    show(withAbsolutePaths(loadProject(absolute), absolute.parent_path()), absolute, false);
+}
+
+void ProjectDocument::recover(Project project, const std::filesystem::path& file)
+{
+    show(std::move(project), file, true);
+}
+
+void ProjectDocument::save()
+{
+    saveProject(withRelativePaths(m_project, m_file.parent_path()), m_file);
+    m_recovered = false;
+    m_undoStack.setClean();
+    emit changed(ChangeEvent::file());
+}
+
+void ProjectDocument::saveAs(const std::filesystem::path& file)
+{
+    const auto absolute = std::filesystem::absolute(file).lexically_normal();
+    saveProject(withRelativePaths(m_project, absolute.parent_path()), absolute);
+    m_file = absolute;
+    m_recovered = false;
+    m_undoStack.setClean();
+    emit changed(ChangeEvent::file());
+}
+
+void ProjectDocument::apply(const std::function<void(Project&)>& edit, const std::vector<ChangeEvent>& events)
+{
+    edit(m_project);
+    for (const ChangeEvent& event : events)
+        emit changed(event);
+}
+
+void ProjectDocument::show(Project project, std::filesystem::path file, bool recovered)
+{
+    m_undoStack.clear();
+    m_project = std::move(project);
+    m_file = std::move(file);
+    m_recovered = recovered;
+    emit changed(ChangeEvent::reset());
+    emit changed(ChangeEvent::file());
+}
+
+} // namespace quadrille
