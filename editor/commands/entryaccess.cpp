@@ -10,7 +10,7 @@ std::size_t memoryOf(const TextureReference& texture)
 {
     std::size_t bytes = 0;
     for (const std::string& path : texture.paths)
-        bytes += sizeof(path) + path.capacity();
+        bytes += sizeof(std::string) + path.capacity();
     return bytes;
 }
 

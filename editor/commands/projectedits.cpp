@@ -141,7 +141,7 @@ QString duplicateSequence(ProjectDocument& document, const QString& name)
 {
     const Project& project = document.project();
     SequenceEntry copy = entryOf<SequenceEntry>(project, name);
-    const QString copyName = freeName(project, Section::Sequences, name);
+    QString copyName = freeName(project, Section::Sequences, name);
     copy.name = copyName.toStdString();
     const auto original = std::ranges::find(project.sequences, name.toStdString(), &SequenceEntry::name);
     ProjectPart part;
@@ -253,7 +253,7 @@ void setSettings(ProjectDocument& document, const ProjectSettings& settings, Edi
 QString addExport(ProjectDocument& document, ExportEntry entry)
 {
     const Project& project = document.project();
-    const QString name = freeName(project, Section::Exports, QString::fromStdString(entry.name));
+    QString name = freeName(project, Section::Exports, QString::fromStdString(entry.name));
     entry.name = name.toStdString();
     ProjectPart part;
     part.exports.emplace_back(project.exports.size(), std::move(entry));
