@@ -61,6 +61,9 @@ enum class ErrorCode
     ResultDamaged,
     // use
     BadArgument,
+    // the machine, and what nobody foresaw
+    OutOfMemory,
+    Unexpected,
 };
 
 /// Where in a file or sequence an error lies; fields that do not apply stay empty.

@@ -111,6 +111,12 @@ ErrorMessage errorMessage(ErrorCode code)
                 QUADRILLE_MESSAGE("It will be computed again.")};
     case ErrorCode::BadArgument:
         return {QUADRILLE_MESSAGE("{reason}."), QUADRILLE_MESSAGE("{remedy}")};
+    case ErrorCode::OutOfMemory:
+        return {QUADRILLE_MESSAGE("There is not enough memory for this."),
+                QUADRILLE_MESSAGE("Choose a shorter range, or close other programs.")};
+    case ErrorCode::Unexpected:
+        return {QUADRILLE_MESSAGE("Something unexpected happened: {reason}."),
+                QUADRILLE_MESSAGE("Save your work and try again; if it happens again, report it.")};
     }
     return {"", ""};
 }

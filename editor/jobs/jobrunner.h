@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/jobs/job.h"
+
+#include <QObject>
+#include <atomic>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace quadrille {
+
+class JobThreads;
+
+/// Runs long work off the interface thread and hands its result back on it. Jobs take their input by value
+/// (captured by `work`), never by reference to what the user may edit meanwhile.
+///
+///     m_jobs.start({.name = tr("Opening %1").arg(name), .receiver = this, .failed = show},
+///                  [path](const Progress& progress) { return openSequences(path, {}, progress); },
+///                  [this](ImportResult result) { take(std::move(result)); });
+class JobRunner : public QObject
+{
+    Q_OBJECT
+public:
+    /// \param threads that work at a time; 0 chooses by the machine.
+    explicit JobRunner(QObject* parent = nullptr, int threads = 0);
+    /// Cancels all jobs and waits for their threads; nothing is handed on any more.
+    ~JobRunner() override;
+
+    /// \param work `Result work(const Progress&)`, on a thread of its own; must report at least every 50 ms.
+    /// \param done `void done(Result)`, or `void done()` where work returns nothing; on the interface thread.
+    /// \return the job, which the runner owns.
+    template <typename Work, typename Done>
+    Job* start(JobSettings settings, Work work, Done done);
+
+    /// Jobs that are not over yet, in the order they were started.
+    std::vector<Job*> jobs() const;
+    void cancelAll();
+
+signals:
+    void started(quadrille::Job* job);
+    void ended(quadrille::Job* job);
+    /// A job failed that has no handler of its own.
+    void failed(quadrille::Job* job, const quadrille::Error& error);
+
+protected:
+    bool event(QEvent* event) override;
+
+private:
+    friend class Job;
+    using ErasedWork = std::function<std::shared_ptr<void>(const Progress&)>;
+    using Deliver = std::function<void(void*)>;
+
+    Job* add(JobSettings settings, ErasedWork work, Deliver deliver);
+    void wake();
+    void update();
+
+    std::vector<Job*> m_jobs;
+    std::atomic<bool> m_woken{false};
+    std::unique_ptr<JobThreads> m_threads;
+};
+
+template <typename Work, typename Done>
+Job* JobRunner::start(JobSettings settings, Work work, Done done)
+{
+    using Result = std::invoke_result_t<Work&, const Progress&>;
+    if constexpr (std::is_void_v<Result>) {
+        return add(
+            std::move(settings),
+            [work = std::move(work)](const Progress& progress) mutable -> std::shared_ptr<void> {
+                work(progress);
+                return nullptr;
+            },
+            [done = std::move(done)](void*) mutable { done(); });
+    } else {
+        return add(
+            std::move(settings),
+            [work = std::move(work)](const Progress& progress) mutable -> std::shared_ptr<void> {
+                return std::make_shared<Result>(work(progress));
+            },
+            [done = std::move(done)](void* result) mutable {
+                done(std::move(*static_cast<Result*>(result)));
+            });
+    }
+}
+
+} // namespace quadrille
