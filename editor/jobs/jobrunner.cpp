@@ -4,16 +4,13 @@
 
 #include "editor/jobs/jobthreads.h"
 
-#include <QCoreApplication>
-#include <QEvent>
+#include <QMetaObject>
 #include <QThread>
 #include <algorithm>
 
 namespace quadrille {
 
 namespace {
-
-const auto wakeEvent = static_cast<QEvent::Type>(QEvent::registerEventType());
 
 int threadCount(int wanted)
 {
@@ -61,21 +58,14 @@ Job* JobRunner::add(JobSettings settings, ErasedWork work, Deliver deliver)
 
 void JobRunner::wake()
 {
+    // By name, so that the event is made and read inside Qt: the thread sanitizer cannot see Qt's own locks.
     if (!m_woken.exchange(true))
-        QCoreApplication::postEvent(this, new QEvent(wakeEvent));
-}
-
-bool JobRunner::event(QEvent* event)
-{
-    if (event->type() != wakeEvent)
-        return QObject::event(event);
-    m_woken.store(false);
-    update();
-    return true;
+        QMetaObject::invokeMethod(this, "update", Qt::QueuedConnection);
 }
 
 void JobRunner::update()
 {
+    m_woken.store(false);
     m_threads->dropCancelled();
     const std::vector<Job*> jobs = m_jobs; // what is handed on may start or end jobs
     for (Job* job : jobs) {

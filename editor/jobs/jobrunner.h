@@ -34,7 +34,7 @@ public:
     /// \param done `void done(Result)`, or `void done()` where work returns nothing; on the interface thread.
     /// \return the job, which the runner owns.
     template <typename Work, typename Done>
-    Job* start(JobSettings settings, Work work, Done done);
+    Job* start(const JobSettings& settings, Work work, Done done);
 
     /// Jobs that are not over yet, in the order they were started.
     std::vector<Job*> jobs() const;
@@ -46,17 +46,15 @@ signals:
     /// A job failed that has no handler of its own.
     void failed(quadrille::Job* job, const quadrille::Error& error);
 
-protected:
-    bool event(QEvent* event) override;
-
 private:
     friend class Job;
     using ErasedWork = std::function<std::shared_ptr<void>(const Progress&)>;
     using Deliver = std::function<void(void*)>;
 
     Job* add(JobSettings settings, ErasedWork work, Deliver deliver);
+    /// Has `update` called on the interface thread, once for any number of calls. From any thread.
     void wake();
-    void update();
+    Q_INVOKABLE void update();
 
     std::vector<Job*> m_jobs;
     std::atomic<bool> m_woken{false};
@@ -64,12 +62,12 @@ private:
 };
 
 template <typename Work, typename Done>
-Job* JobRunner::start(JobSettings settings, Work work, Done done)
+Job* JobRunner::start(const JobSettings& settings, Work work, Done done)
 {
     using Result = std::invoke_result_t<Work&, const Progress&>;
     if constexpr (std::is_void_v<Result>) {
         return add(
-            std::move(settings),
+            settings,
             [work = std::move(work)](const Progress& progress) mutable -> std::shared_ptr<void> {
                 work(progress);
                 return nullptr;
@@ -77,7 +75,7 @@ Job* JobRunner::start(JobSettings settings, Work work, Done done)
             [done = std::move(done)](void*) mutable { done(); });
     } else {
         return add(
-            std::move(settings),
+            settings,
             [work = std::move(work)](const Progress& progress) mutable -> std::shared_ptr<void> {
                 return std::make_shared<Result>(work(progress));
             },
