@@ -41,6 +41,7 @@ enum class ErrorCode
     NoVertices,
     NoFaces,
     PolygonSoup,
+    SceneWithoutMesh,
     IndexOutOfRange,
     NonFiniteCoordinate,
     VertexCountMismatch,

@@ -5,6 +5,7 @@
 #include "model/core/error.h"
 #include "model/core/file.h"
 
+#include <limits>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -29,10 +30,17 @@ const std::uint8_t* Image::pixel(int x, int y) const
 Image readImage(const std::filesystem::path& path)
 {
     const FileContent file = readFile(path);
-    const cv::Mat encoded(1, static_cast<int>(file.size), CV_8U, file.data.get());
+    return decodeImage(file.bytes(), path);
+}
+
+Image decodeImage(std::span<const std::byte> encoded, const std::filesystem::path& path)
+{
+    if (encoded.empty() || encoded.size() > std::numeric_limits<int>::max())
+        throw Error(ErrorCode::ImageUnreadable, {path, {}, {}});
+    const cv::Mat bytes(1, static_cast<int>(encoded.size()), CV_8U, const_cast<std::byte*>(encoded.data()));
     cv::Mat decoded;
     try {
-        decoded = cv::imdecode(encoded, cv::IMREAD_UNCHANGED);
+        decoded = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
     } catch (const cv::Exception&) {
         decoded.release();
     }
@@ -60,7 +68,7 @@ Image readImage(const std::filesystem::path& path)
     return image;
 }
 
-void writeImage(const Image& image, const std::filesystem::path& path)
+std::vector<std::byte> encodeImage(const Image& image, const std::string& extension)
 {
     const cv::Mat source(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.pixels.data()));
     cv::Mat encodable;
@@ -68,12 +76,24 @@ void writeImage(const Image& image, const std::filesystem::path& path)
     std::vector<unsigned char> encoded;
     bool known = false;
     try {
-        known = cv::imencode(path.extension().string(), encodable, encoded);
+        known = cv::imencode(extension, encodable, encoded);
     } catch (const cv::Exception&) {
         known = false;
     }
     if (!known)
-        throw Error(ErrorCode::FormatUnknown, {path, {}, {}});
+        throw Error(ErrorCode::FormatUnknown, {std::filesystem::path(extension), {}, {}});
+    const auto bytes = std::as_bytes(std::span(encoded));
+    return {bytes.begin(), bytes.end()};
+}
+
+void writeImage(const Image& image, const std::filesystem::path& path)
+{
+    std::vector<std::byte> encoded;
+    try {
+        encoded = encodeImage(image, path.extension().string());
+    } catch (const Error& error) {
+        throw Error(error.code(), {path, {}, {}});
+    }
     writeAtomically(path, std::string_view(reinterpret_cast<const char*>(encoded.data()), encoded.size()));
 }
 

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace quadrille {
@@ -27,6 +29,16 @@ struct Image
 /// Reads PNG, JPEG or TIFF.
 /// \throws Error FileNotFound, PermissionDenied, FileEmpty, ImageUnreadable.
 Image readImage(const std::filesystem::path& path);
+
+/// Decodes the bytes of a PNG, JPEG or TIFF file.
+/// \param file  names the source in errors.
+/// \throws Error ImageUnreadable.
+Image decodeImage(std::span<const std::byte> encoded, const std::filesystem::path& file = {});
+
+/// The bytes of a PNG, JPEG or TIFF file.
+/// \param extension  ".png", ".jpg", …
+/// \throws Error FormatUnknown.
+std::vector<std::byte> encodeImage(const Image& image, const std::string& extension);
 
 /// Writes PNG, JPEG or TIFF by the path's ending, atomically. PNG bytes depend on the pixels alone.
 /// \throws Error WriteFailed, PermissionDenied, FormatUnknown.

@@ -59,6 +59,10 @@ ErrorMessage errorMessage(ErrorCode code)
     case ErrorCode::NoFaces:
         return {QUADRILLE_MESSAGE("The mesh has no faces."),
                 QUADRILLE_MESSAGE("Export it with faces, or give a mesh beside it.")};
+    case ErrorCode::SceneWithoutMesh:
+        return {QUADRILLE_MESSAGE("The scene holds no mesh."),
+                QUADRILLE_MESSAGE("Export the character's geometry too: cameras, lights and bones alone "
+                                  "cannot be shown.")};
     case ErrorCode::PolygonSoup:
         return {QUADRILLE_MESSAGE("The {count} triangles share no vertices: this is a polygon soup."),
                 QUADRILLE_MESSAGE("Merge vertices by distance in the tool it comes from, and export again.")};

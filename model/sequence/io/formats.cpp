@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/formats.h"
 
+#include "model/sequence/io/gltf.h"
+
 namespace quadrille {
 
 std::vector<std::unique_ptr<Importer>> makeImporters()
 {
     std::vector<std::unique_ptr<Importer>> importers;
+    importers.push_back(std::make_unique<GltfImporter>());
     return importers;
 }
 

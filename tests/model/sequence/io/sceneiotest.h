@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/file.h"
+#include "model/sequence/io/format.h"
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace quadrille {
+
+/// A folder of its own, removed at the end.
+class TemporaryFolder
+{
+public:
+    TemporaryFolder()
+    {
+        static int counter = 0;
+        m_path = std::filesystem::temp_directory_path() /
+                 ("quadrille-sceneio-" + std::to_string(::getpid()) + "-" + std::to_string(counter++));
+        std::filesystem::create_directories(m_path);
+    }
+    ~TemporaryFolder() { std::filesystem::remove_all(m_path); }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    std::filesystem::path operator/(const std::string& name) const { return m_path / name; }
+    /// Writes a file of the folder.
+    std::filesystem::path write(const std::string& name, const std::string& content) const
+    {
+        std::ofstream(m_path / name, std::ios::binary) << content;
+        return m_path / name;
+    }
+
+private:
+    std::filesystem::path m_path;
+};
+
+inline SourceFiles fileSource(const std::filesystem::path& path)
+{
+    SourceFiles source;
+    source.path = path;
+    source.files = {path};
+    source.stem = path.stem().string();
+    return source;
+}
+
+/// Code of the Error that a call throws; fails the test when it throws none.
+template <typename Call>
+ErrorCode codeOf(Call&& call)
+{
+    try {
+        call();
+    } catch (const Error& error) {
+        EXPECT_STRNE(error.what(), "");
+        return error.code();
+    }
+    ADD_FAILURE() << "no error was thrown";
+    return ErrorCode::BadArgument;
+}
+
+inline std::filesystem::path dataDirectory()
+{
+    return QUADRILLE_DATA_DIR;
+}
+
+/// Positions of a PC2 point cache, frames × points.
+struct PointCache
+{
+    std::size_t points = 0;
+    std::size_t frames = 0;
+    std::vector<Vec3f> positions;
+};
+inline PointCache readPointCache(const std::filesystem::path& path)
+{
+    const FileContent content = readFile(path);
+    std::int32_t points = 0;
+    std::int32_t frames = 0;
+    std::memcpy(&points, content.data.get() + 16, 4);
+    std::memcpy(&frames, content.data.get() + 28, 4);
+    PointCache cache{static_cast<std::size_t>(points), static_cast<std::size_t>(frames), {}};
+    cache.positions.resize(cache.points * cache.frames);
+    std::memcpy(cache.positions.front().data(), content.data.get() + 32, cache.positions.size() * 12);
+    return cache;
+}
+
+/// Length of the diagonal of the box around some points.
+inline float sizeOf(std::span<const Vec3f> points)
+{
+    Vec3f low = points.front();
+    Vec3f high = points.front();
+    for (const Vec3f& p : points) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    return (high - low).norm();
+}
+
+} // namespace quadrille
