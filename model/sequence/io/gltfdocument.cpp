@@ -16,10 +16,12 @@ constexpr std::uint32_t jsonChunk = 0x4e4f534a;   // "JSON"
 constexpr std::uint32_t binaryChunk = 0x004e4942; // "BIN"
 
 constexpr std::array understoodExtensions = {
-    "KHR_mesh_quantization",           "KHR_texture_transform",  "KHR_materials_unlit",
-    "KHR_materials_emissive_strength", "KHR_materials_specular", "KHR_materials_ior",
-    "KHR_materials_clearcoat",         "KHR_lights_punctual",    "KHR_materials_transmission",
-    "KHR_materials_volume",            "KHR_materials_sheen",    "KHR_materials_variants",
+    "KHR_mesh_quantization",      "KHR_texture_transform",
+    "KHR_materials_unlit",        "KHR_materials_emissive_strength",
+    "KHR_materials_specular",     "KHR_materials_ior",
+    "KHR_materials_clearcoat",    "KHR_lights_punctual",
+    "KHR_materials_transmission", "KHR_materials_volume",
+    "KHR_materials_sheen",        "KHR_materials_variants",
     "KHR_animation_pointer",
 };
 
@@ -204,7 +206,8 @@ std::optional<std::vector<std::byte>> GltfDocument::dataOfUri(const std::string&
     if (!uri.starts_with("data:"))
         return std::nullopt;
     const auto comma = uri.find(";base64,");
-    auto bytes = comma == std::string::npos ? std::nullopt : decodeBase64(std::string_view(uri).substr(comma + 8));
+    auto bytes =
+        comma == std::string::npos ? std::nullopt : decodeBase64(std::string_view(uri).substr(comma + 8));
     if (!bytes)
         fail("a data URI is not base64");
     return bytes;

@@ -16,8 +16,8 @@ namespace quadrille {
 /// A glTF 2.0 file (.gltf or .glb) with its buffers: JSON and typed access to what its accessors hold. Every
 /// index, offset and count is checked against what is there.
 ///
-/// Errors of all members: FileSyntax, FileTruncated, CountTooLarge, nlohmann::json::exception where a value has
-/// the wrong type; reading external buffers also throws what readFile throws.
+/// Errors of all members: FileSyntax, FileTruncated, CountTooLarge, nlohmann::json::exception where a value
+/// has the wrong type; reading external buffers also throws what readFile throws.
 class GltfDocument
 {
 public:

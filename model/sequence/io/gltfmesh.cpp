@@ -39,7 +39,8 @@ UvSource uvSourceOf(const Json& material)
     if (!colour)
         return source;
     auto set = colour->value("texCoord", 0);
-    const auto transform = colour->value("extensions", Json::object()).value("KHR_texture_transform", Json::object());
+    const auto transform =
+        colour->value("extensions", Json::object()).value("KHR_texture_transform", Json::object());
     if (!transform.empty()) {
         const auto scale = transform.value("scale", std::array{1.0F, 1.0F});
         const auto offset = transform.value("offset", std::array{0.0F, 0.0F});
@@ -104,9 +105,10 @@ private:
                                     : m_document.viewBytes(gltfIndex(image, "bufferView"));
             return {{}, std::make_shared<const Image>(decodeImage(bytes, m_document.path()))};
         } catch (const Error&) {
-            m_scene.issues.push_back({Issue::Severity::Warning,
-                                      Issue::Code::TextureMissing,
-                                      {m_document.path(), {}, {{"path", image.value("name", "in the file")}}}});
+            m_scene.issues.push_back(
+                {Issue::Severity::Warning,
+                 Issue::Code::TextureMissing,
+                 {m_document.path(), {}, {{"path", image.value("name", "in the file")}}}});
             return {};
         }
     }
@@ -209,8 +211,7 @@ private:
 
     void addUvs(const Json& attributes, std::int64_t material, std::size_t first, std::int64_t count)
     {
-        const UvSource source =
-            material < 0 ? UvSource{} : uvSourceOf(m_document.at("materials", material));
+        const UvSource source = material < 0 ? UvSource{} : uvSourceOf(m_document.at("materials", material));
         const auto accessor = gltfIndex(attributes, source.attribute.c_str());
         if (accessor < 0) {
             if (!m_mesh.uvs.empty())
@@ -247,7 +248,8 @@ private:
     void addMorphTargets(const Json& primitive, std::size_t first, std::int64_t count)
     {
         const auto targets = primitive.find("targets");
-        const std::size_t targetCount = targets != primitive.end() && targets->is_array() ? targets->size() : 0;
+        const std::size_t targetCount =
+            targets != primitive.end() && targets->is_array() ? targets->size() : 0;
         if (targetCount > m_mesh.morphTargets.size())
             m_mesh.morphTargets.resize(targetCount, std::vector<Vec3f>(first, Vec3f::Zero()));
         for (std::size_t t = 0; t < m_mesh.morphTargets.size(); ++t) {
@@ -299,7 +301,8 @@ private:
     std::vector<float> m_original;
 };
 
-std::vector<SceneJoint> readSkin(const GltfDocument& document, std::int64_t index, const std::vector<int>& nodeOf)
+std::vector<SceneJoint> readSkin(const GltfDocument& document, std::int64_t index,
+                                 const std::vector<int>& nodeOf)
 {
     const Json& skin = document.at("skins", index);
     const auto nodes = skin.at("joints").get<std::vector<std::int64_t>>();

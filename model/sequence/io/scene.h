@@ -84,8 +84,8 @@ struct SceneMesh
     std::vector<Vec3f> positions;
     std::vector<Vec2f> uvs; ///< one per vertex, origin lower left; empty without
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<std::uint16_t> triangleMaterials; ///< one per triangle, into Scene::materials
-    std::vector<SceneJoint> joints;               ///< empty without a skin
+    std::vector<std::uint16_t> triangleMaterials;        ///< one per triangle, into Scene::materials
+    std::vector<SceneJoint> joints;                      ///< empty without a skin
     std::vector<std::vector<SceneInfluence>> influences; ///< one list per vertex with a skin
     std::vector<std::vector<Vec3f>> morphTargets;        ///< targets × vertices, offsets
     std::vector<float> morphWeights;                     ///< of the targets, where no clip says otherwise

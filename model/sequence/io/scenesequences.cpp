@@ -94,8 +94,7 @@ std::optional<Weld> namedWeld(const SceneMesh& mesh)
 Weld weldMesh(const SceneMesh& mesh)
 {
     auto named = namedWeld(mesh);
-    return named ? std::move(*named)
-                 : weldVertices(mesh.positions, attributeClasses(mesh), mesh.triangles);
+    return named ? std::move(*named) : weldVertices(mesh.positions, attributeClasses(mesh), mesh.triangles);
 }
 
 void checkFinite(const SceneMesh& mesh, const std::filesystem::path& file)
@@ -267,7 +266,7 @@ void checkOptions(const Scene& scene, const std::filesystem::path& file, const I
     for (const SceneClip& clip : scene.clips) {
         if (clip.name == options.clip)
             return;
-        known += (known.empty() ? "" : ", ") + clip.name;
+        known.append(known.empty() ? "" : ", ").append(clip.name);
     }
     throw Error(ErrorCode::BadArgument,
                 {file,
@@ -285,7 +284,7 @@ void makeNamesUnique(std::vector<SceneClip>& clips, const std::string& stem)
             clip.name = stem;
         const int use = ++uses[clip.name];
         if (use > 1)
-            clip.name += " " + std::to_string(use);
+            clip.name.append(" ").append(std::to_string(use));
     }
 }
 
@@ -323,9 +322,9 @@ ImportResult sequencesFromScene(Scene scene, const std::filesystem::path& file, 
     result.issues = std::move(scene.issues);
     result.coordinates = scene.coordinates;
     if (merger.splitCount > topology->vertexCount())
-        addIssue(result.issues, Issue::Severity::Info, Issue::Code::VerticesWelded, file,
-                 {{"from", std::to_string(merger.splitCount)},
-                  {"to", std::to_string(topology->vertexCount())}});
+        addIssue(
+            result.issues, Issue::Severity::Info, Issue::Code::VerticesWelded, file,
+            {{"from", std::to_string(merger.splitCount)}, {"to", std::to_string(topology->vertexCount())}});
     if (merger.degenerateCount > 0)
         addIssue(result.issues, Issue::Severity::Warning, Issue::Code::DuplicateFaces, file,
                  {{"count", std::to_string(merger.degenerateCount)}});

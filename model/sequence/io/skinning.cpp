@@ -8,8 +8,8 @@
 
 namespace quadrille {
 
-SkinnedFrames::SkinnedFrames(std::shared_ptr<const SkinnedModel> model,
-                             std::shared_ptr<const SceneClip> clip, double fps, std::int64_t frameCount)
+SkinnedFrames::SkinnedFrames(std::shared_ptr<const SkinnedModel> model, std::shared_ptr<const SceneClip> clip,
+                             double fps, std::int64_t frameCount)
     : m_model(std::move(model))
     , m_clip(std::move(clip))
     , m_tracksOfNode(m_model->nodes.size(), nullptr)
@@ -58,7 +58,8 @@ std::vector<Eigen::Matrix4f> SkinnedFrames::jointMatrices(double seconds) const
     std::vector<Eigen::Matrix4f> matrices;
     matrices.reserve(m_model->joints.size());
     for (const SceneJoint& joint : m_model->joints)
-        matrices.emplace_back((global[static_cast<std::size_t>(joint.node)] * joint.inverseBind).cast<float>());
+        matrices.emplace_back(
+            (global[static_cast<std::size_t>(joint.node)] * joint.inverseBind).cast<float>());
     return matrices;
 }
 

@@ -12,10 +12,10 @@ namespace quadrille {
 /// Offsets of some consecutive vertices of a skinned model.
 struct MorphTarget
 {
-    int node = 0;               ///< whose weights drive it
-    std::uint32_t weight = 0;   ///< which of the node's weights
-    float restWeight = 0;       ///< where no clip says otherwise
-    std::uint32_t first = 0;    ///< vertex of the first offset
+    int node = 0;             ///< whose weights drive it
+    std::uint32_t weight = 0; ///< which of the node's weights
+    float restWeight = 0;     ///< where no clip says otherwise
+    std::uint32_t first = 0;  ///< vertex of the first offset
     std::vector<Vec3f> offsets;
 };
 
@@ -26,7 +26,8 @@ struct SkinnedModel
     std::vector<SceneNode> nodes;
     std::vector<SceneJoint> joints;
     std::vector<Vec3f> rest;
-    /// Influences of vertex v: [influenceStart[v], influenceStart[v + 1]); joints of the model, weights sum to 1.
+    /// Influences of vertex v: [influenceStart[v], influenceStart[v + 1]); joints of the model, weights sum
+    /// to 1.
     std::vector<std::uint32_t> influenceStart;
     std::vector<SceneInfluence> influences;
     std::vector<MorphTarget> morphTargets;
@@ -37,8 +38,8 @@ struct SkinnedModel
 class SkinnedFrames : public FrameSource
 {
 public:
-    SkinnedFrames(std::shared_ptr<const SkinnedModel> model, std::shared_ptr<const SceneClip> clip, double fps,
-                  std::int64_t frameCount);
+    SkinnedFrames(std::shared_ptr<const SkinnedModel> model, std::shared_ptr<const SceneClip> clip,
+                  double fps, std::int64_t frameCount);
 
     std::int64_t frameCount() const override { return m_frameCount; }
     std::uint32_t vertexCount() const override { return static_cast<std::uint32_t>(m_model->rest.size()); }

@@ -30,8 +30,9 @@ public:
     /// The smaller index stays the root.
     void join(std::uint32_t a, std::uint32_t b)
     {
-        const auto [low, high] = std::minmax(root(a), root(b));
-        m_parents[high] = low;
+        a = root(a);
+        b = root(b);
+        m_parents[std::max(a, b)] = std::min(a, b);
     }
 
 private:
@@ -59,8 +60,7 @@ std::vector<std::uint32_t> placeClasses(std::span<const Vec3f> positions,
     std::vector<std::uint32_t> classes(positions.size());
     std::uint32_t current = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i > 0 &&
-            (key(order[i]) != key(order[i - 1]) || attribute(order[i]) != attribute(order[i - 1])))
+        if (i > 0 && (key(order[i]) != key(order[i - 1]) || attribute(order[i]) != attribute(order[i - 1])))
             ++current;
         classes[order[i]] = current;
     }

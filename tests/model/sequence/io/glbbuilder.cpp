@@ -110,22 +110,22 @@ GlbBuilder skinnedQuad()
     GlbBuilder b;
     const int positions = b.vectors({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}});
     const int uvs = b.floats({0, 1, 1, 1, 1, 0, 0.5, 1, 0.5, 0.5, 0.5, 0}, "VEC2");
-    const int joints = b.integers({0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0}, "VEC4", 1);
+    const int joints =
+        b.integers({0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0}, "VEC4", 1);
     const int weights =
         b.floats({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4");
     const int indices = b.integers({0, 1, 2, 3, 4, 5}, "SCALAR", 2);
     const int times = b.floats({0.5, 1.5}, "SCALAR");
     const int moves = b.vectors({{0, 0, 0}, {1, 0, 0}});
     b.json["scenes"] = {{{"nodes", {0, 1, 2}}}};
-    b.json["nodes"] = {{{"mesh", 0}, {"skin", 0}, {"name", "quad"}}, {{"name", "still"}}, {{"name", "slider"}}};
+    b.json["nodes"] = {
+        {{"mesh", 0}, {"skin", 0}, {"name", "quad"}}, {{"name", "still"}}, {{"name", "slider"}}};
     b.json["skins"] = {{{"joints", {1, 2}}}};
-    b.json["meshes"] = {{{"primitives",
-                          {{{"attributes",
-                             {{"POSITION", positions},
-                              {"TEXCOORD_0", uvs},
-                              {"JOINTS_0", joints},
-                              {"WEIGHTS_0", weights}}},
-                            {"indices", indices}}}}}};
+    b.json["meshes"] = {
+        {{"primitives",
+          {{{"attributes",
+             {{"POSITION", positions}, {"TEXCOORD_0", uvs}, {"JOINTS_0", joints}, {"WEIGHTS_0", weights}}},
+            {"indices", indices}}}}}};
     b.json["animations"] = {
         {{"name", "Slide"},
          {"samplers", {{{"input", times}, {"output", moves}, {"interpolation", "LINEAR"}}}},
