@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/core/error.h"
+#include "model/project/problem.h"
 #include "model/sequence/axes.h"
 #include "model/sequence/meshsequence.h"
 
@@ -42,6 +43,7 @@ struct TextureReference
     /// Single: one file. PerFrame: one folder or pattern. PerMaterial: one file per material, in material
     /// order.
     std::vector<std::string> paths;
+    UnknownKeys unknown;
 
     bool operator==(const TextureReference&) const = default;
 };
@@ -71,6 +73,9 @@ struct SequenceEntry
     std::vector<ContactSpan> contacts;
     std::string jointAngles; ///< BVH with reference joint angles, for evaluation
     UnknownKeys unknown;
+    /// Labels and contacts that were read with unknown keys, whole, as {"labels": […], "contacts": […]}; a
+    /// span that is saved unchanged gets its keys back.
+    UnknownKeys unknownOfSpans;
 
     bool operator==(const SequenceEntry&) const = default;
 };
@@ -110,7 +115,20 @@ struct Project
 /// \throws Error file errors, ProjectSyntax, ProjectInvalid, ProjectNewer, each with line and column.
 Project loadProject(const std::filesystem::path& file);
 
-/// Writes atomically; the file that was there before stays as NAME.quadrille.bak.
+struct ProjectReading
+{
+    Project project;
+    /// In the order of the file, each with line and column.
+    ProjectProblems problems;
+};
+/// Reads and migrates a project file and reports everything that is wrong with its text. What is wrong is
+/// left at its default. \throws Error file errors, ProjectSyntax, FileEncoding, ProjectNewer, ProjectInvalid
+/// where it is no project.
+ProjectReading readProject(const std::filesystem::path& file);
+/// \overload from text; `file` only names it in problems.
+ProjectReading readProject(std::string_view text, const std::filesystem::path& file);
+
+/// Writes atomically; the file that was there before, if it differs, stays as NAME.quadrille.bak.
 /// \throws Error WriteFailed, PermissionDenied.
 void saveProject(const Project& project, const std::filesystem::path& file);
 

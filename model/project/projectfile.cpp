@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/core/file.h"
+#include "model/project/migration.h"
+#include "model/project/project.h"
+#include "model/project/projectjson.h"
+#include "model/project/validate.h"
+
+#include <algorithm>
+#include <set>
+
+namespace quadrille {
+
+namespace {
+
+/// An entry whose type is wrong was left at its default; what validate() finds there says nothing new.
+bool isInside(const std::string& pointer, const std::set<std::string>& pointers)
+{
+    return std::any_of(pointers.begin(), pointers.end(), [&](const std::string& outer) {
+        return pointer == outer || pointer.starts_with(outer + "/");
+    });
+}
+
+void sortByPlace(ProjectProblems& problems)
+{
+    std::stable_sort(problems.begin(), problems.end(), [](const ProjectProblem& a, const ProjectProblem& b) {
+        const auto place = [](const ProjectProblem& problem) {
+            return std::pair(problem.context.place.line, problem.context.place.column);
+        };
+        return place(a) < place(b);
+    });
+}
+
+} // namespace
+
+ProjectReading readProject(std::string_view text, const std::filesystem::path& file)
+{
+    JsonText json = parseJson(text, file);
+    migrate(json, projectMigrations(), Project::currentVersion, file);
+    ProjectReading reading;
+    reading.project = projectFromJson(json.document, reading.problems);
+    std::set<std::string> wrong;
+    for (const ProjectProblem& problem : reading.problems) {
+        if (problem.severity == ProjectProblem::Severity::Error)
+            wrong.insert(problem.pointer);
+    }
+    for (ProjectProblem& problem : validate(reading.project)) {
+        if (!isInside(problem.pointer, wrong))
+            reading.problems.push_back(std::move(problem));
+    }
+    for (ProjectProblem& problem : reading.problems) {
+        problem.context.file = file;
+        problem.context.place =
+            problem.atKey ? json.placeOfKey(problem.pointer) : json.placeOf(problem.pointer);
+    }
+    sortByPlace(reading.problems);
+    return reading;
+}
+
+ProjectReading readProject(const std::filesystem::path& file)
+{
+    return readProject(readFile(file).text(), file);
+}
+
+Project loadProject(const std::filesystem::path& file)
+{
+    ProjectReading reading = readProject(file);
+    for (const ProjectProblem& problem : reading.problems) {
+        if (problem.severity == ProjectProblem::Severity::Error)
+            throw Error(problem.code, problem.context);
+    }
+    return std::move(reading.project);
+}
+
+void saveProject(const Project& project, const std::filesystem::path& file)
+{
+    namespace fs = std::filesystem;
+    std::error_code error;
+    // A link keeps pointing at the file it names.
+    const fs::path target = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
+    const std::string text = writeJson(projectToJson(project));
+    if (fs::exists(target, error) && fs::file_size(target, error) > 0) {
+        const FileContent before = readFile(target);
+        if (before.text() == text)
+            return;
+        fs::path backup = target;
+        backup += ".bak";
+        writeAtomically(backup, before.text());
+    }
+    writeAtomically(target, text);
+}
+
+} // namespace quadrille

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/jsontext.h"
+#include "model/project/problem.h"
+#include "model/project/project.h"
+
+namespace quadrille {
+
+/// Takes the known values out of a document of the current version and keeps the rest. Values of a wrong type
+/// are left at their default and reported; so are keys that look misspelt, as warnings.
+Project projectFromJson(const Json& document, ProjectProblems& problems);
+
+/// The document with its keys in their fixed order, unknown keys after the known ones. Values that equal
+/// their default are left out, except those that a reader of the file looks for.
+Json projectToJson(const Project& project);
+
+} // namespace quadrille

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace quadrille::projectkeys {
+
+// The keys of each object of the project file, in the order in which they are written.
+inline constexpr std::array<std::string_view, 6> document{"format",     "version",   "settings",
+                                                          "characters", "sequences", "exports"};
+inline constexpr std::array<std::string_view, 4> settings{"fps", "up_axis", "unit", "cache_megabytes"};
+inline constexpr std::array<std::string_view, 4> character{"name", "mesh", "texture", "notes"};
+inline constexpr std::array<std::string_view, 12> sequence{
+    "name",           "character",   "source",  "clip",   "range",    "source_fps",
+    "source_up_axis", "source_unit", "texture", "labels", "contacts", "joint_angles"};
+inline constexpr std::array<std::string_view, 9> exportEntry{"name", "what",    "path", "format",  "range",
+                                                             "fps",  "up_axis", "unit", "textures"};
+inline constexpr std::array<std::string_view, 2> texture{"per_frame", "per_material"};
+inline constexpr std::array<std::string_view, 2> label{"label", "frames"};
+inline constexpr std::array<std::string_view, 2> contact{"foot", "frames"};
+
+/// The known word that a misspelt one probably stands for: at most two letters wrong, and fewer than half of
+/// them.
+std::optional<std::string> closestWord(std::string_view word, std::span<const std::string_view> known);
+
+} // namespace quadrille::projectkeys

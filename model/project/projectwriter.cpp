@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/lengthunit.h"
+#include "model/project/projectjson.h"
+
+namespace quadrille {
+
+namespace {
+
+void addUnknown(Json& json, const UnknownKeys& unknown)
+{
+    if (!unknown.is_object())
+        return;
+    for (const auto& [key, value] : unknown.items()) {
+        if (!json.contains(key))
+            json[key] = value;
+    }
+}
+
+void addText(Json& json, const char* key, const std::string& text)
+{
+    if (!text.empty())
+        json[key] = text;
+}
+
+Json rangeToJson(FrameRange range)
+{
+    return Json::array({range.first.value, range.last.value});
+}
+
+void addRange(Json& json, const char* key, const std::optional<FrameRange>& range)
+{
+    if (range)
+        json[key] = rangeToJson(*range);
+}
+
+void addAxes(Json& json, const char* upKey, const char* unitKey, const CoordinateSystem& axes)
+{
+    json[upKey] = toString(axes.up);
+    if (const auto name = unitName(axes.metresPerUnit))
+        json[unitKey] = *name;
+    else
+        json[unitKey] = axes.metresPerUnit;
+}
+
+void addTexture(Json& json, const TextureReference& texture)
+{
+    switch (texture.kind) {
+    case TextureReference::Kind::None:
+        return;
+    case TextureReference::Kind::Single:
+        if (!texture.paths.empty())
+            json["texture"] = texture.paths.front();
+        return;
+    case TextureReference::Kind::PerFrame:
+        json["texture"]["per_frame"] = texture.paths.empty() ? "" : texture.paths.front();
+        break;
+    case TextureReference::Kind::PerMaterial:
+        json["texture"]["per_material"] = texture.paths;
+        break;
+    }
+    addUnknown(json["texture"], texture.unknown);
+}
+
+Json settingsToJson(const ProjectSettings& settings)
+{
+    Json json = Json::object();
+    json["fps"] = settings.fps;
+    addAxes(json, "up_axis", "unit", settings.axes);
+    json["cache_megabytes"] = settings.cacheMegabytes;
+    addUnknown(json, settings.unknown);
+    return json;
+}
+
+Json characterToJson(const CharacterEntry& character)
+{
+    Json json = Json::object();
+    json["name"] = character.name;
+    addText(json, "mesh", character.mesh);
+    addTexture(json, character.texture);
+    addText(json, "notes", character.notes);
+    addUnknown(json, character.unknown);
+    return json;
+}
+
+/// \param withUnknown spans as they were read, with their unknown keys; a span that still stands gets them
+/// back.
+template <typename Span>
+void addSpans(Json& json, const char* list, const std::vector<Span>& spans, std::string Span::*text,
+              const char* textKey, const UnknownKeys& withUnknown)
+{
+    if (spans.empty())
+        return;
+    json[list] = Json::array();
+    for (const Span& span : spans) {
+        Json item = Json::object();
+        item[textKey] = span.*text;
+        item["frames"] = rangeToJson(span.frames);
+        if (withUnknown.is_object() && withUnknown.contains(list)) {
+            for (const Json& read : withUnknown[list]) {
+                if (read[textKey] == item[textKey] && read["frames"] == item["frames"])
+                    addUnknown(item, read);
+            }
+        }
+        json[list].push_back(std::move(item));
+    }
+}
+
+Json sequenceToJson(const SequenceEntry& sequence)
+{
+    Json json = Json::object();
+    json["name"] = sequence.name;
+    addText(json, "character", sequence.character);
+    json["source"] = sequence.source;
+    addText(json, "clip", sequence.clip);
+    addRange(json, "range", sequence.range);
+    if (sequence.sourceFps)
+        json["source_fps"] = *sequence.sourceFps;
+    if (sequence.sourceAxes)
+        addAxes(json, "source_up_axis", "source_unit", *sequence.sourceAxes);
+    addTexture(json, sequence.texture);
+    addSpans(json, "labels", sequence.labels, &LabelSpan::label, "label", sequence.unknownOfSpans);
+    addSpans(json, "contacts", sequence.contacts, &ContactSpan::foot, "foot", sequence.unknownOfSpans);
+    addText(json, "joint_angles", sequence.jointAngles);
+    addUnknown(json, sequence.unknown);
+    return json;
+}
+
+Json exportToJson(const ExportEntry& entry)
+{
+    Json json = Json::object();
+    json["name"] = entry.name;
+    json["what"] = entry.what;
+    json["path"] = entry.path;
+    addText(json, "format", entry.format);
+    addRange(json, "range", entry.range);
+    if (entry.fps)
+        json["fps"] = *entry.fps;
+    if (entry.axes)
+        addAxes(json, "up_axis", "unit", *entry.axes);
+    if (!entry.textures)
+        json["textures"] = false;
+    addUnknown(json, entry.unknown);
+    return json;
+}
+
+} // namespace
+
+Json projectToJson(const Project& project)
+{
+    Json json = Json::object();
+    json["format"] = "quadrille-project";
+    json["version"] = Project::currentVersion;
+    json["settings"] = settingsToJson(project.settings);
+    json["characters"] = Json::array();
+    for (const CharacterEntry& character : project.characters)
+        json["characters"].push_back(characterToJson(character));
+    json["sequences"] = Json::array();
+    for (const SequenceEntry& sequence : project.sequences)
+        json["sequences"].push_back(sequenceToJson(sequence));
+    json["exports"] = Json::array();
+    for (const ExportEntry& entry : project.exports)
+        json["exports"].push_back(exportToJson(entry));
+    addUnknown(json, project.unknown);
+    return json;
+}
+
+} // namespace quadrille

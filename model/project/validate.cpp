@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/validate.h"
+
+#include "model/project/paths.h"
+#include "model/project/projectkeys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace quadrille {
+
+namespace {
+
+constexpr double highestFps = 10000;
+
+std::string quoted(const std::string& text)
+{
+    return "“" + text + "”";
+}
+
+/// "Did you mean …?" where a name is nearly one that exists, else the remedy.
+std::string meantOr(const std::string& name, const std::vector<std::string>& known, std::string remedy)
+{
+    const std::vector<std::string_view> views(known.begin(), known.end());
+    const auto meant = projectkeys::closestWord(name, views);
+    return meant ? "Did you mean " + quoted(*meant) + "?" : std::move(remedy);
+}
+
+template <typename Entry>
+std::vector<std::string> namesOf(const std::vector<Entry>& entries)
+{
+    std::vector<std::string> names;
+    for (const Entry& entry : entries)
+        names.push_back(entry.name);
+    return names;
+}
+
+class Validator
+{
+public:
+    explicit Validator(const Project& project) : m_project(project) {}
+
+    ProjectProblems run()
+    {
+        checkFps(m_project.settings.fps, "/settings/fps");
+        checkNames(m_project.characters, "/characters");
+        checkNames(m_project.sequences, "/sequences");
+        checkNames(m_project.exports, "/exports");
+        for (std::size_t i = 0; i < m_project.characters.size(); ++i)
+            checkCharacter(m_project.characters[i], "/characters/" + std::to_string(i));
+        for (std::size_t i = 0; i < m_project.sequences.size(); ++i)
+            checkSequence(m_project.sequences[i], "/sequences/" + std::to_string(i));
+        checkCycles();
+        for (std::size_t i = 0; i < m_project.exports.size(); ++i)
+            checkExport(m_project.exports[i], "/exports/" + std::to_string(i));
+        return std::move(m_problems);
+    }
+
+private:
+    void invalid(std::string pointer, std::string reason, std::string remedy = {})
+    {
+        m_problems.push_back(invalidAt(std::move(pointer), std::move(reason), std::move(remedy)));
+    }
+
+    void checkFps(double fps, const std::string& pointer)
+    {
+        if (!(fps > 0) || fps > highestFps)
+            invalid(pointer, "A frame rate must be more than 0 and at most 10000 frames a second");
+    }
+
+    template <typename Entry>
+    void checkNames(const std::vector<Entry>& entries, const std::string& section)
+    {
+        std::set<std::string> seen;
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            const std::string pointer = section + "/" + std::to_string(i) + "/name";
+            if (const auto reason = problemWithName(entries[i].name))
+                invalid(pointer, *reason);
+            else if (!seen.insert(entries[i].name).second)
+                invalid(pointer, "There are two entries with the name " + quoted(entries[i].name) + " here",
+                        "Give one of them another name.");
+        }
+    }
+
+    void checkPath(const std::string& path, const std::string& pointer)
+    {
+        if (path.find('\\') != std::string::npos) {
+            m_problems.push_back(warningAt(pointer, "The path " + quoted(path) + " has backslashes",
+                                           "Write forward slashes, on every system."));
+        } else if (!path.empty() && std::filesystem::path(path).is_absolute()) {
+            m_problems.push_back(warningAt(pointer,
+                                           "The path " + quoted(path) + " holds for this machine only",
+                                           "Write it relative to the project file."));
+        }
+    }
+
+    void checkTexture(const TextureReference& texture, const std::string& pointer)
+    {
+        for (const std::string& path : texture.paths)
+            checkPath(path, pointer + "/texture");
+    }
+
+    void checkRange(const std::optional<FrameRange>& range, const std::string& pointer)
+    {
+        if (range && range->count() == 0)
+            invalid(pointer, "The range ends before it begins",
+                    "Write [first, last], zero-based, both included.");
+    }
+
+    void checkCharacter(const CharacterEntry& character, const std::string& pointer)
+    {
+        checkPath(character.mesh, pointer + "/mesh");
+        checkTexture(character.texture, pointer);
+    }
+
+    void checkSequence(const SequenceEntry& sequence, const std::string& pointer)
+    {
+        checkCharacterOf(sequence, pointer);
+        checkRange(sequence.range, pointer + "/range");
+        if (sequence.sourceFps)
+            checkFps(*sequence.sourceFps, pointer + "/source_fps");
+        checkSource(sequence, pointer);
+        checkTexture(sequence.texture, pointer);
+        checkPath(sequence.jointAngles, pointer + "/joint_angles");
+        checkSpans(sequence.labels, &LabelSpan::label, pointer + "/labels/", "label");
+        checkSpans(sequence.contacts, &ContactSpan::foot, pointer + "/contacts/", "foot");
+    }
+
+    void checkCharacterOf(const SequenceEntry& sequence, const std::string& pointer)
+    {
+        const auto known = namesOf(m_project.characters);
+        if (sequence.character.empty()) {
+            if (known.size() > 1)
+                invalid(pointer, "“character” is missing here", "The project has several characters.");
+        } else if (std::find(known.begin(), known.end(), sequence.character) == known.end()) {
+            invalid(pointer + "/character", "There is no character " + quoted(sequence.character),
+                    meantOr(sequence.character, known, "Add it under “characters”."));
+        }
+    }
+
+    template <typename Span>
+    void checkSpans(const std::vector<Span>& spans, std::string Span::*text, const std::string& pointer,
+                    const std::string& textKey)
+    {
+        for (std::size_t i = 0; i < spans.size(); ++i) {
+            const std::string place = pointer + std::to_string(i);
+            if ((spans[i].*text).empty())
+                invalid(place + "/" + textKey, quoted(textKey) + " is empty here");
+            checkRange(spans[i].frames, place + "/frames");
+        }
+    }
+
+    void checkSource(const SequenceEntry& sequence, const std::string& pointer)
+    {
+        const auto clip = clipOfSource(sequence.source);
+        if (clip)
+            checkClip(*clip, pointer + "/source");
+        else if (sequence.source.empty())
+            invalid(pointer + "/source", "The source is empty", "Name a file, a series or a clip.");
+        else
+            checkPath(sequence.source, pointer + "/source");
+    }
+
+    /// A clip "SECTION/NAME" must exist; sections of later capabilities are not looked into.
+    void checkClip(const std::string& clip, const std::string& pointer)
+    {
+        const auto slash = clip.find('/');
+        const std::string section = clip.substr(0, slash);
+        const std::string name = slash == std::string::npos ? "" : clip.substr(slash + 1);
+        if (name.empty()) {
+            invalid(pointer, quoted(clip) + " names no clip", "Write SECTION/NAME, as in “sequences/walk”.");
+        } else if (section != "sequences") {
+            if (m_project.unknown.is_object() && m_project.unknown.contains(section))
+                m_problems.push_back(warningAt(pointer, "Clips of the section " + quoted(section) +
+                                                            " cannot be used by this version"));
+            else
+                invalid(pointer, "The project has no section " + quoted(section) + " with clips");
+        } else {
+            const auto known = namesOf(m_project.sequences);
+            if (std::find(known.begin(), known.end(), name) == known.end())
+                invalid(pointer, "There is no sequence " + quoted(name),
+                        meantOr(name, known, "Correct the name."));
+        }
+    }
+
+    /// Follows each sequence's clip sources; every sequence has at most one, so a circle is met again.
+    void checkCycles()
+    {
+        std::map<std::string, std::string> sourceOf;
+        for (const SequenceEntry& sequence : m_project.sequences)
+            sourceOf["sequences/" + sequence.name] = clipOfSource(sequence.source).value_or("");
+        for (std::size_t i = 0; i < m_project.sequences.size(); ++i) {
+            const std::string start = "sequences/" + m_project.sequences[i].name;
+            std::string way = m_project.sequences[i].name;
+            std::set<std::string> seen;
+            for (std::string at = start; !at.empty() && seen.insert(at).second;) {
+                const auto next = sourceOf.find(at);
+                at = next == sourceOf.end() ? "" : next->second;
+                if (!at.empty())
+                    way += " → " + at.substr(at.find('/') + 1);
+                if (at == start)
+                    invalid("/sequences/" + std::to_string(i) + "/source",
+                            "The sequence is its own source: " + way, "Break the circle.");
+            }
+        }
+    }
+
+    void checkExport(const ExportEntry& entry, const std::string& pointer)
+    {
+        if (!entry.what.empty())
+            checkClip(entry.what, pointer + "/what");
+        if (entry.path.empty())
+            invalid(pointer + "/path", "The path is empty", "Name the file to write.");
+        checkPath(entry.path, pointer + "/path");
+        checkRange(entry.range, pointer + "/range");
+        if (entry.fps)
+            checkFps(*entry.fps, pointer + "/fps");
+    }
+
+    const Project& m_project;
+    ProjectProblems m_problems;
+};
+
+} // namespace
+
+std::optional<std::string> problemWithName(const std::string& name)
+{
+    if (name.empty())
+        return "The name is empty";
+    if (name == "." || name == "..")
+        return "“" + name + "” cannot be a name";
+    const bool unusable = std::any_of(name.begin(), name.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return c == '/' || c == '\\' || byte < 0x20 || byte == 0x7F;
+    });
+    if (unusable)
+        return "A name has no slashes and no control characters";
+    return std::nullopt;
+}
+
+ProjectProblems validate(const Project& project)
+{
+    return Validator(project).run();
+}
+
+} // namespace quadrille

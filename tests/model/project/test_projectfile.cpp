@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/jsontext.h"
+#include "model/project/migration.h"
+#include "tests/model/project/testproject.h"
+
+#include <csignal>
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+using namespace quadrille;
+using namespace quadrille::test;
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+namespace {
+
+Error errorOf(std::string_view text)
+{
+    const TemporaryFolder folder;
+    try {
+        loadProject(folder.write("p.quadrille", text));
+    } catch (const Error& error) {
+        return error;
+    }
+    ADD_FAILURE() << "accepted: " << text;
+    return Error(ErrorCode::Cancelled);
+}
+
+std::string document(const std::string& rest)
+{
+    std::string text = "{\n  \"format\": \"quadrille-project\",\n  \"version\": 1,\n";
+    return text.append(rest).append("\n}\n");
+}
+
+} // namespace
+
+TEST(ProjectFile, AFullProjectComesBackEqual)
+{
+    const TemporaryFolder folder;
+    const Project project = fullProject();
+    saveProject(project, folder / "p.quadrille");
+    EXPECT_EQ(loadProject(folder / "p.quadrille"), project);
+}
+
+TEST(ProjectFile, IsWrittenInFixedOrderWithTwoSpaces)
+{
+    const TemporaryFolder folder;
+    Project project;
+    project.characters = {characterOf("a", "a.obj")};
+    SequenceEntry walk = sequenceOf("walk", "walk.pc2");
+    walk.range = FrameRange{FrameIndex(3), FrameIndex(9)};
+    project.sequences = {walk};
+    saveProject(project, folder / "p.quadrille");
+    EXPECT_EQ(textOf(folder / "p.quadrille"), R"({
+  "format": "quadrille-project",
+  "version": 1,
+  "settings": {
+    "fps": 25,
+    "up_axis": "y",
+    "unit": "m",
+    "cache_megabytes": 512
+  },
+  "characters": [
+    {
+      "name": "a",
+      "mesh": "a.obj"
+    }
+  ],
+  "sequences": [
+    {
+      "name": "walk",
+      "source": "walk.pc2",
+      "range": [3, 9]
+    }
+  ],
+  "exports": []
+}
+)");
+}
+
+TEST(ProjectFile, UnknownKeysAreKeptEverywhere)
+{
+    const TemporaryFolder folder;
+    const std::string text = document(R"(  "settings": { "fps": 30, "gamma": 2.2 },
+  "characters": [ { "name": "a", "texture": { "per_frame": "t", "colour_space": "srgb" }, "height": 1.8 } ],
+  "sequences": [ { "name": "s", "source": "s.pc2", "mood": { "happy": [1, "two", null] },
+    "labels": [ { "label": "x", "frames": [0, 1], "colour": "red" }, { "label": "y", "frames": [2, 3] } ],
+    "contacts": [ { "foot": "left", "frames": [0, 1], "sure": 0.5 } ] } ],
+  "exports": [ { "name": "e", "what": "sequences/s", "path": "e.obj", "camera": "front" } ],
+  "graph": { "alpha": 3.0 }, "body_parts": [])");
+    const Project project = loadProject(folder.write("p.quadrille", text));
+    saveProject(project, folder / "q.quadrille");
+    const Json saved = Json::parse(textOf(folder / "q.quadrille"));
+    EXPECT_EQ(saved["settings"]["gamma"], 2.2);
+    EXPECT_EQ(saved["characters"][0]["height"], 1.8);
+    EXPECT_EQ(saved["characters"][0]["texture"], Json::parse(R"({"per_frame":"t","colour_space":"srgb"})"));
+    EXPECT_EQ(saved["sequences"][0]["mood"], Json::parse(R"({"happy":[1,"two",null]})"));
+    EXPECT_EQ(saved["sequences"][0]["labels"][0]["colour"], "red");
+    EXPECT_FALSE(saved["sequences"][0]["labels"][1].contains("colour"));
+    EXPECT_EQ(saved["sequences"][0]["contacts"][0]["sure"], 0.5);
+    EXPECT_EQ(saved["exports"][0]["camera"], "front");
+    EXPECT_EQ(saved["graph"], Json::parse(R"({"alpha":3.0})"));
+    EXPECT_EQ(saved["body_parts"], Json::array());
+    EXPECT_EQ(loadProject(folder / "q.quadrille"), project);
+}
+
+TEST(ProjectFile, SyntaxErrorsNameLineAndColumn)
+{
+    const Error error = errorOf("{\n  \"format\": \"quadrille-project\",\n  \"version\": 1,,\n}");
+    EXPECT_EQ(error.code(), ErrorCode::ProjectSyntax);
+    EXPECT_EQ(error.context().place.line, 3);
+    EXPECT_EQ(error.context().place.column, 16);
+}
+
+TEST(ProjectFile, SemanticErrorsNameLineAndColumn)
+{
+    struct Case
+    {
+        const char* rest;
+        std::int64_t line;
+        std::int64_t column;
+        const char* sentence;
+    };
+    const Case cases[] = {
+        {R"(  "settings": { "fps": "fast" })", 4, 24, "“fps” must be a number"},
+        {R"(  "settings": { "fps": 0 })", 4, 24, "frame rate"},
+        {R"(  "settings": { "up_axis": "w" })", 4, 28, "\"x\", \"y\" or \"z\""},
+        {R"(  "settings": { "unit": "parsec" })", 4, 25, "\"cm\""},
+        {R"(  "settings": [])", 4, 15, "object in braces"},
+        {R"(  "sequences": {})", 4, 16, "list in brackets"},
+        {R"(  "sequences": [ { "name": "s" } ])", 4, 18, "“source” is missing"},
+        {R"(  "sequences": [ { "name": "s", "source": "a", "range": [1] } ])", 4, 57, "two frame numbers"},
+        {R"(  "sequences": [ { "name": "s", "source": "a", "range": [9, 1] } ])", 4, 57, "ends before"},
+        {R"(  "sequences": [ { "name": "s", "source": "a", "range": [-1, 1] } ])", 4, 57, "two frame"},
+        {R"(  "sequences": [ { "name": "é/é", "source": "a" } ])", 4, 28, "no slashes"},
+        {R"(  "sequences": [ { "name": "é", "source": "" } ])", 4, 43, "source is empty"},
+        {"  \"sequences\": [ { \"name\": \"s\", \"source\": \"a\" },\n    { \"name\": \"s\", \"source\": "
+         "\"b\" } ]",
+         5, 15, "two entries with the name “s”"},
+        {R"(  "exports": [ { "name": "e", "what": "sequences/no", "path": "e.obj" } ])", 4, 39,
+         "no sequence “no”"},
+        {R"(  "exports": [ { "name": "e", "what": 5, "path": "e.obj" } ])", 4, 39, "text in quotes"},
+    };
+    for (const Case& wrong : cases) {
+        const Error error = errorOf(document(wrong.rest));
+        EXPECT_EQ(error.code(), ErrorCode::ProjectInvalid) << wrong.rest;
+        EXPECT_EQ(error.context().place.line, wrong.line) << wrong.rest;
+        EXPECT_EQ(error.context().place.column, wrong.column) << wrong.rest;
+        EXPECT_THAT(error.what(), HasSubstr(wrong.sentence)) << wrong.rest;
+    }
+}
+
+TEST(ProjectFile, DoubledKeysWrongEncodingAndDeepNestingAreRefused)
+{
+    const Error doubled = errorOf(document("  \"settings\": {},\n  \"settings\": {}"));
+    EXPECT_EQ(doubled.code(), ErrorCode::ProjectSyntax);
+    EXPECT_EQ(doubled.context().place.line, 5);
+    EXPECT_EQ(doubled.context().place.column, 3);
+    const Error encoding = errorOf(document("  \"x\": \"caf\xE9\""));
+    EXPECT_EQ(encoding.code(), ErrorCode::FileEncoding);
+    EXPECT_EQ(encoding.context().place.line, 4);
+    EXPECT_EQ(errorOf(std::string(100000, '[')).code(), ErrorCode::ProjectSyntax);
+    EXPECT_EQ(errorOf("[]").code(), ErrorCode::ProjectInvalid);
+    EXPECT_EQ(errorOf("{\"format\": \"else\"}").code(), ErrorCode::ProjectInvalid);
+}
+
+TEST(ProjectFile, AByteOrderMarkIsNoObstacle)
+{
+    const TemporaryFolder folder;
+    const auto file = folder.write("p.quadrille", "\xEF\xBB\xBF" + document("  \"settings\": {\"fps\": 50}"));
+    EXPECT_EQ(loadProject(file).settings.fps, 50);
+}
+
+TEST(ProjectFile, ANewerVersionIsRefusedWithItsNumber)
+{
+    const Error error = errorOf("{\"format\": \"quadrille-project\", \"version\": 7}");
+    EXPECT_EQ(error.code(), ErrorCode::ProjectNewer);
+    EXPECT_THAT(error.what(), HasSubstr("version 7"));
+    EXPECT_THAT(error.what(), HasSubstr("up to 1"));
+    EXPECT_EQ(error.context().place.line, 1);
+}
+
+TEST(ProjectFile, AnOlderVersionGoesThroughEveryMigration)
+{
+    const std::array<Migration, 2> steps{
+        {{1, [](Json& json) { json["way"] = "1"; }},
+         {2, [](Json& json) { json["way"] = json["way"].get<std::string>() + "2"; }}}};
+    auto text = parseJson(R"({"format": "quadrille-project", "version": 1})");
+    migrate(text, steps, 3);
+    EXPECT_EQ(text.document["way"], "12");
+    EXPECT_EQ(text.document["version"], 3);
+    auto impossible = parseJson(R"({"format": "quadrille-project", "version": 0})");
+    EXPECT_THROW(migrate(impossible, steps, 3), Error);
+}
+
+TEST(ProjectFile, AMisspeltKeyIsAWarningThatKnowsTheRightOne)
+{
+    const auto reading = readProject(document(R"(  "settings": { "fsp": 30, "source-note": 1 },
+  "sequenecs": [],
+  "sequences": [ { "name": "s", "source": "a", "sourceFps": 30 } ])"),
+                                     "p.quadrille");
+    ASSERT_EQ(reading.problems.size(), 2U);
+    EXPECT_FALSE(hasErrors(reading.problems));
+    EXPECT_EQ(reading.problems[0].toString(),
+              "p.quadrille: The key “fsp” is not known and has no effect. Did you mean “fps”? "
+              "(line 4, column 17)");
+    EXPECT_THAT(reading.problems[1].toString(), HasSubstr("“source_fps”"));
+}
+
+TEST(ProjectFile, AllProblemsAreReportedInTheOrderOfTheFile)
+{
+    const auto reading = readProject(
+        document("  \"sequences\": [ { \"name\": \"\", \"source\": 3 } ],\n  \"settings\": 4"), "p");
+    ASSERT_EQ(reading.problems.size(), 3U);
+    EXPECT_EQ(reading.problems[0].pointer, "/sequences/0/name");
+    EXPECT_EQ(reading.problems[1].pointer, "/sequences/0/source");
+    EXPECT_EQ(reading.problems[2].pointer, "/settings");
+}
+
+TEST(ProjectFile, SavingKeepsOneBackup)
+{
+    const TemporaryFolder folder;
+    const auto file = folder / "p.quadrille";
+    Project project;
+    saveProject(project, file);
+    EXPECT_FALSE(fs::exists(folder / "p.quadrille.bak"));
+    project.settings.fps = 30;
+    saveProject(project, file);
+    project.settings.fps = 60;
+    saveProject(project, file);
+    saveProject(project, file);
+    EXPECT_EQ(loadProject(file).settings.fps, 60);
+    EXPECT_EQ(loadProject(folder / "p.quadrille.bak").settings.fps, 30);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 2);
+}
+
+TEST(ProjectFile, AFailedSaveLeavesTheOldFile)
+{
+    const TemporaryFolder folder;
+    const auto file = folder / "p.quadrille";
+    Project project;
+    project.settings.fps = 30;
+    saveProject(project, file);
+    const std::string before = textOf(file);
+    project.characters = {characterOf("a", std::string(10000, 'm'))};
+
+    // A full disk, as far as this process can tell: no file may grow beyond 4 kB.
+    rlimit old{};
+    getrlimit(RLIMIT_FSIZE, &old);
+    const auto oldHandler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{4096, old.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    std::optional<ErrorCode> code;
+    try {
+        saveProject(project, file);
+    } catch (const Error& error) {
+        code = error.code();
+    }
+    setrlimit(RLIMIT_FSIZE, &old);
+    std::signal(SIGXFSZ, oldHandler);
+
+    EXPECT_EQ(code, ErrorCode::WriteFailed);
+    EXPECT_EQ(textOf(file), before);
+    for (const auto& entry : fs::directory_iterator(folder.path()))
+        EXPECT_THAT(entry.path().string(), ::testing::Not(HasSubstr(".tmp")));
+}
+
+TEST(ProjectFile, NothingIsSavedWhenTheBackupCannotBeMade)
+{
+    const TemporaryFolder folder;
+    const auto file = folder / "p.quadrille";
+    Project project;
+    saveProject(project, file);
+    const std::string before = textOf(file);
+    fs::create_directories(folder / "p.quadrille.bak/in-the-way");
+    project.settings.fps = 30;
+    EXPECT_THROW(saveProject(project, file), Error);
+    EXPECT_EQ(textOf(file), before);
+}
+
+TEST(ProjectFile, AMissingFileSaysSo)
+{
+    try {
+        loadProject("/nowhere/p.quadrille");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::FileNotFound);
+    }
+}

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/jsontext.h"
+#include "model/project/projectjson.h"
+#include "model/project/projectkeys.h"
+#include "tests/model/project/testproject.h"
+
+#include <gmock/gmock.h>
+#include <set>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+using Keys = std::set<std::string>;
+
+nlohmann::json schemaJson()
+{
+    return nlohmann::json::parse(textOf(QUADRILLE_SCHEMA_FILE));
+}
+
+bool isValid(const std::string& text)
+{
+    static const auto json = schemaJson();
+    valijson::Schema schema;
+    valijson::SchemaParser parser;
+    parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(json), schema);
+    const auto document = nlohmann::json::parse(text);
+    valijson::Validator validator;
+    return validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(document), nullptr);
+}
+
+Keys propertiesOf(const nlohmann::json& definition)
+{
+    Keys keys;
+    for (const auto& [key, value] : definition["properties"].items())
+        keys.insert(key);
+    return keys;
+}
+
+Keys keysOf(std::span<const std::string_view> keys)
+{
+    return {keys.begin(), keys.end()};
+}
+
+std::vector<std::string> written(const Json& object)
+{
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : object.items())
+        keys.push_back(key);
+    return keys;
+}
+
+std::vector<std::string> listOf(std::span<const std::string_view> keys)
+{
+    return {keys.begin(), keys.end()};
+}
+
+std::string withRest(const std::string& rest)
+{
+    std::string text = R"({"format": "quadrille-project", "version": 1)";
+    return text.append(rest).append("}");
+}
+
+} // namespace
+
+TEST(Schema, KnowsTheKeysThatTheCodeKnows)
+{
+    const auto schema = schemaJson();
+    const auto& definitions = schema["definitions"];
+    EXPECT_EQ(propertiesOf(schema), keysOf(projectkeys::document));
+    EXPECT_EQ(propertiesOf(definitions["settings"]), keysOf(projectkeys::settings));
+    EXPECT_EQ(propertiesOf(definitions["character"]), keysOf(projectkeys::character));
+    EXPECT_EQ(propertiesOf(definitions["sequence"]), keysOf(projectkeys::sequence));
+    EXPECT_EQ(propertiesOf(definitions["export"]), keysOf(projectkeys::exportEntry));
+    EXPECT_EQ(propertiesOf(definitions["texture_files"]), keysOf(projectkeys::texture));
+    EXPECT_EQ(propertiesOf(definitions["label"]), keysOf(projectkeys::label));
+    EXPECT_EQ(propertiesOf(definitions["contact"]), keysOf(projectkeys::contact));
+}
+
+TEST(Schema, TheCodeWritesItsKeysInTheirOrder)
+{
+    const Json json = projectToJson(fullProject());
+    EXPECT_EQ(written(json), listOf(projectkeys::document));
+    EXPECT_EQ(written(json["settings"]), listOf(projectkeys::settings));
+    EXPECT_EQ(written(json["characters"][0]), listOf(projectkeys::character));
+    EXPECT_EQ(written(json["sequences"][0]), listOf(projectkeys::sequence));
+    EXPECT_EQ(written(json["sequences"][0]["labels"][0]), listOf(projectkeys::label));
+    EXPECT_EQ(written(json["sequences"][0]["contacts"][0]), listOf(projectkeys::contact));
+    EXPECT_EQ(written(json["exports"][0]), listOf(projectkeys::exportEntry));
+}
+
+TEST(Schema, AcceptsWhatSaveProjectWrites)
+{
+    const TemporaryFolder folder;
+    saveProject(fullProject(), folder / "full.quadrille");
+    EXPECT_TRUE(isValid(textOf(folder / "full.quadrille")));
+    saveProject({}, folder / "empty.quadrille");
+    EXPECT_TRUE(isValid(textOf(folder / "empty.quadrille")));
+}
+
+TEST(Schema, AgreesWithTheReaderOnHandWrittenFiles)
+{
+    const std::pair<std::string, bool> cases[] = {
+        {"", true},
+        {R"(, "settings": {"fps": 30, "up_axis": "Z", "unit": 0.0254, "mine": true})", true},
+        {R"(, "settings": {"fps": 0})", false},
+        {R"(, "settings": {"fps": "30"})", false},
+        {R"(, "settings": {"up_axis": "up"})", false},
+        {R"(, "settings": {"unit": -1})", false},
+        {R"(, "settings": {"cache_megabytes": 0})", false},
+        {R"(, "characters": [{"name": "a", "texture": {"per_material": ["a.png"]}}])", true},
+        {R"(, "characters": [{"name": "a", "texture": {"colour": "red"}}])", false},
+        {R"(, "characters": [{"name": "a/b"}])", false},
+        {R"(, "characters": [{"mesh": "a.obj"}])", false},
+        {R"(, "sequences": [{"name": "s", "source": "s.pc2", "range": [0, 5], "section": "later"}])", true},
+        {R"(, "sequences": [{"name": "s", "source": "s.pc2", "range": [0, 5, 9]}])", false},
+        {R"(, "sequences": [{"name": "s", "source": "s.pc2", "range": [0, 5.5]}])", false},
+        {R"(, "sequences": [{"name": "s", "source": "s.pc2", "labels": [{"label": "x"}]}])", false},
+        {R"(, "sequences": [{"name": "s"}])", false},
+        {R"(, "sequences": {})", false},
+        {R"(, "exports": [{"name": "e", "what": "sequences/s", "path": "e.obj", "textures": "no"}])", false},
+    };
+    for (const auto& [rest, expected] : cases) {
+        const std::string text = withRest(rest);
+        EXPECT_EQ(isValid(text), expected) << text;
+        const auto reading = readProject(text, "p.quadrille");
+        EXPECT_EQ(!hasErrors(reading.problems), expected) << text;
+    }
+}

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/paths.h"
+#include "model/project/projectkeys.h"
+#include "model/project/validate.h"
+#include "tests/model/project/testproject.h"
+
+#include <gmock/gmock.h>
+
+using namespace quadrille;
+using namespace quadrille::test;
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+namespace {
+
+std::string onlyProblem(const Project& project)
+{
+    const auto problems = validate(project);
+    EXPECT_EQ(problems.size(), 1U);
+    return problems.empty() ? "" : problems[0].pointer + " " + problems[0].toString();
+}
+
+} // namespace
+
+TEST(Validate, AFullProjectHasNoProblems)
+{
+    EXPECT_TRUE(validate(fullProject()).empty());
+}
+
+TEST(Validate, TheCharacterMayBeLeftOutOnlyWhereThereIsOne)
+{
+    Project project;
+    project.characters = {characterOf("a", "a.obj")};
+    project.sequences = {sequenceOf("s", "s.pc2")};
+    EXPECT_TRUE(validate(project).empty());
+    project.characters.push_back(characterOf("b", "b.obj"));
+    EXPECT_THAT(onlyProblem(project), HasSubstr("“character” is missing"));
+    project.sequences[0].character = "c";
+    EXPECT_THAT(onlyProblem(project), HasSubstr("no character “c”"));
+    project.characters[0].name = "dancer";
+    project.sequences[0].character = "dacner";
+    EXPECT_THAT(onlyProblem(project), HasSubstr("Did you mean “dancer”?"));
+}
+
+TEST(Validate, CyclesOfClipsAreRefused)
+{
+    Project project;
+    project.sequences = {sequenceOf("a", "clip:sequences/b"), sequenceOf("b", "clip:sequences/c"),
+                         sequenceOf("c", "clip:sequences/b"), sequenceOf("d", "clip:sequences/d")};
+    const auto problems = validate(project);
+    ASSERT_EQ(problems.size(), 3U);
+    EXPECT_EQ(problems[0].pointer, "/sequences/1/source");
+    EXPECT_THAT(problems[0].toString(), HasSubstr("b → c → b"));
+    EXPECT_EQ(problems[1].pointer, "/sequences/2/source");
+    EXPECT_EQ(problems[2].pointer, "/sequences/3/source");
+}
+
+TEST(Validate, ClipsOfSectionsThatAreNotKnownAreNoError)
+{
+    Project project;
+    project.sequences = {sequenceOf("a", "clip:animations/dance")};
+    EXPECT_THAT(onlyProblem(project), HasSubstr("no section “animations”"));
+    project.unknown["animations"] = UnknownKeys::array();
+    EXPECT_THAT(onlyProblem(project), HasSubstr("cannot be used by this version"));
+    EXPECT_FALSE(hasErrors(validate(project)));
+}
+
+TEST(Validate, PathsThatHoldOnOneMachineOnlyAreWarnings)
+{
+    Project project;
+    project.sequences = {sequenceOf("a", "C:\\takes\\a.pc2"), sequenceOf("b", "/takes/b.pc2")};
+    const auto problems = validate(project);
+    ASSERT_EQ(problems.size(), 2U);
+    EXPECT_FALSE(hasErrors(problems));
+    EXPECT_THAT(problems[0].toString(), HasSubstr("backslashes"));
+    EXPECT_THAT(problems[1].toString(), HasSubstr("this machine only"));
+}
+
+TEST(Paths, AreStoredRelativeWithForwardSlashes)
+{
+    const TemporaryFolder folder;
+    EXPECT_EQ(storedPath(folder / "takes/a.pc2", folder.path()), "takes/a.pc2");
+    EXPECT_EQ(storedPath(folder / "a.pc2", folder / "projects"), "../a.pc2");
+    EXPECT_EQ(resolvePath("../a.pc2", folder / "projects").lexically_normal(), folder / "a.pc2");
+    EXPECT_EQ(resolvePath("/a.pc2", folder.path()), fs::path("/a.pc2"));
+    EXPECT_EQ(resolvePath("", folder.path()), fs::path());
+}
+
+TEST(Paths, LeadOutOfAFolderThatIsALink)
+{
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "deep/er/project");
+    fs::create_directory_symlink(folder / "deep/er/project", folder / "link");
+    folder.write("deep/er/a.pc2", "x");
+    const std::string stored = storedPath(folder / "deep/er/a.pc2", folder / "link");
+    EXPECT_TRUE(fs::exists(resolvePath(stored, folder / "link"))) << stored;
+}
+
+TEST(ClosestWord, FindsSlipsAndNothingFarFetched)
+{
+    using projectkeys::closestWord;
+    EXPECT_EQ(closestWord("sorce", projectkeys::sequence), "source");
+    EXPECT_EQ(closestWord("Source-FPS", projectkeys::sequence), "source_fps");
+    EXPECT_EQ(closestWord("graph", projectkeys::document), std::nullopt);
+    EXPECT_EQ(closestWord("colour", projectkeys::texture), std::nullopt);
+}

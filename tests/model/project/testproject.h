@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/file.h"
+#include "model/project/project.h"
+
+#include <gtest/gtest.h>
+#include <string>
+#include <unistd.h>
+
+namespace quadrille::test {
+
+/// A new empty folder for one test, removed with it.
+class TemporaryFolder
+{
+public:
+    TemporaryFolder()
+    {
+        std::string pattern = (std::filesystem::temp_directory_path() / "quadrille-test-XXXXXX").string();
+        m_path = ::mkdtemp(pattern.data());
+    }
+    ~TemporaryFolder()
+    {
+        std::error_code error;
+        std::filesystem::remove_all(m_path, error);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return m_path; }
+    std::filesystem::path operator/(const std::string& name) const { return m_path / name; }
+    /// Writes a text file and returns its path.
+    std::filesystem::path write(const std::string& name, std::string_view text) const
+    {
+        writeAtomically(m_path / name, text);
+        return m_path / name;
+    }
+
+private:
+    std::filesystem::path m_path;
+};
+
+inline std::string textOf(const std::filesystem::path& file)
+{
+    return std::string(readFile(file).text());
+}
+
+inline CharacterEntry characterOf(std::string name, std::string mesh)
+{
+    CharacterEntry character;
+    character.name = std::move(name);
+    character.mesh = std::move(mesh);
+    return character;
+}
+
+inline SequenceEntry sequenceOf(std::string name, std::string source)
+{
+    SequenceEntry sequence;
+    sequence.name = std::move(name);
+    sequence.source = std::move(source);
+    return sequence;
+}
+
+inline TextureReference textureOf(TextureReference::Kind kind, std::vector<std::string> paths)
+{
+    TextureReference texture;
+    texture.kind = kind;
+    texture.paths = std::move(paths);
+    return texture;
+}
+
+/// A project in which every known key of the file has a value that is not the default.
+inline Project fullProject()
+{
+    const CoordinateSystem zUpCentimetres{UpAxis::Z, 0.01};
+    Project project;
+    project.settings.fps = 30;
+    project.settings.axes = zUpCentimetres;
+    project.settings.cacheMegabytes = 256;
+    project.characters = {characterOf("liam", "liam/mesh.obj"), characterOf("fox", "fox.obj")};
+    project.characters[0].texture = textureOf(TextureReference::Kind::Single, {"liam/texture.png"});
+    project.characters[0].notes = "talks";
+    project.characters[1].texture = textureOf(TextureReference::Kind::PerMaterial, {"fur.png", "eyes.png"});
+    SequenceEntry talk = sequenceOf("talk", "liam/talk_a.pc2");
+    talk.character = "liam";
+    talk.clip = "Take 1";
+    talk.range = FrameRange{FrameIndex(2), FrameIndex(40)};
+    talk.sourceFps = 29.97;
+    talk.sourceAxes = CoordinateSystem{UpAxis::Y, 0.5};
+    talk.texture = textureOf(TextureReference::Kind::PerFrame, {"liam/textures/talk_a"});
+    talk.labels = {{"talk", {FrameIndex(0), FrameIndex(20)}}, {"nod", {FrameIndex(21), FrameIndex(38)}}};
+    talk.contacts = {{"left", {FrameIndex(0), FrameIndex(38)}}};
+    talk.jointAngles = "liam/talk_a.bvh";
+    SequenceEntry again = sequenceOf("again", "clip:sequences/talk");
+    again.character = "liam";
+    project.sequences = {talk, again};
+    ExportEntry entry;
+    entry.name = "talk-ply";
+    entry.what = "sequences/talk";
+    entry.path = "out/talk.ply";
+    entry.format = "ply";
+    entry.range = FrameRange{FrameIndex(0), FrameIndex(3)};
+    entry.fps = 12.5;
+    entry.axes = CoordinateSystem{UpAxis::Y, 1.0};
+    entry.textures = false;
+    project.exports = {entry};
+    return project;
+}
+
+} // namespace quadrille::test
