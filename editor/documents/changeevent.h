@@ -34,7 +34,6 @@ struct ChangeEvent
         Entry,   ///< the values of one entry
         List,    ///< entries of a section came, went or moved
         Renamed, ///< an entry has another name; `before` is the old one
-        Media,   ///< the state of a sequence's media: loading, ready, failed
         File,    ///< path or modified state of the document
     };
 
@@ -52,10 +51,6 @@ struct ChangeEvent
     static ChangeEvent renamed(Section section, QString before, QString after)
     {
         return {Kind::Renamed, {section, std::move(after)}, std::move(before)};
-    }
-    static ChangeEvent media(QString name)
-    {
-        return {Kind::Media, {Section::Sequences, std::move(name)}, {}};
     }
 
     /// True for a reset and for every change of a section.

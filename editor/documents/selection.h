@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/documents/projectdocument.h"
+
+#include <QObject>
+#include <QStringList>
+
+namespace quadrille {
+
+/// What the user has selected: one current entry, and of the sequences maybe several. Follows renames and
+/// forgets what is removed.
+class Selection : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit Selection(ProjectDocument& document, QObject* parent = nullptr);
+
+    /// The entry whose properties are shown; Section::Project without a name when nothing is selected.
+    const EntryRef& current() const { return m_current; }
+    /// The selected sequences in the order of selecting; the current one is among them.
+    const QStringList& sequences() const { return m_sequences; }
+    /// The sequence that the viewport and the timeline show: the last one selected that still exists.
+    const QString& shownSequence() const { return m_shown; }
+
+    void select(const EntryRef& entry);
+    /// \param current one of `names`, or empty for the last.
+    void selectSequences(const QStringList& names, const QString& current = {});
+    void clear() { select({}); }
+
+signals:
+    void changed();
+
+private:
+    void follow(const ChangeEvent& event);
+    bool exists(const EntryRef& entry) const;
+    void showExisting();
+
+    ProjectDocument& m_document;
+    EntryRef m_current;
+    QStringList m_sequences;
+    QString m_shown;
+};
+
+} // namespace quadrille
