@@ -37,7 +37,7 @@ bool isKnown(const QString& code)
 QString systemLanguage()
 {
     for (const QString& wanted : QLocale::system().uiLanguages()) {
-        const QString code = wanted.section(QLatin1Char('-'), 0, 0);
+        QString code = wanted.section(QLatin1Char('-'), 0, 0);
         if (isKnown(code))
             return code;
     }
