@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/formats.h"
 
+#include "model/sequence/io/anime.h"
+#include "model/sequence/io/assimpscene.h"
 #include "model/sequence/io/gltf.h"
+#include "model/sequence/io/hdf5sequence.h"
 
 namespace quadrille {
 
@@ -10,6 +13,10 @@ std::vector<std::unique_ptr<Importer>> makeImporters()
 {
     std::vector<std::unique_ptr<Importer>> importers;
     importers.push_back(std::make_unique<GltfImporter>());
+    importers.push_back(std::make_unique<FbxImporter>());
+    importers.push_back(std::make_unique<ColladaImporter>());
+    importers.push_back(std::make_unique<AnimeImporter>());
+    importers.push_back(std::make_unique<Hdf5Importer>());
     return importers;
 }
 

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/sequence/io/anime.h"
+
+#include "model/core/file.h"
+
+#include <array>
+
+namespace quadrille {
+
+namespace {
+
+constexpr std::uint64_t headerBytes = 12;
+
+/// The first frame in memory, the offsets of the others read when asked for.
+class AnimeFrames : public FrameSource
+{
+public:
+    AnimeFrames(std::shared_ptr<const InputFile> file, std::vector<Vec3f> first, std::int64_t frameCount,
+                std::uint64_t offsetsAt)
+        : m_file(std::move(file)), m_first(std::move(first)), m_frameCount(frameCount), m_offsetsAt(offsetsAt)
+    {
+    }
+    std::int64_t frameCount() const override { return m_frameCount; }
+    std::uint32_t vertexCount() const override { return static_cast<std::uint32_t>(m_first.size()); }
+    std::filesystem::path fileOf(FrameIndex) const override { return m_file->path(); }
+    std::optional<Positions> view(FrameIndex frame) const override
+    {
+        return frame.value == 0 ? std::optional<Positions>(m_first) : std::nullopt;
+    }
+    void read(FrameIndex frame, MutablePositions out) const override
+    {
+        if (frame.value == 0) {
+            std::copy(m_first.begin(), m_first.end(), out.begin());
+            return;
+        }
+        const std::uint64_t offset =
+            m_offsetsAt + static_cast<std::uint64_t>(frame.value - 1) * m_first.size() * sizeof(Vec3f);
+        m_file->read(offset, std::as_writable_bytes(out));
+        for (std::size_t v = 0; v < out.size(); ++v)
+            out[v] += m_first[v];
+    }
+
+private:
+    std::shared_ptr<const InputFile> m_file;
+    std::vector<Vec3f> m_first;
+    std::int64_t m_frameCount;
+    std::uint64_t m_offsetsAt;
+};
+
+struct Header
+{
+    std::int32_t frames = 0;
+    std::int32_t vertices = 0;
+    std::int32_t triangles = 0;
+};
+
+/// \throws Error FileTruncated, NoVertices, NoFaces, CountTooLarge.
+Header readHeader(const InputFile& file)
+{
+    Header header;
+    file.read(0, std::as_writable_bytes(std::span(&header, 1)));
+    if (header.frames < 1 || header.vertices < 0 || header.triangles < 0) {
+        throw Error(ErrorCode::FileSyntax,
+                    {file.path(), {.byte = 0}, {{"reason", "the header has counts below zero or no frame"}}});
+    }
+    if (header.vertices == 0)
+        throw Error(ErrorCode::NoVertices, {file.path(), {}, {}});
+    if (header.triangles == 0)
+        throw Error(ErrorCode::NoFaces, {file.path(), {}, {}});
+    const auto frameBytes = static_cast<std::uint64_t>(header.vertices) * sizeof(Vec3f);
+    const auto triangleBytes = static_cast<std::uint64_t>(header.triangles) * sizeof(Triangle);
+    if (headerBytes + frameBytes + triangleBytes > file.size()) {
+        const bool tooMany = headerBytes + frameBytes > file.size();
+        throw Error(ErrorCode::CountTooLarge,
+                    {file.path(),
+                     {.byte = tooMany ? 4 : 8},
+                     {{"count", std::to_string(tooMany ? header.vertices : header.triangles)},
+                      {"what", tooMany ? "vertices" : "triangles"}}});
+    }
+    const std::uint64_t expected =
+        headerBytes + triangleBytes + static_cast<std::uint64_t>(header.frames) * frameBytes;
+    if (expected > file.size()) {
+        throw Error(ErrorCode::FileTruncated, {file.path(),
+                                               {},
+                                               {{"expected", std::to_string(expected) + " bytes for " +
+                                                                 std::to_string(header.frames) + " frames"},
+                                                {"found", std::to_string(file.size())}}});
+    }
+    return header;
+}
+
+} // namespace
+
+const FormatInfo& AnimeImporter::format() const
+{
+    static const FormatInfo info{.id = "anime", .name = "DeformingThings4D", .extensions = {".anime"}};
+    return info;
+}
+
+ImportResult AnimeImporter::open(const SourceFiles& source, const ImportOptions& options,
+                                 const Progress& progress) const
+{
+    progress.report(0);
+    const auto file = std::make_shared<const InputFile>(source.files.front());
+    const Header header = readHeader(*file);
+    TopologyData data;
+    data.vertexCount = static_cast<std::uint32_t>(header.vertices);
+    data.triangles.resize(static_cast<std::size_t>(header.triangles));
+    std::vector<Vec3f> first(data.vertexCount);
+    const std::uint64_t trianglesAt = headerBytes + first.size() * sizeof(Vec3f);
+    const std::uint64_t offsetsAt = trianglesAt + data.triangles.size() * sizeof(Triangle);
+    file->read(headerBytes, std::as_writable_bytes(std::span(first)));
+    file->read(trianglesAt, std::as_writable_bytes(std::span(data.triangles)));
+    progress.report(0.5);
+    const auto topology = std::make_shared<const Topology>(std::move(data), file->path());
+    ImportResult result;
+    result.sequences.push_back(makeSequence(
+        source.files.front().stem().string(), topology,
+        std::make_shared<AnimeFrames>(file, std::move(first), header.frames, offsetsAt), options.fps));
+    return result;
+}
+
+} // namespace quadrille
