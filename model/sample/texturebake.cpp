@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/sample/texturebake.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <tbb/parallel_for.h>
+
+namespace quadrille {
+
+namespace {
+
+void rasteriseTriangle(TexelMap& map, const std::array<Eigen::Vector2d, 3>& p, std::int32_t triangle)
+{
+    const Eigen::Vector2d e1 = p[1] - p[0];
+    const Eigen::Vector2d e2 = p[2] - p[0];
+    const double area = e1.x() * e2.y() - e1.y() * e2.x();
+    if (area == 0)
+        return;
+    const auto low = [&](int axis) { return std::min({p[0][axis], p[1][axis], p[2][axis]}) - 0.5; };
+    const auto high = [&](int axis) { return std::max({p[0][axis], p[1][axis], p[2][axis]}) - 0.5; };
+    for (int y = std::max(0, static_cast<int>(std::ceil(low(1)))); y <= std::min(map.size - 1.0, high(1));
+         ++y)
+        for (int x = std::max(0, static_cast<int>(std::ceil(low(0)))); x <= std::min(map.size - 1.0, high(0));
+             ++x) {
+            const Eigen::Vector2d q = Eigen::Vector2d(x + 0.5, y + 0.5) - p[0];
+            const double b = (q.x() * e2.y() - q.y() * e2.x()) / area;
+            const double c = (e1.x() * q.y() - e1.y() * q.x()) / area;
+            if (b < 0 || c < 0 || b + c > 1)
+                continue;
+            const std::size_t texel = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.size) +
+                                      static_cast<std::size_t>(x);
+            map.triangle[texel] = triangle;
+            map.barycentric[texel] = Vec2f(static_cast<float>(b), static_cast<float>(c));
+            map.isInside[texel] = true;
+        }
+}
+
+/// Light that reaches a point from outside: 1 in the open, less in corners.
+double openness(const Body& body, const Vec3d& p, const Vec3d& normal)
+{
+    double hidden = 0;
+    for (const auto& [distance, weight] :
+         {std::pair{0.008, 0.22}, std::pair{0.022, 0.28}, std::pair{0.05, 0.28}, std::pair{0.10, 0.22}})
+        hidden += weight * std::clamp((distance - body.distance(p + distance * normal)) / distance, 0.0, 1.0);
+    return 1 - std::min(hidden, 1.0);
+}
+
+} // namespace
+
+TexelMap mapTexels(const Atlas& atlas, int size, int gutter)
+{
+    TexelMap map;
+    map.size = size;
+    const std::size_t count = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+    map.triangle.assign(count, TexelMap::none);
+    map.barycentric.assign(count, Vec2f::Zero());
+    map.isInside.assign(count, false);
+    for (std::size_t t = 0; t < atlas.triangleUvs.size(); ++t) {
+        std::array<Eigen::Vector2d, 3> p;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Vec2f& uv = atlas.uvs[atlas.triangleUvs[t][c]];
+            p[c] = Eigen::Vector2d(uv.x(), 1.0 - uv.y()) * size;
+        }
+        rasteriseTriangle(map, p, static_cast<std::int32_t>(t));
+    }
+    for (int ring = 0; ring < gutter; ++ring) {
+        const std::vector<std::int32_t> before = map.triangle;
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x) {
+                const std::size_t texel = static_cast<std::size_t>(y * size + x);
+                if (before[texel] != TexelMap::none)
+                    continue;
+                for (const auto& [dx, dy] :
+                     {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}) {
+                    if (x + dx < 0 || x + dx >= size || y + dy < 0 || y + dy >= size)
+                        continue;
+                    const std::size_t near = static_cast<std::size_t>((y + dy) * size + x + dx);
+                    if (before[near] == TexelMap::none)
+                        continue;
+                    map.triangle[texel] = before[near];
+                    map.barycentric[texel] = map.barycentric[near];
+                    break;
+                }
+            }
+    }
+    return map;
+}
+
+Image bakeTexture(const SurfaceMesh& mesh, const Body& body, const TexelMap& texels, const Palette& palette,
+                  const Progress& progress)
+{
+    Image image(texels.size, texels.size);
+    const std::vector<Vec3d> normals = vertexNormals(mesh);
+    std::atomic<std::int64_t> done{0};
+    tbb::parallel_for(0, texels.size, [&](int y) {
+        progress.report(done++, texels.size);
+        for (int x = 0; x < texels.size; ++x) {
+            const std::size_t texel = static_cast<std::size_t>(y * texels.size + x);
+            std::uint8_t* pixel = image.pixel(x, y);
+            pixel[3] = 255;
+            if (texels.triangle[texel] == TexelMap::none) {
+                std::fill_n(pixel, 3, static_cast<std::uint8_t>(96));
+                continue;
+            }
+            const Triangle& t = mesh.triangles[static_cast<std::size_t>(texels.triangle[texel])];
+            const Eigen::Vector2d b = texels.barycentric[texel].cast<double>();
+            const auto blend = [&](const std::vector<Vec3d>& values) {
+                return Vec3d((1 - b.x() - b.y()) * values[t[0].value] + b.x() * values[t[1].value] +
+                             b.y() * values[t[2].value]);
+            };
+            const Vec3d p = blend(mesh.points);
+            const Vec3d n = blend(normals).normalized();
+            const BodyPart part = body.partAt(p);
+            const Vec3d colour = paint({body.toReference(p, part), n, part, body.isHair(p)}, palette);
+            const double light = (0.50 + 0.50 * openness(body, p + 0.002 * n, n)) * (0.965 + 0.035 * n.y());
+            for (int c = 0; c < 3; ++c)
+                pixel[c] = static_cast<std::uint8_t>(std::clamp(255 * colour[c] * light + 0.5, 0.0, 255.0));
+        }
+    });
+    return image;
+}
+
+} // namespace quadrille

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/image.h"
+#include "model/sample/atlas.h"
+#include "model/sample/paint.h"
+
+namespace quadrille {
+
+/// Which point of the surface each texel shows.
+struct TexelMap
+{
+    static constexpr std::int32_t none = -1;
+
+    int size = 0; ///< of the square, texels
+    /// Per texel its triangle; texels around charts have that of the nearest texel inside.
+    std::vector<std::int32_t> triangle;
+    std::vector<Vec2f> barycentric; ///< weights of the second and third corner
+    std::vector<bool> isInside;     ///< not only around a chart
+};
+
+/// \param gutter texels around each chart that are filled too.
+TexelMap mapTexels(const Atlas& atlas, int size, int gutter);
+
+/// The painted texture with soft shadows in corners and folds.
+/// \throws Error Cancelled.
+Image bakeTexture(const SurfaceMesh& mesh, const Body& body, const TexelMap& texels, const Palette& palette,
+                  const Progress& progress = {});
+
+} // namespace quadrille
