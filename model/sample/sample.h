@@ -57,4 +57,11 @@ struct SampleCharacter
 /// \throws Error BadArgument, Cancelled.
 SampleCharacter makeSampleCharacter(const SampleOptions& options = {}, const Progress& progress = {});
 
+/// Writes the character, its takes, the target body, the ground truth and a project that uses them all.
+/// \param folder is made; files of an earlier sample in it are replaced.
+/// \return the project file.
+/// \throws Error BadArgument, WriteFailed, PermissionDenied, Cancelled.
+std::filesystem::path writeSample(const std::filesystem::path& folder, const SampleOptions& options = {},
+                                  const Progress& progress = {});
+
 } // namespace quadrille
