@@ -59,6 +59,7 @@ struct FrameRange
 };
 
 using Vec2f = Eigen::Vector2f;
+using Vec2d = Eigen::Vector2d;
 using Vec3f = Eigen::Vector3f;
 using Vec3d = Eigen::Vector3d;
 
