@@ -74,6 +74,26 @@ void solveArm(const Skeleton& skeleton, SkeletonPose& pose, std::size_t side, co
     rotation("Fingers") = hang * turnZ(-s * a.curl) * hang.conjugate();
 }
 
+/// Turns the arm so that its wrist comes to the place it reaches for.
+void reachWithArm(const Skeleton& skeleton, SkeletonPose& pose, const WorldJoints& world, std::size_t side,
+                  const SidePosture& a)
+{
+    if (a.reach <= 0)
+        return;
+    const std::size_t arm = skeleton.index(sideName(side, "UpperArm"));
+    const Eigen::Quaterniond& clavicle = world.rotations[arm - 1];
+    // The elbow points back, down and a little out.
+    const Vec3d pole = world.rotations[skeleton.index("chest")] * Vec3d(0.35 * sign(side), -0.7, -0.8);
+    const Vec3d restPole = -Vec3d::UnitZ();
+    const Vec3d target(a.reachX, a.reachY, a.reachZ);
+    const auto [upper, lower] = twoBone(skeleton.rest[arm], skeleton.rest[arm + 1], skeleton.rest[arm + 2],
+                                        restPole, world.positions[arm], target, pole);
+    const Eigen::Quaterniond local = clavicle.conjugate() * upper;
+    const double weight = std::clamp(a.reach, 0.0, 1.0);
+    pose.rotations[arm] = pose.rotations[arm].slerp(weight, local);
+    pose.rotations[arm + 1] = pose.rotations[arm + 1].slerp(weight, upper.conjugate() * lower);
+}
+
 void solveLeg(const Skeleton& skeleton, SkeletonPose& pose, const WorldJoints& world, std::size_t side,
               const SidePosture& leg)
 {
@@ -194,8 +214,10 @@ SkeletonPose solvePosture(const Skeleton& skeleton, const Posture& p)
     for (std::size_t side = 0; side < 2; ++side)
         solveArm(skeleton, pose, side, p.sides[side]);
     const WorldJoints world = worldJoints(skeleton, pose);
-    for (std::size_t side = 0; side < 2; ++side)
+    for (std::size_t side = 0; side < 2; ++side) {
+        reachWithArm(skeleton, pose, world, side, p.sides[side]);
         solveLeg(skeleton, pose, world, side, p.sides[side]);
+    }
     return pose;
 }
 

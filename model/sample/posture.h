@@ -27,6 +27,10 @@ struct SidePosture
     double footYaw = 0;   ///< to the left
     double footPitch = 0; ///< heel up about the ball; negative: toes up about the heel
     double kneeOut = 0;   ///< knee turned outwards
+    double reach = 0;     ///< 0: the arm's angles above count; 1: the wrist goes to the place below
+    double reachX = 0;    ///< metres in the world
+    double reachY = 1;
+    double reachZ = 0.3;
 };
 
 /// A pose as an animator thinks of it: hips in the world, feet on the ground, the rest as angles. All members
@@ -72,7 +76,7 @@ std::pair<Eigen::Quaterniond, Eigen::Quaterniond> twoBone(const Vec3d& restA, co
                                                           const Vec3d& start, const Vec3d& target,
                                                           const Vec3d& pole);
 
-/// A posture at a time, metres per second kept at keys where `velocity` is set.
+/// A posture at a time.
 struct PostureKey
 {
     double time = 0; ///< seconds

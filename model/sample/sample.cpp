@@ -3,14 +3,14 @@
 #include "model/sample/sample.h"
 
 #include "model/sample/character.h"
-#include "model/sample/gait.h"
+#include "model/sample/perform.h"
 #include "model/sample/texturebake.h"
+
+#include <algorithm>
 
 namespace quadrille {
 
 namespace {
-
-constexpr double fps = 25;
 
 std::shared_ptr<const Topology> topologyOf(const SurfaceMesh& mesh, const Atlas& atlas)
 {
@@ -20,6 +20,37 @@ std::shared_ptr<const Topology> topologyOf(const SurfaceMesh& mesh, const Atlas&
     data.uvs = atlas.uvs;
     data.triangleUvs = atlas.triangleUvs;
     return std::make_shared<const Topology>(std::move(data));
+}
+
+void makeTakes(SampleCharacter& character, const SurfaceMesh& mesh, const SampleOptions& options,
+               const Progress& progress)
+{
+    const Performer performer{mesh, vertexNormals(mesh), character.skeleton, character.weights};
+    const auto kinds = static_cast<std::int64_t>(takeKinds().size());
+    for (std::int64_t k = 0; k < kinds; ++k) {
+        const std::string& kind = takeKinds()[static_cast<std::size_t>(k)];
+        const bool isRich = kind == "walk" || kind == "dance";
+        const int count = std::min(options.takesPerKind + (isRich && options.takesPerKind > 1 ? 1 : 0), 3);
+        for (int variant = 0; variant < count; ++variant) {
+            progress.report(k, kinds);
+            SampleRandom random(options.seed * 1000003 + static_cast<std::uint64_t>(k * 31 + variant));
+            const TakeMotion motion = performTake(character.skeleton, kind, variant, random);
+            SampleTake take;
+            take.kind = kind;
+            for (const Posture& posture : motion.frames)
+                take.poses.push_back(solvePosture(character.skeleton, posture));
+            take.flight = motion.flight;
+            std::vector<Vec3f> frames = moveSurface(performer, take.poses, random.between(0, 6.28));
+            const auto& topology = character.body.topology;
+            take.sequence = makeSequence(
+                kind + " " + std::to_string(variant + 1), topology,
+                std::make_shared<MemoryFrames>(std::move(frames), topology->vertexCount()), sampleFps);
+            take.sequence.textures = TextureSet::single({.embedded = character.body.texture});
+            take.sequence.labels = motion.labels;
+            take.sequence.contacts = contactsOf(motion.frames);
+            character.takes.push_back(std::move(take));
+        }
+    }
 }
 
 } // namespace
@@ -41,24 +72,7 @@ SampleCharacter makeSampleCharacter(const SampleOptions& options, const Progress
         character.body.rest.push_back(p.cast<float>());
     character.skeleton = makeSkeleton(body);
     character.weights = boneHeatWeights(mesh, character.skeleton);
-    const GaitMotion walk = makeGait(character.skeleton, {.duration = 2.4}, fps);
-    SampleTake take;
-    take.kind = "walk";
-    std::vector<Vec3f> frames;
-    std::vector<Vec3d> skinned;
-    for (const Posture& posture : walk.frames) {
-        take.poses.push_back(solvePosture(character.skeleton, posture));
-        skin(mesh.points, character.weights, character.skeleton,
-             worldJoints(character.skeleton, take.poses.back()), skinned);
-        for (const Vec3d& p : skinned)
-            frames.push_back(p.cast<float>());
-    }
-    take.sequence = makeSequence(
-        "walk 1", character.body.topology,
-        std::make_shared<MemoryFrames>(std::move(frames), character.body.topology->vertexCount()), fps);
-    take.sequence.textures = TextureSet::single({.embedded = character.body.texture});
-    take.sequence.labels = {{"walk", FrameRange::all(take.sequence.frameCount())}};
-    character.takes.push_back(std::move(take));
+    makeTakes(character, mesh, options, progress.part(0.6, 1.0));
     progress.report(1.0);
     return character;
 }

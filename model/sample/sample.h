@@ -32,6 +32,7 @@ struct SampleTake
     std::string kind; ///< "walk", "jump long", …
     MeshSequence sequence;
     std::vector<SkeletonPose> poses; ///< one per frame
+    FrameRange flight;               ///< of a jump: no foot on the ground
 };
 
 /// A body at rest with its texture.
