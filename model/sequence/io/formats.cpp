@@ -4,6 +4,7 @@
 
 #include "model/sequence/io/anime.h"
 #include "model/sequence/io/assimpscene.h"
+#include "model/sequence/io/glbwriter.h"
 #include "model/sequence/io/gltf.h"
 #include "model/sequence/io/hdf5sequence.h"
 
@@ -23,6 +24,7 @@ std::vector<std::unique_ptr<Importer>> makeImporters()
 std::vector<std::unique_ptr<Exporter>> makeExporters()
 {
     std::vector<std::unique_ptr<Exporter>> exporters;
+    exporters.push_back(std::make_unique<GlbExporter>());
     return exporters;
 }
 

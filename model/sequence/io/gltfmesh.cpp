@@ -148,19 +148,39 @@ public:
     }
 
 private:
+    /// Vertices that were read, and what they were read from.
+    struct Part
+    {
+        Json attributes;
+        Json targets;
+        std::size_t first;
+        std::int64_t count;
+    };
+
     void addPrimitive(const Json& primitive, int mode)
     {
         const Json& attributes = primitive.at("attributes");
+        const auto material = gltfIndex(primitive, "material");
+        const Json targets = primitive.value("targets", Json::array());
+        // Primitives of several materials may share their vertices.
+        const auto shared = std::find_if(m_parts.begin(), m_parts.end(), [&](const Part& part) {
+            return part.attributes == attributes && part.targets == targets;
+        });
+        if (shared != m_parts.end()) {
+            addTriangles(primitive, mode, shared->first, shared->count);
+            m_mesh.triangleMaterials.resize(m_mesh.triangles.size(), materialIndex(material));
+            return;
+        }
         const auto first = m_mesh.positions.size();
         const auto positions = toVectors(m_document.floats(gltfIndex(attributes, "POSITION"), 3));
         const auto count = static_cast<std::int64_t>(positions.size());
         m_mesh.positions.insert(m_mesh.positions.end(), positions.begin(), positions.end());
-        const auto material = gltfIndex(primitive, "material");
+        m_parts.push_back({attributes, targets, first, count});
         addTriangles(primitive, mode, first, count);
         m_mesh.triangleMaterials.resize(m_mesh.triangles.size(), materialIndex(material));
         addUvs(attributes, material, first, count);
         addInfluences(attributes, first, count);
-        addMorphTargets(primitive, first, count);
+        addMorphTargets(targets, first, count);
         if (const auto original = gltfIndex(attributes, gltfVertexAttribute); original >= 0) {
             const auto vertices = m_document.floats(original, 1, count);
             m_original.insert(m_original.end(), vertices.begin(), vertices.end());
@@ -245,16 +265,14 @@ private:
             m_mesh.influences.resize(m_mesh.positions.size());
     }
 
-    void addMorphTargets(const Json& primitive, std::size_t first, std::int64_t count)
+    void addMorphTargets(const Json& targets, std::size_t first, std::int64_t count)
     {
-        const auto targets = primitive.find("targets");
-        const std::size_t targetCount =
-            targets != primitive.end() && targets->is_array() ? targets->size() : 0;
+        const std::size_t targetCount = targets.is_array() ? targets.size() : 0;
         if (targetCount > m_mesh.morphTargets.size())
             m_mesh.morphTargets.resize(targetCount, std::vector<Vec3f>(first, Vec3f::Zero()));
         for (std::size_t t = 0; t < m_mesh.morphTargets.size(); ++t) {
             auto& offsets = m_mesh.morphTargets[t];
-            const auto accessor = t < targetCount ? gltfIndex((*targets)[t], "POSITION") : -1;
+            const auto accessor = t < targetCount ? gltfIndex(targets[t], "POSITION") : -1;
             if (accessor >= 0) {
                 const auto values = toVectors(m_document.floats(accessor, 3, count));
                 offsets.insert(offsets.end(), values.begin(), values.end());
@@ -298,6 +316,7 @@ private:
     const GltfDocument& m_document;
     const Scene& m_scene;
     SceneMesh m_mesh;
+    std::vector<Part> m_parts;
     std::vector<float> m_original;
 };
 

@@ -30,8 +30,8 @@ KeySpan findKeys(const std::vector<double>& times, double seconds)
     if (after == times.size())
         return {after - 1, after - 1, 0, 0};
     const double length = times[after] - times[after - 1];
-    const double weight = std::clamp((seconds - times[after - 1]) / length, 0.0, 1.0);
-    return {after - 1, after, weight, length};
+    const double passed = seconds - times[after - 1];
+    return {after - 1, after, passed < keyTolerance ? 0.0 : std::min(passed / length, 1.0), length};
 }
 
 /// glTF 2.0, appendix C: cubic spline interpolation.
