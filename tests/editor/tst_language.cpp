@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "editor/errors/issuelog.h"
+#include "editor/errors/issuespanel.h"
 #include "editor/language/languagemanager.h"
 #include "editor/language/retranslate.h"
 
@@ -9,6 +10,8 @@
 #include <QLocale>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
+#include <QTreeView>
 #include <algorithm>
 
 using namespace quadrille;
@@ -30,6 +33,7 @@ private slots:
     void issueLogForgetsASubject();
     void issueLogJumpsToTheCulprit();
     void cancellingIsNoIssue();
+    void issuesPanelShowsAndJumps();
 
 private:
     LanguageManager m_language;
@@ -152,6 +156,26 @@ void LanguageTest::cancellingIsNoIssue()
     IssueLog log;
     log.add(Error(ErrorCode::Cancelled));
     QCOMPARE(log.rowCount(), 0);
+}
+
+void LanguageTest::issuesPanelShowsAndJumps()
+{
+    IssueLog log;
+    IssuesPanel panel(log);
+    panel.show();
+    auto* list = panel.findChild<QTreeView*>("issuesList");
+    auto* show = panel.findChild<QToolButton*>("issuesShow");
+    QVERIFY(!list->isVisible());
+    int jumps = 0;
+    log.add(Error(ErrorCode::NoFaces), "walk", [&jumps] { ++jumps; });
+    QVERIFY(list->isVisible());
+    QVERIFY(!show->isEnabled());
+    list->setCurrentIndex(log.index(0, 0));
+    QVERIFY(show->isEnabled());
+    show->click();
+    QCOMPARE(jumps, 1);
+    panel.findChild<QToolButton*>("issuesClear")->click();
+    QVERIFY(!list->isVisible());
 }
 
 QTEST_MAIN(LanguageTest)
