@@ -137,11 +137,11 @@
     </message>
     <message>
         <source>The scene holds no mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>La scène ne contient aucun maillage.</translation>
     </message>
     <message>
         <source>Export the character&apos;s geometry too: cameras, lights and bones alone cannot be shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportez aussi la géométrie du personnage : caméras, lumières et os seuls ne peuvent pas être montrés.</translation>
     </message>
     <message>
         <source>The {count} triangles share no vertices: this is a polygon soup.</source>
@@ -353,7 +353,7 @@
     <message>
         <source>, </source>
         <comment>between the parts of a place</comment>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -364,6 +364,25 @@
         <source>%1 (%2)</source>
         <comment>sentences and place</comment>
         <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::HelpViewer</name>
+    <message>
+        <source>Quadrille help</source>
+        <translation>Aide de Quadrille</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Help page</source>
+        <translation>Page d’aide</translation>
     </message>
 </context>
 <context>
@@ -383,6 +402,52 @@
     <message>
         <source>Times</source>
         <translation>Fois</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::IssuesPanel</name>
+    <message>
+        <source>Issues</source>
+        <translation>Problèmes</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Afficher</translation>
+    </message>
+    <message>
+        <source>Go to what the issue is about</source>
+        <translation>Aller à ce que concerne le problème</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Effacer</translation>
+    </message>
+    <message>
+        <source>Forget all issues</source>
+        <translation>Oublier tous les problèmes</translation>
+    </message>
+    <message>
+        <source>No issues. What goes wrong, and what an import had to repair, is listed here.</source>
+        <translation>Aucun problème. Ce qui échoue, et ce qu’un import a dû réparer, s’affiche ici.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation>
+            <numerusform>%n erreur</numerusform>
+            <numerusform>%n erreurs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation>
+            <numerusform>%n avertissement</numerusform>
+            <numerusform>%n avertissements</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <comment>numbers of errors and of warnings</comment>
+        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>
@@ -417,110 +482,110 @@
     <name>quadrille::ProjectDocument</name>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>Sans titre</translation>
     </message>
 </context>
 <context>
     <name>quadrille::ProjectEdits</name>
     <message>
         <source>Remove “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer « %1 »</translation>
     </message>
     <message numerus="yes">
         <source>Remove %n characters</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Supprimer %n personnage</numerusform>
+            <numerusform>Supprimer %n personnages</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Remove %n exports</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Supprimer %n export</numerusform>
+            <numerusform>Supprimer %n exports</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Remove %n sequences</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Supprimer %n séquence</numerusform>
+            <numerusform>Supprimer %n séquences</numerusform>
         </translation>
     </message>
     <message>
         <source>Add “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter « %1 »</translation>
     </message>
     <message numerus="yes">
         <source>Add %n sequences</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Ajouter %n séquence</numerusform>
+            <numerusform>Ajouter %n séquences</numerusform>
         </translation>
     </message>
     <message>
         <source>Duplicate “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Dupliquer « %1 »</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
-        <translation type="unfinished"></translation>
+        <translation>Renommer « %1 » en « %2 »</translation>
     </message>
     <message>
         <source>Trim “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Rogner « %1 »</translation>
     </message>
     <message>
         <source>Change the frame rate of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier la cadence de « %1 »</translation>
     </message>
     <message>
         <source>Change axes or unit of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier les axes ou l’unité de « %1 »</translation>
     </message>
     <message>
         <source>Change the texture of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier la texture de « %1 »</translation>
     </message>
     <message>
         <source>Change the character of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier le personnage de « %1 »</translation>
     </message>
     <message>
         <source>Label “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Étiqueter « %1 »</translation>
     </message>
     <message>
         <source>Mark foot contacts of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Marquer les contacts des pieds de « %1 »</translation>
     </message>
     <message>
         <source>Change the reference joint angles of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier les angles articulaires de référence de « %1 »</translation>
     </message>
     <message>
         <source>Edit the notes of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier les notes de « %1 »</translation>
     </message>
     <message>
         <source>Change the mesh of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier le maillage de « %1 »</translation>
     </message>
     <message>
         <source>Change the project settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier les réglages du projet</translation>
     </message>
     <message>
         <source>Add export “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter l’export « %1 »</translation>
     </message>
     <message>
         <source>Change export “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier l’export « %1 »</translation>
     </message>
     <message>
         <source>Relink media</source>
-        <translation type="unfinished"></translation>
+        <translation>Relier les médias</translation>
     </message>
 </context>
 </TS>
