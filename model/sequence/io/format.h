@@ -4,6 +4,7 @@
 
 #include "model/core/error.h"
 #include "model/core/progress.h"
+#include "model/render/rendersettings.h"
 #include "model/sequence/axes.h"
 #include "model/sequence/meshsequence.h"
 
@@ -84,6 +85,8 @@ struct ExportOptions
     CoordinateSystem from;
     CoordinateSystem to;
     bool textures = true;
+    /// Of pictures and videos; its axes follow `to`.
+    RenderSettings render;
 };
 
 struct ExportResult

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/formats.h"
 
+#include "model/render/clipexport.h"
 #include "model/sequence/io/anime.h"
 #include "model/sequence/io/assimpscene.h"
 #include "model/sequence/io/glbwriter.h"
@@ -25,6 +26,8 @@ std::vector<std::unique_ptr<Exporter>> makeExporters()
 {
     std::vector<std::unique_ptr<Exporter>> exporters;
     exporters.push_back(std::make_unique<GlbExporter>());
+    exporters.push_back(makePngExporter());
+    exporters.push_back(makeVideoExporter());
     return exporters;
 }
 
