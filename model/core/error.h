@@ -37,6 +37,7 @@ enum class ErrorCode
     FormatCannotStore,
     // series
     SeriesEmpty,
+    SeriesAmbiguous,
     // meshes
     NoVertices,
     NoFaces,
@@ -133,6 +134,8 @@ struct Issue
         UnusedVertices,
         DuplicateFaces,
         TextureMissing,
+        TextureCountDiffers,
+        MeshFound,
         FpsAssumed,
         FpsResampled,
         VerticesWelded,

@@ -53,6 +53,9 @@ ErrorMessage errorMessage(ErrorCode code)
     case ErrorCode::SeriesEmpty:
         return {QUADRILLE_MESSAGE("No numbered mesh files were found here."),
                 QUADRILLE_MESSAGE("Choose a folder or pattern that holds NAME_0001.obj, NAME_0002.obj, …")};
+    case ErrorCode::SeriesAmbiguous:
+        return {QUADRILLE_MESSAGE("It is not clear which files are meant: {found}."),
+                QUADRILLE_MESSAGE("Name one file, or one series by a pattern such as NAME_####.obj.")};
     case ErrorCode::NoVertices:
         return {QUADRILLE_MESSAGE("The mesh has no vertices."),
                 QUADRILLE_MESSAGE("Export it again with geometry.")};
@@ -145,6 +148,11 @@ ErrorMessage issueMessage(Issue::Code code)
     case Issue::Code::TextureMissing:
         return {QUADRILLE_MESSAGE("The texture {path} was not found."),
                 QUADRILLE_MESSAGE("The mesh is shown without it.")};
+    case Issue::Code::TextureCountDiffers:
+        return {QUADRILLE_MESSAGE("{found} textures in {path} for {expected} frames."),
+                QUADRILLE_MESSAGE("They are not used.")};
+    case Issue::Code::MeshFound:
+        return {QUADRILLE_MESSAGE("Faces and texture coordinates are those of {path}."), ""};
     case Issue::Code::FpsAssumed:
         return {QUADRILLE_MESSAGE("The source names no frame rate; {fps} fps is assumed."), ""};
     case Issue::Code::FpsResampled:

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace quadrille {
@@ -50,6 +51,8 @@ struct ImportOptions
     CoordinateSystem to;
     /// Only this clip of a scene file; all when empty.
     std::string clip;
+    /// Texture, or folder or pattern with one texture per frame; looked for beside the source when empty.
+    std::filesystem::path textures;
 };
 
 struct ImportResult
@@ -70,7 +73,11 @@ class Importer
 public:
     virtual ~Importer() = default;
     virtual const FormatInfo& format() const = 0;
-    /// Opens without reading more frames than it must; frames are read when asked for.
+    /// True when a file that begins like this is surely of the format, whatever its name.
+    /// \param head the first bytes of the file, at most 512.
+    virtual bool recognises(std::string_view /*head*/) const { return false; }
+    /// Opens without reading more frames than it must; frames are read when asked for. Positions are as the
+    /// file has them: `openSequences` converts axes and unit, and reports an assumed rate and gaps.
     /// \throws Error file errors, syntax, topology, FormatNeedsMesh, Cancelled.
     virtual ImportResult open(const SourceFiles& source, const ImportOptions& options,
                               const Progress& progress) const = 0;

@@ -8,12 +8,16 @@
 #include "model/sequence/io/glbwriter.h"
 #include "model/sequence/io/gltf.h"
 #include "model/sequence/io/hdf5sequence.h"
+#include "model/sequence/io/obj.h"
+#include "model/sequence/io/pc2.h"
 
 namespace quadrille {
 
 std::vector<std::unique_ptr<Importer>> makeImporters()
 {
     std::vector<std::unique_ptr<Importer>> importers;
+    importers.push_back(makeObjImporter());
+    importers.push_back(makePc2Importer());
     importers.push_back(std::make_unique<GltfImporter>());
     importers.push_back(std::make_unique<FbxImporter>());
     importers.push_back(std::make_unique<ColladaImporter>());
@@ -25,6 +29,7 @@ std::vector<std::unique_ptr<Importer>> makeImporters()
 std::vector<std::unique_ptr<Exporter>> makeExporters()
 {
     std::vector<std::unique_ptr<Exporter>> exporters;
+    exporters.push_back(makePc2Exporter());
     exporters.push_back(std::make_unique<GlbExporter>());
     exporters.push_back(makePngExporter());
     exporters.push_back(makeVideoExporter());

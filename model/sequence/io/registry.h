@@ -13,16 +13,22 @@ std::span<const std::unique_ptr<Importer>> importers();
 /// All exporters, in the order in which dialogs list them.
 std::span<const std::unique_ptr<Exporter>> exporters();
 
-/// Finds what a path means: a file, a folder that holds one numbered series, or a pattern (name_####.obj,
-/// name_%04d.obj, name_*.obj).
-/// \throws Error FileNotFound, SeriesEmpty.
+/// Finds what a path means: a file, a folder that holds one numbered series of meshes, or a pattern
+/// (name_####.obj, name_%04d.obj, name_*.obj). A numbered file means that file alone.
+/// \throws Error FileNotFound, PermissionDenied, SeriesEmpty, SeriesAmbiguous.
 SourceFiles findSource(const std::filesystem::path& path);
+
+/// The series that a numbered file belongs to; the file alone when it has no neighbours.
+/// \throws Error FileNotFound.
+SourceFiles seriesAround(const std::filesystem::path& file);
 
 /// The importer of a source, by extension and, where that is not enough, by signature.
 /// \throws Error FormatUnknown, FormatRefused with what to convert it to.
 const Importer& importerFor(const SourceFiles& source);
 
-/// Opens a file, folder or pattern with the importer it needs and converts it to options.to.
+/// Opens a file, folder or pattern with the importer it needs and converts it to options.to. Gaps in the
+/// numbering and an assumed rate become issues. The first and the last frame are read, so that a source that
+/// does not hold together is refused here.
 ImportResult openSequences(const std::filesystem::path& path, const ImportOptions& options = {},
                            const Progress& progress = {});
 
