@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "widgets/timeline/timeline.h"
+
+#include "widgets/theme/theme.h"
+#include "widgets/timeline/timelineprivate.h"
+
+#include <QAccessible>
+#include <QEvent>
+#include <QHelpEvent>
+#include <QLocale>
+#include <QNativeGestureEvent>
+#include <QPainter>
+#include <QScrollBar>
+#include <QToolTip>
+#include <algorithm>
+
+namespace quadrille::widgets {
+
+Timeline::Timeline(QWidget* parent) : QWidget(parent), d(std::make_unique<Private>())
+{
+    setObjectName(QStringLiteral("timeline"));
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    setFont(Theme::tabularFont(font()));
+    d->scrollBar = new QScrollBar(Qt::Horizontal, this);
+    d->scrollBar->setObjectName(QStringLiteral("timelineScrollBar"));
+    d->scrollBar->setFocusPolicy(Qt::NoFocus);
+    // The scroll bar counts tenths of frames.
+    connect(d->scrollBar, &QScrollBar::valueChanged, this, [this](int tenths) {
+        d->scale.scrollTo(tenths / 10.0);
+        update();
+    });
+    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+    QEvent retranslate(QEvent::LanguageChange);
+    changeEvent(&retranslate);
+    scaleChanged();
+}
+
+Timeline::~Timeline() = default;
+
+void Timeline::setFrameCount(int frames)
+{
+    d->scale.setFrameCount(frames);
+    d->current = std::clamp(d->current, 0, d->scale.frameCount() - 1);
+    scaleChanged();
+}
+
+int Timeline::frameCount() const
+{
+    return d->scale.frameCount();
+}
+
+void Timeline::setFps(double fps)
+{
+    d->fps = std::max(fps, 1e-3);
+    update();
+}
+
+void Timeline::setUnit(Unit unit)
+{
+    d->unit = unit;
+    updateAccessibleText();
+    update();
+}
+
+Timeline::Unit Timeline::unit() const
+{
+    return d->unit;
+}
+
+void Timeline::setCurrentFrame(int frame)
+{
+    const int inside = std::clamp(frame, 0, d->scale.frameCount() - 1);
+    if (inside == d->current)
+        return;
+    const QRect before = d->playheadRect(d->current);
+    const double first = d->scale.firstVisible();
+    d->current = inside;
+    d->scale.reveal(inside);
+    updateAccessibleText();
+    if (d->scale.firstVisible() != first) {
+        scaleChanged();
+        return;
+    }
+    update(before);
+    update(d->playheadRect(inside));
+}
+
+int Timeline::currentFrame() const
+{
+    return d->current;
+}
+
+void Timeline::setRange(std::optional<std::pair<int, int>> range)
+{
+    d->range = range;
+    update();
+}
+
+std::pair<int, int> Timeline::range() const
+{
+    return d->effectiveRange();
+}
+
+void Timeline::setTracks(std::vector<TimelineTrack> tracks)
+{
+    d->tracks = std::move(tracks);
+    int widest = 0;
+    for (const TimelineTrack& track : d->tracks)
+        widest = std::max(widest, fontMetrics().horizontalAdvance(track.title));
+    constexpr int widestHeader = 140;
+    d->headerWidth = d->tracks.empty() ? 8 : std::min(widestHeader, widest + 20);
+    d->scale.setWidth(width() - d->headerWidth);
+    if (d->selected && d->span(*d->selected) == nullptr)
+        select(std::nullopt);
+    updateGeometry();
+    scaleChanged();
+}
+
+const std::vector<TimelineTrack>& Timeline::tracks() const
+{
+    return d->tracks;
+}
+
+void Timeline::setSelectedSpan(const std::optional<SpanRef>& span)
+{
+    d->selected = span && d->span(*span) != nullptr ? span : std::nullopt;
+    update();
+}
+
+std::optional<SpanRef> Timeline::selectedSpan() const
+{
+    return d->selected;
+}
+
+const TimelineScale& Timeline::scale() const
+{
+    return d->scale;
+}
+
+void Timeline::zoomToFit()
+{
+    d->scale.fit();
+    scaleChanged();
+}
+
+void Timeline::zoomBy(double factor)
+{
+    // About the playhead where it shows, else about the middle.
+    const double playhead = d->scale.xOf(d->current + 0.5);
+    const bool shows = playhead >= 0.0 && playhead <= d->scale.width();
+    d->scale.zoom(factor, shows ? playhead : d->scale.width() / 2.0);
+    scaleChanged();
+}
+
+QRect Timeline::spanRect(const SpanRef& ref) const
+{
+    const TimelineSpan* span = d->span(ref);
+    return span == nullptr ? QRect() : d->rect(trackRect(ref.track), span->first, span->last);
+}
+
+QRect Timeline::trackRect(const QString& id) const
+{
+    const TimelineTrack* track = d->track(id);
+    return track == nullptr ? QRect() : d->row(static_cast<std::size_t>(track - d->tracks.data()));
+}
+
+QRect Timeline::rulerRect() const
+{
+    return {d->headerWidth, 0, width() - d->headerWidth, Private::rulerHeight};
+}
+
+int Timeline::xOfFrame(int frame) const
+{
+    return d->x(frame + 0.5);
+}
+
+QSize Timeline::sizeHint() const
+{
+    return {640, d->contentHeight() + d->scrollBar->sizeHint().height()};
+}
+
+QSize Timeline::minimumSizeHint() const
+{
+    return {160, d->contentHeight() + d->scrollBar->sizeHint().height()};
+}
+
+void Timeline::scaleChanged()
+{
+    const QSignalBlocker blocker(d->scrollBar);
+    const int pageTenths = static_cast<int>(d->scale.visibleFrames() * 10.0);
+    d->scrollBar->setRange(0, std::max(0, d->scale.frameCount() * 10 - pageTenths));
+    d->scrollBar->setPageStep(pageTenths);
+    d->scrollBar->setSingleStep(10);
+    d->scrollBar->setValue(static_cast<int>(d->scale.firstVisible() * 10.0));
+    d->scrollBar->setVisible(!d->scale.isFitted());
+    update();
+}
+
+void Timeline::updateAccessibleText()
+{
+    if (QAccessible::isActive())
+        setAccessibleDescription(
+            tr("Frame %1 of %2, %3").arg(d->current).arg(frameCount()).arg(timeText(d->current / d->fps)));
+}
+
+bool Timeline::event(QEvent* event)
+{
+    if (event->type() == QEvent::NativeGesture) {
+        const auto& gesture = *static_cast<QNativeGestureEvent*>(event);
+        if (gesture.gestureType() == Qt::ZoomNativeGesture) {
+            d->scale.zoom(1.0 + gesture.value(), gesture.position().x() - d->headerWidth);
+            scaleChanged();
+            return true;
+        }
+    }
+    if (event->type() == QEvent::ToolTip) {
+        const auto& help = *static_cast<QHelpEvent*>(event);
+        if (const auto ref = d->spanAt(help.pos())) {
+            const TimelineSpan& span = *d->span(*ref);
+            QToolTip::showText(help.globalPos(),
+                               tr("%1: frames %2 to %3 (%4 s)")
+                                   .arg(span.text.isEmpty() ? d->track(ref->track)->title : span.text)
+                                   .arg(span.first)
+                                   .arg(span.last)
+                                   .arg(locale().toString((span.last - span.first + 1) / d->fps, 'f', 2)),
+                               this);
+        } else {
+            QToolTip::hideText();
+        }
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void Timeline::paintEvent(QPaintEvent* event)
+{
+    QPainter painter(this);
+    d->paint(painter, event->rect(), *this);
+}
+
+void Timeline::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    d->size = size();
+    d->scale.setWidth(width() - d->headerWidth);
+    const int height = d->scrollBar->sizeHint().height();
+    d->scrollBar->setGeometry(d->headerWidth, this->height() - height, width() - d->headerWidth, height);
+    scaleChanged();
+}
+
+void Timeline::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange) {
+        setAccessibleName(tr("Timeline"));
+        d->scrollBar->setAccessibleName(tr("Scroll timeline"));
+        updateAccessibleText();
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace quadrille::widgets

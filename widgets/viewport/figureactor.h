@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "widgets/viewport/colormap.h"
+#include "widgets/viewport/figuremesh.h"
+#include "widgets/viewport/shading.h"
+
+#include <QColor>
+#include <QImage>
+#include <QVector3D>
+#include <memory>
+
+class vtkRenderer;
+
+namespace quadrille::widgets {
+
+/// One figure in a renderer: one actor per material, which share positions and normals. Buffers are made
+/// once; a new frame only overwrites them.
+class FigureActor
+{
+public:
+    FigureActor(vtkRenderer* renderer, FigureMesh mesh);
+    ~FigureActor();
+    FigureActor(const FigureActor&) = delete;
+    FigureActor& operator=(const FigureActor&) = delete;
+
+    const FigureMesh& mesh() const;
+    std::span<const float> positions() const;
+    /// Without the offset; a degenerate box at the origin before the first positions.
+    QVector3D lowerBound() const;
+    QVector3D upperBound() const;
+    QVector3D centroid() const;
+
+    /// \pre three values per vertex.
+    void setPositions(std::span<const float> positions);
+    /// A null image takes the texture away.
+    void setTexture(const QImage& texture, int material);
+    bool hasTexture() const;
+    /// \pre one value per vertex or triangle; empty takes them away.
+    void setScalars(std::span<const float> values, ScalarPlace place, const ScalarRange& range);
+    bool hasScalars() const;
+    void setOffset(const QVector3D& offset);
+    void setVisible(bool visible);
+    void setOpacity(double opacity);
+    void setColors(const QColor& clay, const QColor& wire);
+    void setShading(Shading shading);
+
+private:
+    struct Part;
+    struct Private;
+    std::unique_ptr<Private> d;
+    void applyAppearance();
+};
+
+} // namespace quadrille::widgets

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "widgets/viewport/figuremesh.h"
+
+#include <QColor>
+#include <QVector3D>
+#include <memory>
+
+class vtkRenderer;
+
+namespace quadrille::widgets {
+
+/// A translucent copy of one pose of a figure.
+class GhostActor
+{
+public:
+    /// \pre three values per vertex.
+    GhostActor(vtkRenderer* renderer, const FigureMesh& mesh, std::span<const float> positions,
+               const QColor& color);
+    ~GhostActor();
+    GhostActor(const GhostActor&) = delete;
+    GhostActor& operator=(const GhostActor&) = delete;
+
+    QVector3D centroid() const;
+    void setOffset(const QVector3D& offset);
+    void setVisible(bool visible);
+    /// Ghosts blend rightly when drawn from the farthest to the nearest: draws this one last from now on.
+    void moveToFront();
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace quadrille::widgets

@@ -1,0 +1,347 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "widgets/viewport/viewport.h"
+
+#include "widgets/theme/theme.h"
+#include "widgets/viewport/groundgrid.h"
+#include "widgets/viewport/viewportprivate.h"
+#include "widgets/viewport/vtkview.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QMetaMethod>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <vtkRenderWindow.h>
+
+namespace quadrille::widgets {
+
+SceneFigure* Viewport::Private::find(int id)
+{
+    const auto it = scene.figures().find(id);
+    return it == scene.figures().end() ? nullptr : &it->second;
+}
+
+std::optional<std::pair<QVector3D, QVector3D>> Viewport::Private::bounds(std::optional<int> only) const
+{
+    std::optional<std::pair<QVector3D, QVector3D>> box;
+    for (const auto& [id, figure] : scene.figures()) {
+        if (only ? id != *only : !figure.visible)
+            continue;
+        const QVector3D lower = figure.actor->lowerBound() + figure.shift();
+        const QVector3D upper = figure.actor->upperBound() + figure.shift();
+        if (!box)
+            box.emplace(lower, upper);
+        for (int axis = 0; axis < 3; ++axis) {
+            box->first[axis] = std::min(box->first[axis], lower[axis]);
+            box->second[axis] = std::max(box->second[axis], upper[axis]);
+        }
+    }
+    return box;
+}
+
+Annotations Viewport::Private::annotations() const
+{
+    Annotations result;
+    result.measured = measured;
+    const int up = gestures->camera().upAxis == UpAxis::Y ? 1 : 2;
+    for (const auto& [id, figure] : scene.figures()) {
+        if (!figure.visible)
+            continue;
+        if (namesVisible && !figure.name.isEmpty()) {
+            QVector3D place = (figure.actor->lowerBound() + figure.actor->upperBound()) / 2.0F;
+            place[up] = figure.actor->upperBound()[up];
+            result.names.push_back({place + figure.shift(), figure.name, figure.color});
+        }
+        if (scene.shading() == Shading::Scalar && figure.actor->hasScalars() && !result.legend)
+            result.legend = figure.scalarRange;
+    }
+    if (!result.isEmpty())
+        result.camera = gestures->camera();
+    return result;
+}
+
+Viewport::Viewport(QWidget* parent) : QWidget(parent), d(std::make_unique<Private>())
+{
+    setObjectName(QStringLiteral("viewport"));
+    setAccessibleName(tr("Viewport"));
+    setFocusPolicy(Qt::StrongFocus);
+    auto* box = new QVBoxLayout(this);
+    box->setContentsMargins(0, 0, 0, 0);
+    if (VtkView::openGlAvailable()) {
+        d->view = new VtkView(this);
+        d->view->setObjectName(QStringLiteral("viewportSurface"));
+        d->view->setAccessibleName(tr("Three-dimensional view"));
+        d->scene.attachTo(d->view->renderWindow());
+        constexpr int samples = 4;
+        d->view->renderWindow()->SetMultiSamples(samples);
+        connect(d->view, &VtkView::rendered, this, &Viewport::rendered);
+        d->surface = d->view;
+    } else {
+        d->excuse = new QLabel(this);
+        d->excuse->setObjectName(QStringLiteral("noOpenGl"));
+        d->excuse->setAlignment(Qt::AlignCenter);
+        d->excuse->setWordWrap(true);
+        d->excuse->setMargin(24);
+        d->surface = d->excuse;
+    }
+    box->addWidget(d->surface);
+    setFocusProxy(d->surface);
+    d->gestures = new ViewGestures(d->surface);
+    d->overlay = new ViewportOverlay(this);
+    connect(d->gestures, &ViewGestures::cameraChanged, this, [this] {
+        d->scene.setCamera(d->gestures->camera());
+        redraw();
+        emit cameraChanged();
+    });
+    connect(d->gestures, &ViewGestures::clicked, this, &Viewport::click);
+    connect(d->gestures, &ViewGestures::doubleClicked, this, [this](const QPointF& position) {
+        if (const auto hit = pick(position)) {
+            Turntable camera = d->gestures->destination();
+            camera.target = hit->point;
+            d->gestures->moveTo(camera);
+        }
+    });
+    connect(d->gestures, &ViewGestures::hovered, this, [this](const QPointF& position) {
+        if (!isSignalConnected(QMetaMethod::fromSignal(&Viewport::hovered)))
+            return;
+        const auto hit = pick(position);
+        if (hit || d->hovering)
+            emit hovered(hit);
+        d->hovering = hit.has_value();
+    });
+    connect(&Theme::instance(), &Theme::changed, this, [this] {
+        d->scene.updateColors();
+        redraw();
+    });
+    QEvent retranslate(QEvent::LanguageChange);
+    changeEvent(&retranslate);
+}
+
+Viewport::~Viewport() = default;
+
+bool Viewport::isWorking() const
+{
+    return d->view != nullptr;
+}
+
+VtkView* Viewport::view() const
+{
+    return d->view;
+}
+
+void Viewport::redraw()
+{
+    if (d->view != nullptr)
+        d->view->scheduleRender();
+    d->overlay->show(d->annotations());
+}
+
+int Viewport::addFigure(FigureMesh mesh, const QString& name)
+{
+    const int id = d->nextId++;
+    d->scene.add(id, std::move(mesh), name);
+    arrange();
+    return id;
+}
+
+void Viewport::removeFigure(int figure)
+{
+    d->scene.remove(figure);
+    if (d->followed == figure)
+        d->followed.reset();
+    arrange();
+}
+
+void Viewport::clear()
+{
+    for (const int figure : figures())
+        d->scene.remove(figure);
+    d->followed.reset();
+    clearMeasurement();
+}
+
+std::vector<int> Viewport::figures() const
+{
+    std::vector<int> ids;
+    for (const auto& [id, figure] : d->scene.figures())
+        ids.push_back(id);
+    return ids;
+}
+
+void Viewport::setPositions(int figure, std::span<const float> positions)
+{
+    SceneFigure* found = d->find(figure);
+    if (found == nullptr)
+        return;
+    found->actor->setPositions(positions);
+    if (found->firstSize.isNull()) {
+        found->firstSize = found->actor->upperBound() - found->actor->lowerBound();
+        arrange();
+    }
+    if (d->followed == figure) {
+        const QVector3D centroid = found->actor->centroid();
+        QVector3D step = centroid - d->followedCentroid;
+        // Only along the ground: a view that bobs with every step is hard to watch.
+        step[d->gestures->camera().upAxis == UpAxis::Y ? 1 : 2] = 0.0F;
+        d->followedCentroid = centroid;
+        d->gestures->carry(step);
+    }
+    redraw();
+}
+
+void Viewport::setTexture(int figure, const QImage& texture, int material)
+{
+    if (SceneFigure* found = d->find(figure))
+        found->actor->setTexture(texture, material);
+    redraw();
+}
+
+void Viewport::setFigureColor(int figure, const QColor& color)
+{
+    if (SceneFigure* found = d->find(figure)) {
+        found->color = color;
+        d->scene.refresh(*found);
+    }
+    redraw();
+}
+
+void Viewport::setFigureOffset(int figure, const QVector3D& offset)
+{
+    if (SceneFigure* found = d->find(figure)) {
+        found->offset = offset;
+        d->scene.refresh(*found);
+    }
+    redraw();
+}
+
+void Viewport::setFigureVisible(int figure, bool visible)
+{
+    if (SceneFigure* found = d->find(figure))
+        found->visible = visible;
+    arrange();
+}
+
+void Viewport::setFigureOpacity(int figure, double opacity)
+{
+    if (SceneFigure* found = d->find(figure))
+        found->actor->setOpacity(opacity);
+    redraw();
+}
+
+void Viewport::setScalars(int figure, std::span<const float> values, ScalarPlace place,
+                          const ScalarRange& range)
+{
+    if (SceneFigure* found = d->find(figure)) {
+        found->scalarRange = range;
+        found->actor->setScalars(values, place, range);
+    }
+    redraw();
+}
+
+void Viewport::setGhosts(int figure, const std::vector<Ghost>& ghosts)
+{
+    if (SceneFigure* found = d->find(figure))
+        d->scene.setGhosts(*found, ghosts);
+    redraw();
+}
+
+void Viewport::setTrajectory(int figure, const std::vector<QVector3D>& points, const QColor& color)
+{
+    if (d->find(figure) != nullptr)
+        d->scene.setTrajectory(figure, points, color);
+    redraw();
+}
+
+void Viewport::setShading(Shading shading)
+{
+    d->scene.setShading(shading);
+    redraw();
+}
+
+Shading Viewport::shading() const
+{
+    return d->scene.shading();
+}
+
+void Viewport::setLayoutMode(Layout layout)
+{
+    d->layout = layout;
+    arrange();
+}
+
+Viewport::Layout Viewport::layoutMode() const
+{
+    return d->layout;
+}
+
+void Viewport::arrange()
+{
+    constexpr float gap = 0.4F; // metres between neighbours
+    float total = 0.0F;
+    for (const auto& [id, figure] : d->scene.figures())
+        if (figure.visible)
+            total += figure.firstSize.x() + gap;
+    float left = -(total - gap) / 2.0F;
+    for (auto& [id, figure] : d->scene.figures()) {
+        figure.layoutOffset = {};
+        if (d->layout == Layout::SideBySide && figure.visible) {
+            figure.layoutOffset.setX(left + figure.firstSize.x() / 2.0F);
+            left += figure.firstSize.x() + gap;
+        }
+        d->scene.refresh(figure);
+    }
+    redraw();
+}
+
+void Viewport::setGridVisible(bool visible)
+{
+    d->scene.ground().setVisible(visible);
+    redraw();
+}
+
+bool Viewport::isGridVisible() const
+{
+    return d->scene.ground().isVisible();
+}
+
+void Viewport::setGhostsVisible(bool visible)
+{
+    d->scene.setGhostsVisible(visible);
+    redraw();
+}
+
+void Viewport::setTrajectoriesVisible(bool visible)
+{
+    d->scene.setTrajectoriesVisible(visible);
+    redraw();
+}
+
+void Viewport::setNamesVisible(bool visible)
+{
+    d->namesVisible = visible;
+    redraw();
+}
+
+void Viewport::setUpAxis(UpAxis axis)
+{
+    Turntable camera = d->gestures->camera();
+    if (camera.upAxis == axis)
+        return;
+    // The same view of the same figure, turned with the axes.
+    const QVector3D t = camera.target;
+    camera.target = axis == UpAxis::Z ? QVector3D(t.x(), -t.z(), t.y()) : QVector3D(t.x(), t.z(), -t.y());
+    camera.upAxis = axis;
+    d->gestures->setCamera(camera);
+    d->scene.updateColors();
+    redraw();
+}
+
+void Viewport::setGroundHeight(float metres)
+{
+    d->scene.ground().setHeight(metres);
+    d->scene.setCamera(d->gestures->camera());
+    redraw();
+}
+
+} // namespace quadrille::widgets

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "widgets/viewport/colormap.h"
+#include "widgets/viewport/figuremesh.h"
+#include "widgets/viewport/shading.h"
+#include "widgets/viewport/turntable.h"
+
+#include <QColor>
+#include <QImage>
+#include <QVector3D>
+#include <QWidget>
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace quadrille::widgets {
+
+class VtkView;
+
+/// A translucent earlier or later pose. The colour's alpha is its opacity; opaque means the usual one.
+struct Ghost
+{
+    std::vector<float> positions; ///< vertices × 3
+    QColor color;
+};
+
+/// Where the pointer met a figure.
+struct Pick
+{
+    int figure = 0;
+    std::uint32_t triangle = 0;
+    std::uint32_t vertex = 0; ///< the triangle's corner next to the point
+    std::array<float, 3> barycentric{};
+    QVector3D point; ///< metres, in the view: with the figure's offset
+};
+
+struct SnapshotOptions
+{
+    QSize size;              ///< pixels; empty: as on the screen
+    bool background = true;  ///< else transparent, without ground
+    bool annotations = true; ///< legend, measurement, names
+};
+
+/// Shows figures in three dimensions and lets them be looked at from everywhere. Where there is no
+/// OpenGL, a label says so and everything else still works.
+class Viewport : public QWidget
+{
+    Q_OBJECT
+public:
+    enum class Layout
+    {
+        Overlay,
+        SideBySide ///< along the first axis, in the order in which they came
+    };
+    enum class Tool
+    {
+        Navigate,
+        Measure ///< two clicks on surfaces
+    };
+
+    explicit Viewport(QWidget* parent = nullptr);
+    ~Viewport() override;
+
+    /// Whether pictures are shown; false without OpenGL.
+    bool isWorking() const;
+
+    /// \return an id for the calls below. The figure is at the origin until it gets positions.
+    int addFigure(FigureMesh mesh, const QString& name = {});
+    void removeFigure(int figure);
+    void clear();
+    std::vector<int> figures() const;
+    /// A new frame; quick enough for playback (under 1 ms at 20,000 vertices).
+    /// \param positions  vertices × 3, metres, in the order of the mesh.
+    void setPositions(int figure, std::span<const float> positions);
+    /// A null image takes the texture away; the figure is then clay. RGB888 and RGBA8888 are the quickest.
+    void setTexture(int figure, const QImage& texture, int material = 0);
+    /// Of clay; an invalid colour means the theme's.
+    void setFigureColor(int figure, const QColor& color);
+    void setFigureOffset(int figure, const QVector3D& offset);
+    void setFigureVisible(int figure, bool visible);
+    void setFigureOpacity(int figure, double opacity);
+    /// One value per vertex or triangle; empty takes them away. Shown in Shading::Scalar with a legend.
+    void setScalars(int figure, std::span<const float> values, ScalarPlace place, const ScalarRange& range);
+    void setGhosts(int figure, const std::vector<Ghost>& ghosts);
+    /// A line on the ground, e.g. of the centroid; in the figure's coordinates.
+    void setTrajectory(int figure, const std::vector<QVector3D>& points, const QColor& color = {});
+
+    void setShading(Shading shading);
+    Shading shading() const;
+    void setLayoutMode(Layout layout);
+    Layout layoutMode() const;
+    void setGridVisible(bool visible);
+    bool isGridVisible() const;
+    void setGhostsVisible(bool visible);
+    void setTrajectoriesVisible(bool visible);
+    /// Names above the figures; useful where there are several.
+    void setNamesVisible(bool visible);
+    void setUpAxis(UpAxis axis);
+    void setGroundHeight(float metres);
+    /// The camera moves along with a figure; no figure: it stays.
+    void setFollowed(std::optional<int> figure);
+    std::optional<int> followed() const;
+    void setTool(Tool tool);
+    Tool tool() const;
+    void clearMeasurement();
+
+    Turntable camera() const;
+    void setCamera(const Turntable& camera);
+    /// Moves the camera so that one figure, or all that are visible, fill the view.
+    void frameFigure(int figure);
+    void frameAll();
+    void lookFrom(StandardView view);
+
+    /// Where a pixel of this widget shows a figure.
+    std::optional<Pick> pick(const QPointF& position) const;
+    /// Null when nothing can be drawn yet.
+    QImage snapshot(const SnapshotOptions& options = {});
+    VtkView* view() const;
+
+    QSize sizeHint() const override { return {960, 640}; }
+    QSize minimumSizeHint() const override { return {160, 120}; }
+
+signals:
+    /// A click on a figure.
+    void picked(const quadrille::widgets::Pick& pick, Qt::MouseButton button,
+                Qt::KeyboardModifiers modifiers);
+    /// A click on nothing.
+    void missed(Qt::MouseButton button);
+    /// The pointer is over a figure, or over none any more.
+    void hovered(const std::optional<quadrille::widgets::Pick>& pick);
+    void measured(double metres);
+    void toolChanged(quadrille::widgets::Viewport::Tool tool);
+    void cameraChanged();
+    void contextMenuAsked(const QPoint& globalPosition);
+    /// A picture was drawn. \param milliseconds  what drawing took.
+    void rendered(double milliseconds);
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+    void click(const QPointF& position, Qt::MouseButton button, Qt::KeyboardModifiers modifiers);
+    void arrange();
+    void redraw();
+};
+
+} // namespace quadrille::widgets

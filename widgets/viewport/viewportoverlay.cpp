@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "widgets/viewport/viewportoverlay.h"
+
+#include "widgets/controls/legendbar.h"
+#include "widgets/theme/theme.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace quadrille::widgets {
+
+namespace {
+
+void paintPlate(QPainter& painter, const QPointF& center, const QString& text, const QColor& mark)
+{
+    const QFontMetricsF metrics(painter.font());
+    const double markWidth = mark.isValid() ? 14.0 : 0.0;
+    QRectF plate(QPointF(),
+                 QSizeF(metrics.horizontalAdvance(text) + 16.0 + markWidth, metrics.height() + 6.0));
+    plate.moveCenter(center);
+    QColor background = Theme::color(ColorRole::Base);
+    background.setAlphaF(0.86F);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(background);
+    painter.drawRoundedRect(plate, 4.0, 4.0);
+    if (mark.isValid()) {
+        painter.setBrush(mark);
+        painter.drawEllipse(QPointF(plate.left() + 12.0, plate.center().y()), 4.0, 4.0);
+    }
+    painter.setPen(Theme::color(ColorRole::Text));
+    painter.drawText(plate.adjusted(8.0 + markWidth, 0.0, -8.0, 0.0), Qt::AlignCenter, text);
+}
+
+void paintMeasurement(QPainter& painter, const QSizeF& size, const Annotations& annotations)
+{
+    std::vector<QPointF> pixels;
+    for (const QVector3D& point : annotations.measured) {
+        QPointF pixel;
+        if (!annotations.camera.project(point, size, &pixel))
+            return;
+        pixels.push_back(pixel);
+    }
+    const QColor halo = Theme::color(ColorRole::Base);
+    const QColor accent = Theme::color(ColorRole::Accent);
+    if (pixels.size() == 2) {
+        painter.setPen(QPen(halo, 4.0, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(pixels[0], pixels[1]);
+        painter.setPen(QPen(accent, 2.0, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(pixels[0], pixels[1]);
+    }
+    painter.setPen(QPen(halo, 1.5));
+    painter.setBrush(accent);
+    for (const QPointF& pixel : pixels)
+        painter.drawEllipse(pixel, 4.5, 4.5);
+    if (pixels.size() == 2) {
+        const double metres =
+            static_cast<double>((annotations.measured[1] - annotations.measured[0]).length());
+        paintPlate(painter, (pixels[0] + pixels[1]) / 2.0 - QPointF(0.0, 18.0), lengthText(metres), {});
+    }
+}
+
+} // namespace
+
+QString lengthText(double metres, const QLocale& locale)
+{
+    const auto text = [](const char* pattern) { return QCoreApplication::translate("Length", pattern); };
+    if (metres >= 1.0)
+        return text(QT_TRANSLATE_NOOP("Length", "%1 m")).arg(locale.toString(metres, 'f', 3));
+    if (metres >= 0.01)
+        return text(QT_TRANSLATE_NOOP("Length", "%1 cm")).arg(locale.toString(metres * 100.0, 'f', 1));
+    return text(QT_TRANSLATE_NOOP("Length", "%1 mm")).arg(locale.toString(metres * 1000.0, 'f', 2));
+}
+
+void paintAnnotations(QPainter& painter, const QSizeF& size, const Annotations& annotations)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const auto& name : annotations.names) {
+        QPointF pixel;
+        if (annotations.camera.project(name.place, size, &pixel))
+            paintPlate(painter, pixel - QPointF(0.0, 16.0), name.text, name.color);
+    }
+    paintMeasurement(painter, size, annotations);
+    if (annotations.legend) {
+        constexpr double margin = 16.0;
+        const QSizeF legend = legendSize(painter.font(), *annotations.legend);
+        const QRectF place(QPointF(size.width() - legend.width() - margin, margin), legend);
+        QColor background = Theme::color(ColorRole::Base);
+        background.setAlphaF(0.78F);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(background);
+        painter.drawRoundedRect(place.adjusted(-8.0, -8.0, 8.0, 8.0), 6.0, 6.0);
+        paintLegend(painter, place, *annotations.legend, Theme::color(ColorRole::Text));
+    }
+}
+
+ViewportOverlay::ViewportOverlay(QWidget* parent) : QWidget(parent)
+{
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    setObjectName(QStringLiteral("viewportOverlay"));
+    hide();
+}
+
+void ViewportOverlay::show(const Annotations& annotations)
+{
+    const bool changed = !(annotations == m_annotations);
+    m_annotations = annotations;
+    setVisible(!annotations.isEmpty());
+    if (changed && isVisible())
+        update();
+}
+
+void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
+{
+    QPainter painter(this);
+    paintAnnotations(painter, size(), m_annotations);
+}
+
+} // namespace quadrille::widgets

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "widgets/viewport/colormap.h"
+#include "widgets/viewport/turntable.h"
+
+#include <QLocale>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+namespace quadrille::widgets {
+
+/// What is written over a viewport's picture.
+struct Annotations
+{
+    struct Name
+    {
+        QVector3D place; ///< above the figure
+        QString text;
+        QColor color;
+        bool operator==(const Name&) const = default;
+    };
+    Turntable camera;
+    std::vector<QVector3D> measured; ///< none, one or two points
+    std::vector<Name> names;
+    std::optional<ScalarRange> legend;
+
+    bool operator==(const Annotations&) const = default;
+    bool isEmpty() const { return measured.empty() && names.empty() && !legend; }
+};
+
+/// Draws annotations into a rectangle that starts at the origin.
+void paintAnnotations(QPainter& painter, const QSizeF& size, const Annotations& annotations);
+
+/// "1.25 m", "3.4 cm" or "7.2 mm" in the user's number format.
+QString lengthText(double metres, const QLocale& locale = QLocale());
+
+/// A transparent sheet over the view; there only while something is to be written.
+class ViewportOverlay : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit ViewportOverlay(QWidget* parent);
+    void show(const Annotations& annotations);
+    const Annotations& annotations() const { return m_annotations; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    Annotations m_annotations;
+};
+
+} // namespace quadrille::widgets

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "widgets/viewport/viewgestures.h"
+#include "widgets/viewport/viewport.h"
+#include "widgets/viewport/viewportoverlay.h"
+#include "widgets/viewport/viewportscene.h"
+
+class QLabel;
+
+namespace quadrille::widgets {
+
+struct Viewport::Private
+{
+    ViewportScene scene;
+    VtkView* view = nullptr;
+    QLabel* excuse = nullptr;
+    QWidget* surface = nullptr; ///< the view, or the label in its place
+    ViewportOverlay* overlay = nullptr;
+    ViewGestures* gestures = nullptr;
+    int nextId = 1;
+    Layout layout = Layout::Overlay;
+    Tool tool = Tool::Navigate;
+    bool namesVisible = false;
+    bool hovering = false;
+    bool frameWhenShown = false; ///< framing was asked for before the size was known
+    std::optional<int> followed;
+    QVector3D followedCentroid;
+    std::vector<QVector3D> measured;
+
+    SceneFigure* find(int id);
+    std::optional<std::pair<QVector3D, QVector3D>> bounds(std::optional<int> only) const;
+    Annotations annotations() const;
+};
+
+} // namespace quadrille::widgets

@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "widgets/viewport/viewportscene.h"
+
+#include "widgets/theme/theme.h"
+#include "widgets/viewport/groundgrid.h"
+#include "widgets/viewport/viewport.h"
+#include "widgets/viewport/vtkbuffers.h"
+
+#include <algorithm>
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCullerCollection.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+
+namespace quadrille::widgets {
+
+namespace {
+
+/// A light that moves with the camera, as a photographer would set it about a portrait.
+vtkSmartPointer<vtkLight> cameraLight(double x, double y, double z, double intensity, const QColor& tint)
+{
+    auto light = vtkSmartPointer<vtkLight>::New();
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(x, y, z);
+    light->SetFocalPoint(0, 0, 0);
+    light->SetIntensity(intensity);
+    light->SetColor(tint.redF(), tint.greenF(), tint.blueF());
+    return light;
+}
+
+void set(double (&target)[3], const QVector3D& value)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        target[axis] = static_cast<double>(value[axis]);
+}
+
+} // namespace
+
+struct ViewportScene::Private
+{
+    struct Trajectory
+    {
+        vtkNew<vtkActor> actor;
+    };
+
+    vtkNew<vtkRenderer> renderer;
+    std::unique_ptr<GroundGrid> ground;
+    std::map<int, Trajectory> trajectories;
+    Shading shading = Shading::Textured;
+    Turntable camera;
+    bool ghostsVisible = true;
+    bool trajectoriesVisible = true;
+};
+
+ViewportScene::ViewportScene() : d(std::make_unique<Private>())
+{
+    d->renderer->SetAutomaticLightCreation(false);
+    d->renderer->GetCullers()->RemoveAllItems(); // a handful of figures: asking for their bounds costs more
+    d->renderer->AddLight(cameraLight(-0.7, 0.9, 1.0, 0.78, QColor(255, 250, 242))); // key
+    d->renderer->AddLight(cameraLight(1.2, 0.1, 0.7, 0.34, QColor(226, 236, 255)));  // fill
+    d->renderer->AddLight(cameraLight(0.4, 1.0, -1.2, 0.55, QColor(255, 255, 255))); // rim
+    d->renderer->SetAmbient(1.0, 1.0, 1.0);
+    d->renderer->GradientBackgroundOn();
+    d->ground = std::make_unique<GroundGrid>(d->renderer);
+    updateColors();
+    setCamera(Turntable{});
+}
+
+ViewportScene::~ViewportScene() = default;
+
+void ViewportScene::attachTo(vtkRenderWindow* window)
+{
+    window->AddRenderer(d->renderer);
+}
+
+void ViewportScene::setCamera(const Turntable& camera)
+{
+    d->camera = camera;
+    double position[3];
+    double target[3];
+    double up[3];
+    set(position, camera.position());
+    set(target, camera.target);
+    set(up, camera.up());
+    vtkCamera* active = d->renderer->GetActiveCamera();
+    active->SetPosition(position);
+    active->SetFocalPoint(target);
+    active->SetViewUp(up);
+    active->SetViewAngle(static_cast<double>(camera.fieldOfView));
+    const auto distance = static_cast<double>(camera.distance);
+    constexpr double beyond = 400.0;
+    active->SetClippingRange(std::max(0.002, distance * 0.02), distance * 4.0 + beyond);
+    d->ground->follow(camera);
+    sortGhosts(camera);
+}
+
+void ViewportScene::sortGhosts(const Turntable& camera)
+{
+    std::vector<std::pair<float, GhostActor*>> ghosts;
+    for (auto& [id, figure] : m_figures)
+        for (auto& ghost : figure.ghosts)
+            ghosts.emplace_back(
+                QVector3D::dotProduct(ghost->centroid() - camera.position(), camera.forward()), ghost.get());
+    const auto farther = [](const auto& a, const auto& b) { return a.first > b.first; };
+    std::stable_sort(ghosts.begin(), ghosts.end(), farther);
+    for (auto& [depth, ghost] : ghosts)
+        ghost->moveToFront();
+}
+
+void ViewportScene::updateColors()
+{
+    const auto bottom = vtkbuffers::rgb(Theme::color(ColorRole::ViewportBottom));
+    const auto top = vtkbuffers::rgb(Theme::color(ColorRole::ViewportTop));
+    d->renderer->SetBackground(bottom[0], bottom[1], bottom[2]);
+    d->renderer->SetBackground2(top[0], top[1], top[2]);
+    d->ground->setColors(Theme::color(ColorRole::Grid), Theme::color(ColorRole::AxisX),
+                         Theme::color(d->camera.upAxis == UpAxis::Y ? ColorRole::AxisZ : ColorRole::AxisY));
+    for (auto& [id, figure] : m_figures)
+        refresh(figure);
+}
+
+void ViewportScene::setShading(Shading shading)
+{
+    d->shading = shading;
+    for (auto& [id, figure] : m_figures)
+        figure.actor->setShading(shading);
+}
+
+Shading ViewportScene::shading() const
+{
+    return d->shading;
+}
+
+GroundGrid& ViewportScene::ground()
+{
+    return *d->ground;
+}
+
+SceneFigure& ViewportScene::add(int id, FigureMesh mesh, const QString& name)
+{
+    SceneFigure& figure = m_figures[id];
+    figure.actor = std::make_unique<FigureActor>(d->renderer, std::move(mesh));
+    figure.name = name;
+    figure.actor->setShading(d->shading);
+    refresh(figure);
+    return figure;
+}
+
+void ViewportScene::remove(int id)
+{
+    setTrajectory(id, {}, {});
+    m_figures.erase(id);
+}
+
+void ViewportScene::refresh(SceneFigure& figure)
+{
+    figure.actor->setOffset(figure.shift());
+    figure.actor->setVisible(figure.visible);
+    figure.actor->setColors(figure.color.isValid() ? figure.color : Theme::color(ColorRole::Clay),
+                            Theme::color(ColorRole::Wire));
+    for (const auto& ghost : figure.ghosts) {
+        ghost->setOffset(figure.shift());
+        ghost->setVisible(figure.visible && d->ghostsVisible);
+    }
+    for (const auto& [id, other] : m_figures)
+        if (&other == &figure)
+            applyTrajectory(id);
+}
+
+void ViewportScene::setGhosts(SceneFigure& figure, const std::vector<Ghost>& ghosts)
+{
+    figure.ghosts.clear();
+    for (const Ghost& ghost : ghosts)
+        figure.ghosts.push_back(
+            std::make_unique<GhostActor>(d->renderer, figure.actor->mesh(), ghost.positions, ghost.color));
+    refresh(figure);
+    sortGhosts(d->camera);
+}
+
+void ViewportScene::setGhostsVisible(bool visible)
+{
+    d->ghostsVisible = visible;
+    for (auto& [id, figure] : m_figures)
+        refresh(figure);
+    sortGhosts(d->camera);
+}
+
+void ViewportScene::applyTrajectory(int id)
+{
+    const auto line = d->trajectories.find(id);
+    if (line == d->trajectories.end())
+        return;
+    const SceneFigure& figure = m_figures.at(id);
+    // A little above the ground, or the grid would flicker through.
+    double place[3];
+    set(place,
+        figure.shift() + (d->camera.upAxis == UpAxis::Y ? QVector3D(0, 0.004F, 0) : QVector3D(0, 0, 0.004F)));
+    line->second.actor->SetPosition(place);
+    line->second.actor->SetVisibility(figure.visible && d->trajectoriesVisible ? 1 : 0);
+}
+
+void ViewportScene::setTrajectory(int id, const std::vector<QVector3D>& points, const QColor& color)
+{
+    if (const auto old = d->trajectories.find(id); old != d->trajectories.end()) {
+        d->renderer->RemoveActor(old->second.actor);
+        d->trajectories.erase(old);
+    }
+    if (points.size() < 2)
+        return;
+    vtkNew<vtkPoints> coordinates;
+    vtkNew<vtkCellArray> lines;
+    lines->InsertNextCell(static_cast<int>(points.size()));
+    for (const QVector3D& point : points) {
+        double place[3];
+        set(place, point);
+        lines->InsertCellPoint(coordinates->InsertNextPoint(place));
+    }
+    vtkNew<vtkPolyData> line;
+    line->SetPoints(coordinates);
+    line->SetLines(lines);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(line);
+    vtkActor* actor = d->trajectories[id].actor;
+    actor->SetMapper(mapper);
+    const auto rgb = vtkbuffers::rgb(color.isValid() ? color : Theme::color(ColorRole::Accent));
+    actor->GetProperty()->SetColor(rgb[0], rgb[1], rgb[2]);
+    actor->GetProperty()->LightingOff();
+    actor->GetProperty()->SetLineWidth(2.5F);
+    actor->PickableOff();
+    d->renderer->AddActor(actor);
+    applyTrajectory(id);
+}
+
+void ViewportScene::setTrajectoriesVisible(bool visible)
+{
+    d->trajectoriesVisible = visible;
+    for (const auto& [id, figure] : m_figures)
+        applyTrajectory(id);
+}
+
+QImage ViewportScene::draw(vtkRenderWindow* window, const QSize& size, bool background)
+{
+    const int* current = window->GetSize();
+    const QSize before(current[0], current[1]);
+    const bool gradient = d->renderer->GetGradientBackground();
+    double color[3];
+    d->renderer->GetBackground(color);
+    if (!background) {
+        d->renderer->SetGradientBackground(false);
+        d->renderer->SetBackground(0.0, 0.0, 0.0);
+        d->renderer->SetBackgroundAlpha(0.0);
+    }
+    window->SetSize(size.width(), size.height());
+    window->Render();
+    vtkNew<vtkUnsignedCharArray> pixels;
+    window->GetRGBACharPixelData(0, 0, size.width() - 1, size.height() - 1, 0, pixels);
+    const QImage view(pixels->GetPointer(0), size.width(), size.height(), qsizetype{4} * size.width(),
+                      background ? QImage::Format_RGBX8888 : QImage::Format_RGBA8888_Premultiplied);
+    QImage picture = view.mirrored();
+    d->renderer->SetGradientBackground(gradient);
+    d->renderer->SetBackground(color);
+    window->SetSize(before.width(), before.height());
+    return background ? picture.convertToFormat(QImage::Format_RGB32)
+                      : picture.convertToFormat(QImage::Format_ARGB32);
+}
+
+} // namespace quadrille::widgets

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "widgets/viewport/figureactor.h"
+#include "widgets/viewport/ghostactor.h"
+#include "widgets/viewport/turntable.h"
+
+#include <QImage>
+#include <QVector3D>
+#include <map>
+#include <memory>
+#include <vector>
+
+class vtkRenderWindow;
+
+namespace quadrille::widgets {
+
+class GroundGrid;
+struct Ghost;
+
+/// What a viewport knows of one figure.
+struct SceneFigure
+{
+    std::unique_ptr<FigureActor> actor;
+    std::vector<std::unique_ptr<GhostActor>> ghosts;
+    QString name;
+    QVector3D offset;       ///< asked for
+    QVector3D layoutOffset; ///< from standing side by side
+    QColor color;           ///< of clay; invalid: the theme's
+    bool visible = true;
+    QVector3D firstSize; ///< of the first pose, for the layout
+    ScalarRange scalarRange;
+
+    QVector3D shift() const { return offset + layoutOffset; }
+};
+
+/// The VTK side of a viewport: renderer, lights, background, ground, figures, trajectories.
+class ViewportScene
+{
+public:
+    ViewportScene();
+    ~ViewportScene();
+    ViewportScene(const ViewportScene&) = delete;
+    ViewportScene& operator=(const ViewportScene&) = delete;
+
+    void attachTo(vtkRenderWindow* window);
+    void setCamera(const Turntable& camera);
+    /// Takes colours from the theme.
+    void updateColors();
+    void setShading(Shading shading);
+    Shading shading() const;
+    GroundGrid& ground();
+
+    std::map<int, SceneFigure>& figures() { return m_figures; }
+    const std::map<int, SceneFigure>& figures() const { return m_figures; }
+    SceneFigure& add(int id, FigureMesh mesh, const QString& name);
+    void remove(int id);
+    /// Puts offsets, colours, visibility onto the actors.
+    void refresh(SceneFigure& figure);
+    void setGhosts(SceneFigure& figure, const std::vector<Ghost>& ghosts);
+    void setGhostsVisible(bool visible);
+    /// \param points  in the figure's coordinates; empty takes the line away.
+    void setTrajectory(int id, const std::vector<QVector3D>& points, const QColor& color);
+    void setTrajectoriesVisible(bool visible);
+
+    /// Draws once at a size and reads it back. \pre the window's context is current.
+    QImage draw(vtkRenderWindow* window, const QSize& size, bool background);
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+    std::map<int, SceneFigure> m_figures;
+    void sortGhosts(const Turntable& camera);
+    void applyTrajectory(int id);
+};
+
+} // namespace quadrille::widgets

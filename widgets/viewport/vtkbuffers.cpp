@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "widgets/viewport/vtkbuffers.h"
+
+#include <algorithm>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLVertexBufferObject.h>
+#include <vtkPolyData.h>
+
+namespace quadrille::widgets::vtkbuffers {
+
+void allocate(vtkFloatArray* array, int components, std::size_t tuples, const char* name)
+{
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+    std::fill_n(array->GetPointer(0), tuples * static_cast<std::size_t>(components), 0.0F);
+}
+
+std::span<float> values(vtkFloatArray* array)
+{
+    return {array->GetPointer(0), static_cast<std::size_t>(array->GetNumberOfValues())};
+}
+
+void setCells(vtkCellArray* cells, std::span<const std::array<std::uint32_t, 3>> triangles)
+{
+    cells->AllocateEstimate(static_cast<vtkIdType>(triangles.size()), 3);
+    for (const auto& triangle : triangles)
+        cells->InsertNextCell({static_cast<vtkIdType>(triangle[0]), static_cast<vtkIdType>(triangle[1]),
+                               static_cast<vtkIdType>(triangle[2])});
+}
+
+void connect(vtkOpenGLPolyDataMapper* mapper, vtkPolyData* surface)
+{
+    mapper->SetInputData(surface);
+    // Metres need no shifting into the range of floats; computing it would cost a pass per frame.
+    mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+    mapper->ScalarVisibilityOff();
+}
+
+std::array<double, 3> rgb(const QColor& color)
+{
+    return {color.redF(), color.greenF(), color.blueF()};
+}
+
+QVector3D mean(std::span<const float> positions)
+{
+    double sum[3] = {};
+    for (std::size_t i = 0; i + 2 < positions.size(); i += 3)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            sum[axis] += static_cast<double>(positions[i + axis]);
+    const double count = std::max(1.0, static_cast<double>(positions.size() / 3));
+    return {static_cast<float>(sum[0] / count), static_cast<float>(sum[1] / count),
+            static_cast<float>(sum[2] / count)};
+}
+
+} // namespace quadrille::widgets::vtkbuffers

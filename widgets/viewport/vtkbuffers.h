@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QColor>
+#include <QVector3D>
+#include <array>
+#include <cstdint>
+#include <span>
+
+class vtkCellArray;
+class vtkFloatArray;
+class vtkOpenGLPolyDataMapper;
+class vtkPolyData;
+
+/// Small helpers between spans and VTK's arrays; included by sources of the viewport only.
+namespace quadrille::widgets::vtkbuffers {
+
+/// Makes room for zeros.
+void allocate(vtkFloatArray* array, int components, std::size_t tuples, const char* name);
+std::span<float> values(vtkFloatArray* array);
+void setCells(vtkCellArray* cells, std::span<const std::array<std::uint32_t, 3>> triangles);
+/// Lets a mapper show one surface without scalars, quick to update.
+void connect(vtkOpenGLPolyDataMapper* mapper, vtkPolyData* surface);
+std::array<double, 3> rgb(const QColor& color);
+/// Mean of points given as vertices × 3.
+QVector3D mean(std::span<const float> positions);
+
+} // namespace quadrille::widgets::vtkbuffers

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QOpenGLWidget>
+#include <functional>
+#include <memory>
+
+class vtkRenderWindow;
+class vtkRenderWindowInteractor;
+
+namespace quadrille::widgets {
+
+/// Shows a VTK render window. VTK draws into its own framebuffer inside this widget's OpenGL context;
+/// painting copies the result. The context may be replaced (undocking): VTK's objects are then rebuilt.
+/// \pre openGlAvailable()
+class VtkView : public QOpenGLWidget
+{
+    Q_OBJECT
+public:
+    explicit VtkView(QWidget* parent = nullptr);
+    ~VtkView() override;
+
+    /// Sets the default surface format; call before the QApplication is constructed.
+    static void setDefaultFormat();
+    /// Whether a context that VTK can use is to be had. Where it is not, constructing a view would crash.
+    static bool openGlAvailable();
+
+    vtkRenderWindow* renderWindow() const;
+    vtkRenderWindowInteractor* interactor() const;
+    /// Asks for a redraw; any number of calls before the next paint cost one frame.
+    void scheduleRender();
+    /// Whether pictures come from the processor instead of a graphics card; known after the first paint.
+    bool isSoftwareRendered() const;
+    /// Runs VTK drawing that is not the widget's own picture (a snapshot) with the context current, and
+    /// draws the widget anew afterwards. Does nothing and returns false before the widget was first shown.
+    bool renderApart(const std::function<void(vtkRenderWindow*)>& draw);
+
+signals:
+    /// A picture was drawn. \param milliseconds  what VTK's drawing took.
+    void rendered(double milliseconds);
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    bool event(QEvent* event) override;
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+    void syncSize();
+    void releaseGl();
+};
+
+} // namespace quadrille::widgets
