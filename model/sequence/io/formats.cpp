@@ -10,6 +10,7 @@
 #include "model/sequence/io/hdf5sequence.h"
 #include "model/sequence/io/obj.h"
 #include "model/sequence/io/pc2.h"
+#include "model/sequence/io/usdwriter.h"
 
 namespace quadrille {
 
@@ -31,6 +32,7 @@ std::vector<std::unique_ptr<Exporter>> makeExporters()
     std::vector<std::unique_ptr<Exporter>> exporters;
     exporters.push_back(makePc2Exporter());
     exporters.push_back(std::make_unique<GlbExporter>());
+    exporters.push_back(std::make_unique<UsdExporter>());
     exporters.push_back(makePngExporter());
     exporters.push_back(makeVideoExporter());
     return exporters;
