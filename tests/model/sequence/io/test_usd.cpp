@@ -76,7 +76,7 @@ TEST(Usd, PointsFacesAndUvsComeBackExactly)
                       frame.positions()[i / 3][static_cast<Eigen::Index>(i % 3)]);
     }
     const auto extent = numbersOf(valueOf(valueOf(text, "extent.timeSamples = {"), "0: "));
-    EXPECT_EQ(extent, (std::vector<double>{-1, -1, -1, 1, static_cast<double>(1.1F), 1}));
+    EXPECT_EQ(extent, (std::vector<double>{-1, -1, -1, 1, 1.1, 1}));
 }
 
 TEST(Usd, TheHeaderTellsTimeUnitAndAxis)
