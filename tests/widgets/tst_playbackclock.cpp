@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "widgets/timeline/playbackclock.h"
+
+#include <QTest>
+#include <set>
+
+using quadrille::widgets::PlaybackClock;
+
+class TestPlaybackClock : public QObject
+{
+    Q_OBJECT
+private slots:
+    void frameFollowsTime();
+    void slowDrawingLeavesFramesOutAndKeepsTime();
+    void loopsWithinTheRange();
+    void playsBackwards();
+    void stopsAtTheEndWhenNotLooping();
+    void reportsTheRateReached();
+    void saysWhenTheNextFrameIsDue();
+};
+
+namespace {
+
+PlaybackClock clockOf(std::int64_t first, std::int64_t last, double fps = 25)
+{
+    PlaybackClock clock;
+    clock.setFps(fps);
+    clock.setRange(first, last);
+    return clock;
+}
+
+} // namespace
+
+void TestPlaybackClock::frameFollowsTime()
+{
+    auto clock = clockOf(0, 99);
+    clock.start(10, 5.0);
+    QCOMPARE(clock.frameAt(5.0), 10);
+    QCOMPARE(clock.frameAt(5.039), 10);
+    QCOMPARE(clock.frameAt(5.04), 11);
+    QCOMPARE(clock.frameAt(6.0), 35);
+}
+
+void TestPlaybackClock::slowDrawingLeavesFramesOutAndKeepsTime()
+{
+    auto clock = clockOf(0, 999, 30);
+    clock.start(0, 0);
+    std::set<std::int64_t> seen;
+    for (int picture = 0; picture <= 10; ++picture) // 10 pictures a second
+        seen.insert(clock.frameAt(picture * 0.1));
+    QCOMPARE(seen.size(), 11U);
+    QCOMPARE(*seen.rbegin(), 30);
+}
+
+void TestPlaybackClock::loopsWithinTheRange()
+{
+    auto clock = clockOf(10, 14, 10);
+    clock.start(13, 0);
+    QCOMPARE(clock.frameAt(0.1), 14);
+    QCOMPARE(clock.frameAt(0.2), 10);
+    QCOMPARE(clock.frameAt(1.2), 10);
+    QVERIFY(clock.isPlaying());
+}
+
+void TestPlaybackClock::playsBackwards()
+{
+    auto clock = clockOf(0, 9, 10);
+    clock.start(1, 0, -2);
+    QCOMPARE(clock.frameAt(0.05), 0);
+    QCOMPARE(clock.frameAt(0.1), 9);
+}
+
+void TestPlaybackClock::stopsAtTheEndWhenNotLooping()
+{
+    auto clock = clockOf(0, 9, 10);
+    clock.setLooping(false);
+    clock.start(8, 0);
+    QCOMPARE(clock.frameAt(0.1), 9);
+    QVERIFY(clock.isPlaying());
+    QCOMPARE(clock.frameAt(0.2), 9);
+    QVERIFY(!clock.isPlaying());
+}
+
+void TestPlaybackClock::reportsTheRateReached()
+{
+    auto clock = clockOf(0, 99);
+    clock.start(0, 0);
+    QCOMPARE(clock.fpsReached(), 0.0);
+    for (int picture = 0; picture < 40; ++picture)
+        clock.shown(picture / 2, picture * 0.05); // every frame drawn twice
+    QVERIFY(std::abs(clock.fpsReached() - 10.0) < 1e-6);
+}
+
+void TestPlaybackClock::saysWhenTheNextFrameIsDue()
+{
+    auto clock = clockOf(0, 99);
+    clock.start(0, 0);
+    QVERIFY(std::abs(clock.untilNext(0.05) - 0.03) < 1e-9);
+    QVERIFY(std::abs(clock.untilNext(0.04) - 0.04) < 1e-9);
+}
+
+QTEST_APPLESS_MAIN(TestPlaybackClock)
+#include "tst_playbackclock.moc"

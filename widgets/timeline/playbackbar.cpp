@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "widgets/timeline/playbackbar.h"
+
+#include "widgets/theme/icons.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSpinBox>
+#include <QToolButton>
+#include <algorithm>
+
+namespace quadrille::widgets {
+
+PlaybackBar::PlaybackBar(QWidget* parent)
+    : QWidget(parent)
+    , m_first(addButton("first"))
+    , m_previous(addButton("stepback"))
+    , m_play(addButton("play"))
+    , m_next(addButton("step"))
+    , m_last(addButton("last"))
+    , m_loop(addButton("loop"))
+    , m_frame(new QSpinBox(this))
+    , m_time(new QLabel(this))
+    , m_reached(new QLabel(this))
+{
+    setObjectName(QStringLiteral("playbackBar"));
+    m_frame->setObjectName(QStringLiteral("frameField"));
+    m_frame->setKeyboardTracking(false);
+    m_frame->setAlignment(Qt::AlignRight);
+    m_frame->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    m_time->setObjectName(QStringLiteral("timeLabel"));
+    m_reached->setObjectName(QStringLiteral("fpsLabel"));
+    m_loop->setCheckable(true);
+    m_loop->setChecked(true);
+    const QFont digits = Theme::tabularFont(font());
+    for (QWidget* number :
+         {static_cast<QWidget*>(m_frame), static_cast<QWidget*>(m_time), static_cast<QWidget*>(m_reached)})
+        number->setFont(digits);
+
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 4, 8, 4);
+    row->setSpacing(4);
+    for (QToolButton* button : {m_first, m_previous, m_play, m_next, m_last})
+        row->addWidget(button);
+    row->addSpacing(8);
+    row->addWidget(m_loop);
+    row->addSpacing(12);
+    row->addWidget(m_frame);
+    row->addWidget(m_time);
+    row->addStretch();
+    row->addWidget(m_reached);
+
+    connect(m_first, &QToolButton::clicked, this, &PlaybackBar::firstAsked);
+    connect(m_previous, &QToolButton::clicked, this, [this] { emit stepAsked(-1); });
+    connect(m_play, &QToolButton::clicked, this, &PlaybackBar::playToggled);
+    connect(m_next, &QToolButton::clicked, this, [this] { emit stepAsked(1); });
+    connect(m_last, &QToolButton::clicked, this, &PlaybackBar::lastAsked);
+    connect(m_loop, &QToolButton::toggled, this, &PlaybackBar::loopToggled);
+    connect(m_frame, &QSpinBox::valueChanged, this, &PlaybackBar::frameEntered);
+    setFrameCount(0);
+    retranslate();
+}
+
+QToolButton* PlaybackBar::addButton(const char* name)
+{
+    auto* button = new QToolButton(this);
+    button->setObjectName(QLatin1String(name));
+    button->setIcon(icons::icon(QLatin1String(name)));
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    return button;
+}
+
+void PlaybackBar::setFrameCount(int frames)
+{
+    m_frames = frames;
+    const QSignalBlocker quiet(m_frame);
+    m_frame->setRange(0, std::max(0, frames - 1));
+    setEnabled(frames > 0);
+    showTime();
+}
+
+void PlaybackBar::setFps(double fps)
+{
+    m_fps = fps;
+    showTime();
+}
+
+void PlaybackBar::setCurrentFrame(int frame)
+{
+    const QSignalBlocker quiet(m_frame);
+    m_frame->setValue(frame);
+    showTime();
+}
+
+void PlaybackBar::setPlaying(bool playing)
+{
+    m_playing = playing;
+    m_play->setIcon(icons::icon(playing ? QStringLiteral("pause") : QStringLiteral("play")));
+    if (!playing)
+        m_fpsReached = 0;
+    retranslate();
+}
+
+void PlaybackBar::setLooping(bool looping)
+{
+    const QSignalBlocker quiet(m_loop);
+    m_loop->setChecked(looping);
+}
+
+void PlaybackBar::setFpsReached(double fps)
+{
+    m_fpsReached = fps;
+    showTime();
+}
+
+void PlaybackBar::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+void PlaybackBar::retranslate()
+{
+    const auto name = [](QToolButton* button, const QString& text) {
+        button->setToolTip(text);
+        button->setAccessibleName(text);
+    };
+    name(m_first, tr("First frame (Home)"));
+    name(m_previous, tr("Previous frame (←)"));
+    name(m_play, m_playing ? tr("Pause (Space)") : tr("Play (Space)"));
+    name(m_next, tr("Next frame (→)"));
+    name(m_last, tr("Last frame (End)"));
+    name(m_loop, tr("Start over at the end"));
+    m_frame->setToolTip(tr("Current frame, counted from 0"));
+    m_frame->setAccessibleName(tr("Current frame"));
+    m_reached->setToolTip(tr("Frames a second that are reached, and that the sequence has"));
+    showTime();
+}
+
+void PlaybackBar::showTime()
+{
+    const double end = std::max(0, m_frames - 1) / m_fps;
+    m_time->setText(tr("of %1 · %2 / %3 s")
+                        .arg(locale().toString(std::max(0, m_frames - 1)),
+                             locale().toString(m_frame->value() / m_fps, 'f', 2),
+                             locale().toString(end, 'f', 2)));
+    m_reached->setText(
+        m_fpsReached > 0 ? tr("%1 of %2 fps")
+                               .arg(locale().toString(m_fpsReached, 'f', 1), locale().toString(m_fps, 'g', 5))
+                         : tr("%1 fps").arg(locale().toString(m_fps, 'g', 5)));
+}
+
+} // namespace quadrille::widgets

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QSpinBox;
+class QToolButton;
+
+namespace quadrille::widgets {
+
+/// First, previous, play, next, last, loop, the frame as a number and the rate reached. It changes nothing
+/// itself: buttons are signals, and what plays comes back by the setters.
+class PlaybackBar : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit PlaybackBar(QWidget* parent = nullptr);
+
+    void setFrameCount(int frames);
+    void setFps(double fps);
+    /// Emits nothing.
+    void setCurrentFrame(int frame);
+    void setPlaying(bool playing);
+    void setLooping(bool looping);
+    /// Frames a second reached while playing; 0 hides the number.
+    void setFpsReached(double fps);
+
+signals:
+    void playToggled();
+    /// A step from the current frame, e.g. −1.
+    void stepAsked(int frames);
+    void firstAsked();
+    void lastAsked();
+    void frameEntered(int frame);
+    void loopToggled(bool looping);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QToolButton* addButton(const char* name);
+    void retranslate();
+    void showTime();
+
+    QToolButton* m_first;
+    QToolButton* m_previous;
+    QToolButton* m_play;
+    QToolButton* m_next;
+    QToolButton* m_last;
+    QToolButton* m_loop;
+    QSpinBox* m_frame;
+    QLabel* m_time;
+    QLabel* m_reached;
+    double m_fps = 25.0;
+    int m_frames = 0;
+    bool m_playing = false;
+    double m_fpsReached = 0;
+};
+
+} // namespace quadrille::widgets

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "widgets/timeline/playbackclock.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace quadrille::widgets {
+
+namespace {
+
+/// Keeps a time that lies on a frame's edge, give or take rounding, on the later side.
+constexpr double edge = 1e-6;
+
+} // namespace
+
+void PlaybackClock::setFps(double fps)
+{
+    assert(fps > 0);
+    m_fps = fps;
+}
+
+void PlaybackClock::setRange(std::int64_t first, std::int64_t last)
+{
+    assert(first <= last);
+    m_first = first;
+    m_last = last;
+}
+
+void PlaybackClock::start(std::int64_t frame, double now, double speed)
+{
+    assert(speed != 0);
+    m_startFrame = std::clamp(frame, m_first, m_last);
+    m_started = now;
+    m_speed = speed;
+    m_shownAt.clear();
+    m_lastShown.reset();
+}
+
+double PlaybackClock::framesSince(double now) const
+{
+    return std::max(0.0, now - *m_started) * m_fps * std::abs(m_speed);
+}
+
+std::int64_t PlaybackClock::frameAt(double now)
+{
+    if (!m_started)
+        return m_startFrame;
+    const auto steps = static_cast<std::int64_t>(std::floor(framesSince(now) + edge));
+    const std::int64_t frame = m_startFrame + (m_speed > 0 ? steps : -steps);
+    if (frame >= m_first && frame <= m_last)
+        return frame;
+    if (!m_looping) {
+        m_startFrame = m_speed > 0 ? m_last : m_first;
+        stop();
+        return m_startFrame;
+    }
+    const std::int64_t count = m_last - m_first + 1;
+    return m_first + ((frame - m_first) % count + count) % count;
+}
+
+double PlaybackClock::untilNext(double now) const
+{
+    if (!m_started)
+        return 0;
+    const double steps = framesSince(now);
+    const double next = std::floor(steps + edge) + 1;
+    return std::max(0.0, (next - steps) / (m_fps * std::abs(m_speed)));
+}
+
+void PlaybackClock::shown(std::int64_t frame, double now)
+{
+    if (m_lastShown == frame)
+        return;
+    m_lastShown = frame;
+    m_shownAt.push_back(now);
+    while (now - m_shownAt.front() > 1.0)
+        m_shownAt.pop_front();
+}
+
+double PlaybackClock::fpsReached() const
+{
+    if (m_shownAt.size() < 2)
+        return 0;
+    return static_cast<double>(m_shownAt.size() - 1) / (m_shownAt.back() - m_shownAt.front());
+}
+
+} // namespace quadrille::widgets
