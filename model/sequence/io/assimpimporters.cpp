@@ -139,6 +139,11 @@ const FormatInfo& FbxImporter::format() const
     return info;
 }
 
+bool FbxImporter::recognises(std::string_view head) const
+{
+    return head.starts_with("Kaydara FBX Binary") || head.starts_with("; FBX ");
+}
+
 ImportResult FbxImporter::open(const SourceFiles& source, const ImportOptions& options,
                                const Progress& progress) const
 {
@@ -158,6 +163,11 @@ const FormatInfo& ColladaImporter::format() const
 {
     static const FormatInfo info{.id = "collada", .name = "COLLADA", .extensions = {".dae"}};
     return info;
+}
+
+bool ColladaImporter::recognises(std::string_view head) const
+{
+    return head.find("<COLLADA") != std::string_view::npos;
 }
 
 ImportResult ColladaImporter::open(const SourceFiles& source, const ImportOptions& options,

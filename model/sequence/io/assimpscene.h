@@ -17,6 +17,7 @@ class FbxImporter : public Importer
 {
 public:
     const FormatInfo& format() const override;
+    bool recognises(std::string_view head) const override;
     ImportResult open(const SourceFiles& source, const ImportOptions& options,
                       const Progress& progress) const override;
 };
@@ -26,6 +27,7 @@ class ColladaImporter : public Importer
 {
 public:
     const FormatInfo& format() const override;
+    bool recognises(std::string_view head) const override;
     ImportResult open(const SourceFiles& source, const ImportOptions& options,
                       const Progress& progress) const override;
 };

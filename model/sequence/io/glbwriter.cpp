@@ -381,17 +381,6 @@ const FormatInfo& GlbExporter::format() const
     return info;
 }
 
-std::uint64_t estimateGlbBytes(const MeshSequence& sequence)
-{
-    const auto frames = static_cast<std::uint64_t>(sequence.frameCount());
-    const CornerSplit split = splitCorners(sequence.topology->data());
-    const std::uint64_t vertices = split.vertexOf.size();
-    const std::uint64_t materials = std::max<std::size_t>(1, sequence.topology->data().materials.size());
-    const std::uint64_t perTarget = 600 + 30 * materials; // JSON of a target with its accessor and views
-    return vertices * (sizeof(Vec3f) * frames + sizeof(Vec2f) + sizeof(float)) + split.triangles.size() * 12 +
-           frames * frames * sizeof(float) + frames * perTarget + materials * 500 + 3000;
-}
-
 ExportResult GlbExporter::write(const MeshSequence& sequence, const std::filesystem::path& out,
                                 const ExportOptions& options, const Progress& progress) const
 {

@@ -99,6 +99,11 @@ const FormatInfo& GltfImporter::format() const
     return info;
 }
 
+bool GltfImporter::recognises(std::string_view head) const
+{
+    return head.starts_with("glTF");
+}
+
 ImportResult GltfImporter::open(const SourceFiles& source, const ImportOptions& options,
                                 const Progress& progress) const
 {

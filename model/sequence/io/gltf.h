@@ -13,6 +13,7 @@ class GltfImporter : public Importer
 {
 public:
     const FormatInfo& format() const override;
+    bool recognises(std::string_view head) const override;
     ImportResult open(const SourceFiles& source, const ImportOptions& options,
                       const Progress& progress) const override;
 };

@@ -204,6 +204,11 @@ const FormatInfo& Hdf5Importer::format() const
     return info;
 }
 
+bool Hdf5Importer::recognises(std::string_view head) const
+{
+    return head.starts_with("\x89HDF\r\n\x1a\n");
+}
+
 ImportResult Hdf5Importer::open(const SourceFiles& source, const ImportOptions& options,
                                 const Progress& progress) const
 {

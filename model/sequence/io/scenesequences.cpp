@@ -321,6 +321,7 @@ ImportResult sequencesFromScene(Scene scene, const std::filesystem::path& file, 
     ImportResult result;
     result.issues = std::move(scene.issues);
     result.coordinates = scene.coordinates;
+    result.hasOwnFps = true; // scenes have times in seconds, which are baked at any rate
     if (merger.splitCount > topology->vertexCount())
         addIssue(
             result.issues, Issue::Severity::Info, Issue::Code::VerticesWelded, file,

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/sequence/io/fbxgeometry.h"
+
+#include <span>
+
+using namespace quadrille;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    readFbxGeometries(std::as_bytes(std::span(data, size)));
+    return 0;
+}
