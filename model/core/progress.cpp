@@ -47,6 +47,11 @@ Progress Progress::part(double from, double to) const
     return part;
 }
 
+CancelToken Progress::token() const
+{
+    return m_shared ? m_shared->token : CancelToken();
+}
+
 bool Progress::isCancelled() const
 {
     return m_shared && m_shared->token.isCancelled();

@@ -42,6 +42,8 @@ public:
     /// The part of the work between two fractions of this one.
     Progress part(double from, double to) const;
     bool isCancelled() const;
+    /// The token that stops this work; one that nobody cancels where there is none.
+    CancelToken token() const;
 
 private:
     struct Shared;

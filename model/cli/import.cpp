@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/cli/commands.h"
+#include "model/project/importsequences.h"
+
+#include <memory>
+
+namespace quadrille::cli {
+
+namespace {
+
+struct Arguments
+{
+    std::string project;
+    std::vector<std::string> sources;
+    std::string mesh;
+    std::string name;
+    std::string character;
+    std::optional<double> fps;
+    AxesArguments axes;
+};
+
+void run(const Arguments& arguments, Session& session)
+{
+    if (!arguments.name.empty() && arguments.sources.size() > 1)
+        throwUsage("--name is for one source");
+    ImportRequest request;
+    request.sources.assign(arguments.sources.begin(), arguments.sources.end());
+    request.mesh = arguments.mesh;
+    request.name = arguments.name;
+    request.character = arguments.character;
+    request.sourceFps = arguments.fps;
+    if (arguments.axes.isGiven())
+        request.sourceAxes = arguments.axes.toAxes();
+    const Progress progress = session.console.progress(session.cancel, "Importing");
+    const ImportReport report = importSequences(arguments.project, request, progress);
+    session.console.endProgress();
+    for (const Issue& issue : report.issues)
+        session.console.tell(issue);
+    if (report.isNewProject)
+        session.console.say("new project " + arguments.project);
+    for (const std::string& name : report.names)
+        session.console.say("sequences/" + name);
+}
+
+} // namespace
+
+void addImport(CLI::App& app, Session& session)
+{
+    auto* command = app.add_subcommand("import", "Add sequences to a project; make it where there is none");
+    const auto arguments = std::make_shared<Arguments>();
+    command->add_option("PROJECT", arguments->project, "The project file, NAME.quadrille")->required();
+    command
+        ->add_option("SOURCE", arguments->sources, "Files, or folders or patterns that hold numbered series")
+        ->required();
+    command->add_option("--mesh", arguments->mesh, "The character's mesh, for files with positions only");
+    command->add_option("--name", arguments->name, "Name of the sequence; the file's by default");
+    command->add_option("--character", arguments->character, "Whose performance it is; added where missing");
+    command->add_option("--fps", arguments->fps, "Frames per second of sources that name none")
+        ->check(positiveNumber());
+    command->add_option("--up-axis", arguments->axes.up, "Axis of the sources that points up: x, y or z");
+    command->add_option("--unit", arguments->axes.unit,
+                        "Unit of the sources: m, cm, mm, km, in, ft or metres");
+    command->footer("A new project takes the rate of its first source. Files stay where they are.\n"
+                    "Examples:\n"
+                    "  quadrille import man.quadrille takes/*.pc2 --mesh man.obj --fps 30\n"
+                    "  quadrille import man.quadrille scans/walk_####.obj --name walk --character liam");
+    command->callback([arguments, &session] { run(*arguments, session); });
+}
+
+} // namespace quadrille::cli

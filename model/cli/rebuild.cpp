@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/rebuild.h"
+
+#include "model/cli/commands.h"
+#include "model/core/file.h"
+
+#include <array>
+#include <cstdio>
+#include <memory>
+
+namespace quadrille::cli {
+
+namespace {
+
+struct Arguments
+{
+    std::string project;
+    RebuildOptions options;
+    std::string json;
+};
+
+std::string secondsText(double seconds)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.2f s", seconds);
+    return text.data();
+}
+
+/// One line for a stage that is done.
+void sayStage(const StageReport& stage, Console& console)
+{
+    for (const Issue& issue : stage.issues)
+        console.tell(issue);
+    switch (stage.state) {
+    case StageState::Fresh:
+        console.detail("up to date  " + stage.stage);
+        return;
+    case StageState::Stale:
+        console.say("would compute  " + stage.stage + " (" + stage.reason + ")");
+        return;
+    case StageState::Computed:
+        console.say("computed  " + stage.stage + "  " + secondsText(stage.seconds));
+        for (const auto& file : stage.files)
+            console.detail("  " + file.string());
+        return;
+    case StageState::Failed:
+        console.fail(stage.stage + ": " + (stage.error ? stage.error->what() : ""));
+        return;
+    case StageState::Skipped:
+        console.warn(stage.stage + " was left out: what it needs failed");
+        return;
+    }
+}
+
+/// Where the files are that were written or stood already.
+void sayFiles(const RebuildReport& report, Console& console)
+{
+    for (const StageReport& stage : report.stages) {
+        if (stage.files.empty() || stage.state == StageState::Failed)
+            continue;
+        const std::string more =
+            stage.files.size() > 1 ? " (" + std::to_string(stage.files.size()) + " files)" : "";
+        console.say(stage.stage + ": " + stage.files.front().string() + more);
+    }
+}
+
+void run(const Arguments& arguments, Session& session)
+{
+    Console& console = session.console;
+    const Progress progress = console.progress(session.cancel, "Rebuilding");
+    const Project project = loadProject(arguments.project);
+    const RebuildReport report = rebuild(project, arguments.project, arguments.options, progress,
+                                         [&console](const StageReport& stage) { sayStage(stage, console); });
+    console.endProgress();
+    if (arguments.options.dryRun) {
+        for (const StageReport& stage : report.stages)
+            sayStage(stage, console);
+    }
+    if (!arguments.json.empty())
+        writeAtomically(arguments.json, writeJson(toJson(report)));
+    if (!arguments.options.dryRun)
+        sayFiles(report, console);
+    const auto number = [&report](StageState state) { return std::to_string(report.count(state)); };
+    std::string sum = arguments.project + ": ";
+    sum += arguments.options.dryRun ? number(StageState::Stale) + " to compute, "
+                                    : number(StageState::Computed) + " computed, ";
+    sum += number(StageState::Fresh) + " up to date";
+    if (report.hasFailures())
+        sum += ", " + number(StageState::Failed) + " failed";
+    console.say(sum);
+    if (report.hasFailures())
+        session.status = 1;
+}
+
+} // namespace
+
+void addRebuild(CLI::App& app, Session& session)
+{
+    auto* command = app.add_subcommand("rebuild", "Bring results and exports up to date");
+    const auto arguments = std::make_shared<Arguments>();
+    RebuildOptions& options = arguments->options;
+    command->add_option("PROJECT", arguments->project, "The project file, NAME.quadrille")->required();
+    command->add_option("TARGET", options.targets,
+                        "Sections or entries: sequences, sequences/NAME, exports/NAME, …; all by default");
+    command->add_option("-j,--jobs", options.jobs, "Threads; all by default")->check(CLI::Range(1, 1024));
+    command->add_flag("-f,--force", options.force, "Compute what is up to date, too");
+    command->add_flag("-n,--dry-run", options.dryRun, "Only say what would be computed");
+    command->add_option("--json", arguments->json, "Write a report to this file");
+    command->footer("What is up to date is told by the content of its inputs, not by times.\n"
+                    "Examples:\n"
+                    "  quadrille rebuild dance.quadrille\n"
+                    "  quadrille rebuild dance.quadrille exports/walk-glb --jobs 4\n"
+                    "  quadrille rebuild dance.quadrille --dry-run --json report.json");
+    command->callback([arguments, &session] { run(*arguments, session); });
+}
+
+} // namespace quadrille::cli

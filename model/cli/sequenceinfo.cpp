@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/cli/sequenceinfo.h"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <charconv>
+#include <limits>
+
+namespace quadrille::cli {
+
+namespace {
+
+const char* kindName(TextureSet::Kind kind)
+{
+    switch (kind) {
+    case TextureSet::Kind::None:
+        return "none";
+    case TextureSet::Kind::Single:
+        return "single";
+    case TextureSet::Kind::PerFrame:
+        return "per_frame";
+    case TextureSet::Kind::PerMaterial:
+        return "per_material";
+    }
+    return "";
+}
+
+Json textureJson(const TextureSet& textures)
+{
+    Json json = Json::object();
+    json["kind"] = kindName(textures.kind());
+    json["count"] = textures.textures().size();
+    json["files"] = Json::array();
+    for (const Texture& texture : textures.textures()) {
+        if (!texture.file.empty())
+            json["files"].push_back(texture.file.generic_string());
+    }
+    return json;
+}
+
+/// A float as a double of the same shortest decimal text, so that 0.1 is written as 0.1.
+double plain(float value)
+{
+    std::array<char, 32> text{};
+    const auto* end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    double number = 0;
+    std::from_chars(text.data(), end, number);
+    return number;
+}
+
+Json pointJson(const Vec3f& point)
+{
+    return Json::array({plain(point.x()), plain(point.y()), plain(point.z())});
+}
+
+Json boundsJson(const MeshSequence& sequence, const Progress& progress)
+{
+    Vec3f low = Vec3f::Constant(std::numeric_limits<float>::max());
+    Vec3f high = -low;
+    for (std::int64_t f = 0; f < sequence.frameCount(); ++f) {
+        progress.report(f, sequence.frameCount());
+        const Frame frame = sequence.frame(FrameIndex(f));
+        for (const Vec3f& p : frame.positions()) {
+            low = low.cwiseMin(p);
+            high = high.cwiseMax(p);
+        }
+    }
+    Json json = Json::object();
+    json["min"] = pointJson(low);
+    json["max"] = pointJson(high);
+    return json;
+}
+
+std::int64_t zeroAreaTriangles(const MeshSequence& sequence)
+{
+    const Frame frame = sequence.frame(FrameIndex(0));
+    const Positions positions = frame.positions();
+    std::int64_t count = 0;
+    for (const Triangle& triangle : sequence.topology->triangles()) {
+        const auto corner = [&](std::size_t i) -> Vec3d {
+            return positions[triangle.at(i).value].cast<double>();
+        };
+        const Vec3d a = corner(1) - corner(0);
+        const Vec3d b = corner(2) - corner(0);
+        count += a.cross(b).norm() == 0 ? 1 : 0;
+    }
+    return count;
+}
+
+std::string valueText(const Json& value)
+{
+    if (value.is_string())
+        return value.get<std::string>();
+    std::string text = writeJson(value);
+    text.pop_back();
+    return text;
+}
+
+} // namespace
+
+Json sequenceInfo(const std::string& path, const MeshSequence& sequence, const ImportResult& imported,
+                  const Progress& progress)
+{
+    const TopologyStatistics& statistics = sequence.topology->statistics();
+    const auto coordinates = imported.coordinates.value_or(CoordinateSystem{});
+    Json info = Json::object();
+    info["path"] = path;
+    info["name"] = sequence.name;
+    info["vertices"] = sequence.topology->vertexCount();
+    info["triangles"] = sequence.topology->triangles().size();
+    info["frames"] = sequence.frameCount();
+    info["fps"] = sequence.fps;
+    info["fps_assumed"] = !imported.hasOwnFps;
+    info["duration"] = sequence.duration().value;
+    info["components"] = statistics.components;
+    info["edges"] = statistics.edges;
+    info["boundary_edges"] = statistics.boundaryEdges;
+    info["boundary_loops"] = statistics.boundaryLoops;
+    info["non_manifold_edges"] = statistics.nonManifoldEdges;
+    info["non_manifold_vertices"] = statistics.nonManifoldVertices;
+    info["zero_area_triangles"] = zeroAreaTriangles(sequence);
+    info["euler"] = statistics.eulerCharacteristic;
+    info["uvs"] = sequence.topology->hasUvs();
+    info["materials"] = sequence.topology->data().materials;
+    info["textures"] = textureJson(sequence.textures);
+    info["bounds"] = boundsJson(sequence, progress);
+    info["up_axis"] = toString(coordinates.up);
+    info["metres_per_unit"] = coordinates.metresPerUnit;
+    info["problems"] = Json::array();
+    for (const Issue& issue : imported.issues) {
+        if (issue.severity == Issue::Severity::Warning)
+            info["problems"].push_back(issue.toString());
+    }
+    return info;
+}
+
+std::string infoText(const Json& info)
+{
+    const auto text = [&info](const char* key) { return valueText(info[key]); };
+    std::string out = text("path") + " – " + text("name") + "\n";
+    out += "  " + text("vertices") + " vertices, " + text("triangles") + " triangles, " + text("components") +
+           " components, " + text("boundary_edges") + " boundary edges in " + text("boundary_loops") +
+           " loops\n";
+    out += "  " + text("frames") + " frames at " + text("fps") + " fps" +
+           (info["fps_assumed"].get<bool>() ? " (assumed)" : "") + ", " + text("duration") + " s\n";
+    out += std::string("  ") + (info["uvs"].get<bool>() ? "with" : "without") +
+           " UVs, textures: " + valueText(info["textures"]["kind"]) + " (" +
+           valueText(info["textures"]["count"]) + ")\n";
+    out += "  bounds " + valueText(info["bounds"]["min"]) + " to " + valueText(info["bounds"]["max"]);
+    for (const Json& problem : info["problems"])
+        out += "\n  problem: " + problem.get<std::string>();
+    return out;
+}
+
+} // namespace quadrille::cli

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/core/contenthash.h"
+#include "model/project/exportentry.h"
+#include "model/project/paths.h"
+#include "model/project/projectjson.h"
+#include "model/project/sequencesettings.h"
+#include "model/project/stage.h"
+
+namespace quadrille {
+
+namespace {
+
+/// The entry as the file has it.
+std::string entryText(const ExportEntry& entry)
+{
+    Project project;
+    project.exports = {entry};
+    return writeJson(projectToJson(project)["exports"][0]);
+}
+
+ResultStage exportStage(const StageMaking& making, const ExportEntry& entry)
+{
+    const auto opener = making.opener;
+    const Project& project = opener->project();
+    const std::string name = entry.what.substr(entry.what.find('/') + 1);
+    ResultStage stage;
+    stage.name = "exports/" + entry.name;
+    stage.dataPrefix = stage.name;
+    stage.settings = entryText(entry);
+    if (const SequenceEntry* sequence = findSequence(project, name))
+        stage.settings += sequenceSettings(project, *sequence);
+    stage.files = [opener, name](const Progress& progress) { return opener->open(name, progress)->files; };
+    stage.compute = [opener, name, entry](const StageContext& context, const Progress& progress) {
+        const auto opened = opener->open(name, progress.part(0, 0.1));
+        const auto written = writeExport(entry, opened->sequence, opener->project().settings,
+                                         opener->folder(), progress.part(0.1, 0.95));
+        for (const Issue& issue : written.issues)
+            context.tell(issue);
+        Result result;
+        for (const auto& file : written.files)
+            result.files.push_back({storedPath(file, opener->folder()), hashFile(file, progress)});
+        return result;
+    };
+    return stage;
+}
+
+} // namespace
+
+std::vector<ResultStage> makeExportStages(const StageMaking& making)
+{
+    std::vector<ResultStage> stages;
+    for (const ExportEntry& entry : making.opener->project().exports)
+        stages.push_back(exportStage(making, entry));
+    return stages;
+}
+
+} // namespace quadrille

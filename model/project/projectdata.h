@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/progress.h"
+#include "model/project/project.h"
+#include "model/project/result.h"
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace quadrille {
+
+/// One array or table that a project has computed.
+struct DataItem
+{
+    std::string name;      ///< "sequences/walk/bounds", "frames"
+    std::string character; ///< where several characters have data of this name
+    bool isFresh = false;
+    std::variant<DataArray, DataTable> content;
+
+    /// Rows × columns of a table, the shape of an array.
+    std::vector<std::int64_t> shape() const;
+    std::string unit() const;
+    std::string description() const;
+};
+
+/// All data in the result store of a project, fresh or not; computes nothing.
+/// \throws Error Cancelled.
+std::vector<DataItem> projectData(const Project& project, const std::filesystem::path& projectFile,
+                                  const Progress& progress = {});
+
+/// Writes data as the file's ending says: `.npy` (row-major; tables as structured arrays), `.csv` (a header
+/// row with units) or `.json`. Atomic.
+/// \throws Error BadArgument (another ending), WriteFailed, PermissionDenied.
+void writeData(const DataItem& item, const std::filesystem::path& file);
+
+} // namespace quadrille

@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/rebuild.h"
+
+#include "model/project/paths.h"
+#include "model/project/stagestate.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+
+namespace quadrille {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Runs the stale ones of some stages, each as soon as its inputs are there.
+class Rebuilder
+{
+public:
+    Rebuilder(const std::vector<ResultStage>& stages, const fs::path& projectFile,
+              const RebuildOptions& options, const Progress& progress, const StageListener& listener)
+        : m_stages(stages)
+        , m_folder(projectFolder(projectFile))
+        , m_store(cacheFolder(projectFile))
+        , m_hashes(cacheFolder(projectFile) / "hashes.json")
+        , m_options(options)
+        , m_progress(progress)
+        , m_listener(listener)
+        , m_reports(stages.size())
+        , m_waiting(stages.size())
+        , m_fractions(stages.size())
+        , m_users(stages.size())
+    {
+        for (std::size_t i = 0; i < stages.size(); ++i)
+            m_byName[stages[i].name] = i;
+    }
+
+    RebuildReport run()
+    {
+        m_status = stageStatus(m_stages, m_store, m_folder, m_hashes, m_progress.part(0, planning));
+        for (std::size_t i = 0; i < m_stages.size(); ++i)
+            plan(i);
+        if (!m_options.dryRun)
+            compute();
+        if (!m_options.dryRun)
+            m_hashes.save();
+        m_progress.report(1);
+        return {std::move(m_reports)};
+    }
+
+private:
+    /// The part of the progress that finding out what is stale takes.
+    static constexpr double planning = 0.1;
+
+    void plan(std::size_t i)
+    {
+        StageReport& report = m_reports[i];
+        StageStatus& status = m_status[i];
+        report.stage = m_stages[i].name;
+        report.key = status.key;
+        report.error = status.error;
+        if (status.isDamaged) {
+            Issue damaged;
+            damaged.context.file = m_store.fileOf(report.stage);
+            damaged.context.values = {{"text", std::string(errorMessage(ErrorCode::ResultDamaged).sentence) +
+                                                   " " + errorMessage(ErrorCode::ResultDamaged).remedy}};
+            report.issues.push_back(std::move(damaged));
+        }
+        if (status.error) {
+            report.state = StageState::Failed;
+        } else if (status.isFresh && !m_options.force) {
+            report.state = StageState::Fresh;
+            addFiles(report, status.result);
+        } else {
+            report.state = StageState::Stale;
+            report.reason = status.isFresh ? "forced" : status.reason;
+        }
+    }
+
+    void compute()
+    {
+        const int jobs = m_options.jobs > 0 ? m_options.jobs : tbb::info::default_concurrency();
+        tbb::task_arena arena(jobs);
+        for (std::size_t i = 0; i < m_stages.size(); ++i) {
+            m_waiting[i] = m_stages[i].inputs.size();
+            for (const std::string& input : m_stages[i].inputs)
+                m_users[m_byName.at(input)].push_back(i);
+        }
+        arena.execute([this] {
+            for (std::size_t i = 0; i < m_stages.size(); ++i) {
+                if (m_stages[i].inputs.empty())
+                    start(i);
+            }
+            m_tasks.wait();
+        });
+        // A stage that was cancelled is not one that failed.
+        m_progress.report(planning);
+    }
+
+    void start(std::size_t i)
+    {
+        m_tasks.run([this, i] {
+            runStage(i);
+            for (const std::size_t user : m_users[i]) {
+                if (--m_waiting[user] == 0)
+                    start(user);
+            }
+        });
+    }
+
+    void runStage(std::size_t i)
+    {
+        StageReport& report = m_reports[i];
+        if (m_progress.isCancelled())
+            return;
+        if (report.state == StageState::Stale && inputFailed(i))
+            report.state = StageState::Skipped;
+        if (report.state == StageState::Stale)
+            computeStage(i);
+        m_fractions[i] = 1;
+        if (m_progress.isCancelled())
+            return;
+        const std::scoped_lock lock(m_listenerMutex);
+        if (m_listener)
+            m_listener(report);
+    }
+
+    bool inputFailed(std::size_t i) const
+    {
+        const auto& inputs = m_stages[i].inputs;
+        return std::any_of(inputs.begin(), inputs.end(), [this](const std::string& input) {
+            const StageState state = m_reports[m_byName.at(input)].state;
+            return state == StageState::Failed || state == StageState::Skipped;
+        });
+    }
+
+    void computeStage(std::size_t i)
+    {
+        StageReport& report = m_reports[i];
+        const auto begin = std::chrono::steady_clock::now();
+        StageContext context;
+        context.resultOf = [this](const std::string& stage) {
+            return m_store.load(stage, m_status[m_byName.at(stage)].key).result;
+        };
+        context.tell = [&report](Issue issue) { report.issues.push_back(std::move(issue)); };
+        const Progress own(m_progress.token(), [this, i](double fraction) {
+            m_fractions[i] = fraction;
+            reportOverall();
+        });
+        try {
+            const Result result = m_stages[i].compute(context, own);
+            own.report(1);
+            m_store.save(report.stage, report.key, result);
+            addFiles(report, result);
+            report.state = StageState::Computed;
+        } catch (const Error& error) {
+            report.state = StageState::Failed;
+            report.error = error;
+        }
+        report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
+
+    void reportOverall() const
+    {
+        double sum = 0;
+        for (const std::atomic<double>& fraction : m_fractions)
+            sum += fraction;
+        m_progress.report(planning + (1 - planning) * sum / static_cast<double>(m_stages.size()));
+    }
+
+    void addFiles(StageReport& report, const Result& result) const
+    {
+        for (const WrittenFile& file : result.files)
+            report.files.push_back(resolvePath(file.path, m_folder));
+    }
+
+    const std::vector<ResultStage>& m_stages;
+    fs::path m_folder;
+    ResultStore m_store;
+    FileHashes m_hashes;
+    const RebuildOptions& m_options;
+    const Progress& m_progress;
+    const StageListener& m_listener;
+    std::vector<StageReport> m_reports;
+    std::vector<StageStatus> m_status;
+    std::map<std::string, std::size_t> m_byName;
+    std::vector<std::atomic<std::size_t>> m_waiting;
+    std::vector<std::atomic<double>> m_fractions;
+    std::vector<std::vector<std::size_t>> m_users; ///< stages that use one's result
+    std::mutex m_listenerMutex;
+    tbb::task_group m_tasks;
+};
+
+} // namespace
+
+fs::path cacheFolder(const fs::path& projectFile)
+{
+    fs::path folder = fs::absolute(projectFile);
+    folder += ".cache";
+    return folder;
+}
+
+bool RebuildReport::hasFailures() const
+{
+    return count(StageState::Failed) > 0;
+}
+
+std::size_t RebuildReport::count(StageState state) const
+{
+    return static_cast<std::size_t>(std::count_if(
+        stages.begin(), stages.end(), [state](const StageReport& stage) { return stage.state == state; }));
+}
+
+RebuildReport rebuild(const std::vector<ResultStage>& stages, const fs::path& projectFile,
+                      const RebuildOptions& options, const Progress& progress, const StageListener& listener)
+{
+    const auto selected = selectStages(stages, options.targets);
+    return Rebuilder(selected, projectFile, options, progress, listener).run();
+}
+
+RebuildReport rebuild(const Project& project, const fs::path& projectFile, const RebuildOptions& options,
+                      const Progress& progress, const StageListener& listener)
+{
+    const auto opener = std::make_shared<SequenceOpener>(project, projectFolder(projectFile));
+    return rebuild(makeStages({opener, projectFile}), projectFile, options, progress, listener);
+}
+
+std::string toString(StageState state)
+{
+    switch (state) {
+    case StageState::Fresh:
+        return "fresh";
+    case StageState::Stale:
+        return "stale";
+    case StageState::Computed:
+        return "computed";
+    case StageState::Failed:
+        return "failed";
+    case StageState::Skipped:
+        return "skipped";
+    }
+    return {};
+}
+
+Json toJson(const RebuildReport& report)
+{
+    Json json = Json::object();
+    json["stages"] = Json::array();
+    for (const StageReport& stage : report.stages) {
+        Json item = Json::object();
+        item["stage"] = stage.stage;
+        item["state"] = toString(stage.state);
+        item["reason"] = stage.reason;
+        item["key"] = stage.key;
+        item["seconds"] = stage.seconds;
+        item["files"] = Json::array();
+        for (const fs::path& file : stage.files)
+            item["files"].push_back(file.generic_string());
+        item["issues"] = Json::array();
+        for (const Issue& issue : stage.issues)
+            item["issues"].push_back(issue.toString());
+        item["error"] = stage.error ? Json(stage.error->what()) : Json(nullptr);
+        json["stages"].push_back(std::move(item));
+    }
+    for (const StageState state : {StageState::Computed, StageState::Fresh, StageState::Stale,
+                                   StageState::Failed, StageState::Skipped})
+        json[toString(state)] = report.count(state);
+    return json;
+}
+
+} // namespace quadrille

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace quadrille {
+
+/// Numbers or texts of one type, row-major.
+using DataValues = std::variant<std::vector<float>, std::vector<double>, std::vector<std::int64_t>,
+                                std::vector<std::uint8_t>, std::vector<std::string>>;
+
+/// A named array with its shape and unit.
+struct DataArray
+{
+    std::string name;        ///< inside its result, kebab-case ("bounds")
+    std::string description; ///< English, one sentence
+    std::string unit;        ///< "m", "frames", …; empty for numbers without one
+    std::vector<std::int64_t> shape;
+    DataValues values; ///< as many as the product of the shape
+    /// Names of what stands along all dimensions but the first, flattened; for tables' headers. May be empty.
+    std::vector<std::string> columns;
+
+    bool operator==(const DataArray&) const = default;
+};
+
+/// A table: columns of one length.
+struct DataTable
+{
+    std::string name;
+    std::string description;
+    std::vector<DataArray> columns; ///< each of one dimension
+
+    bool operator==(const DataTable&) const = default;
+};
+
+/// A file that a stage wrote outside of the store.
+struct WrittenFile
+{
+    std::string path; ///< relative to the project's folder
+    std::string hash; ///< of its content
+
+    bool operator==(const WrittenFile&) const = default;
+};
+
+/// What a stage computes.
+struct Result
+{
+    std::vector<DataArray> arrays;
+    std::vector<DataTable> tables;
+    std::vector<WrittenFile> files;
+
+    bool operator==(const Result&) const = default;
+};
+
+std::size_t valueCount(const DataValues& values);
+/// "float32", "float64", "int64", "uint8" or "text".
+std::string typeName(const DataValues& values);
+
+/// The rows of a table column or of an array as one number each.
+template <typename T>
+DataArray columnOf(std::string name, std::string unit, std::vector<T> values)
+{
+    DataArray column;
+    column.name = std::move(name);
+    column.unit = std::move(unit);
+    column.shape = {static_cast<std::int64_t>(values.size())};
+    column.values = std::move(values);
+    return column;
+}
+
+} // namespace quadrille

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/progress.h"
+#include "model/project/filehashes.h"
+#include "model/project/opensequence.h"
+#include "model/project/result.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// What a computing stage may use.
+struct StageContext
+{
+    /// The result of a stage that this one lists as its input.
+    std::function<Result(const std::string& stage)> resultOf;
+    /// Something worth telling the user.
+    std::function<void(Issue)> tell;
+};
+
+/// One step of the rebuild: makes one result out of files, settings and results of other stages. The same
+/// inputs give the same result, for any number of threads.
+struct ResultStage
+{
+    /// Unique; its beginnings are targets: "sequences/walk/statistics" is rebuilt by `sequences`,
+    /// `sequences/walk` and its full name.
+    std::string name;
+    /// What stands before the names of its data: "sequences/walk" + "/bounds"; may be empty.
+    std::string dataPrefix;
+    /// The character that its data are about, where a name alone would not say.
+    std::string character;
+    /// Counts up whenever the algorithm gives another result.
+    int version = 1;
+    /// All else that the result depends on, as text.
+    std::string settings;
+    /// The files that it reads, in a fixed order; called once, may throw what opening them throws.
+    std::function<std::vector<std::filesystem::path>(const Progress&)> files;
+    /// Names of the stages whose results it uses.
+    std::vector<std::string> inputs;
+    std::function<Result(const StageContext&, const Progress&)> compute;
+};
+
+/// The folder of a project's results, NAME.quadrille.cache beside the project.
+std::filesystem::path cacheFolder(const std::filesystem::path& projectFile);
+
+/// What the stages of one rebuild share.
+struct StageMaking
+{
+    std::shared_ptr<SequenceOpener> opener;
+    std::filesystem::path projectFile;
+};
+
+/// All stages of a project, each after its inputs. New capabilities add theirs here.
+std::vector<ResultStage> makeStages(const StageMaking& making);
+
+std::vector<ResultStage> makeSequenceStages(const StageMaking& making);
+std::vector<ResultStage> makeExportStages(const StageMaking& making);
+
+} // namespace quadrille

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/stagestate.h"
+
+#include "model/core/contenthash.h"
+#include "model/project/paths.h"
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <set>
+#include <tbb/parallel_for.h>
+
+namespace quadrille {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Changes when results of all stages are to be computed again.
+constexpr std::int64_t storeVersion = 1;
+
+bool isMeant(const std::string& stage, const std::string& target)
+{
+    return stage == target || stage.starts_with(target + "/");
+}
+
+/// What can be named: sections, entries and stages.
+std::string knownTargets(const std::vector<ResultStage>& stages)
+{
+    std::set<std::string> known;
+    for (const ResultStage& stage : stages) {
+        const auto section = stage.name.find('/');
+        known.insert(stage.name.substr(0, section));
+        if (section != std::string::npos)
+            known.insert(stage.name.substr(0, stage.name.find('/', section + 1)));
+    }
+    std::string list;
+    for (const std::string& target : known)
+        list.append(list.empty() ? "" : ", ").append(target);
+    return list;
+}
+
+std::string hashInputs(const ResultStage& stage, FileHashes& hashes, const Progress& progress)
+{
+    ContentHasher hasher;
+    const auto files = stage.files ? stage.files(progress.part(0, 0.5)) : std::vector<fs::path>{};
+    hasher.add(static_cast<std::int64_t>(files.size()));
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        progress.report(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(files.size()));
+        hasher.add(hashes.of(files[i], progress));
+    }
+    return hasher.hex();
+}
+
+/// The first of a result's files that is not as it was written; empty when all are.
+std::string changedFile(const Result& result, const fs::path& folder, FileHashes& hashes)
+{
+    for (const WrittenFile& file : result.files) {
+        const fs::path path = resolvePath(file.path, folder);
+        std::error_code error;
+        if (!fs::exists(path, error) || hashes.of(path) != file.hash)
+            return file.path;
+    }
+    return {};
+}
+
+void compareWithStore(StageStatus& status, const ResultStage& stage, const ResultStore& store,
+                      const fs::path& folder, FileHashes& hashes)
+{
+    auto entry = store.load(stage.name, status.key);
+    switch (entry.state) {
+    case ResultStore::State::Missing:
+        status.reason = "there is no result yet";
+        return;
+    case ResultStore::State::OtherKey:
+        status.reason = "its inputs or settings changed";
+        return;
+    case ResultStore::State::Damaged:
+        status.isDamaged = true;
+        status.reason = "the stored result is damaged";
+        return;
+    case ResultStore::State::Fresh:
+        break;
+    }
+    const std::string changed = changedFile(entry.result, folder, hashes);
+    status.isFresh = changed.empty();
+    if (!status.isFresh)
+        status.reason = changed + " is missing or was changed";
+    status.result = std::move(entry.result);
+}
+
+} // namespace
+
+std::vector<StageStatus> stageStatus(const std::vector<ResultStage>& stages, const ResultStore& store,
+                                     const fs::path& projectFolder, FileHashes& hashes,
+                                     const Progress& progress)
+{
+    std::vector<StageStatus> all(stages.size());
+    std::vector<std::string> inputHashes(stages.size());
+    std::atomic<std::int64_t> done{0};
+    const auto total = static_cast<std::int64_t>(stages.size());
+    tbb::parallel_for(std::size_t{0}, stages.size(), [&](std::size_t i) {
+        progress.report(done++, total);
+        try {
+            inputHashes[i] = hashInputs(stages[i], hashes, Progress(progress.token()));
+        } catch (const Error& error) {
+            if (error.code() == ErrorCode::Cancelled)
+                throw;
+            all[i].error = error;
+        }
+    });
+    std::map<std::string, std::size_t> byName;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        byName[stages[i].name] = i;
+        ContentHasher hasher;
+        hasher.add(storeVersion);
+        hasher.add(static_cast<std::int64_t>(stages[i].version));
+        hasher.add(stages[i].settings);
+        hasher.add(inputHashes[i]);
+        for (const std::string& input : stages[i].inputs)
+            hasher.add(all[byName.at(input)].key);
+        all[i].key = hasher.hex();
+    }
+    tbb::parallel_for(std::size_t{0}, stages.size(), [&](std::size_t i) {
+        progress.report(1);
+        if (!all[i].error)
+            compareWithStore(all[i], stages[i], store, projectFolder, hashes);
+    });
+    return all;
+}
+
+std::vector<ResultStage> selectStages(const std::vector<ResultStage>& stages,
+                                      const std::vector<std::string>& targets)
+{
+    std::set<std::string> wanted;
+    for (const std::string& target : targets) {
+        bool found = false;
+        for (const ResultStage& stage : stages) {
+            if (isMeant(stage.name, target)) {
+                wanted.insert(stage.name);
+                found = true;
+            }
+        }
+        if (!found)
+            throw Error(ErrorCode::ProjectUnknownTarget,
+                        {{}, {}, {{"what", target}, {"known", knownTargets(stages)}}});
+    }
+    std::vector<ResultStage> selected;
+    for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage) {
+        if (!targets.empty() && wanted.count(stage->name) == 0)
+            continue;
+        wanted.insert(stage->inputs.begin(), stage->inputs.end());
+        selected.push_back(*stage);
+    }
+    std::reverse(selected.begin(), selected.end());
+    return selected;
+}
+
+} // namespace quadrille
