@@ -35,7 +35,7 @@ struct Material
 };
 inline constexpr Material clayMaterial{0.86F, 0.36F, 0.10F, 0.30F};
 /// Captured textures hold light already: mostly ambient.
-inline constexpr Material texturedMaterial{0.52F, 0.62F, 0.03F, 0.22F};
+inline constexpr Material texturedMaterial{0.57F, 0.68F, 0.03F, 0.22F};
 
 /// A key, a fill and a rim light that stand around the camera, and a sky above a floor.
 class Lights

@@ -107,6 +107,35 @@ inline MeshSequence ball(int rings, int frames)
     return sequence;
 }
 
+/// A gently waving sheet of 2 × 1.5 metres that faces +z, its texture spread over it.
+inline MeshSequence wavySheet(int parts)
+{
+    TopologyData data;
+    std::vector<Vec3f> positions;
+    for (int r = 0; r <= parts; ++r) {
+        for (int c = 0; c <= parts; ++c) {
+            const double u = static_cast<double>(c) / parts;
+            const double v = static_cast<double>(r) / parts;
+            const double z = 0.05 * sineCosine(2 * u + v).sine;
+            positions.emplace_back(Vec3d(2 * u - 1, 1.5 * v, z).cast<float>());
+            data.uvs.emplace_back(Eigen::Vector2d(u, v).cast<float>());
+        }
+    }
+    const auto at = [parts](int r, int c) { return static_cast<std::uint32_t>(r * (parts + 1) + c); };
+    for (int r = 0; r < parts; ++r) {
+        for (int c = 0; c < parts; ++c) {
+            data.triangleUvs.push_back({at(r, c), at(r, c + 1), at(r + 1, c + 1)});
+            data.triangleUvs.push_back({at(r, c), at(r + 1, c + 1), at(r + 1, c)});
+        }
+    }
+    for (const auto& t : data.triangleUvs)
+        data.triangles.push_back({VertexIndex(t[0]), VertexIndex(t[1]), VertexIndex(t[2])});
+    data.vertexCount = static_cast<std::uint32_t>(positions.size());
+    const std::uint32_t vertexCount = data.vertexCount;
+    return makeSequence("sheet", std::make_shared<const Topology>(std::move(data)),
+                        std::make_shared<MemoryFrames>(std::move(positions), vertexCount), 25);
+}
+
 /// FNV-1a over size and pixels.
 inline std::uint64_t hashOf(const Image& image)
 {
