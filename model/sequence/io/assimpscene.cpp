@@ -160,7 +160,7 @@ private:
         for (const auto& place : {folder, folder / "textures"}) {
             for (const auto& extension : {named.extension().string(), std::string(".png"),
                                           std::string(".jpg"), std::string(".jpeg"), std::string(".tif")}) {
-                const auto candidate = place / (named.stem().string() + extension);
+                auto candidate = place / (named.stem().string() + extension);
                 if (isPicture(candidate) && exists(candidate))
                     return candidate;
             }

@@ -88,8 +88,8 @@ public:
     ~WrittenFiles()
     {
         std::error_code error;
-        for (auto file = m_files.rbegin(); file != m_files.rend(); ++file)
-            std::filesystem::remove(*file, error);
+        for (const auto& file : m_files)
+            std::filesystem::remove(file, error);
     }
     WrittenFiles(const WrittenFiles&) = delete;
     WrittenFiles& operator=(const WrittenFiles&) = delete;

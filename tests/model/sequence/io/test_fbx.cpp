@@ -3,6 +3,7 @@
 #include "model/core/error.h"
 #include "model/sequence/io/assimpscene.h"
 #include "model/sequence/io/fbxgeometry.h"
+#include "model/sequence/io/registry.h"
 #include "tests/model/sequence/io/sceneiotest.h"
 
 #include <gmock/gmock.h>
@@ -60,6 +61,21 @@ TEST(Fbx, ASkinnedManOpensWithTheControlPointsOfTheFile)
     EXPECT_EQ(std::count_if(result.issues.begin(), result.issues.end(),
                             [](const Issue& i) { return i.code == Issue::Code::TextureMissing; }),
               3);
+}
+
+TEST(Fbx, TheRegistryTurnsCentimetresToMetres)
+{
+    if (!std::filesystem::exists(rocketbox()))
+        GTEST_SKIP() << "no data";
+    const ImportResult result = openSequences(rocketbox());
+    const Frame frame = result.sequences.at(0).frame(FrameIndex(0));
+    Vec3f low = frame.positions()[0];
+    Vec3f high = low;
+    for (const Vec3f& p : frame.positions()) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    EXPECT_NEAR(high.y() - low.y(), 1.868F, 0.01F); // a man, upright
 }
 
 TEST(Fbx, AQuadMeshWithoutSkinOpensTriangulatedInItsOrder)
