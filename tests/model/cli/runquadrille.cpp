@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "tests/model/cli/runquadrille.h"
+
+#include <csignal>
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <thread>
+
+namespace quadrille::test {
+
+namespace {
+
+pid_t start(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+            const TemporaryFolder& outputs)
+{
+    const pid_t child = ::fork();
+    if (child != 0)
+        return child;
+    std::vector<std::string> words{QUADRILLE_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (std::string& word : words)
+        argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const int flags = O_WRONLY | O_CREAT | O_TRUNC;
+    ::dup2(::open((outputs / "out").c_str(), flags, 0600), STDOUT_FILENO);
+    ::dup2(::open((outputs / "err").c_str(), flags, 0600), STDERR_FILENO);
+    std::filesystem::current_path(folder);
+    ::execv(argv.front(), argv.data());
+    ::_exit(127);
+}
+
+std::string outputOf(const std::filesystem::path& file)
+{
+    return std::filesystem::file_size(file) == 0 ? "" : textOf(file);
+}
+
+Run finish(int status, const TemporaryFolder& outputs)
+{
+    Run run;
+    run.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    run.out = outputOf(outputs / "out");
+    run.err = outputOf(outputs / "err");
+    return run;
+}
+
+} // namespace
+
+Run runQuadrille(const std::vector<std::string>& arguments, const std::filesystem::path& folder)
+{
+    const TemporaryFolder outputs;
+    const pid_t child = start(arguments, folder, outputs);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return finish(status, outputs);
+}
+
+Run interruptQuadrille(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                       const std::function<bool()>& isTime)
+{
+    const TemporaryFolder outputs;
+    const pid_t child = start(arguments, folder, outputs);
+    int status = 0;
+    while (::waitpid(child, &status, WNOHANG) == 0) {
+        if (isTime()) {
+            ::kill(child, SIGINT);
+            ::waitpid(child, &status, 0);
+            break;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return finish(status, outputs);
+}
+
+} // namespace quadrille::test

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "tests/model/project/testproject.h"
+
+#include <functional>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+namespace quadrille::test {
+
+struct Run
+{
+    int status = -1; ///< exit status; −1 when a signal ended it
+    std::string out;
+    std::string err;
+};
+
+/// Runs the built `quadrille` in a folder and waits for it.
+Run runQuadrille(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
+
+/// Starts it, sends SIGINT once `isTime` says so, and waits for it.
+Run interruptQuadrille(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                       const std::function<bool()>& isTime);
+
+} // namespace quadrille::test

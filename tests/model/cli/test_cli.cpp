@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/jsontext.h"
+#include "tests/model/cli/runquadrille.h"
+
+#include <fstream>
+#include <gmock/gmock.h>
+
+using namespace quadrille;
+using namespace quadrille::test;
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+namespace {
+
+/// A square of two triangles that rises by a tenth in each of six frames.
+void writeObjSeries(const TemporaryFolder& folder)
+{
+    for (int f = 0; f < 6; ++f) {
+        const std::string y = "0." + std::to_string(f);
+        std::string text;
+        for (const char* corner : {"0 Y 0", "1 Y 0", "1 Y 1", "0 Y 1"}) {
+            text += "v ";
+            for (const char* c = corner; *c != 0; ++c)
+                text += *c == 'Y' ? y : std::string(1, *c);
+            text += '\n';
+        }
+        text += "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 3/3 2/2\nf 1/1 4/4 3/3\n";
+        folder.write("frames/up_" + std::to_string(f + 8) + ".obj", text);
+    }
+}
+
+class Cli : public ::testing::Test
+{
+protected:
+    Run run(const std::vector<std::string>& arguments) const
+    {
+        return runQuadrille(arguments, folder.path());
+    }
+    Json info(const std::vector<std::string>& paths) const
+    {
+        std::vector<std::string> arguments{"info", "--json"};
+        arguments.insert(arguments.end(), paths.begin(), paths.end());
+        const Run result = run(arguments);
+        EXPECT_EQ(result.status, 0) << result.err;
+        return Json::parse(result.out);
+    }
+    void importSeries() const
+    {
+        writeObjSeries(folder);
+        const Run imported = run({"import", "p.quadrille", "frames", "--name", "rise", "--fps", "10"});
+        ASSERT_EQ(imported.status, 0) << imported.err;
+    }
+    /// Adds exports to p.quadrille.
+    void addExport(const std::string& name, const std::string& path) const
+    {
+        Project project = loadProject(folder / "p.quadrille");
+        ExportEntry entry;
+        entry.name = name;
+        entry.what = "sequences/rise";
+        entry.path = path;
+        project.exports.push_back(entry);
+        saveProject(project, folder / "p.quadrille");
+    }
+
+    TemporaryFolder folder;
+};
+
+} // namespace
+
+TEST_F(Cli, SaysItsVersionAndHelps)
+{
+    EXPECT_THAT(run({"--version"}).out, StartsWith("quadrille "));
+    for (const char* command : {"info", "convert", "sample", "import", "check", "rebuild", "data"}) {
+        const Run help = run({command, "--help"});
+        EXPECT_EQ(help.status, 0) << command;
+        EXPECT_THAT(help.out, HasSubstr("Example")) << command;
+        EXPECT_THAT(help.out, HasSubstr(std::string("quadrille ") + command)) << command;
+    }
+}
+
+TEST_F(Cli, WrongUseEndsWithTwo)
+{
+    writeObjSeries(folder);
+    const std::vector<std::vector<std::string>> wrong{
+        {},
+        {"unknown"},
+        {"info"},
+        {"convert", "frames"},
+        {"convert", "frames", "out.pc2", "--range", "4:2"},
+        {"convert", "frames", "out.pc2", "--range", "all"},
+        {"convert", "frames", "out.pc2", "--fps", "-3"},
+        {"convert", "frames", "out.pc2", "--unit", "parsec"},
+        {"rebuild", "p.quadrille", "--jobs", "0"},
+        {"rebuild", "--sideways", "p.quadrille"},
+        {"data", "p.quadrille", "frames"},
+    };
+    for (const auto& arguments : wrong) {
+        const Run result = run(arguments);
+        EXPECT_EQ(result.status, 2) << ::testing::PrintToString(arguments);
+        EXPECT_THAT(result.err, StartsWith("error: ")) << ::testing::PrintToString(arguments);
+    }
+}
+
+TEST_F(Cli, FailuresEndWithOneAndNameTheFile)
+{
+    const Run missing = run({"info", "nowhere.obj"});
+    EXPECT_EQ(missing.status, 1);
+    EXPECT_THAT(missing.err, HasSubstr("error: nowhere.obj: "));
+    folder.write("bad.quadrille", "{\n  \"format\": \"quadrille-project\",\n  \"version\": 1,\n  oops\n}");
+    const Run bad = run({"check", "bad.quadrille"});
+    EXPECT_EQ(bad.status, 1);
+    EXPECT_THAT(bad.err, HasSubstr("error: bad.quadrille: "));
+    EXPECT_THAT(bad.err, HasSubstr("(line 4, column 3)"));
+    EXPECT_EQ(run({"rebuild", "nowhere.quadrille"}).status, 1);
+    EXPECT_EQ(run({"convert", "nowhere.obj", "x.pc2"}).status, 1);
+}
+
+TEST_F(Cli, InfoHasItsDocumentedKeys)
+{
+    writeObjSeries(folder);
+    const Json list = info({"frames"});
+    ASSERT_EQ(list.size(), 1U);
+    const Json& rise = list[0];
+    EXPECT_EQ(rise["vertices"], 4);
+    EXPECT_EQ(rise["triangles"], 2);
+    EXPECT_EQ(rise["frames"], 6);
+    EXPECT_EQ(rise["fps"], 25);
+    EXPECT_EQ(rise["fps_assumed"], true);
+    EXPECT_DOUBLE_EQ(rise["duration"].get<double>(), 6.0 / 25);
+    EXPECT_EQ(rise["components"], 1);
+    EXPECT_EQ(rise["boundary_edges"], 4);
+    EXPECT_EQ(rise["boundary_loops"], 1);
+    EXPECT_EQ(rise["uvs"], true);
+    EXPECT_EQ(rise["bounds"], Json::parse("{\"min\": [0.0, 0.0, 0.0], \"max\": [1.0, 0.5, 1.0]}"));
+    EXPECT_EQ(rise["textures"]["kind"], "none");
+    EXPECT_EQ(rise["problems"], Json::array());
+    const std::string help = run({"info", "--help"}).out;
+    for (const auto& [key, value] : rise.items())
+        EXPECT_THAT(help, HasSubstr(key));
+}
+
+TEST_F(Cli, ConvertCutsResamplesAndChangesAxes)
+{
+    writeObjSeries(folder);
+    ASSERT_EQ(run({"convert", "frames", "cut.pc2", "--range", "1:3"}).status, 0);
+    const std::string mesh = "frames/up_8.obj";
+    const auto bounds = [&](const std::string& file) {
+        const Run result = run({"info", file, "--mesh", mesh, "--json"});
+        return Json::parse(result.out)[0];
+    };
+    EXPECT_EQ(bounds("cut.pc2")["frames"], 3);
+    EXPECT_NEAR(bounds("cut.pc2")["bounds"]["min"][1].get<double>(), 0.1, 1e-6);
+    ASSERT_EQ(run({"convert", "frames", "slow.pc2", "--source-fps", "10", "--fps", "20"}).status, 0);
+    EXPECT_EQ(bounds("slow.pc2")["frames"], 11);
+    ASSERT_EQ(run({"convert", "frames", "z.pc2", "--up-axis", "z", "--unit", "cm"}).status, 0);
+    EXPECT_NEAR(bounds("z.pc2")["bounds"]["max"][2].get<double>(), 50, 1e-4);
+    const Run outside = run({"convert", "frames", "no.pc2", "--range", "3:9"});
+    EXPECT_EQ(outside.status, 1);
+    EXPECT_FALSE(fs::exists(folder / "no.pc2"));
+}
+
+TEST_F(Cli, ImportCheckRebuildAndRebuildAgain)
+{
+    importSeries();
+    addExport("cache", "out/rise.pc2");
+    EXPECT_EQ(loadProject(folder / "p.quadrille").settings.fps, 10);
+    const Run check = run({"check", "p.quadrille"});
+    EXPECT_EQ(check.status, 0) << check.err;
+    EXPECT_FALSE(fs::exists(folder / "p.quadrille.cache")) << "check computes nothing";
+
+    const Run dry = run({"rebuild", "p.quadrille", "--dry-run"});
+    EXPECT_EQ(dry.status, 0);
+    EXPECT_THAT(dry.out, HasSubstr("would compute  exports/cache"));
+    EXPECT_FALSE(fs::exists(folder / "out/rise.pc2"));
+
+    const Run first = run({"rebuild", "p.quadrille", "--json", "report.json"});
+    EXPECT_EQ(first.status, 0) << first.err;
+    EXPECT_TRUE(fs::exists(folder / "out/rise.pc2"));
+    EXPECT_THAT(first.out, HasSubstr("out/rise.pc2"));
+    const Json report = Json::parse(textOf(folder / "report.json"));
+    EXPECT_EQ(report["failed"], 0);
+    EXPECT_EQ(report["fresh"], 0);
+
+    const Run second = run({"rebuild", "p.quadrille", "--json", "report.json"});
+    EXPECT_EQ(Json::parse(textOf(folder / "report.json"))["computed"], 0) << second.out;
+
+    ASSERT_EQ(run({"rebuild", "p.quadrille", "exports/cache", "--force", "--json", "report.json"}).status, 0);
+    EXPECT_EQ(Json::parse(textOf(folder / "report.json"))["computed"], 1);
+    const Run unknown = run({"rebuild", "p.quadrille", "exports/none"});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_THAT(unknown.err, HasSubstr("exports/cache"));
+}
+
+TEST_F(Cli, ADamagedResultIsMendedWithAWarning)
+{
+    importSeries();
+    ASSERT_EQ(run({"rebuild", "p.quadrille"}).status, 0);
+    const std::string result = "p.quadrille.cache/sequences/rise/statistics.h5";
+    const std::string before = textOf(folder / result);
+    folder.write(result, before.substr(0, 600));
+    EXPECT_THAT(run({"check", "p.quadrille"}).err, HasSubstr("statistics.h5: A stored result is damaged"));
+    const Run mended = run({"rebuild", "p.quadrille"});
+    EXPECT_EQ(mended.status, 0);
+    EXPECT_THAT(mended.err, HasSubstr("warning: "));
+    EXPECT_EQ(textOf(folder / result), before);
+}
+
+TEST_F(Cli, DataListsAndWrites)
+{
+    importSeries();
+    EXPECT_THAT(run({"data", "p.quadrille"}).err, HasSubstr("nothing is computed yet"));
+    ASSERT_EQ(run({"rebuild", "p.quadrille"}).status, 0);
+    const Run list = run({"data", "p.quadrille"});
+    EXPECT_THAT(list.out, HasSubstr("frames\t6 × 3"));
+    EXPECT_THAT(list.out, HasSubstr("sequences/rise/bounds\t6 × 6\tm\t"));
+    ASSERT_EQ(run({"data", "p.quadrille", "frames", "-o", "frames.csv"}).status, 0);
+    EXPECT_THAT(textOf(folder / "frames.csv"),
+                StartsWith("index,sequence,frame (frame)\n0,rise,0\n1,rise,1\n"));
+    ASSERT_EQ(run({"data", "p.quadrille", "sequences/rise/centroid", "-o", "c.npy"}).status, 0);
+    EXPECT_TRUE(fs::exists(folder / "c.npy"));
+    const Run unknown = run({"data", "p.quadrille", "framse", "-o", "x.csv"});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_THAT(unknown.err, HasSubstr("It has: "));
+    EXPECT_EQ(run({"data", "p.quadrille", "frames", "-o", "x.doc"}).status, 1);
+}
+
+TEST_F(Cli, QuietSaysNothingAndVerboseMore)
+{
+    importSeries();
+    const Run quiet = run({"rebuild", "p.quadrille", "--quiet"});
+    EXPECT_EQ(quiet.out + quiet.err, "");
+    const Run normal = run({"rebuild", "p.quadrille"});
+    const Run verbose = run({"--verbose", "rebuild", "p.quadrille"});
+    EXPECT_THAT(verbose.out, HasSubstr("up to date  sequences/rise/statistics"));
+    EXPECT_LT(normal.out.size(), verbose.out.size());
+    EXPECT_THAT(normal.out + normal.err, ::testing::Not(HasSubstr("\r"))) << "no bar without a terminal";
+}
+
+TEST_F(Cli, AnInterruptedRebuildLeavesNothingHalfWritten)
+{
+    importSeries();
+    Project project = loadProject(folder / "p.quadrille");
+    project.sequences[0].sourceFps = 0.01; // resampled to thousands of frames
+    saveProject(project, folder / "p.quadrille");
+    addExport("pictures", "pictures/rise.png");
+    const Run result = interruptQuadrille({"rebuild", "p.quadrille", "exports"}, folder.path(), [this] {
+        std::error_code error;
+        return fs::exists(folder / "pictures", error);
+    });
+    EXPECT_EQ(result.status, 1) << result.out;
+    EXPECT_THAT(result.err, HasSubstr("error: Cancelled."));
+    EXPECT_FALSE(fs::exists(folder / "p.quadrille.cache/exports/pictures.h5"));
+    std::error_code error;
+    EXPECT_TRUE(!fs::exists(folder / "pictures", error) || fs::is_empty(folder / "pictures"));
+}
+
+TEST_F(Cli, TheSampleRebuildsWithItsExportsAndASheet)
+{
+    const Run sample = run({"sample", "demo"});
+    ASSERT_EQ(sample.status, 0) << sample.err;
+    EXPECT_THAT(sample.out, HasSubstr("demo/sample.quadrille"));
+    EXPECT_EQ(run({"check", "demo/sample.quadrille"}).status, 0);
+    const Run rebuilt = run({"rebuild", "demo/sample.quadrille", "--json", "report.json"});
+    ASSERT_EQ(rebuilt.status, 0) << rebuilt.err;
+    EXPECT_EQ(Json::parse(textOf(folder / "report.json"))["failed"], 0);
+    EXPECT_THAT(rebuilt.out, HasSubstr("contact-sheet.png"));
+}

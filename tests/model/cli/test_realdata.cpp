@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/jsontext.h"
+#include "tests/model/cli/runquadrille.h"
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+using namespace quadrille;
+using namespace quadrille::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path dataFolder = QUADRILLE_DATA_DIR;
+
+/// A row of the data's README.
+struct Character
+{
+    const char* name;
+    int vertices;
+    int triangles;
+    int frames;
+    int takes;
+    int components;
+    int boundaryEdges;
+    int boundaryLoops;
+    int euler;
+};
+
+const Character characters[] = {
+    {"liam", 10000, 20000, 125, 3, 1, 0, 0, 0}, {"rb_m04", 3874, 7744, 1150, 21, 1, 0, 0, 2},
+    {"rb_f01", 3908, 7812, 163, 4, 1, 0, 0, 2}, {"mh_male", 1541, 3052, 246, 6, 1, 32, 3, -1},
+    {"fox", 833, 1654, 325, 8, 3, 0, 0, 6},
+};
+
+std::vector<std::string> takesOf(const std::string& character)
+{
+    std::vector<std::string> takes;
+    for (const auto& entry : fs::directory_iterator(dataFolder / "characters" / character)) {
+        if (entry.path().extension() == ".pc2")
+            takes.push_back(entry.path().string());
+    }
+    std::sort(takes.begin(), takes.end());
+    return takes;
+}
+
+class RealData : public ::testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        if (!fs::exists(dataFolder / "characters"))
+            GTEST_SKIP() << "no data in " << dataFolder;
+    }
+    TemporaryFolder folder;
+};
+
+} // namespace
+
+TEST_F(RealData, InfoAgreesWithTheReadme)
+{
+    for (const Character& character : characters) {
+        std::vector<std::string> arguments{"info", "--json", "--mesh",
+                                           dataFolder / "characters" / character.name / "mesh.obj"};
+        const auto takes = takesOf(character.name);
+        arguments.insert(arguments.end(), takes.begin(), takes.end());
+        const Run run = runQuadrille(arguments, folder.path());
+        ASSERT_EQ(run.status, 0) << run.err;
+        int frames = 0;
+        const Json list = Json::parse(run.out);
+        EXPECT_EQ(list.size(), static_cast<std::size_t>(character.takes)) << character.name;
+        for (const Json& take : list) {
+            frames += take["frames"].get<int>();
+            EXPECT_EQ(take["vertices"], character.vertices) << character.name;
+            EXPECT_EQ(take["triangles"], character.triangles) << character.name;
+            EXPECT_EQ(take["components"], character.components) << character.name;
+            EXPECT_EQ(take["boundary_edges"], character.boundaryEdges) << character.name;
+            EXPECT_EQ(take["boundary_loops"], character.boundaryLoops) << character.name;
+            EXPECT_EQ(take["euler"], character.euler) << character.name;
+            EXPECT_EQ(take["non_manifold_edges"], 0) << character.name;
+            EXPECT_EQ(take["uvs"], true) << character.name;
+        }
+        EXPECT_EQ(frames, character.frames) << character.name;
+    }
+}
+
+TEST_F(RealData, AllTakesOfOneCharacterAreImported)
+{
+    std::vector<std::string> arguments{"import", "man.quadrille"};
+    const auto takes = takesOf("rb_m04");
+    arguments.insert(arguments.end(), takes.begin(), takes.end());
+    for (const std::string& more :
+         {std::string("--mesh"), std::string(dataFolder / "characters/rb_m04/mesh.obj"), std::string("--fps"),
+          std::string("30")})
+        arguments.push_back(more);
+    const Run imported = runQuadrille(arguments, folder.path());
+    ASSERT_EQ(imported.status, 0) << imported.err;
+    const Project project = loadProject(folder / "man.quadrille");
+    EXPECT_EQ(project.sequences.size(), 21U);
+    EXPECT_EQ(project.settings.fps, 30);
+    EXPECT_EQ(project.characters.size(), 1U);
+    EXPECT_EQ(runQuadrille({"check", "man.quadrille"}, folder.path()).status, 0);
+    ASSERT_EQ(runQuadrille({"rebuild", "man.quadrille"}, folder.path()).status, 0);
+    ASSERT_EQ(runQuadrille({"data", "man.quadrille", "frames", "-o", "frames.csv"}, folder.path()).status, 0);
+    const std::string csv = textOf(folder / "frames.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1151);
+}
+
+TEST_F(RealData, EachFrameOfTheCaptureHasItsTexture)
+{
+    const Run run =
+        runQuadrille({"info", "--json", (dataFolder / "characters/liam/talk_a.pc2").string()}, folder.path());
+    ASSERT_EQ(run.status, 0) << run.err;
+    const Json info = Json::parse(run.out)[0];
+    EXPECT_EQ(info["textures"]["kind"], "per_frame");
+    EXPECT_EQ(info["textures"]["count"], 50);
+}

@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/core/contenthash.h"
+#include "model/project/rebuild.h"
+#include "model/project/resultstore.h"
+#include "tests/model/project/testproject.h"
+
+#include <atomic>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <thread>
+
+using namespace quadrille;
+using namespace quadrille::test;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+namespace {
+
+/// A chain a → b → c and a lone d, each counting its runs. `a` and `d` read files.
+class Stages
+{
+public:
+    explicit Stages(const TemporaryFolder& folder) : m_folder(folder)
+    {
+        folder.write("a.txt", "a");
+        folder.write("d.txt", "d");
+    }
+
+    std::vector<ResultStage> make()
+    {
+        return {stage("a", "a.txt", {}), stage("b/one", "", {"a"}), stage("b/two", "", {"b/one"}),
+                stage("d", "d.txt", {})};
+    }
+    std::vector<int> takeRuns()
+    {
+        std::vector<int> runs;
+        for (std::atomic<int>& count : m_runs)
+            runs.push_back(count.exchange(0));
+        return runs;
+    }
+
+    int version = 1;
+    std::string settings;
+    std::string failing;
+
+private:
+    ResultStage stage(const std::string& name, const std::string& file, std::vector<std::string> inputs)
+    {
+        ResultStage stage;
+        stage.name = name;
+        stage.version = version;
+        stage.settings = name == "b/one" ? settings : "";
+        if (!file.empty())
+            stage.files = [path = m_folder / file](const Progress&) { return std::vector{path}; };
+        stage.inputs = std::move(inputs);
+        const std::size_t index = name == "a" ? 0 : name == "b/one" ? 1 : name == "b/two" ? 2 : 3;
+        stage.compute = [this, index, name, from = stage.inputs](const StageContext& context,
+                                                                 const Progress&) {
+            ++m_runs.at(index);
+            if (name == failing)
+                throw Error(ErrorCode::BadArgument, {{}, {}, {{"reason", "It failed"}, {"remedy", ""}}});
+            std::vector<std::string> words{name};
+            for (const std::string& input : from) {
+                const Result result = context.resultOf(input);
+                const auto& earlier = std::get<std::vector<std::string>>(result.arrays.at(0).values);
+                words.insert(words.end(), earlier.begin(), earlier.end());
+            }
+            Result result;
+            result.arrays = {columnOf("words", "", std::move(words))};
+            return result;
+        };
+        return stage;
+    }
+
+    const TemporaryFolder& m_folder;
+    std::array<std::atomic<int>, 4> m_runs{};
+};
+
+class Rebuild : public ::testing::Test
+{
+protected:
+    RebuildReport run(RebuildOptions options = {})
+    {
+        return rebuild(stages.make(), folder / "p.quadrille", options, {}, {});
+    }
+    std::filesystem::path resultOf(const std::string& stage) const
+    {
+        return ResultStore(cacheFolder(folder / "p.quadrille")).fileOf(stage);
+    }
+
+    TemporaryFolder folder;
+    Stages stages{folder};
+};
+
+} // namespace
+
+TEST_F(Rebuild, ComputesEverythingOnceAndNothingTwice)
+{
+    EXPECT_EQ(run().count(StageState::Computed), 4U);
+    EXPECT_THAT(stages.takeRuns(), ElementsAre(1, 1, 1, 1));
+    const Result last = readResultFile(resultOf("b/two"));
+    EXPECT_THAT(std::get<std::vector<std::string>>(last.arrays[0].values),
+                ElementsAre("b/two", "b/one", "a"));
+    EXPECT_EQ(run().count(StageState::Fresh), 4U);
+    EXPECT_THAT(stages.takeRuns(), ElementsAre(0, 0, 0, 0));
+}
+
+TEST_F(Rebuild, ChangedContentReachesWhatUsesIt)
+{
+    run();
+    stages.takeRuns();
+    folder.write("a.txt", "other");
+    run();
+    EXPECT_THAT(stages.takeRuns(), ElementsAre(1, 1, 1, 0));
+}
+
+TEST_F(Rebuild, ATouchedFileOfTheSameContentIsNoChange)
+{
+    run();
+    stages.takeRuns();
+    folder.write("a.txt", "a");
+    run();
+    EXPECT_THAT(stages.takeRuns(), ElementsAre(0, 0, 0, 0));
+}
+
+TEST_F(Rebuild, ChangedSettingsAndVersionsAreStale)
+{
+    run();
+    stages.takeRuns();
+    stages.settings = "alpha 3";
+    run();
+    EXPECT_THAT(stages.takeRuns(), ElementsAre(0, 1, 1, 0));
+    stages.version = 2;
+    run();
+    EXPECT_THAT(stages.takeRuns(), ElementsAre(1, 1, 1, 1));
+}
+
+TEST_F(Rebuild, TargetsBringTheirInputs)
+{
+    RebuildOptions options;
+    options.targets = {"b/one"};
+    run(options);
+    EXPECT_THAT(stages.takeRuns(), ElementsAre(1, 1, 0, 0));
+    options.targets = {"b"};
+    run(options);
+    EXPECT_THAT(stages.takeRuns(), ElementsAre(0, 0, 1, 0));
+    options.targets = {"nothing"};
+    try {
+        run(options);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::ProjectUnknownTarget);
+        EXPECT_THAT(error.what(), HasSubstr("a, b, b/one, b/two, d"));
+    }
+}
+
+TEST_F(Rebuild, ADryRunOnlySaysWhatItWouldDo)
+{
+    RebuildOptions options;
+    options.dryRun = true;
+    const RebuildReport report = run(options);
+    EXPECT_EQ(report.count(StageState::Stale), 4U);
+    EXPECT_EQ(report.stages[0].reason, "there is no result yet");
+    EXPECT_THAT(stages.takeRuns(), ElementsAre(0, 0, 0, 0));
+    EXPECT_FALSE(std::filesystem::exists(cacheFolder(folder / "p.quadrille")));
+}
+
+TEST_F(Rebuild, ForceComputesWhatIsFresh)
+{
+    run();
+    stages.takeRuns();
+    RebuildOptions options;
+    options.force = true;
+    options.targets = {"d"};
+    run(options);
+    EXPECT_THAT(stages.takeRuns(), ElementsAre(0, 0, 0, 1));
+}
+
+TEST_F(Rebuild, ADamagedResultIsComputedAgainWithAWarning)
+{
+    run();
+    stages.takeRuns();
+    const std::string before = textOf(resultOf("b/one"));
+    folder.write("p.quadrille.cache/b/one.h5", before.substr(0, before.size() / 2));
+    const RebuildReport report = run();
+    EXPECT_THAT(stages.takeRuns(), ElementsAre(0, 1, 0, 0));
+    ASSERT_EQ(report.stages[1].issues.size(), 1U);
+    EXPECT_THAT(report.stages[1].issues[0].toString(), HasSubstr("damaged"));
+    EXPECT_EQ(textOf(resultOf("b/one")), before);
+}
+
+TEST_F(Rebuild, AFailureStopsOnlyWhatNeedsIt)
+{
+    stages.failing = "b/one";
+    const RebuildReport report = run();
+    EXPECT_EQ(report.stages[0].state, StageState::Computed);
+    EXPECT_EQ(report.stages[1].state, StageState::Failed);
+    EXPECT_EQ(report.stages[2].state, StageState::Skipped);
+    EXPECT_EQ(report.stages[3].state, StageState::Computed);
+    EXPECT_TRUE(report.hasFailures());
+    EXPECT_THAT(toJson(report)["stages"][1]["error"].get<std::string>(), HasSubstr("It failed"));
+    stages.failing.clear();
+    stages.takeRuns();
+    EXPECT_EQ(run().count(StageState::Computed), 2U);
+    EXPECT_THAT(stages.takeRuns(), ElementsAre(0, 1, 1, 0));
+}
+
+TEST_F(Rebuild, AMissingInputFailsWithItsName)
+{
+    std::filesystem::remove(folder / "a.txt");
+    const RebuildReport report = run();
+    EXPECT_EQ(report.stages[0].state, StageState::Failed);
+    EXPECT_THAT(report.stages[0].error->what(), HasSubstr("a.txt"));
+    EXPECT_EQ(report.stages[2].state, StageState::Skipped);
+    EXPECT_EQ(report.stages[3].state, StageState::Computed);
+}
+
+TEST_F(Rebuild, AChangedOutputFileIsWrittenAgain)
+{
+    int runs = 0;
+    ResultStage stage;
+    stage.name = "exports/e";
+    stage.compute = [&](const StageContext&, const Progress&) {
+        ++runs;
+        folder.write("out.txt", "content");
+        Result result;
+        result.files = {{"out.txt", hashFile(folder / "out.txt")}};
+        return result;
+    };
+    const auto again = [&] { return rebuild(std::vector{stage}, folder / "p.quadrille", {}, {}, {}); };
+    again();
+    EXPECT_EQ(again().count(StageState::Fresh), 1U);
+    folder.write("out.txt", "meddled");
+    EXPECT_THAT(again().stages[0].reason, HasSubstr("out.txt"));
+    std::filesystem::remove(folder / "out.txt");
+    again();
+    EXPECT_EQ(runs, 3);
+    EXPECT_EQ(textOf(folder / "out.txt"), "content");
+}
+
+TEST_F(Rebuild, CancellingLeavesNothingHalfWritten)
+{
+    CancelToken token;
+    ResultStage stage;
+    stage.name = "slow";
+    stage.compute = [&](const StageContext&, const Progress& progress) {
+        token.cancel();
+        progress.report(0.5);
+        return Result{};
+    };
+    try {
+        rebuild(std::vector{stage}, folder / "p.quadrille", {}, Progress(token), {});
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::Cancelled);
+    }
+    EXPECT_FALSE(std::filesystem::exists(resultOf("slow")));
+}
+
+TEST_F(Rebuild, ManyStagesGiveTheSameBytesForAnyNumberOfThreads)
+{
+    std::vector<ResultStage> many;
+    for (int i = 0; i < 40; ++i) {
+        ResultStage stage;
+        stage.name = "many/" + std::to_string(i);
+        if (i >= 10)
+            stage.inputs = {"many/" + std::to_string(i - 10)};
+        stage.compute = [i, inputs = stage.inputs](const StageContext& context, const Progress&) {
+            double sum = i;
+            for (const std::string& input : inputs)
+                sum += std::get<std::vector<double>>(context.resultOf(input).arrays[0].values)[0];
+            Result result;
+            result.arrays = {columnOf("sum", "", std::vector<double>{sum})};
+            return result;
+        };
+        many.push_back(std::move(stage));
+    }
+    RebuildOptions one;
+    one.jobs = 1;
+    EXPECT_EQ(rebuild(many, folder / "one.quadrille", one, {}, {}).count(StageState::Computed), 40U);
+    EXPECT_EQ(rebuild(many, folder / "all.quadrille", {}, {}, {}).count(StageState::Computed), 40U);
+    for (const ResultStage& stage : many) {
+        EXPECT_EQ(textOf(ResultStore(cacheFolder(folder / "one.quadrille")).fileOf(stage.name)),
+                  textOf(ResultStore(cacheFolder(folder / "all.quadrille")).fileOf(stage.name)));
+    }
+}
+
+TEST(FileHashes, RememberSettledFilesOnly)
+{
+    const TemporaryFolder folder;
+    const auto file = folder.write("a", "first");
+    {
+        FileHashes hashes(folder / "memo.json");
+        const std::string first = hashes.of(file);
+        folder.write("a", "other");
+        EXPECT_NE(hashes.of(file), first);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    FileHashes hashes(folder / "memo.json");
+    const std::string known = hashes.of(file);
+    hashes.save();
+    EXPECT_TRUE(std::filesystem::exists(folder / "memo.json"));
+    EXPECT_EQ(FileHashes(folder / "memo.json").of(file), known);
+    folder.write("memo.json", "{ broken");
+    EXPECT_EQ(FileHashes(folder / "memo.json").of(file), known);
+}
