@@ -13,8 +13,8 @@ std::unique_lock<std::recursive_mutex> lockHdf5()
 {
     static std::recursive_mutex mutex;
     std::unique_lock lock(mutex);
-    // Errors are thrown, not printed.
-    static const herr_t silenced = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    // Errors are thrown, not printed; each thread has its own setting.
+    thread_local const herr_t silenced = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     static_cast<void>(silenced);
     return lock;
 }

@@ -123,7 +123,7 @@ private:
     {
         for (const fs::path& candidate : m_candidates) {
             std::error_code error;
-            const fs::path moved = candidate / pattern.filename();
+            fs::path moved = candidate / pattern.filename();
             if (fs::is_directory(candidate, error) && mediaExists(moved))
                 return moved;
         }

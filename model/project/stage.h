@@ -61,5 +61,7 @@ std::vector<ResultStage> makeStages(const StageMaking& making);
 
 std::vector<ResultStage> makeSequenceStages(const StageMaking& making);
 std::vector<ResultStage> makeExportStages(const StageMaking& making);
+/// One picture of the project's sequences, contact-sheet.png among the results.
+std::vector<ResultStage> makeSheetStages(const StageMaking& making);
 
 } // namespace quadrille

@@ -147,11 +147,11 @@ std::vector<ResultStage> selectStages(const std::vector<ResultStage>& stages,
                         {{}, {}, {{"what", target}, {"known", knownTargets(stages)}}});
     }
     std::vector<ResultStage> selected;
-    for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage) {
-        if (!targets.empty() && wanted.count(stage->name) == 0)
+    for (std::size_t i = stages.size(); i-- > 0;) {
+        if (!targets.empty() && wanted.count(stages[i].name) == 0)
             continue;
-        wanted.insert(stage->inputs.begin(), stage->inputs.end());
-        selected.push_back(*stage);
+        wanted.insert(stages[i].inputs.begin(), stages[i].inputs.end());
+        selected.push_back(stages[i]);
     }
     std::reverse(selected.begin(), selected.end());
     return selected;

@@ -32,9 +32,9 @@ std::string meantOr(const std::string& name, const std::vector<std::string>& kno
 template <typename Entry>
 std::vector<std::string> namesOf(const std::vector<Entry>& entries)
 {
-    std::vector<std::string> names;
-    for (const Entry& entry : entries)
-        names.push_back(entry.name);
+    std::vector<std::string> names(entries.size());
+    std::transform(entries.begin(), entries.end(), names.begin(),
+                   [](const Entry& entry) { return entry.name; });
     return names;
 }
 
@@ -146,10 +146,10 @@ private:
                     const std::string& textKey)
     {
         for (std::size_t i = 0; i < spans.size(); ++i) {
-            const std::string place = pointer + std::to_string(i);
+            const std::string place = pointer + std::to_string(i) + "/";
             if ((spans[i].*text).empty())
-                invalid(place + "/" + textKey, quoted(textKey) + " is empty here");
-            checkRange(spans[i].frames, place + "/frames");
+                invalid(place + textKey, quoted(textKey).append(" is empty here"));
+            checkRange(spans[i].frames, place + "frames");
         }
     }
 

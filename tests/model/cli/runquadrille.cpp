@@ -36,9 +36,9 @@ std::string outputOf(const std::filesystem::path& file)
     return std::filesystem::file_size(file) == 0 ? "" : textOf(file);
 }
 
-Run finish(int status, const TemporaryFolder& outputs)
+Outcome finish(int status, const TemporaryFolder& outputs)
 {
-    Run run;
+    Outcome run;
     run.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     run.out = outputOf(outputs / "out");
     run.err = outputOf(outputs / "err");
@@ -47,7 +47,7 @@ Run finish(int status, const TemporaryFolder& outputs)
 
 } // namespace
 
-Run runQuadrille(const std::vector<std::string>& arguments, const std::filesystem::path& folder)
+Outcome runQuadrille(const std::vector<std::string>& arguments, const std::filesystem::path& folder)
 {
     const TemporaryFolder outputs;
     const pid_t child = start(arguments, folder, outputs);
@@ -56,8 +56,8 @@ Run runQuadrille(const std::vector<std::string>& arguments, const std::filesyste
     return finish(status, outputs);
 }
 
-Run interruptQuadrille(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-                       const std::function<bool()>& isTime)
+Outcome interruptQuadrille(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                           const std::function<bool()>& isTime)
 {
     const TemporaryFolder outputs;
     const pid_t child = start(arguments, folder, outputs);

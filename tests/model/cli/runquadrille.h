@@ -11,7 +11,7 @@
 
 namespace quadrille::test {
 
-struct Run
+struct Outcome
 {
     int status = -1; ///< exit status; −1 when a signal ended it
     std::string out;
@@ -19,10 +19,10 @@ struct Run
 };
 
 /// Runs the built `quadrille` in a folder and waits for it.
-Run runQuadrille(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
+Outcome runQuadrille(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
 
 /// Starts it, sends SIGINT once `isTime` says so, and waits for it.
-Run interruptQuadrille(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-                       const std::function<bool()>& isTime);
+Outcome interruptQuadrille(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                           const std::function<bool()>& isTime);
 
 } // namespace quadrille::test

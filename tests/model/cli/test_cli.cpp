@@ -34,7 +34,7 @@ void writeObjSeries(const TemporaryFolder& folder)
 class Cli : public ::testing::Test
 {
 protected:
-    Run run(const std::vector<std::string>& arguments) const
+    Outcome run(const std::vector<std::string>& arguments) const
     {
         return runQuadrille(arguments, folder.path());
     }
@@ -42,14 +42,14 @@ protected:
     {
         std::vector<std::string> arguments{"info", "--json"};
         arguments.insert(arguments.end(), paths.begin(), paths.end());
-        const Run result = run(arguments);
+        const Outcome result = run(arguments);
         EXPECT_EQ(result.status, 0) << result.err;
         return Json::parse(result.out);
     }
     void importSeries() const
     {
         writeObjSeries(folder);
-        const Run imported = run({"import", "p.quadrille", "frames", "--name", "rise", "--fps", "10"});
+        const Outcome imported = run({"import", "p.quadrille", "frames", "--name", "rise", "--fps", "10"});
         ASSERT_EQ(imported.status, 0) << imported.err;
     }
     /// Adds exports to p.quadrille.
@@ -73,7 +73,7 @@ TEST_F(Cli, SaysItsVersionAndHelps)
 {
     EXPECT_THAT(run({"--version"}).out, StartsWith("quadrille "));
     for (const char* command : {"info", "convert", "sample", "import", "check", "rebuild", "data"}) {
-        const Run help = run({command, "--help"});
+        const Outcome help = run({command, "--help"});
         EXPECT_EQ(help.status, 0) << command;
         EXPECT_THAT(help.out, HasSubstr("Example")) << command;
         EXPECT_THAT(help.out, HasSubstr(std::string("quadrille ") + command)) << command;
@@ -97,7 +97,7 @@ TEST_F(Cli, WrongUseEndsWithTwo)
         {"data", "p.quadrille", "frames"},
     };
     for (const auto& arguments : wrong) {
-        const Run result = run(arguments);
+        const Outcome result = run(arguments);
         EXPECT_EQ(result.status, 2) << ::testing::PrintToString(arguments);
         EXPECT_THAT(result.err, StartsWith("error: ")) << ::testing::PrintToString(arguments);
     }
@@ -105,11 +105,11 @@ TEST_F(Cli, WrongUseEndsWithTwo)
 
 TEST_F(Cli, FailuresEndWithOneAndNameTheFile)
 {
-    const Run missing = run({"info", "nowhere.obj"});
+    const Outcome missing = run({"info", "nowhere.obj"});
     EXPECT_EQ(missing.status, 1);
     EXPECT_THAT(missing.err, HasSubstr("error: nowhere.obj: "));
     folder.write("bad.quadrille", "{\n  \"format\": \"quadrille-project\",\n  \"version\": 1,\n  oops\n}");
-    const Run bad = run({"check", "bad.quadrille"});
+    const Outcome bad = run({"check", "bad.quadrille"});
     EXPECT_EQ(bad.status, 1);
     EXPECT_THAT(bad.err, HasSubstr("error: bad.quadrille: "));
     EXPECT_THAT(bad.err, HasSubstr("(line 4, column 3)"));
@@ -147,7 +147,7 @@ TEST_F(Cli, ConvertCutsResamplesAndChangesAxes)
     ASSERT_EQ(run({"convert", "frames", "cut.pc2", "--range", "1:3"}).status, 0);
     const std::string mesh = "frames/up_8.obj";
     const auto bounds = [&](const std::string& file) {
-        const Run result = run({"info", file, "--mesh", mesh, "--json"});
+        const Outcome result = run({"info", file, "--mesh", mesh, "--json"});
         return Json::parse(result.out)[0];
     };
     EXPECT_EQ(bounds("cut.pc2")["frames"], 3);
@@ -156,7 +156,7 @@ TEST_F(Cli, ConvertCutsResamplesAndChangesAxes)
     EXPECT_EQ(bounds("slow.pc2")["frames"], 11);
     ASSERT_EQ(run({"convert", "frames", "z.pc2", "--up-axis", "z", "--unit", "cm"}).status, 0);
     EXPECT_NEAR(bounds("z.pc2")["bounds"]["max"][2].get<double>(), 50, 1e-4);
-    const Run outside = run({"convert", "frames", "no.pc2", "--range", "3:9"});
+    const Outcome outside = run({"convert", "frames", "no.pc2", "--range", "3:9"});
     EXPECT_EQ(outside.status, 1);
     EXPECT_FALSE(fs::exists(folder / "no.pc2"));
 }
@@ -166,16 +166,16 @@ TEST_F(Cli, ImportCheckRebuildAndRebuildAgain)
     importSeries();
     addExport("cache", "out/rise.pc2");
     EXPECT_EQ(loadProject(folder / "p.quadrille").settings.fps, 10);
-    const Run check = run({"check", "p.quadrille"});
+    const Outcome check = run({"check", "p.quadrille"});
     EXPECT_EQ(check.status, 0) << check.err;
     EXPECT_FALSE(fs::exists(folder / "p.quadrille.cache")) << "check computes nothing";
 
-    const Run dry = run({"rebuild", "p.quadrille", "--dry-run"});
+    const Outcome dry = run({"rebuild", "p.quadrille", "--dry-run"});
     EXPECT_EQ(dry.status, 0);
     EXPECT_THAT(dry.out, HasSubstr("would compute  exports/cache"));
     EXPECT_FALSE(fs::exists(folder / "out/rise.pc2"));
 
-    const Run first = run({"rebuild", "p.quadrille", "--json", "report.json"});
+    const Outcome first = run({"rebuild", "p.quadrille", "--json", "report.json"});
     EXPECT_EQ(first.status, 0) << first.err;
     EXPECT_TRUE(fs::exists(folder / "out/rise.pc2"));
     EXPECT_THAT(first.out, HasSubstr("out/rise.pc2"));
@@ -183,12 +183,12 @@ TEST_F(Cli, ImportCheckRebuildAndRebuildAgain)
     EXPECT_EQ(report["failed"], 0);
     EXPECT_EQ(report["fresh"], 0);
 
-    const Run second = run({"rebuild", "p.quadrille", "--json", "report.json"});
+    const Outcome second = run({"rebuild", "p.quadrille", "--json", "report.json"});
     EXPECT_EQ(Json::parse(textOf(folder / "report.json"))["computed"], 0) << second.out;
 
     ASSERT_EQ(run({"rebuild", "p.quadrille", "exports/cache", "--force", "--json", "report.json"}).status, 0);
     EXPECT_EQ(Json::parse(textOf(folder / "report.json"))["computed"], 1);
-    const Run unknown = run({"rebuild", "p.quadrille", "exports/none"});
+    const Outcome unknown = run({"rebuild", "p.quadrille", "exports/none"});
     EXPECT_EQ(unknown.status, 1);
     EXPECT_THAT(unknown.err, HasSubstr("exports/cache"));
 }
@@ -201,7 +201,7 @@ TEST_F(Cli, ADamagedResultIsMendedWithAWarning)
     const std::string before = textOf(folder / result);
     folder.write(result, before.substr(0, 600));
     EXPECT_THAT(run({"check", "p.quadrille"}).err, HasSubstr("statistics.h5: A stored result is damaged"));
-    const Run mended = run({"rebuild", "p.quadrille"});
+    const Outcome mended = run({"rebuild", "p.quadrille"});
     EXPECT_EQ(mended.status, 0);
     EXPECT_THAT(mended.err, HasSubstr("warning: "));
     EXPECT_EQ(textOf(folder / result), before);
@@ -212,7 +212,7 @@ TEST_F(Cli, DataListsAndWrites)
     importSeries();
     EXPECT_THAT(run({"data", "p.quadrille"}).err, HasSubstr("nothing is computed yet"));
     ASSERT_EQ(run({"rebuild", "p.quadrille"}).status, 0);
-    const Run list = run({"data", "p.quadrille"});
+    const Outcome list = run({"data", "p.quadrille"});
     EXPECT_THAT(list.out, HasSubstr("frames\t6 × 3"));
     EXPECT_THAT(list.out, HasSubstr("sequences/rise/bounds\t6 × 6\tm\t"));
     ASSERT_EQ(run({"data", "p.quadrille", "frames", "-o", "frames.csv"}).status, 0);
@@ -220,7 +220,7 @@ TEST_F(Cli, DataListsAndWrites)
                 StartsWith("index,sequence,frame (frame)\n0,rise,0\n1,rise,1\n"));
     ASSERT_EQ(run({"data", "p.quadrille", "sequences/rise/centroid", "-o", "c.npy"}).status, 0);
     EXPECT_TRUE(fs::exists(folder / "c.npy"));
-    const Run unknown = run({"data", "p.quadrille", "framse", "-o", "x.csv"});
+    const Outcome unknown = run({"data", "p.quadrille", "framse", "-o", "x.csv"});
     EXPECT_EQ(unknown.status, 1);
     EXPECT_THAT(unknown.err, HasSubstr("It has: "));
     EXPECT_EQ(run({"data", "p.quadrille", "frames", "-o", "x.doc"}).status, 1);
@@ -229,10 +229,10 @@ TEST_F(Cli, DataListsAndWrites)
 TEST_F(Cli, QuietSaysNothingAndVerboseMore)
 {
     importSeries();
-    const Run quiet = run({"rebuild", "p.quadrille", "--quiet"});
+    const Outcome quiet = run({"rebuild", "p.quadrille", "--quiet"});
     EXPECT_EQ(quiet.out + quiet.err, "");
-    const Run normal = run({"rebuild", "p.quadrille"});
-    const Run verbose = run({"--verbose", "rebuild", "p.quadrille"});
+    const Outcome normal = run({"rebuild", "p.quadrille"});
+    const Outcome verbose = run({"--verbose", "rebuild", "p.quadrille"});
     EXPECT_THAT(verbose.out, HasSubstr("up to date  sequences/rise/statistics"));
     EXPECT_LT(normal.out.size(), verbose.out.size());
     EXPECT_THAT(normal.out + normal.err, ::testing::Not(HasSubstr("\r"))) << "no bar without a terminal";
@@ -245,7 +245,7 @@ TEST_F(Cli, AnInterruptedRebuildLeavesNothingHalfWritten)
     project.sequences[0].sourceFps = 0.01; // resampled to thousands of frames
     saveProject(project, folder / "p.quadrille");
     addExport("pictures", "pictures/rise.png");
-    const Run result = interruptQuadrille({"rebuild", "p.quadrille", "exports"}, folder.path(), [this] {
+    const Outcome result = interruptQuadrille({"rebuild", "p.quadrille", "exports"}, folder.path(), [this] {
         std::error_code error;
         return fs::exists(folder / "pictures", error);
     });
@@ -258,11 +258,11 @@ TEST_F(Cli, AnInterruptedRebuildLeavesNothingHalfWritten)
 
 TEST_F(Cli, TheSampleRebuildsWithItsExportsAndASheet)
 {
-    const Run sample = run({"sample", "demo"});
+    const Outcome sample = run({"sample", "demo"});
     ASSERT_EQ(sample.status, 0) << sample.err;
     EXPECT_THAT(sample.out, HasSubstr("demo/sample.quadrille"));
     EXPECT_EQ(run({"check", "demo/sample.quadrille"}).status, 0);
-    const Run rebuilt = run({"rebuild", "demo/sample.quadrille", "--json", "report.json"});
+    const Outcome rebuilt = run({"rebuild", "demo/sample.quadrille", "--json", "report.json"});
     ASSERT_EQ(rebuilt.status, 0) << rebuilt.err;
     EXPECT_EQ(Json::parse(textOf(folder / "report.json"))["failed"], 0);
     EXPECT_THAT(rebuilt.out, HasSubstr("contact-sheet.png"));

@@ -65,7 +65,7 @@ TEST_F(RealData, InfoAgreesWithTheReadme)
                                            dataFolder / "characters" / character.name / "mesh.obj"};
         const auto takes = takesOf(character.name);
         arguments.insert(arguments.end(), takes.begin(), takes.end());
-        const Run run = runQuadrille(arguments, folder.path());
+        const Outcome run = runQuadrille(arguments, folder.path());
         ASSERT_EQ(run.status, 0) << run.err;
         int frames = 0;
         const Json list = Json::parse(run.out);
@@ -94,7 +94,7 @@ TEST_F(RealData, AllTakesOfOneCharacterAreImported)
          {std::string("--mesh"), std::string(dataFolder / "characters/rb_m04/mesh.obj"), std::string("--fps"),
           std::string("30")})
         arguments.push_back(more);
-    const Run imported = runQuadrille(arguments, folder.path());
+    const Outcome imported = runQuadrille(arguments, folder.path());
     ASSERT_EQ(imported.status, 0) << imported.err;
     const Project project = loadProject(folder / "man.quadrille");
     EXPECT_EQ(project.sequences.size(), 21U);
@@ -109,7 +109,7 @@ TEST_F(RealData, AllTakesOfOneCharacterAreImported)
 
 TEST_F(RealData, EachFrameOfTheCaptureHasItsTexture)
 {
-    const Run run =
+    const Outcome run =
         runQuadrille({"info", "--json", (dataFolder / "characters/liam/talk_a.pc2").string()}, folder.path());
     ASSERT_EQ(run.status, 0) << run.err;
     const Json info = Json::parse(run.out)[0];
