@@ -7,6 +7,7 @@
 #include "editor/commands/renameentry.h"
 
 #include <QCoreApplication>
+#include <cmath>
 #include <set>
 
 namespace quadrille {
@@ -50,6 +51,23 @@ PlacedEntries<Entry> placed(const std::vector<Entry>& entries, const Predicate& 
             result.emplace_back(i, entries[i]);
     }
     return result;
+}
+
+/// Moves spans and cuts them to 0 … last; those outside go.
+template <typename Span>
+void shiftSpans(std::vector<Span>& spans, std::int64_t shift, std::optional<std::int64_t> last)
+{
+    std::vector<Span> kept;
+    for (Span& span : spans) {
+        const std::int64_t first = std::max<std::int64_t>(0, span.frames.first.value + shift);
+        std::int64_t end = span.frames.last.value + shift;
+        if (last)
+            end = std::min(end, *last);
+        span.frames = {FrameIndex(first), FrameIndex(end)};
+        if (span.frames.count() > 0)
+            kept.push_back(std::move(span));
+    }
+    spans = std::move(kept);
 }
 
 QString removalText(Section section, const QStringList& names)
@@ -164,11 +182,21 @@ bool renameEntry(ProjectDocument& document, const EntryRef& entry, const QString
 }
 
 void setSequenceRange(ProjectDocument& document, const QString& name, std::optional<FrameRange> range,
-                      EditPhase phase)
+                      EditPhase phase, const SequenceEntry* base)
 {
-    editEntry<SequenceEntry>(
-        document, Texts::tr("Trim “%1”").arg(name), name, QStringLiteral("range"),
-        [&](SequenceEntry& entry) { entry.range = range; }, phase);
+    const double fps = document.project().settings.fps;
+    SequenceEntry after = base != nullptr ? *base : entryOf<SequenceEntry>(document.project(), name);
+    const double rate = fps / after.sourceFps.value_or(fps);
+    const auto firstOf = [](const std::optional<FrameRange>& r) { return r ? r->first.value : 0; };
+    const auto shift = std::llround(static_cast<double>(firstOf(after.range) - firstOf(range)) * rate);
+    std::optional<std::int64_t> last;
+    if (range)
+        last = std::llround(static_cast<double>(range->count() - 1) * rate);
+    shiftSpans(after.labels, shift, last);
+    shiftSpans(after.contacts, shift, last);
+    after.range = range;
+    document.push(std::make_unique<ChangeEntry<SequenceEntry>>(
+        document, Texts::tr("Trim “%1”").arg(name), name, QStringLiteral("range"), std::move(after), phase));
 }
 
 void setSequenceFps(ProjectDocument& document, const QString& name, std::optional<double> fps,

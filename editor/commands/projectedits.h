@@ -26,9 +26,12 @@ QString duplicateSequence(ProjectDocument& document, const QString& name);
 /// False when another entry of the section has the name, or it is empty.
 bool renameEntry(ProjectDocument& document, const EntryRef& entry, const QString& after);
 
+/// Trims; labels and contacts stay on the frames of the source where they are, and are cut at the ends.
 /// \param range in source frames; empty for all.
+/// \param base the entry when the drag began, so that spans come back when it is dragged back; null: as it
+/// is.
 void setSequenceRange(ProjectDocument& document, const QString& name, std::optional<FrameRange> range,
-                      EditPhase phase = EditPhase::Final);
+                      EditPhase phase = EditPhase::Final, const SequenceEntry* base = nullptr);
 void setSequenceFps(ProjectDocument& document, const QString& name, std::optional<double> fps,
                     EditPhase phase = EditPhase::Final);
 void setSequenceAxes(ProjectDocument& document, const QString& name, std::optional<CoordinateSystem> axes,

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/documents/projectdocument.h"
+
+#include <QObject>
+#include <QStringList>
+#include <filesystem>
+#include <vector>
+
+class QWidget;
+
+namespace quadrille {
+
+class IssueLog;
+class JobRunner;
+class Settings;
+
+/// What the File menu does: new, open, save, the sample, and sequences that are brought in. Reading and
+/// writing of media run as jobs; what fails is told and leaves the open project as it was.
+class ProjectFiles : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// \param window what dialogs belong to.
+    ProjectFiles(ProjectDocument& document, JobRunner& jobs, IssueLog& issues, Settings& settings,
+                 QWidget* window);
+
+    /// Asks whether unsaved edits shall be saved. \return false when the user rather goes on as it is.
+    bool mayClose();
+    /// Opens a project file without asking anything. \return whether it is open now.
+    bool load(const QString& file);
+    /// Opens projects, and adds everything else as sequences.
+    void open(const QStringList& files);
+    /// Opens the built-in sample; makes it first where it is not there yet.
+    void openSample();
+
+public slots:
+    void newProject();
+    void askOpen();
+    void askImport();
+    bool save();
+    bool saveAs();
+
+signals:
+    /// Sequences came in.
+    void sequencesAdded(const QStringList& names);
+    /// Something failed, in the user's words.
+    void failed(const QString& message);
+
+private:
+    void addSequences(const std::vector<std::filesystem::path>& sources);
+    bool run(const std::function<void()>& action);
+    void report(const Error& error);
+
+    ProjectDocument& m_document;
+    JobRunner& m_jobs;
+    IssueLog& m_issues;
+    Settings& m_settings;
+    QWidget* m_window;
+};
+
+} // namespace quadrille

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/application/session.h"
+
+#include "editor/documents/projectpaths.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QSaveFile>
+#include <QStandardPaths>
+
+namespace quadrille {
+
+namespace {
+
+/// A file name that stands for a project file.
+QString keyOf(const QString& project)
+{
+    const QByteArray hash = QCryptographicHash::hash(project.toUtf8(), QCryptographicHash::Sha1);
+    return QString::fromLatin1(hash.toHex().left(20));
+}
+
+QString dataFile(const QString& folder, const QString& project, const QString& ending)
+{
+    const QDir base(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
+    base.mkpath(folder);
+    return base.filePath(QStringLiteral("%1/%2.%3").arg(folder, keyOf(project), ending));
+}
+
+QByteArray bytes(const QJsonValue& value)
+{
+    return QByteArray::fromBase64(value.toString().toLatin1());
+}
+
+QString text(const QByteArray& bytes)
+{
+    return QString::fromLatin1(bytes.toBase64());
+}
+
+} // namespace
+
+Session loadSession(const std::filesystem::path& project)
+{
+    QFile file(dataFile(QStringLiteral("sessions"), toQString(project), QStringLiteral("json")));
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    const QJsonObject stored = QJsonDocument::fromJson(file.readAll()).object();
+    Session session;
+    session.windowGeometry = bytes(stored["windowGeometry"]);
+    session.windowState = bytes(stored["windowState"]);
+    session.workspace = stored["workspace"].toString();
+    for (const QJsonValue& name : stored["selected"].toArray())
+        session.selected += name.toString();
+    session.shownSequence = stored["shownSequence"].toString();
+    session.frame = stored["frame"].toInteger();
+    session.view = stored["view"].toObject();
+    return session;
+}
+
+void saveSession(const Session& session, const std::filesystem::path& project)
+{
+    QSaveFile file(dataFile(QStringLiteral("sessions"), toQString(project), QStringLiteral("json")));
+    if (!file.open(QIODevice::WriteOnly))
+        return;
+    const QJsonObject stored{
+        {"windowGeometry", text(session.windowGeometry)},
+        {"windowState", text(session.windowState)},
+        {"workspace", session.workspace},
+        {"selected", QJsonArray::fromStringList(session.selected)},
+        {"shownSequence", session.shownSequence},
+        {"frame", session.frame},
+        {"view", session.view},
+    };
+    file.write(QJsonDocument(stored).toJson());
+    file.commit();
+}
+
+QString thumbnailFile(const QString& project)
+{
+    return dataFile(QStringLiteral("thumbnails"), project, QStringLiteral("png"));
+}
+
+} // namespace quadrille

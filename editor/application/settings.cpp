@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/application/settings.h"
+
+#include <QFileInfo>
+
+namespace quadrille {
+
+namespace {
+
+using widgets::Theme;
+
+constexpr auto themeKey = "theme";
+constexpr auto languageKey = "language";
+constexpr auto autosaveKey = "autosaveSeconds";
+constexpr auto historyKey = "historyMegabytes";
+constexpr auto loopKey = "loopPlayback";
+constexpr auto recentKey = "recentProjects";
+constexpr auto geometryKey = "window/geometry";
+constexpr auto stateKey = "window/state";
+
+QString shortcutKey(const QString& action)
+{
+    return QStringLiteral("shortcuts/") + action;
+}
+
+} // namespace
+
+Settings::Settings(QObject* parent) : QObject(parent) {}
+
+void Settings::set(const QString& key, const QVariant& value)
+{
+    if (m_store.value(key) == value)
+        return;
+    m_store.setValue(key, value);
+    emit changed();
+}
+
+Theme::Mode Settings::theme() const
+{
+    const QString name = m_store.value(themeKey).toString();
+    if (name == QLatin1String("light"))
+        return Theme::Mode::Light;
+    if (name == QLatin1String("dark"))
+        return Theme::Mode::Dark;
+    return Theme::Mode::System;
+}
+
+void Settings::setTheme(Theme::Mode mode)
+{
+    switch (mode) {
+    case Theme::Mode::System:
+        return set(themeKey, QStringLiteral("system"));
+    case Theme::Mode::Light:
+        return set(themeKey, QStringLiteral("light"));
+    case Theme::Mode::Dark:
+        return set(themeKey, QStringLiteral("dark"));
+    }
+}
+
+QString Settings::language() const
+{
+    return m_store.value(languageKey).toString();
+}
+
+void Settings::setLanguage(const QString& code)
+{
+    set(languageKey, code);
+}
+
+int Settings::autosaveSeconds() const
+{
+    return m_store.value(autosaveKey, defaultAutosaveSeconds).toInt();
+}
+
+void Settings::setAutosaveSeconds(int seconds)
+{
+    set(autosaveKey, seconds);
+}
+
+int Settings::historyMegabytes() const
+{
+    return m_store.value(historyKey, 64).toInt();
+}
+
+void Settings::setHistoryMegabytes(int megabytes)
+{
+    set(historyKey, megabytes);
+}
+
+bool Settings::loopsPlayback() const
+{
+    return m_store.value(loopKey, true).toBool();
+}
+
+void Settings::setLoopsPlayback(bool loops)
+{
+    set(loopKey, loops);
+}
+
+QStringList Settings::recentProjects() const
+{
+    return m_store.value(recentKey).toStringList();
+}
+
+void Settings::addRecentProject(const QString& file)
+{
+    QStringList recent = recentProjects();
+    recent.removeAll(file);
+    recent.prepend(file);
+    while (recent.size() > maximalRecent)
+        recent.removeLast();
+    m_store.setValue(recentKey, recent);
+    emit recentProjectsChanged();
+}
+
+void Settings::removeRecentProject(const QString& file)
+{
+    QStringList recent = recentProjects();
+    recent.removeAll(file);
+    m_store.setValue(recentKey, recent);
+    emit recentProjectsChanged();
+}
+
+QList<QKeySequence> Settings::shortcuts(const QString& action, const QList<QKeySequence>& own) const
+{
+    const QVariant stored = m_store.value(shortcutKey(action));
+    if (!stored.isValid())
+        return own;
+    return QKeySequence::listFromString(stored.toString(), QKeySequence::PortableText);
+}
+
+void Settings::setShortcuts(const QString& action, const QList<QKeySequence>& shortcuts,
+                            const QList<QKeySequence>& own)
+{
+    if (shortcuts == own)
+        m_store.remove(shortcutKey(action));
+    else
+        m_store.setValue(shortcutKey(action),
+                         QKeySequence::listToString(shortcuts, QKeySequence::PortableText));
+}
+
+QByteArray Settings::windowGeometry() const
+{
+    return m_store.value(geometryKey).toByteArray();
+}
+
+QByteArray Settings::windowState() const
+{
+    return m_store.value(stateKey).toByteArray();
+}
+
+void Settings::setWindow(const QByteArray& geometry, const QByteArray& state)
+{
+    m_store.setValue(geometryKey, geometry);
+    m_store.setValue(stateKey, state);
+}
+
+} // namespace quadrille

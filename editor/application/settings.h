@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "widgets/theme/theme.h"
+
+#include <QByteArray>
+#include <QKeySequence>
+#include <QObject>
+#include <QSettings>
+#include <QStringList>
+
+namespace quadrille {
+
+/// What the user prefers, on this computer, in every project. Kept in the usual place of the desktop.
+class Settings : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr int defaultAutosaveSeconds = 30;
+    static constexpr int maximalRecent = 12;
+
+    explicit Settings(QObject* parent = nullptr);
+
+    widgets::Theme::Mode theme() const;
+    void setTheme(widgets::Theme::Mode mode);
+    /// Code such as "fr"; empty follows the system.
+    QString language() const;
+    void setLanguage(const QString& code);
+    /// Seconds between two autosaves; 0 switches them off.
+    int autosaveSeconds() const;
+    void setAutosaveSeconds(int seconds);
+    /// Megabytes that the undo history may take.
+    int historyMegabytes() const;
+    void setHistoryMegabytes(int megabytes);
+    bool loopsPlayback() const;
+    void setLoopsPlayback(bool loops);
+
+    /// Project files, last used first.
+    QStringList recentProjects() const;
+    void addRecentProject(const QString& file);
+    void removeRecentProject(const QString& file);
+
+    /// The user's shortcuts of an action; its own when the user has not changed them.
+    QList<QKeySequence> shortcuts(const QString& action, const QList<QKeySequence>& own) const;
+    /// \param own the action's own shortcuts: equal ones are not stored.
+    void setShortcuts(const QString& action, const QList<QKeySequence>& shortcuts,
+                      const QList<QKeySequence>& own);
+
+    /// Size, place and docks of the window of a project without a session of its own.
+    QByteArray windowGeometry() const;
+    QByteArray windowState() const;
+    void setWindow(const QByteArray& geometry, const QByteArray& state);
+
+signals:
+    /// One of the values above the shortcuts is another now.
+    void changed();
+    void recentProjectsChanged();
+
+private:
+    void set(const QString& key, const QVariant& value);
+
+    QSettings m_store;
+};
+
+} // namespace quadrille

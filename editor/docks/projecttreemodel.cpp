@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/docks/projecttreemodel.h"
+
+#include "editor/commands/projectedits.h"
+#include "widgets/theme/icons.h"
+
+#include <array>
+
+namespace quadrille {
+
+namespace {
+
+constexpr std::array sections{Section::Characters, Section::Sequences, Section::Exports};
+/// Marks the index of a section; entries carry their section's row.
+constexpr quintptr sectionId = ~quintptr{0};
+
+int rowOf(Section section)
+{
+    const auto found = std::ranges::find(sections, section);
+    return found == sections.end() ? -1 : static_cast<int>(found - sections.begin());
+}
+
+template <typename Entry>
+QStringList names(const std::vector<Entry>& entries)
+{
+    QStringList result;
+    for (const Entry& entry : entries)
+        result += QString::fromStdString(entry.name);
+    return result;
+}
+
+QString iconOf(Section section)
+{
+    switch (section) {
+    case Section::Characters:
+        return QStringLiteral("character");
+    case Section::Sequences:
+        return QStringLiteral("sequence");
+    default:
+        return QStringLiteral("export");
+    }
+}
+
+} // namespace
+
+ProjectTreeModel::ProjectTreeModel(ProjectDocument& document, StatusOf statusOf, QObject* parent)
+    : QAbstractItemModel(parent), m_document(document), m_statusOf(std::move(statusOf))
+{
+    for (int i = 0; i < static_cast<int>(sections.size()); ++i)
+        m_names.push_back(namesOf(i));
+    connect(&document, &ProjectDocument::changed, this, &ProjectTreeModel::follow);
+}
+
+QModelIndex ProjectTreeModel::index(int row, int column, const QModelIndex& parent) const
+{
+    if (!hasIndex(row, column, parent))
+        return {};
+    return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row()) : sectionId);
+}
+
+QModelIndex ProjectTreeModel::parent(const QModelIndex& child) const
+{
+    if (!child.isValid() || child.internalId() == sectionId)
+        return {};
+    return createIndex(static_cast<int>(child.internalId()), 0, sectionId);
+}
+
+int ProjectTreeModel::rowCount(const QModelIndex& parent) const
+{
+    if (!parent.isValid())
+        return static_cast<int>(sections.size());
+    if (parent.internalId() == sectionId && parent.column() == 0)
+        return static_cast<int>(m_names[static_cast<std::size_t>(parent.row())].size());
+    return 0;
+}
+
+int ProjectTreeModel::columnCount(const QModelIndex& /*parent*/) const
+{
+    return 1;
+}
+
+EntryRef ProjectTreeModel::entry(const QModelIndex& index) const
+{
+    if (!index.isValid())
+        return {};
+    if (index.internalId() == sectionId)
+        return {sections[static_cast<std::size_t>(index.row())], {}};
+    const auto section = static_cast<std::size_t>(index.internalId());
+    return {sections[section], m_names[section].value(index.row())};
+}
+
+QModelIndex ProjectTreeModel::indexOf(const EntryRef& entry) const
+{
+    const int section = rowOf(entry.section);
+    if (section < 0)
+        return {};
+    if (entry.name.isEmpty())
+        return index(section, 0);
+    const auto row = m_names[static_cast<std::size_t>(section)].indexOf(entry.name);
+    return row < 0 ? QModelIndex() : index(static_cast<int>(row), 0, index(section, 0));
+}
+
+QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid())
+        return {};
+    const EntryRef ref = entry(index);
+    if (ref.name.isEmpty()) {
+        if (role != Qt::DisplayRole)
+            return {};
+        const int count = rowCount(index);
+        switch (ref.section) {
+        case Section::Characters:
+            return tr("Characters (%1)").arg(count);
+        case Section::Sequences:
+            return tr("Sequences (%1)").arg(count);
+        default:
+            return tr("Exports (%1)").arg(count);
+        }
+    }
+    switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole:
+        return ref.name;
+    case Qt::DecorationRole:
+        return widgets::icons::icon(iconOf(ref.section));
+    case StateRole:
+        return static_cast<int>(m_statusOf(ref).state);
+    case ProblemRole:
+        return m_statusOf(ref).problem;
+    case Qt::ToolTipRole: {
+        const QString problem = m_statusOf(ref).problem;
+        return problem.isEmpty() ? ref.name : problem;
+    }
+    default:
+        return {};
+    }
+}
+
+bool ProjectTreeModel::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+    const EntryRef ref = entry(index);
+    if (role != Qt::EditRole || ref.name.isEmpty())
+        return false;
+    if (renameEntry(m_document, ref, value.toString()))
+        return true;
+    emit nameRefused(ref, value.toString().trimmed());
+    return false;
+}
+
+Qt::ItemFlags ProjectTreeModel::flags(const QModelIndex& index) const
+{
+    if (!index.isValid())
+        return Qt::NoItemFlags;
+    const bool isEntry = index.internalId() != sectionId;
+    return Qt::ItemIsEnabled | Qt::ItemIsSelectable |
+           (isEntry ? Qt::ItemIsEditable | Qt::ItemNeverHasChildren : Qt::NoItemFlags);
+}
+
+void ProjectTreeModel::updateStatus(const EntryRef& entry)
+{
+    const QModelIndex found = indexOf(entry);
+    if (found.isValid())
+        emit dataChanged(found, found);
+}
+
+QStringList ProjectTreeModel::namesOf(int section) const
+{
+    const Project& project = m_document.project();
+    switch (sections[static_cast<std::size_t>(section)]) {
+    case Section::Characters:
+        return names(project.characters);
+    case Section::Sequences:
+        return names(project.sequences);
+    default:
+        return names(project.exports);
+    }
+}
+
+void ProjectTreeModel::reload(int section)
+{
+    const QModelIndex parent = index(section, 0);
+    QStringList& shown = m_names[static_cast<std::size_t>(section)];
+    const QStringList wanted = namesOf(section);
+    for (int row = static_cast<int>(shown.size()) - 1; row >= 0; --row) {
+        if (!wanted.contains(shown[row])) {
+            beginRemoveRows(parent, row, row);
+            shown.removeAt(row);
+            endRemoveRows();
+        }
+    }
+    for (int row = 0; row < static_cast<int>(wanted.size()); ++row) {
+        if (row < shown.size() && shown[row] == wanted[row])
+            continue;
+        const auto before = static_cast<int>(shown.indexOf(wanted[row], row));
+        if (before >= 0) {
+            beginMoveRows(parent, before, before, parent, row);
+            shown.move(before, row);
+            endMoveRows();
+        } else {
+            beginInsertRows(parent, row, row);
+            shown.insert(row, wanted[row]);
+            endInsertRows();
+        }
+    }
+    emit dataChanged(parent, parent);
+}
+
+void ProjectTreeModel::follow(const ChangeEvent& event)
+{
+    switch (event.kind) {
+    case ChangeEvent::Kind::Reset:
+        beginResetModel();
+        for (int i = 0; i < static_cast<int>(sections.size()); ++i)
+            m_names[static_cast<std::size_t>(i)] = namesOf(i);
+        endResetModel();
+        break;
+    case ChangeEvent::Kind::List:
+        if (const int section = rowOf(event.entry.section); section >= 0)
+            reload(section);
+        break;
+    case ChangeEvent::Kind::Renamed: {
+        const QModelIndex index = indexOf({event.entry.section, event.before});
+        if (index.isValid()) {
+            m_names[static_cast<std::size_t>(index.internalId())][index.row()] = event.entry.name;
+            emit dataChanged(index, index);
+        }
+        break;
+    }
+    case ChangeEvent::Kind::Entry:
+        updateStatus(event.entry);
+        break;
+    case ChangeEvent::Kind::File:
+        break;
+    }
+}
+
+} // namespace quadrille

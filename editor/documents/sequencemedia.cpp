@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/documents/sequencemedia.h"
+
+#include "editor/documents/entryopening.h"
+#include "editor/jobs/jobrunner.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+
+SequenceMedia::SequenceMedia(ProjectDocument& document, JobRunner& jobs, QObject* parent)
+    : QObject(parent), m_document(document), m_jobs(jobs)
+{
+    connect(&document, &ProjectDocument::changed, this, &SequenceMedia::follow);
+    update();
+}
+
+SequenceMedia::~SequenceMedia() = default;
+
+const SequenceMedia::Medium* SequenceMedia::medium(const QString& name) const
+{
+    const auto found = m_items.find(name);
+    return found == m_items.end() ? nullptr : &found->second.medium;
+}
+
+const MeshSequence* SequenceMedia::sequence(const QString& name) const
+{
+    const Medium* found = medium(name);
+    return found != nullptr && found->sequence ? &*found->sequence : nullptr;
+}
+
+const MeshSequence* SequenceMedia::untrimmed(const QString& name) const
+{
+    const Medium* found = medium(name);
+    return found != nullptr && found->untrimmed ? &*found->untrimmed : nullptr;
+}
+
+FrameRange SequenceMedia::usedFrames(const QString& name) const
+{
+    const auto found = m_items.find(name);
+    if (found == m_items.end() || !found->second.medium.untrimmed)
+        return {};
+    const Medium& medium = found->second.medium;
+    const FrameRange all = FrameRange::all(medium.untrimmed->frameCount());
+    if (!found->second.entry.range)
+        return all;
+    const double rate = medium.untrimmed->fps / medium.whole->fps;
+    const auto place = [&](FrameIndex frame) {
+        const auto moved = std::llround(static_cast<double>(frame.value) * rate);
+        return FrameIndex(std::clamp<std::int64_t>(moved, 0, all.last.value));
+    };
+    return {place(found->second.entry.range->first), place(found->second.entry.range->last)};
+}
+
+std::optional<FrameRange> SequenceMedia::sourceRange(const QString& name, FrameRange used) const
+{
+    const Medium* found = medium(name);
+    if (found == nullptr || !found->untrimmed || used == FrameRange::all(found->untrimmed->frameCount()))
+        return std::nullopt;
+    const double rate = found->whole->fps / found->untrimmed->fps;
+    const auto place = [&](FrameIndex frame) {
+        const auto moved = std::llround(static_cast<double>(frame.value) * rate);
+        return FrameIndex(std::clamp<std::int64_t>(moved, 0, found->whole->frameCount() - 1));
+    };
+    return FrameRange{place(used.first), place(used.last)};
+}
+
+bool SequenceMedia::isLoading() const
+{
+    return std::ranges::any_of(m_items,
+                               [](const auto& item) { return item.second.medium.state == State::Loading; });
+}
+
+void SequenceMedia::retry(const QString& name)
+{
+    const auto found = m_items.find(name);
+    if (found != m_items.end() && found->second.medium.state == State::Failed)
+        open(name, found->second);
+}
+
+void SequenceMedia::follow(const ChangeEvent& event)
+{
+    if (event.kind == ChangeEvent::Kind::Reset) {
+        for (auto& [name, item] : m_items) {
+            if (item.job)
+                item.job->cancel();
+        }
+        m_items.clear();
+        update();
+    } else if (event.kind == ChangeEvent::Kind::Renamed && event.entry.section == Section::Sequences) {
+        auto node = m_items.extract(event.before);
+        if (!node.empty()) {
+            node.key() = event.entry.name;
+            m_items.insert(std::move(node));
+        }
+        update();
+    } else if (event.kind != ChangeEvent::Kind::File && event.entry.section != Section::Exports) {
+        update();
+    }
+}
+
+SequenceMedia::Source SequenceMedia::sourceOf(const SequenceEntry& entry) const
+{
+    Source source;
+    source.entry.source = entry.source;
+    source.entry.clip = entry.clip;
+    source.entry.sourceFps = entry.sourceFps;
+    source.entry.sourceAxes = entry.sourceAxes;
+    source.entry.texture = entry.texture;
+    if (const CharacterEntry* character = m_document.characterOf(entry)) {
+        source.character.mesh = character->mesh;
+        source.character.texture = character->texture;
+    }
+    source.settings.fps = m_document.project().settings.fps;
+    source.settings.axes = m_document.project().settings.axes;
+    return source;
+}
+
+void SequenceMedia::update()
+{
+    std::map<QString, Item> kept;
+    QStringList toOpen;
+    QStringList toShape;
+    for (const SequenceEntry& entry : m_document.project().sequences) {
+        const QString name = QString::fromStdString(entry.name);
+        const auto existing = m_items.find(name);
+        Item item;
+        const bool isNew = existing == m_items.end();
+        if (!isNew)
+            item = std::move(existing->second);
+        Source source = sourceOf(entry);
+        if (isNew || !(item.source == source))
+            toOpen += name;
+        else if (!(item.entry == entry))
+            toShape += name;
+        item.source = std::move(source);
+        item.entry = entry;
+        kept.insert_or_assign(name, std::move(item));
+        if (!isNew)
+            m_items.erase(existing);
+    }
+    for (auto& [name, item] : m_items) {
+        if (item.job)
+            item.job->cancel();
+    }
+    m_items = std::move(kept);
+    for (const QString& name : toOpen)
+        open(name, m_items.at(name));
+    for (const QString& name : toShape) {
+        shape(m_items.at(name));
+        emit changed(name);
+    }
+}
+
+void SequenceMedia::open(const QString& name, Item& item)
+{
+    if (item.job)
+        item.job->cancel();
+    for (const auto& [otherName, other] : m_items) {
+        if (otherName != name && other.source == item.source && other.medium.whole) {
+            item.medium.whole = other.medium.whole;
+            item.medium.issues = other.medium.issues;
+            shape(item);
+            emit changed(name);
+            return;
+        }
+    }
+    item.medium = {};
+    // The entry may be renamed while its job runs: it is found again by its source.
+    const auto findItem = [this, source = item.source](const Job* job) {
+        return std::ranges::find_if(m_items, [&](const auto& each) {
+            return each.second.job == job && each.second.source == source;
+        });
+    };
+    auto current = std::make_shared<QPointer<Job>>();
+    item.job = m_jobs.start(
+        {.name = tr("Opening “%1”").arg(name),
+         .receiver = this,
+         .stillStands = [this, findItem, current] { return findItem(*current) != m_items.end(); },
+         .failed =
+             [this, findItem, current](const Error& error) {
+                 const auto found = findItem(*current);
+                 found->second.medium.state = State::Failed;
+                 found->second.medium.error = error;
+                 emit changed(found->first);
+             }},
+        [source = item.source](const Progress& progress) {
+            return openEntry(source.entry, source.character, source.settings, progress);
+        },
+        [this, findItem, current](OpenedEntry opened) {
+            const auto found = findItem(*current);
+            found->second.medium.whole = std::move(opened.sequence);
+            found->second.medium.issues = std::move(opened.issues);
+            shape(found->second);
+            emit changed(found->first);
+        });
+    *current = item.job;
+    emit changed(name);
+}
+
+void SequenceMedia::shape(Item& item)
+{
+    Medium& medium = item.medium;
+    if (!medium.whole)
+        return;
+    medium.sequence.reset();
+    medium.error.reset();
+    try {
+        medium.untrimmed = resampled(*medium.whole, item.source.settings.fps);
+        medium.untrimmed->name = item.entry.name;
+        MeshSequence sequence = item.entry.range ? medium.whole->cutTo(*item.entry.range) : *medium.whole;
+        sequence = resampled(sequence, item.source.settings.fps);
+        sequence.name = item.entry.name;
+        sequence.labels = item.entry.labels;
+        sequence.contacts = item.entry.contacts;
+        medium.sequence = std::move(sequence);
+        medium.state = State::Ready;
+    } catch (const Error& error) {
+        medium.error = error;
+        medium.state = State::Failed;
+    }
+}
+
+} // namespace quadrille

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/documents/projectdocument.h"
+#include "model/sequence/meshsequence.h"
+
+#include <QObject>
+#include <QPointer>
+#include <map>
+#include <optional>
+
+namespace quadrille {
+
+class Job;
+class JobRunner;
+
+/// The sequences of a document as meshes that can be shown: opened in jobs as soon as the project names them,
+/// and opened again when their source changes. Trimming and marking does not open anything.
+class SequenceMedia : public QObject
+{
+    Q_OBJECT
+
+public:
+    enum class State
+    {
+        Loading,
+        Ready,
+        Failed,
+    };
+    struct Medium
+    {
+        State state = State::Loading;
+        /// All frames of the source, at its own rate; there when ready, and when only the range failed.
+        std::optional<MeshSequence> whole;
+        /// All frames of the source at the project's rate, as it is shown for trimming.
+        std::optional<MeshSequence> untrimmed;
+        /// What the project makes of it: cut to its range, with labels and contacts. There when ready.
+        std::optional<MeshSequence> sequence;
+        std::optional<Error> error; ///< there when failed
+        std::vector<Issue> issues;
+    };
+
+    SequenceMedia(ProjectDocument& document, JobRunner& jobs, QObject* parent = nullptr);
+    ~SequenceMedia() override;
+
+    /// Null when the project has no such sequence.
+    const Medium* medium(const QString& name) const;
+    /// The sequence when it is ready, else null.
+    const MeshSequence* sequence(const QString& name) const;
+    /// The sequence with all frames of its source, at the project's rate, else null.
+    const MeshSequence* untrimmed(const QString& name) const;
+    /// The frames of the untrimmed sequence that the project uses.
+    FrameRange usedFrames(const QString& name) const;
+    /// The range in source frames that stands for frames of the untrimmed sequence; empty for all of them.
+    std::optional<FrameRange> sourceRange(const QString& name, FrameRange used) const;
+    /// Opens a failed sequence again.
+    void retry(const QString& name);
+    bool isLoading() const;
+    UpAxis upAxis() const { return m_document.project().settings.axes.up; }
+
+signals:
+    /// The medium of a sequence has another state or another content.
+    void changed(const QString& name);
+
+private:
+    /// What decides which frames a sequence has.
+    struct Source
+    {
+        SequenceEntry entry; ///< without name, range, labels, contacts
+        CharacterEntry character;
+        ProjectSettings settings;
+        bool operator==(const Source&) const = default;
+    };
+    struct Item
+    {
+        Source source;
+        SequenceEntry entry;
+        Medium medium;
+        QPointer<Job> job;
+    };
+
+    void follow(const ChangeEvent& event);
+    void update();
+    void open(const QString& name, Item& item);
+    void shape(Item& item);
+    Source sourceOf(const SequenceEntry& entry) const;
+
+    ProjectDocument& m_document;
+    JobRunner& m_jobs;
+    std::map<QString, Item> m_items;
+};
+
+} // namespace quadrille

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/application/settings.h"
+#include "editor/mainwindow.h"
+#include "widgets/theme/icons.h"
+#include "widgets/theme/theme.h"
+#include "widgets/viewport/vtkview.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+
+int main(int argc, char** argv)
+{
+    using namespace quadrille;
+    // Under Wayland VTK's context sharing needs XWayland.
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "xcb");
+    widgets::VtkView::setDefaultFormat();
+    QApplication application(argc, argv);
+    QApplication::setOrganizationName(QStringLiteral("Quadrille"));
+    QApplication::setApplicationName(QStringLiteral("quadrille"));
+    QApplication::setApplicationVersion(QStringLiteral(QUADRILLE_VERSION));
+    QApplication::setDesktopFileName(QStringLiteral("quadrille"));
+    widgets::Theme::instance().install();
+    widgets::Theme::instance().setMode(Settings().theme());
+    QApplication::setWindowIcon(widgets::icons::application());
+
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("Editor for 4D performance capture"));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    const QCommandLineOption sample(QStringLiteral("sample"), QStringLiteral("Open the built-in sample."));
+    parser.addOption(sample);
+    parser.addPositionalArgument(QStringLiteral("files"),
+                                 QStringLiteral("A project, or mesh sequences (files, folders or patterns)."),
+                                 QStringLiteral("[PROJECT | SEQUENCE…]"));
+    parser.process(application);
+
+    MainWindow window;
+    window.show();
+    if (parser.isSet(sample))
+        window.openSample();
+    if (!parser.positionalArguments().isEmpty())
+        window.open(parser.positionalArguments());
+    return QApplication::exec();
+}

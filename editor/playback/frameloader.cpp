@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/playback/frameloader.h"
+
+namespace quadrille {
+
+namespace {
+
+/// The picture without a copy; it keeps the image alive.
+QImage toQImage(const std::shared_ptr<const Image>& image)
+{
+    if (!image || image->isEmpty())
+        return {};
+    auto* owner = new std::shared_ptr<const Image>(image);
+    return {image->pixels.data(),
+            image->width,
+            image->height,
+            static_cast<qsizetype>(image->width) * 4,
+            QImage::Format_RGBA8888,
+            [](void* data) { delete static_cast<std::shared_ptr<const Image>*>(data); },
+            owner};
+}
+
+std::int64_t wrapped(std::int64_t frame, std::int64_t count)
+{
+    return ((frame % count) + count) % count;
+}
+
+} // namespace
+
+LoadedFrame loadFrame(const MeshSequence& sequence, FrameIndex frame)
+{
+    LoadedFrame loaded{.frame = frame};
+    try {
+        loaded.positions = sequence.frame(frame);
+        const auto materials = std::max<std::size_t>(1, sequence.topology->data().materials.size());
+        for (int material = 0; material < static_cast<int>(materials); ++material) {
+            const int index = sequence.textures.indexFor(sequence.sourceFrame(frame), material);
+            loaded.textures.emplace_back(index, toQImage(sequence.texture(frame, material)));
+        }
+    } catch (const Error& error) {
+        loaded.error = error;
+    }
+    return loaded;
+}
+
+FrameLoader::FrameLoader(QObject* parent, int threads) : QObject(parent)
+{
+    for (int i = 0; i < threads; ++i)
+        m_threads.emplace_back([this] { run(); });
+}
+
+FrameLoader::~FrameLoader()
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_stopping = true;
+    }
+    m_available.notify_all();
+    for (std::thread& thread : m_threads)
+        thread.join();
+}
+
+int FrameLoader::addStream(const MeshSequence& sequence)
+{
+    const std::lock_guard lock(m_mutex);
+    m_streams[m_nextStream].sequence = std::make_shared<const MeshSequence>(sequence);
+    return m_nextStream++;
+}
+
+void FrameLoader::setSequence(int stream, const MeshSequence& sequence)
+{
+    const std::lock_guard lock(m_mutex);
+    Stream& changed = m_streams.at(stream);
+    changed.sequence = std::make_shared<const MeshSequence>(sequence);
+    changed.wanted.reset();
+    changed.aheadLeft = 0;
+}
+
+void FrameLoader::removeStream(int stream)
+{
+    const std::lock_guard lock(m_mutex);
+    m_streams.erase(stream);
+}
+
+void FrameLoader::want(int stream, FrameIndex frame, int step)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        Stream& changed = m_streams.at(stream);
+        changed.wanted = frame;
+        changed.step = step == 0 ? 1 : step;
+        changed.ahead = frame;
+        changed.aheadLeft = step == 0 ? 2 : m_lookahead;
+    }
+    m_available.notify_all();
+}
+
+void FrameLoader::setLookahead(int frames)
+{
+    const std::lock_guard lock(m_mutex);
+    m_lookahead = frames;
+}
+
+std::optional<FrameLoader::Task> FrameLoader::takeTask()
+{
+    for (auto& [id, stream] : m_streams) {
+        if (stream.wanted) {
+            const Task task{id, stream.sequence, *stream.wanted, true};
+            stream.wanted.reset();
+            return task;
+        }
+    }
+    for (auto& [id, stream] : m_streams) {
+        if (stream.aheadLeft > 0) {
+            --stream.aheadLeft;
+            stream.ahead =
+                FrameIndex(wrapped(stream.ahead.value + stream.step, stream.sequence->frameCount()));
+            return Task{id, stream.sequence, stream.ahead, false};
+        }
+    }
+    return std::nullopt;
+}
+
+void FrameLoader::run()
+{
+    std::unique_lock lock(m_mutex);
+    while (true) {
+        std::optional<Task> task;
+        m_available.wait(lock, [&] { return m_stopping || (task = takeTask()).has_value(); });
+        if (m_stopping)
+            return;
+        lock.unlock();
+        const LoadedFrame frame = loadFrame(*task->sequence, task->frame);
+        if (task->isWanted)
+            deliver(*task, frame);
+        lock.lock();
+    }
+}
+
+void FrameLoader::deliver(const Task& task, const LoadedFrame& frame)
+{
+    QMetaObject::invokeMethod(
+        this,
+        [this, stream = task.stream, sequence = task.sequence, frame] {
+            {
+                const std::lock_guard lock(m_mutex);
+                const auto found = m_streams.find(stream);
+                if (found == m_streams.end() || found->second.sequence != sequence)
+                    return;
+            }
+            emit loaded(stream, frame);
+        },
+        Qt::QueuedConnection);
+}
+
+} // namespace quadrille

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/error.h"
+#include "model/sequence/meshsequence.h"
+
+#include <QImage>
+#include <QObject>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace quadrille {
+
+/// One frame of a sequence with its textures, ready to be shown.
+struct LoadedFrame
+{
+    FrameIndex frame;
+    std::optional<Frame> positions; ///< missing when reading failed
+    /// Per material the texture's index in the sequence's TextureSet (−1 for none) and its picture.
+    std::vector<std::pair<int, QImage>> textures;
+    std::optional<Error> error;
+};
+
+/// Reads frames and textures on threads of its own, so that neither the interface nor long jobs hold playback
+/// up. Of each stream only the frame wanted last counts; what comes next in the direction of play is read
+/// ahead into the media cache. Called from the interface thread, which also gets the signals.
+class FrameLoader : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr int defaultLookahead = 12;
+
+    explicit FrameLoader(QObject* parent = nullptr, int threads = 2);
+    ~FrameLoader() override;
+
+    /// Makes a stream that shows a sequence.
+    int addStream(const MeshSequence& sequence);
+    /// Exchanges what a stream shows; what was wanted of the old sequence is not delivered any more.
+    void setSequence(int stream, const MeshSequence& sequence);
+    void removeStream(int stream);
+    /// \param step frames from one to the next while playing, negative backwards, 0 when standing.
+    /// \pre 0 ≤ frame < the sequence's frameCount().
+    void want(int stream, FrameIndex frame, int step = 0);
+    /// How many frames are read ahead, at most.
+    void setLookahead(int frames);
+
+signals:
+    void loaded(int stream, const quadrille::LoadedFrame& frame);
+
+private:
+    struct Stream
+    {
+        std::shared_ptr<const MeshSequence> sequence;
+        std::optional<FrameIndex> wanted;
+        int step = 0;
+        FrameIndex ahead; ///< last frame asked for, from which reading ahead goes on
+        int aheadLeft = 0;
+    };
+    struct Task
+    {
+        int stream = 0;
+        std::shared_ptr<const MeshSequence> sequence;
+        FrameIndex frame;
+        bool isWanted = false;
+    };
+
+    void run();
+    std::optional<Task> takeTask();
+    void deliver(const Task& task, const LoadedFrame& frame);
+
+    std::mutex m_mutex;
+    std::condition_variable m_available;
+    std::map<int, Stream> m_streams;
+    int m_nextStream = 1;
+    int m_lookahead = defaultLookahead;
+    bool m_stopping = false;
+    std::vector<std::thread> m_threads;
+};
+
+/// Reads one frame and its textures from the cache or their files; never throws.
+LoadedFrame loadFrame(const MeshSequence& sequence, FrameIndex frame);
+
+} // namespace quadrille
+
+Q_DECLARE_METATYPE(quadrille::LoadedFrame)

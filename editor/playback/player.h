@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/playback/sequencestage.h"
+#include "widgets/timeline/playbackclock.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+namespace quadrille {
+
+/// Plays what the stage shows: holds the rate by leaving frames out and tells which frame it is at. Frames
+/// are those of the stage, from 0.
+class Player : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit Player(SequenceStage& stage, QObject* parent = nullptr);
+
+    void setFps(double fps);
+    /// Frames that play, both included. \pre 0 ≤ first ≤ last < the stage's frameCount().
+    void setRange(FrameIndex first, FrameIndex last);
+    void setLooping(bool looping);
+    bool isPlaying() const { return m_clock.isPlaying(); }
+    FrameIndex frame() const { return m_frame; }
+
+public slots:
+    void toggle();
+    /// \param speed times the true rate; negative plays backwards.
+    void play(double speed = 1.0);
+    void pause();
+    void step(int frames);
+    void goTo(qint64 frame);
+    void goToStart() { goTo(m_first.value); }
+    void goToEnd() { goTo(m_last.value); }
+    /// J and L: plays in a direction (−1, 1), twice as fast each time it is asked for again.
+    void shuttle(int direction);
+
+signals:
+    void frameChanged(qint64 frame);
+    void playingChanged(bool playing);
+    void fpsReached(double fps);
+
+private:
+    void tick();
+    void show(FrameIndex frame, int step);
+    double now() const { return static_cast<double>(m_time.nsecsElapsed()) * 1e-9; }
+
+    SequenceStage& m_stage;
+    widgets::PlaybackClock m_clock;
+    QElapsedTimer m_time;
+    QTimer m_timer;
+    FrameIndex m_first{0};
+    FrameIndex m_last{0};
+    FrameIndex m_frame{0};
+};
+
+} // namespace quadrille

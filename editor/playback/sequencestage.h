@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/documents/sequencemedia.h"
+#include "editor/playback/frameloader.h"
+#include "widgets/viewport/viewport.h"
+
+#include <QObject>
+#include <vector>
+
+namespace quadrille {
+
+class JobRunner;
+
+/// What a viewport shows of a document: one sequence, or several to compare. Keeps the figures in step with
+/// the media, feeds them frames and textures, and draws trajectories and ghosts.
+class SequenceStage : public QObject
+{
+    Q_OBJECT
+
+public:
+    SequenceStage(widgets::Viewport& viewport, SequenceMedia& media, JobRunner& jobs,
+                  QObject* parent = nullptr);
+    ~SequenceStage() override;
+
+    /// Shows these sequences, in this order; those that are not ready come as soon as they are. One alone is
+    /// shown untrimmed, several as the project uses them.
+    void show(const QStringList& names);
+    bool isComparing() const { return m_names.size() > 1; }
+    const QStringList& shown() const { return m_names; }
+    /// Shows a frame; shorter sequences stay at their last one.
+    /// \param step as FrameLoader::want.
+    void showFrame(FrameIndex frame, int step = 0);
+    FrameIndex frame() const { return m_frame; }
+    /// The length of the longest sequence shown that is ready; 0 without any.
+    std::int64_t frameCount() const;
+    /// Ghosts every `interval` frames; 0 for none.
+    void setGhostInterval(int interval);
+    int ghostInterval() const { return m_ghostInterval; }
+    /// The figure that shows a sequence; −1 when there is none yet.
+    int figureOf(const QString& name) const;
+    /// The picture that a sequence wears now; null when there is none.
+    QImage textureOf(const QString& name) const;
+
+signals:
+    /// All figures show this frame now.
+    void frameShown(quadrille::FrameIndex frame);
+    /// Sequences came, went or changed their length.
+    void changed();
+    /// A frame could not be read; the last good one stays.
+    void frameFailed(const QString& sequence, const quadrille::Error& error);
+
+private:
+    struct Actor
+    {
+        QString name;
+        int figure = -1;
+        int stream = -1;
+        MeshSequence sequence;
+        std::vector<int> textureIndices; ///< what the figure wears, per material
+        QImage texture;
+        FrameIndex shown{-1};
+        float lowest = 0; ///< height of the ground under it, metres
+        bool hasFailed = false;
+    };
+
+    void update(const QString& name);
+    void addActor(const QString& name, const MeshSequence& sequence);
+    void removeActor(const QString& name);
+    void applyFrame(int stream, const LoadedFrame& loaded);
+    void survey(const Actor& actor);
+    void updateGhosts();
+    void colorFigures();
+    Actor* actorOf(const QString& name);
+    Actor* actorOfFigure(int figure);
+    void setGround();
+
+    widgets::Viewport& m_viewport;
+    SequenceMedia& m_media;
+    JobRunner& m_jobs;
+    FrameLoader m_loader;
+    QStringList m_names;
+    std::vector<Actor> m_actors;
+    FrameIndex m_frame;
+    int m_step = 0;
+    int m_ghostInterval = 0;
+    bool m_frameNextFigure = true;
+};
+
+} // namespace quadrille

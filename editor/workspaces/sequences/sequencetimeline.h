@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/documents/sequencemedia.h"
+#include "widgets/timeline/timeline.h"
+
+#include <QLineEdit>
+#include <QObject>
+#include <QPointer>
+
+namespace quadrille {
+
+/// Lets the timeline show and edit one sequence of the document: its trim, label spans and foot contacts.
+/// The timeline counts the frames of the untrimmed source; while sequences are compared, it shows the length
+/// of the longest and edits nothing.
+class SequenceTimeline : public QObject
+{
+    Q_OBJECT
+
+public:
+    SequenceTimeline(widgets::Timeline& timeline, ProjectDocument& document, SequenceMedia& media,
+                     QObject* parent = nullptr);
+    ~SequenceTimeline() override;
+
+    /// \param comparedFrames the length to show while comparing; 0: one sequence is edited.
+    void show(const QString& sequence, std::int64_t comparedFrames = 0);
+    /// Adds a label over some frames from the playhead on and lets it be named.
+    void addLabel();
+    /// Adds a contact of a foot from the playhead on.
+    void addContact(const QString& foot);
+    /// Makes the playhead the first or last frame.
+    void trimStartHere();
+    void trimEndHere();
+    void removeTrim();
+    /// Opens a field for the name of a label.
+    void nameSpan(const widgets::SpanRef& span);
+
+signals:
+    /// The frames that play are others now.
+    void rangeChanged();
+
+private:
+    void refresh();
+    void setRange(FrameRange used, bool committed);
+    void editSpan(const widgets::SpanRef& span, int first, int last, bool committed);
+    void createSpan(const QString& track, int first, int last);
+    void deleteSpan(const widgets::SpanRef& span);
+    void showMenu(const QString& track, const std::optional<widgets::SpanRef>& span, int frame,
+                  const QPoint& position);
+    std::vector<widgets::TimelineTrack> makeTracks(const SequenceEntry& shown) const;
+    FrameRange toSequence(int first, int last) const;
+    const SequenceEntry* entry() const { return m_document.sequence(m_sequence); }
+
+    widgets::Timeline& m_timeline;
+    ProjectDocument& m_document;
+    SequenceMedia& m_media;
+    QString m_sequence;
+    std::int64_t m_comparedFrames = 0;
+    std::optional<SequenceEntry> m_dragBase;
+    QPointer<QLineEdit> m_nameField;
+};
+
+} // namespace quadrille
