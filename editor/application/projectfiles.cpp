@@ -4,6 +4,7 @@
 
 #include "editor/application/settings.h"
 #include "editor/commands/projectedits.h"
+#include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
 #include "editor/errors/issuelog.h"
 #include "editor/jobs/jobrunner.h"
@@ -21,11 +22,6 @@ namespace {
 
 const QString projectEnding = QStringLiteral(".quadrille");
 
-std::filesystem::path pathOf(const QString& file)
-{
-    return file.toStdU16String();
-}
-
 /// What a job that brings sequences in hands back.
 struct Addition
 {
@@ -34,12 +30,13 @@ struct Addition
     std::vector<Issue> issues;
 };
 
-Addition makeAddition(Project project, const std::filesystem::path& folder, const ImportRequest& request,
-                      const Progress& progress)
+Addition makeAddition(Project project, const ImportRequest& request, const Progress& progress)
 {
+    const std::filesystem::path folder = request.sources.front().root_path();
     const std::size_t sequences = project.sequences.size();
     const std::size_t characters = project.characters.size();
     ImportReport report = addSequences(project, folder, request, false, progress);
+    project = withAbsolutePaths(std::move(project), folder);
     Addition addition;
     addition.sequences.assign(project.sequences.begin() + static_cast<std::ptrdiff_t>(sequences),
                               project.sequences.end());
@@ -91,7 +88,7 @@ bool ProjectFiles::mayClose()
 
 bool ProjectFiles::load(const QString& file)
 {
-    if (!run([&] { m_document.load(pathOf(file)); }))
+    if (!run([&] { m_document.load(toPath(file)); }))
         return false;
     m_settings.addRecentProject(QFileInfo(file).absoluteFilePath());
     return true;
@@ -102,7 +99,7 @@ void ProjectFiles::open(const QStringList& files)
     std::vector<std::filesystem::path> sources;
     for (const QString& file : files) {
         if (!file.endsWith(projectEnding))
-            sources.push_back(pathOf(QFileInfo(file).absoluteFilePath()));
+            sources.push_back(toPath(QFileInfo(file).absoluteFilePath()));
         else if (mayClose())
             load(file);
     }
@@ -125,8 +122,8 @@ void ProjectFiles::openSample()
         {.name = tr("Making the sample character"),
          .receiver = this,
          .failed = [this](const Error& error) { report(error); }},
-        [folder = pathOf(folder)](const Progress& progress) { return writeSample(folder, {}, progress); },
-        [this](const std::filesystem::path& made) { load(QString::fromStdU16String(made.u16string())); });
+        [folder = toPath(folder)](const Progress& progress) { return writeSample(folder, {}, progress); },
+        [this](const std::filesystem::path& made) { load(toQString(made)); });
 }
 
 void ProjectFiles::addSequences(const std::vector<std::filesystem::path>& sources)
@@ -135,11 +132,11 @@ void ProjectFiles::addSequences(const std::vector<std::filesystem::path>& source
         ImportRequest request;
         request.sources = {source};
         m_jobs.start(
-            {.name = tr("Opening %1").arg(QString::fromStdU16String(source.filename().u16string())),
+            {.name = tr("Opening %1").arg(toQString(source.filename())),
              .receiver = this,
              .failed = [this](const Error& error) { report(error); }},
             [project = m_document.project(), request](const Progress& progress) {
-                return makeAddition(project, {}, request, progress);
+                return makeAddition(project, request, progress);
             },
             [this](Addition addition) {
                 const QStringList names = quadrille::addSequences(m_document, std::move(addition.sequences),
@@ -188,7 +185,7 @@ bool ProjectFiles::saveAs()
         return false;
     if (!file.endsWith(projectEnding))
         file += projectEnding;
-    if (!run([&] { m_document.saveAs(pathOf(file)); }))
+    if (!run([&] { m_document.saveAs(toPath(file)); }))
         return false;
     m_settings.addRecentProject(file);
     return true;
