@@ -3,6 +3,7 @@
 #include "model/project/exportentry.h"
 
 #include "model/project/paths.h"
+#include "model/project/pictureoptions.h"
 #include "model/sequence/io/registry.h"
 
 #include <algorithm>
@@ -33,6 +34,11 @@ ExportResult writeExport(const ExportEntry& entry, const MeshSequence& sequence,
     options.from = settings.axes;
     options.to = entry.axes.value_or(settings.axes);
     options.textures = entry.textures;
+    ProjectProblems problems;
+    options.render = pictureFromJson(entry.picture, "/picture", problems);
+    if (hasErrors(problems))
+        throw Error(problems.front().code, problems.front().context);
+    options.render.look.axes = options.to;
     MeshSequence prepared = entry.range ? sequence.cutTo(*entry.range) : sequence;
     if (entry.fps)
         prepared = resampled(prepared, *entry.fps);

@@ -90,7 +90,10 @@ struct ExportEntry
     std::optional<double> fps;
     std::optional<CoordinateSystem> axes;
     bool textures = true;
-    UnknownKeys unknown; ///< also options of single formats (camera, size)
+    /// Size, look and camera of pictures and videos as in the file, see pictureoptions.h; null for the
+    /// defaults.
+    UnknownKeys picture;
+    UnknownKeys unknown;
 
     bool operator==(const ExportEntry&) const = default;
 };

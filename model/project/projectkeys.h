@@ -18,8 +18,11 @@ inline constexpr std::array<std::string_view, 4> character{"name", "mesh", "text
 inline constexpr std::array<std::string_view, 12> sequence{
     "name",           "character",   "source",  "clip",   "range",    "source_fps",
     "source_up_axis", "source_unit", "texture", "labels", "contacts", "joint_angles"};
-inline constexpr std::array<std::string_view, 9> exportEntry{"name", "what",    "path", "format",  "range",
-                                                             "fps",  "up_axis", "unit", "textures"};
+inline constexpr std::array<std::string_view, 10> exportEntry{
+    "name", "what", "path", "format", "range", "fps", "up_axis", "unit", "textures", "picture"};
+inline constexpr std::array<std::string_view, 8> picture{"width", "height", "shading",     "background",
+                                                         "grid",  "camera", "revolutions", "view"};
+inline constexpr std::array<std::string_view, 4> view{"eye", "target", "up", "fov"};
 inline constexpr std::array<std::string_view, 2> texture{"per_frame", "per_material"};
 inline constexpr std::array<std::string_view, 2> label{"label", "frames"};
 inline constexpr std::array<std::string_view, 2> contact{"foot", "frames"};

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/lengthunit.h"
+#include "model/project/pictureoptions.h"
 #include "model/project/projectjson.h"
 #include "model/project/projectkeys.h"
 
@@ -284,6 +285,10 @@ ExportEntry readExport(const Json& json, const std::string& pointer, const Proje
     entry.fps = reader.number("fps");
     entry.axes = reader.axes("up_axis", "unit", settings.axes);
     entry.textures = reader.truth("textures", entry.textures);
+    if (const Json* picture = reader.find("picture")) {
+        pictureFromJson(*picture, reader.pointer("picture"), problems);
+        entry.picture = *picture;
+    }
     entry.unknown = reader.unknown(projectkeys::exportEntry);
     return entry;
 }

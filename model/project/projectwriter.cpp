@@ -140,6 +140,8 @@ Json exportToJson(const ExportEntry& entry)
         addAxes(json, "up_axis", "unit", *entry.axes);
     if (!entry.textures)
         json["textures"] = false;
+    if (!entry.picture.is_null())
+        json["picture"] = entry.picture;
     addUnknown(json, entry.unknown);
     return json;
 }

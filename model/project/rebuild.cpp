@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/rebuild.h"
 
+#include "model/project/media.h"
 #include "model/project/paths.h"
 #include "model/project/stagestate.h"
 
@@ -227,8 +228,18 @@ RebuildReport rebuild(const std::vector<ResultStage>& stages, const fs::path& pr
 RebuildReport rebuild(const Project& project, const fs::path& projectFile, const RebuildOptions& options,
                       const Progress& progress, const StageListener& listener)
 {
-    const auto opener = std::make_shared<SequenceOpener>(project, projectFolder(projectFile));
-    return rebuild(makeStages({opener, projectFile}), projectFile, options, progress, listener);
+    const fs::path folder = projectFolder(projectFile);
+    const auto opener = std::make_shared<SequenceOpener>(project, folder);
+    RebuildReport report =
+        rebuild(makeStages({opener, projectFile}), projectFile, options, progress, listener);
+    if (!options.dryRun) {
+        FileHashes hashes(cacheFolder(projectFile) / "hashes.json");
+        KnownHashes known = hashMedia(project, folder, hashes, Progress(progress.token()));
+        // What is not there keeps the hash by which it can be found again.
+        known.merge(readMediaHashes(cacheFolder(projectFile)));
+        writeMediaHashes(known, cacheFolder(projectFile));
+    }
+    return report;
 }
 
 std::string toString(StageState state)

@@ -18,6 +18,7 @@ Result drawSheet(SequenceOpener& opener, const std::vector<std::string>& names,
                  const std::filesystem::path& projectFile, const Progress& progress)
 {
     std::vector<MeshSequence> sequences;
+    sequences.reserve(names.size());
     for (const std::string& name : names)
         sequences.push_back(opener.open(name, progress.part(0, 0.1))->sequence);
     ContactSheetOptions options;

@@ -14,6 +14,9 @@ namespace {
 
 using Vertices = std::vector<std::uint32_t>;
 
+/// What comes nearer to the ground than this belongs to a sole, body heights.
+constexpr double soleHeight = 0.03;
+
 class ContactFinder
 {
 public:
@@ -58,8 +61,6 @@ private:
                 low = std::min(low, height);
                 high = std::max(high, height);
             }
-            if (lows.empty() || low < *std::min_element(lows.begin(), lows.end()))
-                m_lowestFrame = f;
             lows.push_back(low);
             extents.push_back(high - low);
         }
@@ -77,7 +78,7 @@ private:
     /// Connected parts of the surface that come near the ground.
     std::vector<Vertices> findFeet() const
     {
-        const double limit = m_ground + m_options.height * m_bodyHeight;
+        const double limit = m_ground + soleHeight * m_bodyHeight;
         std::vector<std::uint32_t> parent(m_lowest.size());
         std::iota(parent.begin(), parent.end(), 0U);
         const auto root = [&parent](std::uint32_t v) {
@@ -126,13 +127,18 @@ private:
             names[i] = "foot " + std::to_string(i + 1);
         if (feet.size() != 2)
             return names;
-        const Frame low = frame(m_lowestFrame);
-        const Positions positions = low.positions();
-        const Vec3d first = centroid(positions, feet[0]);
-        const Vec3d second = centroid(positions, feet[1]);
         Vec3d up = Vec3d::Zero();
         up[m_up] = 1;
-        const double side = up.cross(toes(positions, first, second)).dot(second - first);
+        // One frame may show a foot in the middle of rolling off; many do not.
+        constexpr std::int64_t samples = 24;
+        const std::int64_t step = std::max<std::int64_t>(1, m_sequence.frameCount() / samples);
+        double side = 0;
+        for (std::int64_t f = 0; f < m_sequence.frameCount(); f += step) {
+            const Frame current = frame(f);
+            const Vec3d first = centroid(current.positions(), feet[0]);
+            const Vec3d second = centroid(current.positions(), feet[1]);
+            side += up.cross(toes(current.positions(), first, second)).dot(second - first);
+        }
         names[0] = side > 0 ? "right" : "left";
         names[1] = side > 0 ? "left" : "right";
         return names;
@@ -214,7 +220,6 @@ private:
     const ContactOptions& m_options;
     Eigen::Index m_up;
     std::vector<double> m_lowest; ///< per vertex, over all frames
-    std::int64_t m_lowestFrame = 0;
     double m_ground = 0;
     double m_bodyHeight = 0;
 };

@@ -15,7 +15,7 @@ namespace quadrille {
 struct ContactOptions
 {
     UpAxis up = UpAxis::Y;
-    double height = 0.03;  ///< highest height above the ground, body heights
+    double height = 0.01;  ///< highest height above the ground, body heights
     double speed = 0.3;    ///< highest speed, body heights a second
     double shortest = 0.1; ///< shorter contacts are left out, seconds
 };

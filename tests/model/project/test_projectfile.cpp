@@ -41,6 +41,10 @@ TEST(ProjectFile, AFullProjectComesBackEqual)
     const Project project = fullProject();
     saveProject(project, folder / "p.quadrille");
     EXPECT_EQ(loadProject(folder / "p.quadrille"), project);
+    ProjectProblems problems;
+    const RenderSettings settings = pictureFromJson(project.exports[0].picture, "", problems);
+    EXPECT_EQ(pictureToJson(settings), project.exports[0].picture);
+    EXPECT_TRUE(problems.empty());
 }
 
 TEST(ProjectFile, IsWrittenInFixedOrderWithTwoSpaces)
@@ -87,7 +91,8 @@ TEST(ProjectFile, UnknownKeysAreKeptEverywhere)
   "sequences": [ { "name": "s", "source": "s.pc2", "mood": { "happy": [1, "two", null] },
     "labels": [ { "label": "x", "frames": [0, 1], "colour": "red" }, { "label": "y", "frames": [2, 3] } ],
     "contacts": [ { "foot": "left", "frames": [0, 1], "sure": 0.5 } ] } ],
-  "exports": [ { "name": "e", "what": "sequences/s", "path": "e.obj", "camera": "front" } ],
+  "exports": [ { "name": "e", "what": "sequences/s", "path": "e.obj", "mood": "front",
+    "picture": { "width": 64, "lens": "wide" } } ],
   "graph": { "alpha": 3.0 }, "body_parts": [])");
     const Project project = loadProject(folder.write("p.quadrille", text));
     saveProject(project, folder / "q.quadrille");
@@ -99,7 +104,8 @@ TEST(ProjectFile, UnknownKeysAreKeptEverywhere)
     EXPECT_EQ(saved["sequences"][0]["labels"][0]["colour"], "red");
     EXPECT_FALSE(saved["sequences"][0]["labels"][1].contains("colour"));
     EXPECT_EQ(saved["sequences"][0]["contacts"][0]["sure"], 0.5);
-    EXPECT_EQ(saved["exports"][0]["camera"], "front");
+    EXPECT_EQ(saved["exports"][0]["mood"], "front");
+    EXPECT_EQ(saved["exports"][0]["picture"]["lens"], "wide");
     EXPECT_EQ(saved["graph"], Json::parse(R"({"alpha":3.0})"));
     EXPECT_EQ(saved["body_parts"], Json::array());
     EXPECT_EQ(loadProject(folder / "q.quadrille"), project);

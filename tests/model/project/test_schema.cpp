@@ -67,6 +67,13 @@ std::string withRest(const std::string& rest)
     return text.append(rest).append("}");
 }
 
+/// An export with this "picture".
+std::string picture(const std::string& json)
+{
+    std::string text = R"(, "sequences": [{"name": "s", "source": "s"}], "exports": [{"name": "e", )";
+    return text.append(R"("what": "sequences/s", "path": "e.png", "picture": )").append(json).append("}]");
+}
+
 } // namespace
 
 TEST(Schema, KnowsTheKeysThatTheCodeKnows)
@@ -78,6 +85,8 @@ TEST(Schema, KnowsTheKeysThatTheCodeKnows)
     EXPECT_EQ(propertiesOf(definitions["character"]), keysOf(projectkeys::character));
     EXPECT_EQ(propertiesOf(definitions["sequence"]), keysOf(projectkeys::sequence));
     EXPECT_EQ(propertiesOf(definitions["export"]), keysOf(projectkeys::exportEntry));
+    EXPECT_EQ(propertiesOf(definitions["picture"]), keysOf(projectkeys::picture));
+    EXPECT_EQ(propertiesOf(definitions["view"]), keysOf(projectkeys::view));
     EXPECT_EQ(propertiesOf(definitions["texture_files"]), keysOf(projectkeys::texture));
     EXPECT_EQ(propertiesOf(definitions["label"]), keysOf(projectkeys::label));
     EXPECT_EQ(propertiesOf(definitions["contact"]), keysOf(projectkeys::contact));
@@ -93,6 +102,8 @@ TEST(Schema, TheCodeWritesItsKeysInTheirOrder)
     EXPECT_EQ(written(json["sequences"][0]["labels"][0]), listOf(projectkeys::label));
     EXPECT_EQ(written(json["sequences"][0]["contacts"][0]), listOf(projectkeys::contact));
     EXPECT_EQ(written(json["exports"][0]), listOf(projectkeys::exportEntry));
+    EXPECT_EQ(written(json["exports"][0]["picture"]), listOf(projectkeys::picture));
+    EXPECT_EQ(written(json["exports"][0]["picture"]["view"]), listOf(projectkeys::view));
 }
 
 TEST(Schema, AcceptsWhatSaveProjectWrites)
@@ -125,6 +136,14 @@ TEST(Schema, AgreesWithTheReaderOnHandWrittenFiles)
         {R"(, "sequences": [{"name": "s"}])", false},
         {R"(, "sequences": {})", false},
         {R"(, "exports": [{"name": "e", "what": "sequences/s", "path": "e.obj", "textures": "no"}])", false},
+        {picture(R"({"camera": "fixed", "view": {"eye": [0, 1, 4]}, "mine": 1})"), true},
+        {picture(R"({"camera": "drone"})"), false},
+        {picture(R"({"width": 0})"), false},
+        {picture(R"({"height": "tall"})"), false},
+        {picture(R"({"grid": 1})"), false},
+        {picture(R"({"view": {"eye": [1, 2]}})"), false},
+        {picture(R"({"view": {"fov": 0}})"), false},
+        {picture(R"([])"), false},
     };
     for (const auto& [rest, expected] : cases) {
         const std::string text = withRest(rest);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/core/file.h"
+#include "model/project/pictureoptions.h"
 #include "model/project/project.h"
 
 #include <gtest/gtest.h>
@@ -104,6 +105,12 @@ inline Project fullProject()
     entry.fps = 12.5;
     entry.axes = CoordinateSystem{UpAxis::Y, 1.0};
     entry.textures = false;
+    RenderSettings picture;
+    picture.look.width = 640;
+    picture.look.shading = RenderOptions::Shading::Clay;
+    picture.camera = CameraMode::Follow;
+    picture.view = Camera{};
+    entry.picture = pictureToJson(picture);
     project.exports = {entry};
     return project;
 }
