@@ -68,7 +68,7 @@ Image decodeImage(std::span<const std::byte> encoded, const std::filesystem::pat
     return image;
 }
 
-std::vector<std::byte> encodeImage(const Image& image, const std::string& extension)
+std::vector<std::byte> encodeImage(const Image& image, const std::string& extension, int jpegQuality)
 {
     const cv::Mat source(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.pixels.data()));
     cv::Mat encodable;
@@ -76,7 +76,7 @@ std::vector<std::byte> encodeImage(const Image& image, const std::string& extens
     std::vector<unsigned char> encoded;
     bool known = false;
     try {
-        known = cv::imencode(extension, encodable, encoded);
+        known = cv::imencode(extension, encodable, encoded, {cv::IMWRITE_JPEG_QUALITY, jpegQuality});
     } catch (const cv::Exception&) {
         known = false;
     }
@@ -86,11 +86,11 @@ std::vector<std::byte> encodeImage(const Image& image, const std::string& extens
     return {bytes.begin(), bytes.end()};
 }
 
-void writeImage(const Image& image, const std::filesystem::path& path)
+void writeImage(const Image& image, const std::filesystem::path& path, int jpegQuality)
 {
     std::vector<std::byte> encoded;
     try {
-        encoded = encodeImage(image, path.extension().string());
+        encoded = encodeImage(image, path.extension().string(), jpegQuality);
     } catch (const Error& error) {
         throw Error(error.code(), {path, {}, {}});
     }

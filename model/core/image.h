@@ -37,11 +37,13 @@ Image decodeImage(std::span<const std::byte> encoded, const std::filesystem::pat
 
 /// The bytes of a PNG, JPEG or TIFF file.
 /// \param extension  ".png", ".jpg", …
+/// \param jpegQuality  1 … 100, for JPEG only.
 /// \throws Error FormatUnknown.
-std::vector<std::byte> encodeImage(const Image& image, const std::string& extension);
+std::vector<std::byte> encodeImage(const Image& image, const std::string& extension, int jpegQuality = 95);
 
 /// Writes PNG, JPEG or TIFF by the path's ending, atomically. PNG bytes depend on the pixels alone.
+/// \param jpegQuality  1 … 100, for JPEG only.
 /// \throws Error WriteFailed, PermissionDenied, FormatUnknown.
-void writeImage(const Image& image, const std::filesystem::path& path);
+void writeImage(const Image& image, const std::filesystem::path& path, int jpegQuality = 95);
 
 } // namespace quadrille

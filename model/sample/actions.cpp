@@ -255,7 +255,7 @@ TakeMotion performDance(const Skeleton& skeleton, int variant, SampleRandom& ran
     constexpr double pi = std::numbers::pi;
     const double beat = 60.0 / random.between(116, 128);
     const double size = random.between(0.9, 1.15);
-    const int halfBeats = 11;
+    const int halfBeats = 8;
     std::vector<PostureKey> keys;
     const Posture home = standing(skeleton);
     for (int i = 0; i <= halfBeats; ++i) {
@@ -301,10 +301,9 @@ TakeMotion performDance(const Skeleton& skeleton, int variant, SampleRandom& ran
             if (variant == 1) {
                 limb.footPitch = 0.30 + 0.10 * sign * wave;
             } else {
-                limb.footX += 0.04 * sign;
                 limb.footPitch = free * (onBeat ? 0.30 : 0.75);
-                limb.footLift = free * (onBeat ? 0.0 : 0.055 * size);
-                limb.footZ += free * (variant == 2 && onBeat ? 0.10 : 0.0);
+                limb.footLift = free * (onBeat ? 0.0 : 0.085 * size);
+                limb.footZ += free * (variant == 2 && !onBeat ? 0.10 : 0.0);
             }
         }
         if (variant == 1) {

@@ -264,7 +264,9 @@ BodyPart Body::partAt(const Vec3d& point) const
         m_arm.distance(p) < m_torso.distance(p))
         return BodyPart::Arm;
     const Vec3d collar = p - Vec3d(0, height(1.468), -0.012);
-    if (collar.y() * 0.95 + collar.z() * 0.31 > 0 && p.y() > height(1.40))
+    const bool isAtNeck =
+        std::hypot(collar.x(), collar.z()) < 0.076 * m_proportions.head || p.y() > height(1.50);
+    if (isAtNeck && collar.y() * 0.95 + collar.z() * 0.31 > 0 && p.y() > height(1.40))
         return BodyPart::Head;
     if (p.y() > height(0.990))
         return BodyPart::Torso;

@@ -124,7 +124,7 @@ double Body::handDistance(const Vec3d& p) const
         const Vec3d tip = base + 0.98 * f.length * direction + Vec3d(0, 0, -0.017);
         fingers = std::min(
             fingers, std::min(taperedCapsuleDistance(h, base, middle, f.radius, f.radius * 0.95),
-                              taperedCapsuleDistance(h, middle, tip, f.radius * 0.95, f.radius * 0.74)));
+                              taperedCapsuleDistance(h, middle, tip, f.radius * 0.95, f.radius * 0.86)));
     }
     const double thumb =
         std::min(taperedCapsuleDistance(h, {0.018, 0.024, -0.010}, {0.054, 0.053, -0.020}, 0.015, 0.0118),
@@ -149,7 +149,7 @@ double Body::footDistance(const Vec3d& p) const
     const double sole = smoothIntersection(shoe - 0.0040, p.y() - 0.022, 0.008);
     const double both = smoothUnion(shoe, sole, 0.004);
     const double toeSpring = 0.010 * std::pow(std::max(0.0, (p.z() - a.z() - 0.14) / 0.06), 2);
-    return smoothIntersection(both, toeSpring - p.y(), 0.014);
+    return smoothIntersection(both, toeSpring - p.y(), 0.020);
 }
 
 double Body::distance(const Vec3d& point) const

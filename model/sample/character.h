@@ -3,6 +3,8 @@
 #pragma once
 
 #include "model/sample/bodymesh.h"
+#include "model/sample/paint.h"
+#include "model/sample/sample.h"
 
 namespace quadrille {
 
@@ -11,5 +13,12 @@ Proportions targetProportions();
 
 /// Edge lengths that are short at face, fingers and feet. \param scale on all lengths.
 EdgeLength edgeLengthFor(const Body& body, double scale);
+
+/// What the second body wears.
+Palette targetPalette();
+
+/// The same named places on two bodies.
+std::vector<LandmarkPair> makeLandmarks(const Body& one, const SurfaceMesh& oneMesh, const Body& other,
+                                        const SurfaceMesh& otherMesh);
 
 } // namespace quadrille

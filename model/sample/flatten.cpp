@@ -106,7 +106,7 @@ Places conformalMap(const std::vector<FlatTriangle>& triangles, int vertexCount,
 }
 
 /// Local/global iterations; the map tends to an isometry.
-void makeRigid(const std::vector<FlatTriangle>& triangles, Places& places)
+void makeRigid(const std::vector<FlatTriangle>& triangles, int iterations, Places& places)
 {
     const auto n = static_cast<int>(places.rows());
     std::vector<Triplet> entries;
@@ -124,7 +124,7 @@ void makeRigid(const std::vector<FlatTriangle>& triangles, Places& places)
     Sparse L(n, n);
     L.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SimplicialLDLT<Sparse> solver(L);
-    for (int iteration = 0; iteration < 30; ++iteration) {
+    for (int iteration = 0; iteration < iterations; ++iteration) {
         Places right = Places::Zero(n, 2);
         right.row(0) = places.row(0);
         for (const FlatTriangle& t : triangles) {
@@ -156,6 +156,40 @@ bool hasFlips(const std::vector<FlatTriangle>& triangles, const Places& places)
         const Eigen::Vector2d b = (places.row(t.corner[2]) - places.row(t.corner[0])).transpose();
         return a.x() * b.y() - a.y() * b.x() <= 1e-3 * t.area;
     });
+}
+
+/// Whether two triangles of the map lie over each other: samples a grid over the map.
+bool overlapsItself(const std::vector<FlatTriangle>& triangles, const Places& places)
+{
+    constexpr int cells = 1600;
+    const Eigen::RowVector2d low = places.colwise().minCoeff();
+    const double scale = cells / (places.colwise().maxCoeff() - low).maxCoeff();
+    std::vector<bool> covered(std::size_t{cells + 1} * (cells + 1));
+    for (const FlatTriangle& t : triangles) {
+        std::array<Eigen::Vector2d, 3> p;
+        for (std::size_t c = 0; c < 3; ++c)
+            p[c] = scale * (places.row(t.corner[c]) - low).transpose();
+        const auto least = [&](int axis) {
+            return static_cast<int>(std::ceil(std::min({p[0][axis], p[1][axis], p[2][axis]}) - 0.5));
+        };
+        const auto most = [&](int axis) {
+            return static_cast<int>(std::floor(std::max({p[0][axis], p[1][axis], p[2][axis]}) - 0.5));
+        };
+        const auto isLeft = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& q) {
+            return (b.x() - a.x()) * (q.y() - a.y()) - (b.y() - a.y()) * (q.x() - a.x()) > 1e-9;
+        };
+        for (int y = std::max(least(1), 0); y <= most(1); ++y)
+            for (int x = std::max(least(0), 0); x <= most(0); ++x) {
+                const Eigen::Vector2d q(x + 0.5, y + 0.5);
+                if (!isLeft(p[0], p[1], q) || !isLeft(p[1], p[2], q) || !isLeft(p[2], p[0], q))
+                    continue;
+                auto cell = covered[static_cast<std::size_t>(y) * (cells + 1) + static_cast<std::size_t>(x)];
+                if (cell)
+                    return true;
+                cell = true;
+            }
+    }
+    return false;
 }
 
 /// Turns the map so that up on the body is up, and gives it the chart's own area.
@@ -204,12 +238,17 @@ FlatChart flattenChart(const SurfaceMesh& mesh, const ChartLabels& labels, std::
                              mesh.points[flat.vertices[static_cast<std::size_t>(pins.second)]])
                                 .norm();
     const Places conformal = conformalMap(triangles, static_cast<int>(flat.vertices.size()), pins, distance);
-    Places places = conformal;
-    orient(mesh, triangles, flat, places);
-    makeRigid(triangles, places);
-    if (hasFlips(triangles, places))
+    // As rigid as can be without folding over.
+    Places places;
+    for (const int iterations : {30, 8, 3, 1, 0}) {
         places = conformal;
-    orient(mesh, triangles, flat, places);
+        orient(mesh, triangles, flat, places);
+        if (iterations > 0)
+            makeRigid(triangles, iterations, places);
+        orient(mesh, triangles, flat, places);
+        if (!hasFlips(triangles, places) && !overlapsItself(triangles, places))
+            break;
+    }
     for (Eigen::Index v = 0; v < places.rows(); ++v)
         flat.places.emplace_back(places.row(v).transpose().cast<float>());
     return flat;

@@ -183,8 +183,8 @@ private:
         m_land = m_off + flight;
         const double down = gravity * flight - up;
         m_soft = m_land + std::clamp(2.2 * (m_touch.hipY - m_absorb.hipY) / down, 0.14, 0.36);
-        const double settled = m_soft + 0.55 * pace;
-        m_rest = settled + 0.12;
+        const double settled = m_soft + 0.46 * pace;
+        m_rest = settled + 0.10;
         Posture gather = m_stand; // a breath upwards before the crouch
         gather.hipY += 0.006;
         gather.spineBend = -0.03;

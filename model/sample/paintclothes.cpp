@@ -57,7 +57,6 @@ Vec3d shirtFront(Vec3d colour, const Vec3d& p, const Palette& palette)
         colour = mix(colour, palette.trim * 1.03, band(r, 0.0058, texel));
         colour = mix(colour, palette.belt, band(r - 0.0018, 0.0006, 0.001));
     }
-    // A small pocket on the wearer's left.
     return colour;
 }
 
@@ -92,9 +91,9 @@ Vec3d shirt(const PaintPlace& place, const Palette& palette)
         const double side = p.z() + 0.012;
         colour = mix(colour, palette.shirt * 0.6, band(side, 0.0009, texel));
         const double collar = (p.y() - 1.462) * 0.95 + (p.z() + 0.012) * 0.31;
-        const double nearNeck = band(std::hypot(p.x(), p.z() + 0.012), 0.088, texel);
-        colour = mix(colour, palette.trim, above(collar, -0.013, texel) * nearNeck);
-        colour = mix(colour, palette.shirt * 0.55, band(collar + 0.0135, 0.001, texel) * nearNeck);
+        const double nearNeck = band(std::hypot(p.x(), p.z() + 0.012), 0.092, texel);
+        colour = mix(colour, palette.trim, above(collar, -0.016, texel) * nearNeck);
+        colour = mix(colour, palette.shirt * 0.55, band(collar + 0.0165, 0.001, texel) * nearNeck);
         colour = mix(colour, palette.shirt * 0.8,
                      stitches(collar + 0.0075, std::atan2(p.x(), p.z()) * 0.08) * nearNeck);
         colour = mix(colour, palette.trim, 0.6 * stitches(p.y() - 1.004, p.x() + p.z()));
@@ -105,7 +104,7 @@ Vec3d shirt(const PaintPlace& place, const Palette& palette)
         colour = mix(colour, palette.trim, 0.6 * stitches(armhole + 0.006, p.z() + p.y()));
     }
     const double fold = valueNoise(p.x() * 14, p.y() * 26, p.z() * 14, palette.seed + 11);
-    return colour * (1 + 0.05 * weave(p, palette.seed) + 0.045 * fold);
+    return colour * (1 + 0.075 * weave(p, palette.seed) + 0.045 * fold);
 }
 
 Vec3d belt(Vec3d colour, const PaintPlace& place, const Palette& palette)
@@ -176,7 +175,7 @@ Vec3d trousers(const PaintPlace& place, const Palette& palette)
     colour = mix(colour, palette.thread, 0.8 * stitches(p.y() - 0.095, p.x() + p.z()));
     colour = mix(colour, palette.trousers * 0.5, above(-p.y(), -0.071, 0.004));
     const double fold = valueNoise(p.x() * 16, p.y() * 30, p.z() * 16, palette.seed + 12);
-    colour *= 1 + 0.10 * twill + 0.06 * fold;
+    colour *= 1 + 0.15 * twill + 0.06 * fold;
     return belt(colour, place, palette);
 }
 
@@ -214,7 +213,7 @@ Vec3d shoe(const PaintPlace& place, const Palette& palette)
     colour = mix(colour, palette.shoes * 0.55, above(y, 0.082, texel));
     colour = mix(colour, palette.trim * 0.75, above(y, 0.090, texel));
     const double sole = above(-y, -0.0215, texel);
-    Vec3d soleColour = rubber * (1 + 0.03 * weave(place.p, palette.seed + 9));
+    Vec3d soleColour = rubber * (1 + 0.05 * weave(place.p, palette.seed + 9));
     soleColour = mix(soleColour, palette.shoes * 0.8, band(y - 0.0165, 0.0013, texel));
     return mix(colour, soleColour, sole);
 }

@@ -156,7 +156,7 @@ Vec3d paintSkin(const PaintPlace& place, const Palette& palette)
         return hairColour(place, palette);
     const double mottled = 0.5 * valueNoise(p.x() * 60, p.y() * 60, p.z() * 60, palette.seed + 30) +
                            0.5 * valueNoise(p.x() * 330, p.y() * 330, p.z() * 330, palette.seed + 31);
-    Vec3d colour = palette.skin * (1 + 0.028 * mottled);
+    Vec3d colour = palette.skin * (1 + 0.045 * mottled);
     colour.x() *= 1 + 0.012 * valueNoise(p.x() * 35, p.y() * 35, p.z() * 35, palette.seed + 32);
     if (place.part == BodyPart::Head)
         return face(colour, place, palette);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/sample/sample.h"
 
+#include "model/core/error.h"
+#include "model/sample/appearance.h"
 #include "model/sample/character.h"
 #include "model/sample/perform.h"
 #include "model/sample/texturebake.h"
@@ -20,6 +22,23 @@ std::shared_ptr<const Topology> topologyOf(const SurfaceMesh& mesh, const Atlas&
     data.uvs = atlas.uvs;
     data.triangleUvs = atlas.triangleUvs;
     return std::make_shared<const Topology>(std::move(data));
+}
+
+SampleBody makeBody(const std::string& name, const Body& body, double spacing, double edgeScale,
+                    int textureSize, const Palette& palette, SurfaceMesh& mesh, const Progress& progress)
+{
+    const SurfaceMesh half = extractHalfSurface(body, spacing, progress.part(0, 0.3));
+    mesh = mirrorHalf(remeshHalf(half, body, edgeLengthFor(body, edgeScale), progress.part(0.3, 0.5)));
+    SampleBody result;
+    result.name = name;
+    result.atlas = makeAtlas(mesh, body, progress.part(0.5, 0.6));
+    result.topology = topologyOf(mesh, result.atlas);
+    const TexelMap texels = mapTexels(result.atlas, textureSize, std::max(textureSize / 128, 2));
+    result.texture =
+        std::make_shared<const Image>(bakeTexture(mesh, body, texels, palette, progress.part(0.6, 1)));
+    for (const Vec3d& p : mesh.points)
+        result.rest.push_back(p.cast<float>());
+    return result;
 }
 
 void makeTakes(SampleCharacter& character, const SurfaceMesh& mesh, const SampleOptions& options,
@@ -47,7 +66,11 @@ void makeTakes(SampleCharacter& character, const SurfaceMesh& mesh, const Sample
                 std::make_shared<MemoryFrames>(std::move(frames), topology->vertexCount()), sampleFps);
             take.sequence.textures = TextureSet::single({.embedded = character.body.texture});
             take.sequence.labels = motion.labels;
-            take.sequence.contacts = contactsOf(motion.frames);
+            take.sequence.contacts = contactsOf(motion);
+            // Some takes of different kinds get a texture per frame; all of them would be large.
+            if (variant == 0 && (kind == "walk" || kind == "reach low" || kind == "idle"))
+                take.appearance = makeAppearance(take.sequence.frameCount(),
+                                                 std::min(options.textureSize, 512), random.next());
             character.takes.push_back(std::move(take));
         }
     }
@@ -57,22 +80,27 @@ void makeTakes(SampleCharacter& character, const SurfaceMesh& mesh, const Sample
 
 SampleCharacter makeSampleCharacter(const SampleOptions& options, const Progress& progress)
 {
+    if (options.textureSize < 64 || options.textureSize > 4096 || options.takesPerKind < 1 ||
+        options.takesPerKind > 3)
+        throw Error(
+            ErrorCode::BadArgument,
+            {{},
+             {},
+             {{"reason", "The sample needs a texture of 64 to 4096 texels and 1 to 3 takes of each kind"},
+              {"remedy", "Choose other numbers."}}});
     SampleCharacter character;
     const Body body;
-    const SurfaceMesh half = remeshHalf(extractHalfSurface(body, 0.005, progress.part(0, 0.1)), body,
-                                        edgeLengthFor(body, 1.09), progress.part(0.1, 0.2));
-    const SurfaceMesh mesh = mirrorHalf(half);
-    character.body.name = "Quad";
-    character.body.atlas = makeAtlas(mesh, body, progress.part(0.2, 0.25));
-    character.body.topology = topologyOf(mesh, character.body.atlas);
-    const TexelMap texels = mapTexels(character.body.atlas, options.textureSize, options.textureSize / 128);
-    character.body.texture =
-        std::make_shared<const Image>(bakeTexture(mesh, body, texels, {}, progress.part(0.25, 0.6)));
-    for (const Vec3d& p : mesh.points)
-        character.body.rest.push_back(p.cast<float>());
+    SurfaceMesh mesh;
+    character.body =
+        makeBody("Quad", body, 0.005, 1.18, options.textureSize, {}, mesh, progress.part(0, 0.45));
     character.skeleton = makeSkeleton(body);
     character.weights = boneHeatWeights(mesh, character.skeleton);
-    makeTakes(character, mesh, options, progress.part(0.6, 1.0));
+    const Body target(targetProportions());
+    SurfaceMesh targetMesh;
+    character.target = makeBody("Otto", target, 0.0055, 0.98, options.textureSize, targetPalette(),
+                                targetMesh, progress.part(0.45, 0.7));
+    character.landmarks = makeLandmarks(body, mesh, target, targetMesh);
+    makeTakes(character, mesh, options, progress.part(0.7, 1.0));
     progress.report(1.0);
     return character;
 }

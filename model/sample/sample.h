@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,31 @@ struct SampleOptions
     int takesPerKind = 2;
 };
 
+/// Light of one frame: what is baked into its texture.
+struct SampleLight
+{
+    Vec3d direction = Vec3d::UnitY(); ///< to the light, unit length, in the world
+    Vec3d colour = Vec3d::Ones();     ///< of the directional part, RGB
+    Vec3d ambient = Vec3d::Zero();    ///< RGB
+};
+
+/// How far a frame's texture is shifted: the texel at x shows what belongs to x + offset(x). A square grid of
+/// nodes over the texture, from its upper left corner, bilinear in between.
+struct SampleWarp
+{
+    static constexpr int nodes = 17;    ///< per side
+    std::vector<Vec2f> offsets;         ///< nodes × nodes in rows from the top, texels; y grows downwards
+    Vec2f at(double u, double v) const; ///< \param u,v in [0, 1] from the upper left corner
+};
+
+/// Changing light and misalignment of one take, per frame.
+struct SampleAppearance
+{
+    int textureSize = 512;
+    std::vector<SampleLight> lights;
+    std::vector<SampleWarp> warps;
+};
+
 /// One performance with everything that is known about it.
 struct SampleTake
 {
@@ -33,6 +59,8 @@ struct SampleTake
     MeshSequence sequence;
     std::vector<SkeletonPose> poses; ///< one per frame
     FrameRange flight;               ///< of a jump: no foot on the ground
+    /// Set for the takes that are written with a texture per frame.
+    std::optional<SampleAppearance> appearance;
 };
 
 /// A body at rest with its texture.
@@ -45,13 +73,31 @@ struct SampleBody
     Atlas atlas;
 };
 
-/// The built-in character, in memory.
+/// A place on a mesh: a triangle and the weights of its corners.
+struct SurfacePoint
+{
+    TriangleIndex triangle;
+    Vec3d weights = Vec3d::UnitX();
+};
+struct LandmarkPair
+{
+    std::string name;
+    SurfacePoint source; ///< on the character
+    SurfacePoint target; ///< on the target body
+};
+
+/// The built-in character, in memory. The takes share one texture; `frameTexture` makes those of single
+/// frames.
 struct SampleCharacter
 {
     SampleBody body;
     Skeleton skeleton;
     std::vector<VertexWeights> weights;
     std::vector<SampleTake> takes;
+    /// Another figure at rest: other proportions, another mesh.
+    SampleBody target;
+    /// The same places on the character and on the target.
+    std::vector<LandmarkPair> landmarks;
 };
 
 /// Makes the built-in character. The same options give the same bytes, whatever the number of threads.

@@ -151,7 +151,7 @@ TakeMotion performGait(const Skeleton& skeleton, const std::string& kind, int va
     s.lean += random.between(-0.02, 0.03);
     s.asymmetry = random.between(-0.12, 0.12);
     s.phase = random.unit();
-    plan.duration = 2.2;
+    plan.duration = 2.04;
     if (kind == "jog")
         plan.duration = 1.6;
     if (kind == "walk" && variant == 2) {
@@ -179,8 +179,9 @@ TakeMotion performGait(const Skeleton& skeleton, const std::string& kind, int va
     return {kind, std::move(motion.frames), {}, {}};
 }
 
-std::vector<ContactSpan> contactsOf(const std::vector<Posture>& frames)
+std::vector<ContactSpan> contactsOf(const TakeMotion& take)
 {
+    const std::vector<Posture>& frames = take.frames;
     std::vector<ContactSpan> spans;
     const auto count = static_cast<std::int64_t>(frames.size());
     for (std::size_t side = 0; side < 2; ++side) {

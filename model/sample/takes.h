@@ -27,7 +27,7 @@ struct TakeMotion
 const std::vector<std::string>& takeKinds();
 
 /// One performance; each seed of `random` differs in timing, size and style.
-/// \\param variant zero-based number of the take within its kind.
+/// \param variant zero-based number of the take within its kind.
 TakeMotion performTake(const Skeleton& skeleton, const std::string& kind, int variant, SampleRandom& random);
 
 TakeMotion performGait(const Skeleton& skeleton, const std::string& kind, int variant, SampleRandom& random);
@@ -41,6 +41,6 @@ TakeMotion performDance(const Skeleton& skeleton, int variant, SampleRandom& ran
 std::vector<Posture> framesOf(const std::vector<PostureKey>& keys, double duration);
 
 /// Spans in which each foot stands: it bears on the ground and does not move.
-std::vector<ContactSpan> contactsOf(const std::vector<Posture>& frames);
+std::vector<ContactSpan> contactsOf(const TakeMotion& take);
 
 } // namespace quadrille

@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/file.h"
 #include "model/project/project.h"
+#include "model/sample/appearance.h"
+#include "model/sample/groundtruth.h"
 #include "model/sample/sample.h"
+#include "model/sample/takes.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
+#include <tbb/parallel_for.h>
 
 namespace quadrille {
 
@@ -60,33 +65,99 @@ void writePc2(const MeshSequence& sequence, const fs::path& path)
     writeAtomically(path, bytes);
 }
 
+CharacterEntry writeBody(const SampleBody& body, const std::string& subfolder, const fs::path& folder)
+{
+    const std::string stem = subfolder + "/" + fileName(body.name);
+    writeObj(*body.topology, body.rest, folder / (stem + ".obj"));
+    writeImage(*body.texture, folder / (stem + ".png"));
+    CharacterEntry entry;
+    entry.name = body.name;
+    entry.mesh = stem + ".obj";
+    entry.texture = {TextureReference::Kind::Single, {stem + ".png"}};
+    return entry;
+}
+
+/// The textures of single frames: one numbered JPEG each.
+void writeTextures(const SampleCharacter& character, const SampleTake& take, const fs::path& folder,
+                   const Progress& progress)
+{
+    const TexelMap texels = mapTexels(character.body.atlas, take.appearance->textureSize, 4);
+    const std::int64_t frames = take.sequence.frameCount();
+    std::atomic<std::int64_t> done{0};
+    tbb::parallel_for(std::int64_t{0}, frames, [&](std::int64_t f) {
+        progress.report(done++, frames);
+        const Frame frame = take.sequence.frame(FrameIndex(f));
+        const Image image =
+            frameTexture(character.body, texels, frame.positions(), *take.appearance, FrameIndex(f));
+        std::array<char, 16> name{};
+        std::snprintf(name.data(), name.size(), "%04d.jpg", static_cast<int>(f));
+        writeImage(image, folder / name.data(), 86);
+    });
+}
+
+SequenceEntry writeTake(const SampleCharacter& character, const SampleTake& take, const fs::path& folder,
+                        const Progress& progress)
+{
+    const std::string stem = fileName(take.sequence.name);
+    SequenceEntry entry;
+    entry.name = take.sequence.name;
+    entry.character = character.body.name;
+    entry.source = "takes/" + stem + ".pc2";
+    entry.jointAngles = "takes/" + stem + ".bvh";
+    entry.labels = take.sequence.labels;
+    entry.contacts = take.sequence.contacts;
+    writePc2(take.sequence, folder / entry.source);
+    writeAtomically(folder / entry.jointAngles, toBvh(character.skeleton, take.poses, take.sequence.fps));
+    if (take.appearance) {
+        const std::string textures = "textures/" + stem;
+        entry.texture = {TextureReference::Kind::PerFrame, {textures}};
+        writeTextures(character, take, folder / textures, progress);
+        writeAtomically(folder / "groundtruth" / ("warps_" + stem + ".npy"), warpsNpy(*take.appearance));
+    }
+    return entry;
+}
+
+std::vector<ExportEntry> sampleExports()
+{
+    ExportEntry glb;
+    glb.name = "walk for Blender";
+    glb.what = "sequences/walk 1";
+    glb.path = "exports/walk_1.glb";
+    ExportEntry film;
+    film.name = "dance film";
+    film.what = "sequences/dance 1";
+    film.path = "exports/dance_1.mp4";
+    return {glb, film};
+}
+
 } // namespace
 
 fs::path writeSample(const fs::path& folder, const SampleOptions& options, const Progress& progress)
 {
-    const SampleCharacter character = makeSampleCharacter(options, progress.part(0, 0.8));
+    const SampleCharacter character = makeSampleCharacter(options, progress.part(0, 0.6));
     Project project;
-    project.settings.fps = character.takes.front().sequence.fps;
-    const std::string name = fileName(character.body.name);
-    writeObj(*character.body.topology, character.body.rest, folder / "character" / (name + ".obj"));
-    writeImage(*character.body.texture, folder / "character" / (name + ".png"));
-    CharacterEntry entry;
-    entry.name = character.body.name;
-    entry.mesh = "character/" + name + ".obj";
-    entry.texture = {TextureReference::Kind::Single, {"character/" + name + ".png"}};
-    project.characters.push_back(entry);
-    for (const SampleTake& take : character.takes) {
-        const std::string source = "takes/" + fileName(take.sequence.name) + ".pc2";
-        writePc2(take.sequence, folder / source);
-        SequenceEntry sequence;
-        sequence.name = take.sequence.name;
-        sequence.character = entry.name;
-        sequence.source = source;
-        sequence.labels = take.sequence.labels;
-        sequence.contacts = take.sequence.contacts;
-        project.sequences.push_back(sequence);
+    project.settings.fps = sampleFps;
+    project.characters = {writeBody(character.body, "character", folder),
+                          writeBody(character.target, "target", folder)};
+    project.characters[0].notes = "The built-in sample character.";
+    project.characters[1].notes =
+        "A second body at rest, for motion transfer; groundtruth/landmarks.json names the "
+        "places that belong together.";
+    const auto count = static_cast<std::int64_t>(character.takes.size());
+    for (std::int64_t t = 0; t < count; ++t) {
+        const double from = 0.6 + 0.38 * static_cast<double>(t) / static_cast<double>(count);
+        const double to = 0.6 + 0.38 * static_cast<double>(t + 1) / static_cast<double>(count);
+        const Progress part = progress.part(from, to);
+        part.report(0);
+        project.sequences.push_back(
+            writeTake(character, character.takes[static_cast<std::size_t>(t)], folder, part));
     }
-    const fs::path file = folder / "sample.quadrille";
+    project.exports = sampleExports();
+    const fs::path truth = folder / "groundtruth";
+    writeAtomically(truth / "skeleton.json", skeletonJson(character).dump() + "\n");
+    writeAtomically(truth / "takes.json", takesJson(character).dump(1) + "\n");
+    writeAtomically(truth / "landmarks.json", landmarksJson(character).dump(1) + "\n");
+    fs::path file = folder / "sample.quadrille";
     saveProject(project, file);
     progress.report(1.0);
     return file;

@@ -2,236 +2,260 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/contacts.h"
 
-#include <Eigen/Geometry>
+#include "model/core/error.h"
+
+#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
+#include <limits>
 #include <numeric>
+#include <optional>
 
 namespace quadrille {
 
 namespace {
 
-using Vertices = std::vector<std::uint32_t>;
-
-/// What comes nearer to the ground than this belongs to a sole, body heights.
-constexpr double soleHeight = 0.03;
-
-class ContactFinder
+/// Positions with y up: frames × vertices.
+struct Frames
 {
-public:
-    ContactFinder(const MeshSequence& sequence, const ContactOptions& options)
-        : m_sequence(sequence), m_options(options), m_up(static_cast<Eigen::Index>(options.up))
-    {
-    }
+    std::vector<Vec3f> positions;
+    std::size_t vertices = 0;
 
-    std::vector<ContactSpan> run(const Progress& progress)
-    {
-        measure(progress.part(0, 0.4));
-        const std::vector<Vertices> feet = findFeet();
-        const std::vector<std::string> names = nameFeet(feet);
-        std::vector<ContactSpan> spans;
-        for (std::size_t i = 0; i < feet.size(); ++i) {
-            const auto from = static_cast<double>(i) / static_cast<double>(feet.size());
-            const auto to = static_cast<double>(i + 1) / static_cast<double>(feet.size());
-            addSpans(feet[i], names[i], spans, progress.part(0.4 + 0.6 * from, 0.4 + 0.6 * to));
-        }
-        return spans;
-    }
-
-private:
-    double heightOf(const Vec3f& point) const { return point[m_up]; }
-    Frame frame(std::int64_t index) const { return m_sequence.frame(FrameIndex(index)); }
-
-    /// Finds the ground, the body's height and how low each vertex comes.
-    void measure(const Progress& progress)
-    {
-        const std::int64_t frames = m_sequence.frameCount();
-        m_lowest.assign(m_sequence.topology->vertexCount(), std::numeric_limits<double>::infinity());
-        std::vector<double> lows;
-        std::vector<double> extents;
-        for (std::int64_t f = 0; f < frames; ++f) {
-            progress.report(f, frames);
-            const Frame current = frame(f);
-            double low = std::numeric_limits<double>::infinity();
-            double high = -low;
-            for (std::size_t v = 0; v < current.positions().size(); ++v) {
-                const double height = heightOf(current.positions()[v]);
-                m_lowest[v] = std::min(m_lowest[v], height);
-                low = std::min(low, height);
-                high = std::max(high, height);
-            }
-            lows.push_back(low);
-            extents.push_back(high - low);
-        }
-        const auto part = [](std::vector<double>& values, double fraction) {
-            const auto at = values.begin() +
-                            static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-            std::nth_element(values.begin(), at, values.end());
-            return *at;
-        };
-        // In a jump or a run the body leaves the ground for less than most of the time.
-        m_ground = part(lows, 0.2);
-        m_bodyHeight = part(extents, 0.8);
-    }
-
-    /// Connected parts of the surface that come near the ground.
-    std::vector<Vertices> findFeet() const
-    {
-        const double limit = m_ground + soleHeight * m_bodyHeight;
-        std::vector<std::uint32_t> parent(m_lowest.size());
-        std::iota(parent.begin(), parent.end(), 0U);
-        const auto root = [&parent](std::uint32_t v) {
-            while (parent[v] != v)
-                v = parent[v] = parent[parent[v]];
-            return v;
-        };
-        const auto isLow = [&](VertexIndex v) { return m_lowest[v.value] < limit; };
-        for (const Triangle& triangle : m_sequence.topology->triangles()) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                const VertexIndex a = triangle[c];
-                const VertexIndex b = triangle[(c + 1) % 3];
-                if (isLow(a) && isLow(b))
-                    parent[std::max(root(a.value), root(b.value))] = std::min(root(a.value), root(b.value));
-            }
-        }
-        std::map<std::uint32_t, Vertices> parts;
-        for (std::uint32_t v = 0; v < m_lowest.size(); ++v) {
-            if (isLow(VertexIndex(v)))
-                parts[root(v)].push_back(v);
-        }
-        std::size_t largest = 0;
-        for (const auto& [first, vertices] : parts)
-            largest = std::max(largest, vertices.size());
-        std::vector<Vertices> feet;
-        for (auto& [first, vertices] : parts) {
-            // A fingertip that brushes the ground is no foot.
-            if (vertices.size() >= 4 && vertices.size() * 4 >= largest)
-                feet.push_back(std::move(vertices));
-        }
-        return feet;
-    }
-
-    Vec3d centroid(Positions positions, const Vertices& vertices) const
-    {
-        Vec3d sum = Vec3d::Zero();
-        for (const std::uint32_t v : vertices)
-            sum += positions[v].cast<double>();
-        return sum / static_cast<double>(vertices.size());
-    }
-
-    std::vector<std::string> nameFeet(const std::vector<Vertices>& feet) const
-    {
-        std::vector<std::string> names(feet.size());
-        for (std::size_t i = 0; i < feet.size(); ++i)
-            names[i] = "foot " + std::to_string(i + 1);
-        if (feet.size() != 2)
-            return names;
-        Vec3d up = Vec3d::Zero();
-        up[m_up] = 1;
-        // One frame may show a foot in the middle of rolling off; many do not.
-        constexpr std::int64_t samples = 24;
-        const std::int64_t step = std::max<std::int64_t>(1, m_sequence.frameCount() / samples);
-        double side = 0;
-        for (std::int64_t f = 0; f < m_sequence.frameCount(); f += step) {
-            const Frame current = frame(f);
-            const Vec3d first = centroid(current.positions(), feet[0]);
-            const Vec3d second = centroid(current.positions(), feet[1]);
-            side += up.cross(toes(current.positions(), first, second)).dot(second - first);
-        }
-        names[0] = side > 0 ? "right" : "left";
-        names[1] = side > 0 ? "left" : "right";
-        return names;
-    }
-
-    /// From the ankles to the soles: where the toes point.
-    Vec3d toes(Positions positions, const Vec3d& first, const Vec3d& second) const
-    {
-        Vec3d direction = Vec3d::Zero();
-        for (const Vec3d& sole : {first, second}) {
-            Vec3d ankle = Vec3d::Zero();
-            int count = 0;
-            for (const Vec3f& p : positions) {
-                const Vec3d point = p.cast<double>();
-                const double above = (point[m_up] - sole[m_up]) / m_bodyHeight;
-                const Vec3d& other = &sole == &first ? second : first;
-                if (above > 0.05 && above < 0.1 && (point - sole).norm() < 0.2 * m_bodyHeight &&
-                    (point - sole).squaredNorm() < (point - other).squaredNorm()) {
-                    ankle += point;
-                    ++count;
-                }
-            }
-            if (count > 0)
-                direction += sole - ankle / count;
-        }
-        direction[m_up] = 0;
-        return direction;
-    }
-
-    bool stands(const Vertices& foot, std::int64_t f) const
-    {
-        const std::int64_t before = std::max<std::int64_t>(f - 1, 0);
-        const std::int64_t after = std::min(f + 1, m_sequence.frameCount() - 1);
-        const Frame now = frame(f);
-        const Frame previous = frame(before);
-        const Frame next = frame(after);
-        Vertices lowest = foot;
-        const std::size_t count = std::max<std::size_t>(3, foot.size() / 10);
-        std::nth_element(lowest.begin(), lowest.begin() + static_cast<std::ptrdiff_t>(count - 1),
-                         lowest.end(), [&](std::uint32_t a, std::uint32_t b) {
-                             return heightOf(now.positions()[a]) < heightOf(now.positions()[b]);
-                         });
-        double height = 0;
-        double way = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-            height += heightOf(now.positions()[lowest[i]]);
-            way += (next.positions()[lowest[i]] - previous.positions()[lowest[i]]).norm();
-        }
-        height = height / static_cast<double>(count) - m_ground;
-        const double seconds =
-            static_cast<double>(std::max<std::int64_t>(after - before, 1)) / m_sequence.fps;
-        const double speed = way / static_cast<double>(count) / seconds;
-        return height < m_options.height * m_bodyHeight && speed < m_options.speed * m_bodyHeight;
-    }
-
-    void addSpans(const Vertices& foot, const std::string& name, std::vector<ContactSpan>& spans,
-                  const Progress& progress) const
-    {
-        const std::int64_t frames = m_sequence.frameCount();
-        const auto shortest = static_cast<std::int64_t>(std::ceil(m_options.shortest * m_sequence.fps));
-        std::vector<bool> contact(static_cast<std::size_t>(frames));
-        for (std::int64_t f = 0; f < frames; ++f) {
-            progress.report(f, frames);
-            contact[static_cast<std::size_t>(f)] = stands(foot, f);
-        }
-        // One frame in the air between two on the ground is noise.
-        for (std::size_t f = 1; f + 1 < contact.size(); ++f)
-            contact[f] = contact[f] || (contact[f - 1] && contact[f + 1]);
-        for (std::int64_t f = 0; f < frames; ++f) {
-            const std::int64_t first = f;
-            while (f < frames && contact[static_cast<std::size_t>(f)])
-                ++f;
-            if (f - first >= std::min(shortest, frames) && f > first)
-                spans.push_back({name, {FrameIndex(first), FrameIndex(f - 1)}});
-        }
-    }
-
-    const MeshSequence& m_sequence;
-    const ContactOptions& m_options;
-    Eigen::Index m_up;
-    std::vector<double> m_lowest; ///< per vertex, over all frames
-    double m_ground = 0;
-    double m_bodyHeight = 0;
+    std::size_t count() const { return vertices == 0 ? 0 : positions.size() / vertices; }
+    Positions at(std::size_t frame) const { return Positions(positions).subspan(frame * vertices, vertices); }
 };
+
+Frames loadUpright(const MeshSequence& sequence, UpAxis up, const Progress& progress)
+{
+    Frames frames;
+    frames.vertices = sequence.source->vertexCount();
+    frames.positions = loadFrames(sequence, progress);
+    const Eigen::Matrix3f matrix = conversionMatrix({.up = up}, {.up = UpAxis::Y});
+    if (matrix != Eigen::Matrix3f::Identity())
+        for (Vec3f& p : frames.positions)
+            p = matrix * p;
+    return frames;
+}
+
+float lowest(Positions positions)
+{
+    float y = std::numeric_limits<float>::max();
+    for (const Vec3f& p : positions)
+        y = std::min(y, p.y());
+    return y;
+}
+
+/// The level on which the figure stands: most frames' lowest points lie at or just above it.
+float groundLevel(const Frames& frames)
+{
+    std::vector<float> levels;
+    for (std::size_t f = 0; f < frames.count(); ++f)
+        levels.push_back(lowest(frames.at(f)));
+    std::sort(levels.begin(), levels.end());
+    return levels[levels.size() / 5];
+}
+
+/// The frame in which the figure is tallest: upright, with its feet below it.
+std::size_t tallestFrame(const Frames& frames, float ground)
+{
+    std::size_t best = 0;
+    float tallest = -1;
+    for (std::size_t f = 0; f < frames.count(); ++f) {
+        float top = -std::numeric_limits<float>::max();
+        for (const Vec3f& p : frames.at(f))
+            top = std::max(top, p.y());
+        const float low = lowest(frames.at(f));
+        const float height = top - low - 2 * std::abs(low - ground);
+        if (height > tallest) {
+            tallest = height;
+            best = f;
+        }
+    }
+    return best;
+}
+
+Vec3f mean(Positions positions, const std::vector<std::uint32_t>& of)
+{
+    Vec3f sum = Vec3f::Zero();
+    for (const std::uint32_t v : of)
+        sum += positions[v];
+    return sum / static_cast<float>(std::max<std::size_t>(of.size(), 1));
+}
+
+/// Vertices of the shanks up to a height along the mesh: grows from the lowest vertex over edges.
+std::vector<std::vector<std::uint32_t>> piecesBelow(const Topology& topology, Positions positions,
+                                                    float level)
+{
+    std::vector<std::uint32_t> root(positions.size());
+    std::iota(root.begin(), root.end(), 0U);
+    const auto find = [&root](std::uint32_t v) {
+        while (root[v] != v)
+            v = root[v] = root[root[v]];
+        return v;
+    };
+    for (const Triangle& t : topology.triangles())
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint32_t a = t[c].value;
+            const std::uint32_t b = t[(c + 1) % 3].value;
+            if (positions[a].y() < level && positions[b].y() < level)
+                root[find(a)] = find(b);
+        }
+    std::vector<std::vector<std::uint32_t>> pieces(positions.size());
+    for (std::uint32_t v = 0; v < positions.size(); ++v)
+        if (positions[v].y() < level)
+            pieces[find(v)].push_back(v);
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    return pieces;
+}
+
+using Feet = std::array<std::vector<std::uint32_t>, 2>;
+
+/// The feet, left first; nothing when the lowest part is not two pieces of about the same size.
+std::optional<Feet> findFeet(const MeshSequence& sequence, const Frames& frames, std::size_t frame,
+                             double share)
+{
+    const Positions positions = frames.at(frame);
+    const float low = lowest(positions);
+    float top = low;
+    for (const Vec3f& p : positions)
+        top = std::max(top, p.y());
+    // Knee-high pieces of the mesh are the lower legs, also while one heel is up.
+    const auto legs = piecesBelow(*sequence.topology, positions, low + 0.22F * (top - low));
+    if (legs.size() < 2 || legs[1].size() * 3 < legs[0].size())
+        return std::nullopt;
+    // A foot is what is lowest of its leg; the ring of vertices above it is the ankle.
+    Feet feet;
+    Feet ankles;
+    const auto height = static_cast<float>(share) * (top - low);
+    for (std::size_t side = 0; side < 2; ++side) {
+        float sole = std::numeric_limits<float>::max();
+        for (const std::uint32_t v : legs[side])
+            sole = std::min(sole, positions[v].y());
+        for (const std::uint32_t v : legs[side]) {
+            const float above = positions[v].y() - sole;
+            if (above < height)
+                feet[side].push_back(v);
+            else if (above < 1.6F * height)
+                ankles[side].push_back(v);
+        }
+        if (feet[side].empty() || ankles[side].empty())
+            return std::nullopt;
+    }
+    // Feet lie ahead of ankles; over all frames this tells which one is the left.
+    float leftness = 0;
+    for (std::size_t f = 0; f < frames.count(); ++f) {
+        const Positions p = frames.at(f);
+        const Vec3f one = mean(p, feet[0]);
+        const Vec3f two = mean(p, feet[1]);
+        const Vec3f ahead = one - mean(p, ankles[0]) + two - mean(p, ankles[1]);
+        leftness += Vec3f::UnitY().cross(ahead).dot(one - two);
+    }
+    if (leftness < 0)
+        std::swap(feet[0], feet[1]);
+    return feet;
+}
+
+/// Height above the ground and speed of a foot's lowest part, per frame.
+struct FootTrack
+{
+    std::vector<float> heights; ///< metres
+    std::vector<float> speeds;  ///< metres per second
+};
+
+FootTrack trackFoot(const Frames& frames, const std::vector<std::uint32_t>& foot, float ground, double fps)
+{
+    const std::size_t count = frames.count();
+    FootTrack track;
+    for (std::size_t f = 0; f < count; ++f) {
+        const Positions now = frames.at(f);
+        std::vector<std::uint32_t> order = foot;
+        const auto kept = static_cast<std::ptrdiff_t>(std::max<std::size_t>(3, foot.size() / 6));
+        std::nth_element(order.begin(), order.begin() + kept - 1, order.end(), [&now](auto a, auto b) {
+            return std::pair(now[a].y(), a) < std::pair(now[b].y(), b);
+        });
+        order.resize(static_cast<std::size_t>(kept));
+        track.heights.push_back(mean(now, order).y() - ground);
+        const Positions before = frames.at(f == 0 ? 0 : f - 1);
+        const Positions after = frames.at(std::min(f + 1, count - 1));
+        // The slower of before and after: the first and last frame of a contact count as standing.
+        const float back = (mean(now, order) - mean(before, order)).norm();
+        const float ahead = (mean(after, order) - mean(now, order)).norm();
+        const float step = f == 0 ? ahead : f + 1 == count ? back : std::min(back, ahead);
+        track.speeds.push_back(step * static_cast<float>(fps));
+    }
+    return track;
+}
+
+std::vector<FrameRange> standingSpans(const FootTrack& track, const ContactOptions& options, double fps)
+{
+    std::vector<FrameRange> spans;
+    bool stands = false;
+    const auto count = static_cast<std::int64_t>(track.heights.size());
+    for (std::int64_t f = 0; f < count; ++f) {
+        const double height = track.heights[static_cast<std::size_t>(f)];
+        const double speed = track.speeds[static_cast<std::size_t>(f)];
+        const bool continues = stands && height < options.leaveHeight && speed < options.leaveSpeed;
+        const bool begins = height < options.landHeight && speed < options.landSpeed;
+        const bool now = continues || begins;
+        if (now && !stands) {
+            const bool joins = !spans.empty() && static_cast<double>(f - spans.back().last.value - 1) <=
+                                                     options.longestGap * fps;
+            if (!joins)
+                spans.push_back({FrameIndex(f), FrameIndex(f)});
+        }
+        stands = now;
+        if (now)
+            spans.back().last = FrameIndex(f);
+    }
+    std::erase_if(spans, [&](const FrameRange& span) {
+        return static_cast<double>(span.count()) < options.shortest * fps;
+    });
+    return spans;
+}
+
+void checkOptions(const ContactOptions& o)
+{
+    const bool isGood = o.landHeight > 0 && o.landSpeed > 0 && o.leaveHeight >= o.landHeight &&
+                        o.leaveSpeed >= o.landSpeed && o.shortest >= 0 && o.longestGap >= 0 &&
+                        o.footShare > 0 && o.footShare < 0.2;
+    if (!isGood)
+        throw Error(
+            ErrorCode::BadArgument,
+            {{},
+             {},
+             {{"reason",
+               "Limits of foot contacts must be positive, those for leaving not below those for landing"},
+              {"remedy", "Correct the limits."}}});
+}
 
 } // namespace
 
 std::vector<ContactSpan> detectContacts(const MeshSequence& sequence, const ContactOptions& options,
-                                        const Progress& progress)
+                                        UpAxis up, const Progress& progress)
 {
-    if (sequence.frameCount() == 0)
+    checkOptions(options);
+    progress.report(0.0);
+    if (sequence.frameCount() < 2)
         return {};
-    return ContactFinder(sequence, options).run(progress);
+    const Frames frames = loadUpright(sequence, up, progress.part(0, 0.6));
+    const float ground = groundLevel(frames);
+    const auto feet = findFeet(sequence, frames, tallestFrame(frames, ground), options.footShare);
+    if (!feet)
+        return {};
+    std::vector<ContactSpan> spans;
+    for (std::size_t side = 0; side < 2; ++side) {
+        progress.report(0.7 + 0.15 * static_cast<double>(side));
+        const FootTrack track = trackFoot(frames, (*feet)[side], ground, sequence.fps);
+        for (const FrameRange& range : standingSpans(track, options, sequence.fps))
+            spans.push_back({side == 0 ? "left" : "right", range});
+    }
+    std::stable_sort(spans.begin(), spans.end(), [](const ContactSpan& a, const ContactSpan& b) {
+        return a.frames.first < b.frames.first;
+    });
+    progress.report(1.0);
+    return spans;
 }
 
 } // namespace quadrille

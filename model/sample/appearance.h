@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/sample/sample.h"
+#include "model/sample/texturebake.h"
+
+namespace quadrille {
+
+/// Light and misalignment of a take of `frames` frames, smooth in time; differs with the seed.
+SampleAppearance makeAppearance(std::int64_t frames, int textureSize, std::uint64_t seed);
+
+/// What a camera rig would have baked into the texture of one frame: the body's own colours, shifted by the
+/// frame's warp and shaded by its light as the posed surface lies.
+/// \param texels map of the atlas at the size of the appearance.
+Image frameTexture(const SampleBody& body, const TexelMap& texels, Positions posed,
+                   const SampleAppearance& appearance, FrameIndex frame);
+
+} // namespace quadrille

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/sample/character.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+
+namespace quadrille {
+
+namespace {
+
+struct Landmark
+{
+    const char* name;
+    BodyPart part;
+    Vec3d place; ///< near the surface of the reference figure
+    bool isPaired = false;
+};
+
+std::vector<Landmark> referenceLandmarks()
+{
+    const BodyJoints j = referenceJoints();
+    const Vec3d along = bodyArmAlong;
+    const Vec3d out = bodyArmOut;
+    return {{"nose", BodyPart::Head, {0, 1.588, 0.125}},
+            {"chin", BodyPart::Head, {0, 1.512, 0.095}},
+            {"brow", BodyPart::Head, {0, 1.648, 0.105}},
+            {"mouth", BodyPart::Head, {0, 1.551, 0.10}},
+            {"crown", BodyPart::Head, {0, 1.76, -0.01}},
+            {"nape", BodyPart::Head, {0, 1.56, -0.09}},
+            {"Eye", BodyPart::Head, {0.033, 1.619, 0.09}, true},
+            {"Ear", BodyPart::Head, {0.096, 1.602, -0.006}, true},
+            {"throat", BodyPart::Torso, {0, 1.43, 0.06}},
+            {"breastbone", BodyPart::Torso, {0, 1.30, 0.13}},
+            {"navel", BodyPart::Torso, {0, 1.09, 0.12}},
+            {"upper back", BodyPart::Torso, {0, 1.33, -0.13}},
+            {"lower back", BodyPart::Torso, {0, 1.08, -0.11}},
+            {"Chest", BodyPart::Torso, {0.08, 1.315, 0.13}, true},
+            {"Waist", BodyPart::Torso, {0.16, 1.12, 0}, true},
+            {"ShoulderBlade", BodyPart::Torso, {0.08, 1.33, -0.13}, true},
+            {"UpperArm", BodyPart::Arm, j.shoulder + 0.10 * along + 0.06 * out, true},
+            {"ElbowFront", BodyPart::Arm, j.elbow + Vec3d(0, 0, 0.05), true},
+            {"ElbowBack", BodyPart::Arm, j.elbow - Vec3d(0, 0, 0.05), true},
+            {"Wrist", BodyPart::Hand, j.wrist + 0.03 * out, true},
+            {"BackOfHand", BodyPart::Hand, j.wrist + 0.05 * along + 0.02 * out, true},
+            {"Palm", BodyPart::Hand, j.wrist + 0.05 * along - 0.02 * out, true},
+            {"MiddleFinger", BodyPart::Hand, j.wrist + 0.18 * along + Vec3d(0, 0, 0.013), true},
+            {"Thumb", BodyPart::Hand, j.wrist + 0.095 * along + Vec3d(0, 0, 0.062) - 0.024 * out, true},
+            {"Hip", BodyPart::Leg, {0.172, 0.92, 0}, true},
+            {"Seat", BodyPart::Leg, {0.08, 0.89, -0.14}, true},
+            {"Thigh", BodyPart::Leg, {0.097, 0.70, 0.09}, true},
+            {"Knee", BodyPart::Leg, {0.099, 0.51, 0.08}, true},
+            {"KneeBack", BodyPart::Leg, {0.099, 0.51, -0.06}, true},
+            {"Calf", BodyPart::Leg, {0.102, 0.35, -0.085}, true},
+            {"Heel", BodyPart::Foot, {0.095, 0.03, -0.10}, true},
+            {"ToeTip", BodyPart::Foot, j.toeTip + Vec3d(0, 0, 0.01), true},
+            {"Instep", BodyPart::Foot, j.ankle + Vec3d(0.008, -0.01, 0.07), true}};
+}
+
+/// The nearest point of a triangle, as weights of its corners. Source: Ericson, Real-Time Collision
+/// Detection.
+Vec3d nearestInTriangle(const Vec3d& p, const Vec3d& a, const Vec3d& b, const Vec3d& c)
+{
+    const Vec3d ab = b - a;
+    const Vec3d ac = c - a;
+    const double d1 = ab.dot(p - a);
+    const double d2 = ac.dot(p - a);
+    const double d3 = ab.dot(p - b);
+    const double d4 = ac.dot(p - b);
+    const double d5 = ab.dot(p - c);
+    const double d6 = ac.dot(p - c);
+    if (d1 <= 0 && d2 <= 0)
+        return {1, 0, 0};
+    if (d3 >= 0 && d4 <= d3)
+        return {0, 1, 0};
+    if (d6 >= 0 && d5 <= d6)
+        return {0, 0, 1};
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0)
+        return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0)
+        return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+        const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return {0, 1 - w, w};
+    }
+    const double sum = va + vb + vc;
+    return {va / sum, vb / sum, vc / sum};
+}
+
+SurfacePoint nearestOnSurface(const SurfaceMesh& mesh, const Vec3d& p)
+{
+    SurfacePoint best;
+    double nearest = std::numeric_limits<double>::max();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Vec3d& a = mesh.points[mesh.triangles[t][0].value];
+        const Vec3d& b = mesh.points[mesh.triangles[t][1].value];
+        const Vec3d& c = mesh.points[mesh.triangles[t][2].value];
+        const Vec3d w = nearestInTriangle(p, a, b, c);
+        const double d = (w.x() * a + w.y() * b + w.z() * c - p).squaredNorm();
+        if (d < nearest) {
+            nearest = d;
+            best = {TriangleIndex(t), w};
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+std::vector<LandmarkPair> makeLandmarks(const Body& one, const SurfaceMesh& oneMesh, const Body& other,
+                                        const SurfaceMesh& otherMesh)
+{
+    std::vector<LandmarkPair> pairs;
+    const auto add = [&](const std::string& name, BodyPart part, const Vec3d& place) {
+        pairs.push_back({name, nearestOnSurface(oneMesh, one.fromReference(place, part)),
+                         nearestOnSurface(otherMesh, other.fromReference(place, part))});
+    };
+    for (const Landmark& mark : referenceLandmarks()) {
+        if (!mark.isPaired) {
+            add(mark.name, mark.part, mark.place);
+            continue;
+        }
+        add(std::string("left") + mark.name, mark.part, mark.place);
+        add(std::string("right") + mark.name, mark.part, mark.place.cwiseProduct(Vec3d(-1, 1, 1)));
+    }
+    return pairs;
+}
+
+} // namespace quadrille

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/core/error.h"
+#include "model/core/file.h"
+#include "model/project/project.h"
+#include "sampletest.h"
+
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <map>
+#include <string>
+#include <unistd.h>
+
+namespace quadrille {
+namespace {
+
+namespace fs = std::filesystem;
+
+class WriteSample : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        m_folder = fs::temp_directory_path() / ("quadrille_sample_" + std::to_string(::getpid()));
+        fs::remove_all(m_folder);
+    }
+    void TearDown() override { fs::remove_all(m_folder); }
+
+    static std::map<std::string, std::string> contents(const fs::path& folder)
+    {
+        std::map<std::string, std::string> files;
+        for (const auto& entry : fs::recursive_directory_iterator(folder))
+            if (entry.is_regular_file())
+                files[fs::relative(entry.path(), folder).string()] =
+                    std::string(readFile(entry.path()).text());
+        return files;
+    }
+
+    fs::path m_folder;
+};
+
+TEST_F(WriteSample, everythingThatTheProjectNamesIsThere)
+{
+    const fs::path file = writeSample(m_folder, {.textureSize = 128, .takesPerKind = 1});
+    const Project project = loadProject(file);
+    EXPECT_EQ(project.characters.size(), 2U);
+    EXPECT_EQ(project.sequences.size(), 13U);
+    EXPECT_FALSE(project.exports.empty());
+    for (const CharacterEntry& character : project.characters) {
+        EXPECT_TRUE(fs::exists(m_folder / character.mesh));
+        EXPECT_FALSE(readImage(m_folder / character.texture.paths.at(0)).isEmpty());
+    }
+    for (const SequenceEntry& sequence : project.sequences) {
+        EXPECT_TRUE(fs::exists(m_folder / sequence.source)) << sequence.source;
+        EXPECT_TRUE(fs::exists(m_folder / sequence.jointAngles)) << sequence.jointAngles;
+        EXPECT_FALSE(sequence.contacts.empty()) << sequence.name;
+        EXPECT_FALSE(sequence.labels.empty()) << sequence.name;
+    }
+    for (const char* truth : {"skeleton.json", "takes.json", "landmarks.json", "warps_walk_1.npy"})
+        EXPECT_GT(fs::file_size(m_folder / "groundtruth" / truth), 100U) << truth;
+    EXPECT_TRUE(fs::exists(m_folder / "textures/walk_1/0000.jpg"));
+}
+
+TEST_F(WriteSample, givesTheSameBytesTwice)
+{
+    const SampleOptions options{.textureSize = 128, .takesPerKind = 1};
+    writeSample(m_folder / "one", options);
+    writeSample(m_folder / "two", options);
+    const auto one = contents(m_folder / "one");
+    const auto two = contents(m_folder / "two");
+    ASSERT_EQ(one.size(), two.size());
+    for (const auto& [name, bytes] : one)
+        EXPECT_TRUE(two.contains(name) && two.at(name) == bytes) << name;
+}
+
+TEST_F(WriteSample, leavesNoProjectWhenCancelled)
+{
+    CancelToken token;
+    const Progress progress(token, [&token](double fraction) {
+        if (fraction > 0.7)
+            token.cancel();
+    });
+    EXPECT_THROW(writeSample(m_folder, {.textureSize = 128, .takesPerKind = 1}, progress), Error);
+    EXPECT_FALSE(fs::exists(m_folder / "sample.quadrille"));
+}
+
+} // namespace
+} // namespace quadrille
