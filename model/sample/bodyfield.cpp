@@ -117,7 +117,7 @@ double Body::handDistance(const Vec3d& p) const
     };
     double fingers = 1;
     for (const Finger& f : {Finger{0.0300, 0.15, 0.078, 0.0094}, Finger{0.0100, 0.035, 0.086, 0.0096},
-                            Finger{-0.0105, -0.09, 0.080, 0.0093}, Finger{-0.0295, -0.22, 0.066, 0.0086}}) {
+                            Finger{-0.0105, -0.10, 0.080, 0.0093}, Finger{-0.0300, -0.27, 0.066, 0.0086}}) {
         const Vec3d base(0.090 - std::abs(f.offset) * 0.25, f.offset, 0.000);
         const Vec3d direction(std::cos(f.spread), std::sin(f.spread), 0);
         const Vec3d middle = base + 0.5 * f.length * direction + Vec3d(0, 0, -0.004);
@@ -127,8 +127,8 @@ double Body::handDistance(const Vec3d& p) const
                               taperedCapsuleDistance(h, middle, tip, f.radius * 0.95, f.radius * 0.86)));
     }
     const double thumb =
-        std::min(taperedCapsuleDistance(h, {0.018, 0.024, -0.010}, {0.054, 0.053, -0.020}, 0.015, 0.0118),
-                 taperedCapsuleDistance(h, {0.054, 0.053, -0.020}, {0.088, 0.061, -0.024}, 0.0115, 0.0085));
+        std::min(taperedCapsuleDistance(h, {0.018, 0.024, -0.010}, {0.052, 0.056, -0.019}, 0.015, 0.0118),
+                 taperedCapsuleDistance(h, {0.052, 0.056, -0.019}, {0.083, 0.073, -0.022}, 0.0115, 0.0085));
     return smoothUnion(smoothUnion(palm, fingers, 0.006), thumb, 0.010);
 }
 

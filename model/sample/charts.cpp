@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -13,20 +14,41 @@ namespace quadrille {
 namespace {
 
 const std::vector<std::string> chartNames = {
-    "head front",      "head back",       "torso front",     "torso back",       "left arm front",
-    "left arm back",   "right arm front", "right arm back",  "left hand back",   "left palm",
-    "right hand back", "right palm",      "left leg front",  "left leg back",    "right leg front",
-    "right leg back",  "left shoe outer", "left shoe inner", "right shoe outer", "right shoe inner",
-    "left sole",       "right sole"};
+    "head front",        "head back",          "torso front",        "torso back",
+    "left arm front",    "left arm back",      "right arm front",    "right arm back",
+    "left hand back",    "left palm",          "right hand back",    "right palm",
+    "left leg front",    "left leg back",      "right leg front",    "right leg back",
+    "left shoe outer",   "left shoe inner",    "right shoe outer",   "right shoe inner",
+    "left sole",         "right sole",         "left index finger",  "left middle finger",
+    "left ring finger",  "left little finger", "right index finger", "right middle finger",
+    "right ring finger", "right little finger"};
 
-/// Where the middle of the hand lies between palm and back, for a place along the hand.
+/// 0 for the index finger … 3 for the little one: they fan out from the knuckles.
+int nearestFinger(double along, double toThumb)
+{
+    int nearest = 0;
+    double distance = 1;
+    int finger = 0;
+    for (const auto& [offset, slope] :
+         {std::pair{0.0300, 0.15}, {0.0100, 0.035}, {-0.0105, -0.10}, {-0.0300, -0.27}}) {
+        if (const double d = std::abs(toThumb - offset - slope * (along - 0.085)); d < distance) {
+            distance = d;
+            nearest = finger;
+        }
+        ++finger;
+    }
+    return nearest;
+}
+
+/// Where the middle of the hand lies between palm and back, for a place along the hand: fingers curl.
 double handMiddle(double along, double toThumb)
 {
     if (toThumb > 0.046 && along < 0.10)
         return -0.021;
-    if (along < 0.09)
-        return 0.0;
-    return -0.004 * std::min((along - 0.09) / 0.04, 1.0) - 0.013 * std::max(0.0, (along - 0.13) / 0.04);
+    constexpr std::array<double, 4> lengths = {0.078, 0.086, 0.080, 0.064};
+    const auto finger = static_cast<std::size_t>(nearestFinger(along, toThumb));
+    const double way = (along - 0.084) / lengths[finger];
+    return way < 0.5 ? -0.008 * std::max(way, 0.0) : -0.004 - 0.026 * (way - 0.5);
 }
 
 std::uint16_t wishedChart(const Body& body, const Vec3d& point, const Vec3d& normal)
@@ -50,7 +72,12 @@ std::uint16_t wishedChart(const Body& body, const Vec3d& point, const Vec3d& nor
         const Vec3d along = (joints.elbow - joints.shoulder).normalized();
         const Vec3d q = p - joints.wrist;
         const Vec3d out = Vec3d(-along.y(), along.x(), 0);
-        return chart(8, 2, q.dot(out) < handMiddle(q.dot(along), q.z()));
+        const double way = q.dot(along);
+        const bool isPalm = q.dot(out) < handMiddle(way, q.z());
+        // Fingers laid flat on the palm's side are wider than they are apart: each is a chart of its own.
+        if (isPalm && way > 0.104 && q.z() < 0.052)
+            return static_cast<std::uint16_t>(22 + 4 * right + nearestFinger(way, q.z()));
+        return chart(8, 2, isPalm);
     }
     case BodyPart::Leg: {
         const double middle = p.y() > 0.85 ? 0.0 : -0.02 + 0.026 * std::min((p.y() - 0.07) / 0.44, 1.0);

@@ -105,6 +105,23 @@ Places conformalMap(const std::vector<FlatTriangle>& triangles, int vertexCount,
     return places;
 }
 
+/// The mesh pressed flat along the direction that a chart faces on average.
+/// \param thickness  what is left of it: 1 all, 0 nothing.
+SurfaceMesh pressed(const SurfaceMesh& mesh, const FlatChart& chart, double thickness)
+{
+    Vec3d normal = Vec3d::Zero();
+    for (const std::uint32_t t : chart.triangles) {
+        const Triangle& v = mesh.triangles[t];
+        const Vec3d& a = mesh.points[v[0].value];
+        normal += (mesh.points[v[1].value] - a).cross(mesh.points[v[2].value] - a);
+    }
+    normal.normalize();
+    SurfaceMesh flatter = mesh;
+    for (const std::uint32_t v : chart.vertices)
+        flatter.points[v] -= (1 - thickness) * normal.dot(mesh.points[v]) * normal;
+    return flatter;
+}
+
 /// Local/global iterations; the map tends to an isometry.
 void makeRigid(const std::vector<FlatTriangle>& triangles, int iterations, Places& places)
 {
@@ -232,21 +249,29 @@ FlatChart flattenChart(const SurfaceMesh& mesh, const ChartLabels& labels, std::
     }
     std::sort(flat.vertices.begin(), flat.vertices.end());
     flat.vertices.erase(std::unique(flat.vertices.begin(), flat.vertices.end()), flat.vertices.end());
-    const std::vector<FlatTriangle> triangles = chartTriangles(mesh, flat);
-    const auto pins = farthestPair(mesh, flat);
-    const double distance = (mesh.points[flat.vertices[static_cast<std::size_t>(pins.first)]] -
-                             mesh.points[flat.vertices[static_cast<std::size_t>(pins.second)]])
-                                .norm();
-    const Places conformal = conformalMap(triangles, static_cast<int>(flat.vertices.size()), pins, distance);
-    // As rigid as can be without folding over.
+    // As rigid as can be. Where that folds over – fingers laid flat are wider than they are apart – the chart
+    // is taken from a surface pressed flatter.
     Places places;
-    for (const int iterations : {30, 8, 3, 1, 0}) {
-        places = conformal;
-        orient(mesh, triangles, flat, places);
-        if (iterations > 0)
+    for (const double thickness : {1.0, 0.8, 0.65, 0.5, 0.35}) {
+        const SurfaceMesh flatter = pressed(mesh, flat, thickness);
+        const std::vector<FlatTriangle> triangles = chartTriangles(flatter, flat);
+        const auto pins = farthestPair(flatter, flat);
+        const double distance = (flatter.points[flat.vertices[static_cast<std::size_t>(pins.first)]] -
+                                 flatter.points[flat.vertices[static_cast<std::size_t>(pins.second)]])
+                                    .norm();
+        const Places conformal =
+            conformalMap(triangles, static_cast<int>(flat.vertices.size()), pins, distance);
+        bool isGood = false;
+        for (const int iterations : {30, 6, 2}) {
+            places = conformal;
+            orient(flatter, triangles, flat, places);
             makeRigid(triangles, iterations, places);
-        orient(mesh, triangles, flat, places);
-        if (!hasFlips(triangles, places) && !overlapsItself(triangles, places))
+            orient(flatter, triangles, flat, places);
+            isGood = !hasFlips(triangles, places) && !overlapsItself(triangles, places);
+            if (isGood)
+                break;
+        }
+        if (isGood)
             break;
     }
     for (Eigen::Index v = 0; v < places.rows(); ++v)

@@ -59,6 +59,8 @@ public:
         };
         PathPoint start;
         start.phase = plan.style.phase;
+        start.vigour = at(plan.speed, 0, 1);
+        start.turning = at(plan.turning, 0, 0);
         std::vector<PathPoint> before = {start};
         while (before.back().time > -margin)
             before.push_back(forward(before.back(), -step));

@@ -106,6 +106,24 @@ std::optional<std::vector<Vec2f>> place(const std::vector<Mask>& masks, const st
     return corners;
 }
 
+/// Face and hands get more texels than their area alone would.
+double sizeOf(const std::string& chart)
+{
+    constexpr std::array<std::pair<const char*, double>, 9> sizes = {{{"head front", 1.75},
+                                                                      {"head back", 1.35},
+                                                                      {"palm", 1.6},
+                                                                      {"finger", 1.6},
+                                                                      {"hand", 1.8},
+                                                                      {"torso front", 1.2},
+                                                                      {"leg", 0.85},
+                                                                      {"sole", 0.8},
+                                                                      {"shoe", 1.3}}};
+    for (const auto& [part, size] : sizes)
+        if (chart.find(part) != std::string::npos)
+            return size;
+    return 1.0;
+}
+
 } // namespace
 
 std::vector<std::vector<Vec2f>> packCharts(const SurfaceMesh& mesh, const std::vector<FlatChart>& charts,
@@ -150,17 +168,7 @@ Atlas makeAtlas(const SurfaceMesh& mesh, const Body& body, const Progress& progr
     for (std::size_t c = 0; c < count; ++c) {
         progress.report(0.5 * static_cast<double>(c) / static_cast<double>(count));
         charts.push_back(flattenChart(mesh, atlas.charts, static_cast<std::uint16_t>(c)));
-        const std::string& name = atlas.charts.names[c];
-        const auto has = [&name](const char* part) { return name.find(part) != std::string::npos; };
-        const double size = has("head front")    ? 1.75
-                            : has("head back")   ? 1.35
-                            : has("palm")        ? 1.7
-                            : has("hand")        ? 1.9
-                            : has("torso front") ? 1.2
-                            : has("leg")         ? 0.85
-                            : has("shoe")        ? 1.3
-                                                 : 1.0;
-        sizes.push_back(size);
+        sizes.push_back(sizeOf(atlas.charts.names[c]));
     }
     const auto packed = packCharts(mesh, charts, sizes);
     progress.report(1.0);

@@ -194,7 +194,7 @@ std::vector<ContactSpan> contactsOf(const TakeMotion& take)
         };
         std::int64_t first = -1;
         for (std::int64_t f = 0; f <= count; ++f) {
-            const bool stands = f < count &&
+            const bool stands = f < count && !take.flight.contains(FrameIndex(f)) &&
                                 frames[static_cast<std::size_t>(f)].sides[side].footLift < 0.004 &&
                                 !(moves(f - 1, f) && moves(f, f + 1)) && !(f == 0 && moves(0, 1)) &&
                                 !(f + 1 == count && moves(f - 1, f));

@@ -157,6 +157,19 @@ std::optional<Feet> findFeet(const MeshSequence& sequence, const Frames& frames,
     return feet;
 }
 
+/// Captured soles rarely lie at one level, so each foot rests where its own lowest part does in a good share
+/// of the frames, within a little of the common ground.
+void setToOwnGround(std::vector<float>& heights)
+{
+    constexpr float most = 0.03F; // metres
+    std::vector<float> sorted = heights;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 6);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    const float own = std::clamp(*middle, -most, most);
+    for (float& height : heights)
+        height -= own;
+}
+
 /// Height above the ground and speed of a foot's lowest part, per frame.
 struct FootTrack
 {
@@ -185,6 +198,7 @@ FootTrack trackFoot(const Frames& frames, const std::vector<std::uint32_t>& foot
         const float step = f == 0 ? ahead : f + 1 == count ? back : std::min(back, ahead);
         track.speeds.push_back(step * static_cast<float>(fps));
     }
+    setToOwnGround(track.heights);
     return track;
 }
 
