@@ -6,11 +6,9 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <optional>
 
 namespace quadrille {
 
@@ -46,6 +44,14 @@ float lowest(Positions positions)
     return y;
 }
 
+float highest(Positions positions)
+{
+    float y = -std::numeric_limits<float>::max();
+    for (const Vec3f& p : positions)
+        y = std::max(y, p.y());
+    return y;
+}
+
 /// The level on which the figure stands: most frames' lowest points lie at or just above it.
 float groundLevel(const Frames& frames)
 {
@@ -60,13 +66,10 @@ float groundLevel(const Frames& frames)
 std::size_t tallestFrame(const Frames& frames, float ground)
 {
     std::size_t best = 0;
-    float tallest = -1;
+    float tallest = -std::numeric_limits<float>::max();
     for (std::size_t f = 0; f < frames.count(); ++f) {
-        float top = -std::numeric_limits<float>::max();
-        for (const Vec3f& p : frames.at(f))
-            top = std::max(top, p.y());
         const float low = lowest(frames.at(f));
-        const float height = top - low - 2 * std::abs(low - ground);
+        const float height = highest(frames.at(f)) - low - 2 * std::abs(low - ground);
         if (height > tallest) {
             tallest = height;
             best = f;
@@ -110,58 +113,70 @@ std::vector<std::vector<std::uint32_t>> piecesBelow(const Topology& topology, Po
     return pieces;
 }
 
-using Feet = std::array<std::vector<std::uint32_t>, 2>;
-
-/// The feet, left first; nothing when the lowest part is not two pieces of about the same size.
-std::optional<Feet> findFeet(const MeshSequence& sequence, const Frames& frames, std::size_t frame,
-                             double share)
+struct Foot
 {
-    const Positions positions = frames.at(frame);
-    const float low = lowest(positions);
-    float top = low;
-    for (const Vec3f& p : positions)
-        top = std::max(top, p.y());
-    // Knee-high pieces of the mesh are the lower legs, also while one heel is up.
-    const auto legs = piecesBelow(*sequence.topology, positions, low + 0.22F * (top - low));
-    if (legs.size() < 2 || legs[1].size() * 3 < legs[0].size())
-        return std::nullopt;
-    // A foot is what is lowest of its leg; the ring of vertices above it is the ankle.
-    Feet feet;
-    Feet ankles;
-    const auto height = static_cast<float>(share) * (top - low);
-    for (std::size_t side = 0; side < 2; ++side) {
-        float sole = std::numeric_limits<float>::max();
-        for (const std::uint32_t v : legs[side])
-            sole = std::min(sole, positions[v].y());
-        for (const std::uint32_t v : legs[side]) {
-            const float above = positions[v].y() - sole;
-            if (above < height)
-                feet[side].push_back(v);
-            else if (above < 1.6F * height)
-                ankles[side].push_back(v);
-        }
-        if (feet[side].empty() || ankles[side].empty())
-            return std::nullopt;
-    }
-    // Feet lie ahead of ankles; over all frames this tells which one is the left.
+    std::string name;
+    std::vector<std::uint32_t> vertices;
+    std::vector<std::uint32_t> ankle; ///< the ring of vertices above
+};
+
+/// Feet lie ahead of ankles; over all frames this tells which of two is the left one.
+bool isLeftFirst(const Frames& frames, const std::vector<Foot>& feet)
+{
     float leftness = 0;
     for (std::size_t f = 0; f < frames.count(); ++f) {
         const Positions p = frames.at(f);
-        const Vec3f one = mean(p, feet[0]);
-        const Vec3f two = mean(p, feet[1]);
-        const Vec3f ahead = one - mean(p, ankles[0]) + two - mean(p, ankles[1]);
+        const Vec3f one = mean(p, feet[0].vertices);
+        const Vec3f two = mean(p, feet[1].vertices);
+        const Vec3f ahead = one - mean(p, feet[0].ankle) + two - mean(p, feet[1].ankle);
         leftness += Vec3f::UnitY().cross(ahead).dot(one - two);
     }
-    if (leftness < 0)
-        std::swap(feet[0], feet[1]);
+    return leftness > 0;
+}
+
+/// The feet, in the frame in which the figure is tallest; nothing when it stands on one piece.
+std::vector<Foot> findFeet(const MeshSequence& sequence, const Frames& frames, Positions tallest,
+                           float bodyHeight, double share)
+{
+    const float low = lowest(tallest);
+    // Knee-high pieces of the mesh are the lower legs, also while one heel is up.
+    const auto legs = piecesBelow(*sequence.topology, tallest, low + 0.22F * bodyHeight);
+    const auto height = static_cast<float>(share) * bodyHeight;
+    std::vector<Foot> feet;
+    for (const auto& leg : legs) {
+        if (leg.size() < 8 || leg.size() * 3 < legs.front().size())
+            break;
+        float sole = std::numeric_limits<float>::max();
+        for (const std::uint32_t v : leg)
+            sole = std::min(sole, tallest[v].y());
+        Foot foot;
+        for (const std::uint32_t v : leg) {
+            const float above = tallest[v].y() - sole;
+            if (above < height)
+                foot.vertices.push_back(v);
+            else if (above < 1.6F * height)
+                foot.ankle.push_back(v);
+        }
+        if (!foot.ankle.empty())
+            feet.push_back(std::move(foot));
+    }
+    if (feet.size() < 2)
+        return {};
+    if (feet.size() == 2) {
+        const bool leftFirst = isLeftFirst(frames, feet);
+        feet[0].name = leftFirst ? "left" : "right";
+        feet[1].name = leftFirst ? "right" : "left";
+        return feet;
+    }
+    for (std::size_t i = 0; i < feet.size(); ++i)
+        feet[i].name = "foot " + std::to_string(i + 1);
     return feet;
 }
 
 /// Captured soles rarely lie at one level, so each foot rests where its own lowest part does in a good share
 /// of the frames, within a little of the common ground.
-void setToOwnGround(std::vector<float>& heights)
+void setToOwnGround(std::vector<float>& heights, float most)
 {
-    constexpr float most = 0.03F; // metres
     std::vector<float> sorted = heights;
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 6);
     std::nth_element(sorted.begin(), middle, sorted.end());
@@ -170,14 +185,15 @@ void setToOwnGround(std::vector<float>& heights)
         height -= own;
 }
 
-/// Height above the ground and speed of a foot's lowest part, per frame.
+/// Height above the ground and speed of a foot's lowest part, per frame; body heights, per second.
 struct FootTrack
 {
-    std::vector<float> heights; ///< metres
-    std::vector<float> speeds;  ///< metres per second
+    std::vector<float> heights;
+    std::vector<float> speeds;
 };
 
-FootTrack trackFoot(const Frames& frames, const std::vector<std::uint32_t>& foot, float ground, double fps)
+FootTrack trackFoot(const Frames& frames, const std::vector<std::uint32_t>& foot, float ground,
+                    float bodyHeight, double fps)
 {
     const std::size_t count = frames.count();
     FootTrack track;
@@ -189,16 +205,16 @@ FootTrack trackFoot(const Frames& frames, const std::vector<std::uint32_t>& foot
             return std::pair(now[a].y(), a) < std::pair(now[b].y(), b);
         });
         order.resize(static_cast<std::size_t>(kept));
-        track.heights.push_back(mean(now, order).y() - ground);
+        track.heights.push_back((mean(now, order).y() - ground) / bodyHeight);
         const Positions before = frames.at(f == 0 ? 0 : f - 1);
         const Positions after = frames.at(std::min(f + 1, count - 1));
         // The slower of before and after: the first and last frame of a contact count as standing.
         const float back = (mean(now, order) - mean(before, order)).norm();
         const float ahead = (mean(after, order) - mean(now, order)).norm();
         const float step = f == 0 ? ahead : f + 1 == count ? back : std::min(back, ahead);
-        track.speeds.push_back(step * static_cast<float>(fps));
+        track.speeds.push_back(step * static_cast<float>(fps) / bodyHeight);
     }
-    setToOwnGround(track.heights);
+    setToOwnGround(track.heights, 0.017F);
     return track;
 }
 
@@ -247,23 +263,25 @@ void checkOptions(const ContactOptions& o)
 } // namespace
 
 std::vector<ContactSpan> detectContacts(const MeshSequence& sequence, const ContactOptions& options,
-                                        UpAxis up, const Progress& progress)
+                                        const Progress& progress)
 {
     checkOptions(options);
     progress.report(0.0);
     if (sequence.frameCount() < 2)
         return {};
-    const Frames frames = loadUpright(sequence, up, progress.part(0, 0.6));
+    const Frames frames = loadUpright(sequence, options.up, progress.part(0, 0.6));
     const float ground = groundLevel(frames);
-    const auto feet = findFeet(sequence, frames, tallestFrame(frames, ground), options.footShare);
-    if (!feet)
+    const Positions tallest = frames.at(tallestFrame(frames, ground));
+    const float bodyHeight = highest(tallest) - lowest(tallest);
+    if (!(bodyHeight > 0))
         return {};
+    const std::vector<Foot> feet = findFeet(sequence, frames, tallest, bodyHeight, options.footShare);
     std::vector<ContactSpan> spans;
-    for (std::size_t side = 0; side < 2; ++side) {
-        progress.report(0.7 + 0.15 * static_cast<double>(side));
-        const FootTrack track = trackFoot(frames, (*feet)[side], ground, sequence.fps);
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+        progress.report(0.7 + 0.3 * static_cast<double>(i) / static_cast<double>(feet.size()));
+        const FootTrack track = trackFoot(frames, feet[i].vertices, ground, bodyHeight, sequence.fps);
         for (const FrameRange& range : standingSpans(track, options, sequence.fps))
-            spans.push_back({side == 0 ? "left" : "right", range});
+            spans.push_back({feet[i].name, range});
     }
     std::stable_sort(spans.begin(), spans.end(), [](const ContactSpan& a, const ContactSpan& b) {
         return a.frames.first < b.frames.first;

@@ -11,30 +11,31 @@
 namespace quadrille {
 
 /// When a foot is taken to stand on the ground. It begins to stand when its lowest vertices are both lower
-/// and slower than the first pair of limits, and stands until they are above the second, looser pair.
+/// and slower than the first pair of limits, and stands until they are above the second, looser pair. Lengths
+/// are shares of the figure's height, so that units do not matter.
 struct ContactOptions
 {
-    double landHeight = 0.025; ///< metres above the ground
-    double leaveHeight = 0.035;
-    double landSpeed = 0.35; ///< metres per second
-    double leaveSpeed = 0.50;
+    UpAxis up = UpAxis::Y;
+    double landHeight = 0.0143; ///< above the ground, body heights: 25 mm for somebody of 1.75 m
+    double leaveHeight = 0.02;
+    double landSpeed = 0.20; ///< body heights per second
+    double leaveSpeed = 0.29;
     double shortest = 0.08;   ///< seconds; shorter contacts are dropped
     double longestGap = 0.05; ///< seconds; shorter gaps are closed
-    /// Share of the figure's height, from below, in which feet are looked for.
-    double footShare = 0.07;
+    double footShare = 0.07;  ///< how high feet reach, from below, body heights
 };
 
 /// Finds when the feet stand: heights and speeds of the lowest vertices.
 ///
-/// The feet are the vertices that are lowest in frames where the figure stands, split into two groups that
-/// lie apart; left and right are told by the direction in which the toes point, as seen from the ankles. The
-/// ground is where the lowest vertices rest in most frames. Nothing depends on where the figure stands or how
-/// it is turned about the up axis.
-/// \param up the sequence's up axis.
-/// \return spans named "left" and "right", in order of their first frames; empty when there are fewer than
-/// two frames or no two feet are found. \throws Error BadArgument (a limit that is not positive, or a loose
-/// one below its strict one), Cancelled, and what reading frames throws.
+/// The legs are the connected pieces of the surface below knee height in the frame where the figure stands
+/// tallest; a foot is the lowest part of a leg. Two feet are told apart by where their toes point from the
+/// ankles. The ground is where the lowest vertices rest in a good share of the frames; each foot has its own
+/// level within 3 cm of a grown-up's size, as captured soles rarely lie at one. Nothing depends on where the
+/// figure stands or how it is turned about the up axis. \return spans in order of their first frames, named
+/// "left" and "right", or "foot 1", "foot 2", … where there are not two feet; empty when there are fewer than
+/// two frames or nothing like feet. \throws Error BadArgument (a limit that is not positive, or a loose one
+/// below its strict one), Cancelled, and what reading frames throws.
 std::vector<ContactSpan> detectContacts(const MeshSequence& sequence, const ContactOptions& options = {},
-                                        UpAxis up = UpAxis::Y, const Progress& progress = {});
+                                        const Progress& progress = {});
 
 } // namespace quadrille

@@ -94,7 +94,13 @@ TEST(Contacts, followTheUpAxis)
 {
     const MeshSequence& walk = takeNamed("walk 1");
     const Eigen::Matrix3f turn = conversionMatrix({.up = UpAxis::Y}, {.up = UpAxis::Z});
-    EXPECT_EQ(detectContacts(transformed(walk, turn), {}, UpAxis::Z), detectContacts(walk));
+    EXPECT_EQ(detectContacts(transformed(walk, turn), {.up = UpAxis::Z}), detectContacts(walk));
+}
+
+TEST(Contacts, doNotDependOnTheUnit)
+{
+    const MeshSequence& walk = takeNamed("walk 1");
+    EXPECT_EQ(detectContacts(moved(walk, Eigen::Affine3f(Eigen::Scaling(1024.0F)))), detectContacts(walk));
 }
 
 TEST(Contacts, mirroringSwapsLeftAndRight)
@@ -160,7 +166,7 @@ TEST(Contacts, canBeCancelled)
 {
     CancelToken token;
     token.cancel();
-    EXPECT_THROW(detectContacts(takeNamed("walk 1"), {}, UpAxis::Y, Progress(token)), Error);
+    EXPECT_THROW(detectContacts(takeNamed("walk 1"), {}, Progress(token)), Error);
 }
 
 TEST(Contacts, ofRealWalksAlternateBetweenTheFeet)
