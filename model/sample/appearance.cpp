@@ -96,7 +96,8 @@ Vec2f SampleWarp::at(double u, double v) const
     const auto tx = static_cast<float>(x - i);
     const auto ty = static_cast<float>(y - j);
     const auto node = [&](int di, int dj) {
-        return offsets[static_cast<std::size_t>((j + dj) * nodes + i + di)];
+        const int index = (j + dj) * nodes + i + di;
+        return offsets[static_cast<std::size_t>(index)];
     };
     return (1 - ty) * ((1 - tx) * node(0, 0) + tx * node(1, 0)) +
            ty * ((1 - tx) * node(0, 1) + tx * node(1, 1));
@@ -115,7 +116,7 @@ Image frameTexture(const SampleBody& body, const TexelMap& texels, Positions pos
         for (int x = 0; x < size; ++x) {
             std::uint8_t* pixel = image.pixel(x, y);
             pixel[3] = 255;
-            const std::size_t texel = static_cast<std::size_t>(y * size + x);
+            const std::size_t texel = texels.index(x, y);
             if (texels.triangle[texel] == TexelMap::none) {
                 std::fill_n(pixel, 3, static_cast<std::uint8_t>(96));
                 continue;

@@ -94,7 +94,7 @@ Places conformalMap(const std::vector<FlatTriangle>& triangles, int vertexCount,
             right[row] = strong * pinDistance;
         ++row;
     }
-    Sparse A(rows, 2 * vertexCount);
+    Sparse A(rows, Eigen::Index{2} * vertexCount);
     A.setFromTriplets(entries.begin(), entries.end());
     const Sparse normal = A.transpose() * A;
     const Eigen::SimplicialLDLT<Sparse> solver(normal);

@@ -65,10 +65,11 @@ std::optional<Mask> rasterise(const SurfaceMesh& mesh, const FlatChart& chart, d
         for (int d = -margin; d <= margin; ++d) {
             if (y + d < 0 || y + d >= height)
                 continue;
-            Row wide = covered[static_cast<std::size_t>(y + d)];
+            const int from = y + d;
+            const Row& row = covered[static_cast<std::size_t>(from)];
+            Row wide = row;
             for (int x = 1; x <= margin; ++x)
-                wide |= (covered[static_cast<std::size_t>(y + d)] << static_cast<std::size_t>(x)) |
-                        (covered[static_cast<std::size_t>(y + d)] >> static_cast<std::size_t>(x));
+                wide |= (row << static_cast<std::size_t>(x)) | (row >> static_cast<std::size_t>(x));
             mask.rows[static_cast<std::size_t>(y)] |= wide;
         }
     return mask;

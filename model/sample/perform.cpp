@@ -99,6 +99,7 @@ std::vector<Vec3f> moveSurface(const Performer& performer, const std::vector<Ske
     const Skeleton& skeleton = performer.skeleton;
     const std::size_t vertices = performer.mesh.points.size();
     std::vector<WorldJoints> joints;
+    joints.reserve(poses.size());
     for (const SkeletonPose& pose : poses)
         joints.push_back(worldJoints(skeleton, pose));
     const auto track = [&](const std::string& joint, const Vec3d& offset) {

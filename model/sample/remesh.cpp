@@ -123,10 +123,12 @@ private:
 
     void collapseShortEdges()
     {
-        for (const auto e : m_mesh.edges()) {
+        const auto count = static_cast<int>(m_mesh.n_edges());
+        for (int i = 0; i < count; ++i) {
+            const Mesh::EdgeHandle e(i);
             if (m_mesh.status(e).deleted() || edgeLength(e) >= 0.8 * wished(e))
                 continue;
-            auto h = m_mesh.halfedge_handle(e, 0);
+            Mesh::HalfedgeHandle h = m_mesh.halfedge_handle(e, 0);
             const bool fromBoundary = m_mesh.is_boundary(m_mesh.from_vertex_handle(h));
             const bool toBoundary = m_mesh.is_boundary(m_mesh.to_vertex_handle(h));
             if (fromBoundary && toBoundary && !m_mesh.is_boundary(e))
@@ -176,7 +178,9 @@ private:
             const int d = static_cast<int>(m_mesh.valence(v)) + change - wishedValence;
             return d * d;
         };
-        for (const auto e : m_mesh.edges()) {
+        const auto count = static_cast<int>(m_mesh.n_edges());
+        for (int i = 0; i < count; ++i) {
+            const Mesh::EdgeHandle e(i);
             if (m_mesh.status(e).deleted() || m_mesh.is_boundary(e) || !m_mesh.is_flip_ok(e))
                 continue;
             const auto h = m_mesh.halfedge_handle(e, 0);

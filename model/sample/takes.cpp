@@ -51,6 +51,7 @@ void keepFeetInReach(const Skeleton& skeleton, std::vector<Posture>& frames)
     constexpr int radius = 3;
     const auto count = static_cast<int>(frames.size());
     std::vector<double> excess;
+    excess.reserve(frames.size());
     for (const Posture& p : frames)
         excess.push_back(hipExcess(skeleton, p));
     for (int f = 0; f < count; ++f) {

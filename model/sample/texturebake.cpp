@@ -29,8 +29,7 @@ void rasteriseTriangle(TexelMap& map, const std::array<Eigen::Vector2d, 3>& p, s
             const double c = (e1.x() * q.y() - e1.y() * q.x()) / area;
             if (b < 0 || c < 0 || b + c > 1)
                 continue;
-            const std::size_t texel = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.size) +
-                                      static_cast<std::size_t>(x);
+            const std::size_t texel = map.index(x, y);
             map.triangle[texel] = triangle;
             map.barycentric[texel] = Vec2f(static_cast<float>(b), static_cast<float>(c));
             map.isInside[texel] = true;
@@ -69,14 +68,14 @@ TexelMap mapTexels(const Atlas& atlas, int size, int gutter)
         const std::vector<std::int32_t> before = map.triangle;
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) {
-                const std::size_t texel = static_cast<std::size_t>(y * size + x);
+                const std::size_t texel = map.index(x, y);
                 if (before[texel] != TexelMap::none)
                     continue;
                 for (const auto& [dx, dy] :
                      {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}) {
                     if (x + dx < 0 || x + dx >= size || y + dy < 0 || y + dy >= size)
                         continue;
-                    const std::size_t near = static_cast<std::size_t>((y + dy) * size + x + dx);
+                    const std::size_t near = map.index(x + dx, y + dy);
                     if (before[near] == TexelMap::none)
                         continue;
                     map.triangle[texel] = before[near];
@@ -97,7 +96,7 @@ Image bakeTexture(const SurfaceMesh& mesh, const Body& body, const TexelMap& tex
     tbb::parallel_for(0, texels.size, [&](int y) {
         progress.report(done++, texels.size);
         for (int x = 0; x < texels.size; ++x) {
-            const std::size_t texel = static_cast<std::size_t>(y * texels.size + x);
+            const std::size_t texel = texels.index(x, y);
             std::uint8_t* pixel = image.pixel(x, y);
             pixel[3] = 255;
             if (texels.triangle[texel] == TexelMap::none) {

@@ -18,6 +18,11 @@ struct TexelMap
     std::vector<std::int32_t> triangle;
     std::vector<Vec2f> barycentric; ///< weights of the second and third corner
     std::vector<bool> isInside;     ///< not only around a chart
+
+    std::size_t index(int x, int y) const
+    {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x);
+    }
 };
 
 /// \param gutter texels around each chart that are filled too.
