@@ -144,7 +144,7 @@ std::vector<Foot> findFeet(const MeshSequence& sequence, const Frames& frames, P
     const auto height = static_cast<float>(share) * bodyHeight;
     std::vector<Foot> feet;
     for (const auto& leg : legs) {
-        if (leg.size() < 8 || leg.size() * 3 < legs.front().size())
+        if (leg.size() < 4 || leg.size() * 3 < legs.front().size())
             break;
         float sole = std::numeric_limits<float>::max();
         for (const std::uint32_t v : leg)

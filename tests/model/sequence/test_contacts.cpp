@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 #include <filesystem>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
 
@@ -46,6 +47,51 @@ MeshSequence moved(const MeshSequence& sequence, const Eigen::Affine3f& map)
     MeshSequence result = sequence;
     result.source = std::make_shared<MemoryFrames>(std::move(positions), sequence.topology->vertexCount());
     return result;
+}
+
+/// Two flat feet with a shin each, facing +z; the left one (at +x) is lifted in frames 10 … 19.
+MeshSequence stepping()
+{
+    TopologyData data;
+    std::vector<Vec3f> rest;
+    for (const float side : {-0.2F, 0.2F}) {
+        const auto first = static_cast<std::uint32_t>(rest.size());
+        for (const float z : {0.0F, 0.1F, 0.2F}) {
+            rest.emplace_back(side - 0.05F, 0.0F, z);
+            rest.emplace_back(side + 0.05F, 0.0F, z);
+        }
+        rest.emplace_back(side, 0.16F, 0.0F);
+        rest.emplace_back(side, 1.7F, 0.0F);
+        const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+            data.triangles.push_back(
+                {VertexIndex(first + a), VertexIndex(first + b), VertexIndex(first + c)});
+        };
+        triangle(0, 1, 2);
+        triangle(2, 1, 3);
+        triangle(2, 3, 4);
+        triangle(4, 3, 5);
+        triangle(0, 6, 1);
+        triangle(0, 7, 6);
+    }
+    data.vertexCount = static_cast<std::uint32_t>(rest.size());
+    std::vector<Vec3f> positions;
+    for (int f = 0; f < 30; ++f) {
+        for (std::size_t v = 0; v < rest.size(); ++v) {
+            const bool lifted = f >= 10 && f < 20 && v >= rest.size() / 2;
+            positions.push_back(rest[v] + Vec3f(0, lifted ? 0.2F : 0.0F, 0));
+        }
+    }
+    return makeSequence(
+        "step", std::make_shared<const Topology>(std::move(data)),
+        std::make_shared<MemoryFrames>(std::move(positions), static_cast<std::uint32_t>(rest.size())), 25);
+}
+
+TEST(Contacts, ofAFootThatIsLiftedEndAndBeginWithIt)
+{
+    const std::vector<ContactSpan> expected = {{"right", {FrameIndex(0), FrameIndex(29)}},
+                                               {"left", {FrameIndex(0), FrameIndex(9)}},
+                                               {"left", {FrameIndex(20), FrameIndex(29)}}};
+    EXPECT_THAT(detectContacts(stepping()), testing::UnorderedElementsAreArray(expected));
 }
 
 TEST(Contacts, agreeWithTheGroundTruthOfTheSample)
