@@ -2,39 +2,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/application/actionregistry.h"
 #include "editor/application/autosave.h"
-#include "editor/application/settings.h"
-#include "editor/documents/projectdocument.h"
-#include "editor/documents/selection.h"
-#include "editor/documents/sequencemedia.h"
-#include "editor/errors/issuelog.h"
-#include "editor/jobs/jobrunner.h"
-#include "editor/language/languagemanager.h"
+#include "editor/application/editorcontext.h"
 
 #include <QMainWindow>
 
 class QLabel;
-class QMenu;
 class QStackedWidget;
-class QTreeView;
 
 namespace quadrille {
 
-class Player;
 class ProjectFiles;
-class ProjectTreeModel;
-class SequenceStage;
-class SequenceTimeline;
+class SequencesWorkspace;
 class WelcomePage;
 
-namespace widgets {
-class PlaybackBar;
-class Timeline;
-class Viewport;
-} // namespace widgets
-
-/// The window: puts document, views and actions together, and nothing else.
+/// The window: puts document, workspaces, docks and actions together, and nothing else.
 class MainWindow : public QMainWindow
 {
     Q_OBJECT
@@ -47,57 +29,36 @@ public:
     void open(const QStringList& files);
     void openSample();
 
-    ProjectDocument& document() { return m_document; }
-    Player& player() { return *m_player; }
+    EditorContext& context() { return m_context; }
+    SequencesWorkspace& sequences() { return *m_sequences; }
 
 protected:
     void closeEvent(QCloseEvent* event) override;
-    void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
     void makeCentre();
     void makeDocks();
+    QDockWidget* addDock(const char* name, std::function<QString()> title, QWidget* content,
+                         Qt::DockWidgetArea area);
     void makeActions();
-    void makeViewActions();
+    void makeThemeActions();
     void makeMenus();
     void connectAll();
-    void retranslate();
     void followDocument(const ChangeEvent& event);
-    void followSelection();
-    void followStage();
-    void followRange();
     void showHelp();
     void showProblem(const QString& message);
 
-    Settings m_settings;
-    LanguageManager m_languages;
-    JobRunner m_jobs;
-    ProjectDocument m_document;
-    Selection m_selection;
-    SequenceMedia m_media;
-    IssueLog m_issues;
+    EditorContext m_context;
     Autosave m_autosave;
-    ActionRegistry m_actions;
-    ProjectFiles* m_files = nullptr;
-
+    ProjectFiles* m_files;
     QStackedWidget* m_pages = nullptr;
     WelcomePage* m_welcome = nullptr;
-    widgets::Viewport* m_viewport = nullptr;
-    widgets::Timeline* m_timeline = nullptr;
-    widgets::PlaybackBar* m_bar = nullptr;
-    SequenceStage* m_stage = nullptr;
-    Player* m_player = nullptr;
-    SequenceTimeline* m_sequenceTimeline = nullptr;
-    ProjectTreeModel* m_treeModel = nullptr;
-    QTreeView* m_tree = nullptr;
-    QDockWidget* m_treeDock = nullptr;
-    QDockWidget* m_historyDock = nullptr;
+    SequencesWorkspace* m_sequences = nullptr;
+    QList<QDockWidget*> m_docks;
     QDockWidget* m_issuesDock = nullptr;
     QLabel* m_message = nullptr;
-    std::vector<std::pair<QMenu*, std::function<QString()>>> m_menus;
-    bool m_playsWhenReady = false;
 };
 
 } // namespace quadrille

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/application/actionregistry.h"
+#include "editor/application/settings.h"
+#include "editor/documents/projectdocument.h"
+#include "editor/documents/selection.h"
+#include "editor/documents/sequencemedia.h"
+#include "editor/errors/issuelog.h"
+#include "editor/jobs/jobrunner.h"
+#include "editor/language/languagemanager.h"
+
+namespace quadrille {
+
+/// What everything in a window works on. Panels, dialogs and workspaces take it by reference and talk to each
+/// other through it alone.
+struct EditorContext
+{
+    EditorContext() : actions(settings), selection(document), media(document, jobs)
+    {
+        languages.setLanguage(settings.language());
+    }
+
+    Settings settings;
+    LanguageManager languages;
+    ActionRegistry actions;
+    IssueLog issues;
+    JobRunner jobs;
+    ProjectDocument document;
+    Selection selection;
+    SequenceMedia media;
+};
+
+} // namespace quadrille

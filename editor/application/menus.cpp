@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/application/menus.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/language/retranslate.h"
+
+#include <QActionGroup>
+#include <QMainWindow>
+#include <QMenuBar>
+
+namespace quadrille {
+
+Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& window)
+    : QObject(&window), m_context(context), m_window(window)
+{
+    addMenu([] { return tr("&File"); }, {"file.new", "file.open", "file.sample", "", "file.import", "",
+                                         "file.save", "file.saveAs", "", "file.quit"});
+    addMenu([] { return tr("&Edit"); },
+            {"edit.undo", "edit.redo", "", "edit.trimStart", "edit.trimEnd", "edit.untrim", "edit.label"});
+    QMenu* view = addMenu([] { return tr("&View"); },
+                          {"view.textured", "view.clay", "view.wire", "", "view.grid", "view.follow",
+                           "view.ghosts", "view.measure", "", "view.frame", "view.front", "view.side",
+                           "view.top", "", "theme.system", "theme.light", "theme.dark", ""});
+    view->addActions(docks);
+    addMenu([] { return tr("&Playback"); },
+            {"play.toggle", "", "play.previous", "play.next", "play.first", "play.last", "", "play.backwards",
+             "play.pause", "play.forwards"});
+    addLanguages();
+    addMenu([] { return tr("&Help"); }, {"help.manual"});
+    m_window.addActions(context.actions.actions());
+    retranslates(&window, [this] { retranslate(); });
+}
+
+QMenu* Menus::addMenu(std::function<QString()> title, const QStringList& actions)
+{
+    QMenu* menu = m_window.menuBar()->addMenu(QString());
+    m_titles.emplace_back(menu, std::move(title));
+    for (const QString& id : actions) {
+        if (id.isEmpty())
+            menu->addSeparator();
+        else
+            menu->addAction(m_context.actions.action(id));
+    }
+    return menu;
+}
+
+void Menus::addLanguages()
+{
+    QMenu* languages = addMenu([] { return tr("&Language"); }, {});
+    auto* group = new QActionGroup(this);
+    for (const Language& language : LanguageManager::languages()) {
+        QAction* action = languages->addAction(language.name);
+        action->setCheckable(true);
+        action->setChecked(language.code == m_context.languages.language());
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, code = language.code] {
+            m_context.settings.setLanguage(code);
+            m_context.languages.setLanguage(code);
+        });
+    }
+}
+
+void Menus::retranslate()
+{
+    m_context.actions.retranslate();
+    for (const auto& [menu, title] : m_titles)
+        menu->setTitle(title());
+}
+
+} // namespace quadrille
