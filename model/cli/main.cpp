@@ -22,6 +22,7 @@ void onSignal(int signal)
 
 void addCommands(CLI::App& app, Session& session)
 {
+    app.name("quadrille");
     app.description("Quadrille, headless: makes new performances from captured textured mesh sequences.");
     app.set_version_flag("--version", "quadrille " QUADRILLE_VERSION);
     app.require_subcommand(1);
@@ -49,6 +50,10 @@ int run(int argc, char** argv)
     std::signal(SIGTERM, onSignal);
     CLI::App app;
     addCommands(app, session);
+    if (argc == 1) {
+        std::fputs(app.help().c_str(), stderr);
+        return 2;
+    }
     try {
         app.parse(argc, argv);
         session.console.endProgress();

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "model/cli/sequenceinfo.h"
 
+#include "model/project/lengthunit.h"
+
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 namespace quadrille::cli {
@@ -97,6 +101,55 @@ std::string valueText(const Json& value)
     return text;
 }
 
+std::string fixed(double value, int digits)
+{
+    std::array<char, 64> text{};
+    const auto* end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, digits).ptr;
+    return std::string(text.data(), static_cast<std::size_t>(end - text.data()));
+}
+
+std::string counted(std::int64_t count, const char* one, const char* many)
+{
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string textureText(const Json& textures)
+{
+    const auto count = textures["count"].get<std::int64_t>();
+    const std::string kind = textures["kind"];
+    if (kind == "none")
+        return "no texture";
+    if (kind == "per_frame")
+        return counted(count, "texture", "textures") + ", one per frame";
+    if (kind == "per_material")
+        return counted(count, "texture", "textures") + ", by material";
+    return "one texture";
+}
+
+/// Extents along the axes with three significant places of the largest, in the file's own unit.
+std::string boundsText(const Json& info)
+{
+    const Json& low = info["bounds"]["min"];
+    const Json& high = info["bounds"]["max"];
+    double largest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        largest = std::max(largest, high[axis].get<double>() - low[axis].get<double>());
+    const int digits =
+        largest > 0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(largest))), 0, 9) : 3;
+    std::string out;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        out += axis == 0 ? "" : ", ";
+        out += "xyz"[axis];
+        out += ' ';
+        out += fixed(low[axis].get<double>(), digits) + " … " + fixed(high[axis].get<double>(), digits);
+    }
+    const auto unit = unitName(info["metres_per_unit"].get<double>());
+    if (unit)
+        out.append(" ").append(*unit);
+    return out.append(", ").append(info["up_axis"].get<std::string>()).append(" up");
+}
+
 } // namespace
 
 Json sequenceInfo(const std::string& path, const MeshSequence& sequence, const ImportResult& imported,
@@ -137,17 +190,23 @@ Json sequenceInfo(const std::string& path, const MeshSequence& sequence, const I
 
 std::string infoText(const Json& info)
 {
-    const auto text = [&info](const char* key) { return valueText(info[key]); };
-    std::string out = text("path") + " – " + text("name") + "\n";
-    out += "  " + text("vertices") + " vertices, " + text("triangles") + " triangles, " + text("components") +
-           " components, " + text("boundary_edges") + " boundary edges in " + text("boundary_loops") +
-           " loops\n";
-    out += "  " + text("frames") + " frames at " + text("fps") + " fps" +
-           (info["fps_assumed"].get<bool>() ? " (assumed)" : "") + ", " + text("duration") + " s\n";
-    out += std::string("  ") + (info["uvs"].get<bool>() ? "with" : "without") +
-           " UVs, textures: " + valueText(info["textures"]["kind"]) + " (" +
-           valueText(info["textures"]["count"]) + ")\n";
-    out += "  bounds " + valueText(info["bounds"]["min"]) + " to " + valueText(info["bounds"]["max"]);
+    const auto count = [&info](const char* key, const char* one, const char* many) {
+        return counted(info[key].get<std::int64_t>(), one, many);
+    };
+    std::string out = info["path"].get<std::string>() + " – " + info["name"].get<std::string>() + "\n";
+    out += "  " + count("vertices", "vertex", "vertices") + ", " +
+           count("triangles", "triangle", "triangles") + ", " +
+           count("components", "component", "components") + ", ";
+    out += info["boundary_edges"] == 0 ? "closed"
+                                       : count("boundary_edges", "boundary edge", "boundary edges") + " in " +
+                                             count("boundary_loops", "loop", "loops");
+    if (info["non_manifold_edges"] != 0)
+        out += ", " + count("non_manifold_edges", "non-manifold edge", "non-manifold edges");
+    out += "\n  " + count("frames", "frame", "frames") + " at " + valueText(info["fps"]) + " fps" +
+           (info["fps_assumed"].get<bool>() ? " (assumed)" : "") + ", " +
+           fixed(info["duration"].get<double>(), 2) + " s\n  ";
+    out += info["uvs"].get<bool>() ? "UVs, " : "no UVs, ";
+    out += textureText(info["textures"]) + "\n  " + boundsText(info);
     for (const Json& problem : info["problems"])
         out += "\n  problem: " + problem.get<std::string>();
     return out;

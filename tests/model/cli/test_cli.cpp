@@ -84,7 +84,6 @@ TEST_F(Cli, WrongUseEndsWithTwo)
 {
     writeObjSeries(folder);
     const std::vector<std::vector<std::string>> wrong{
-        {},
         {"unknown"},
         {"info"},
         {"convert", "frames"},
@@ -115,6 +114,24 @@ TEST_F(Cli, FailuresEndWithOneAndNameTheFile)
     EXPECT_THAT(bad.err, HasSubstr("(line 4, column 3)"));
     EXPECT_EQ(run({"rebuild", "nowhere.quadrille"}).status, 1);
     EXPECT_EQ(run({"convert", "nowhere.obj", "x.pc2"}).status, 1);
+}
+
+TEST_F(Cli, SaysWhatThereIsWhenNothingIsAsked)
+{
+    const Outcome result = run({});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_THAT(result.err, HasSubstr("Usage: quadrille "));
+    EXPECT_THAT(result.err, HasSubstr("rebuild"));
+}
+
+TEST_F(Cli, InfoReadsAsSentences)
+{
+    writeObjSeries(folder);
+    const std::string text = run({"info", "frames"}).out;
+    EXPECT_THAT(text, HasSubstr("4 vertices, 2 triangles, 1 component, 4 boundary edges in 1 loop"));
+    EXPECT_THAT(text, HasSubstr("6 frames at 25 fps (assumed), 0.24 s"));
+    EXPECT_THAT(text, HasSubstr("UVs, no texture"));
+    EXPECT_THAT(text, HasSubstr("x 0.000 … 1.000, y 0.000 … 0.500, z 0.000 … 1.000 m, y up"));
 }
 
 TEST_F(Cli, InfoHasItsDocumentedKeys)
