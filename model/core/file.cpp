@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 void throwSystemError(const fs::path& path, int error, ErrorCode otherwise)
 {
-    if (error == ENOENT || error == ENOTDIR)
+    if ((error == ENOENT || error == ENOTDIR) && otherwise != ErrorCode::WriteFailed)
         throw Error(ErrorCode::FileNotFound, {path, {}, {}});
     if (error == EACCES || error == EPERM || error == EROFS)
         throw Error(ErrorCode::PermissionDenied, {path, {}, {}});

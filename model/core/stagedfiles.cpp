@@ -13,6 +13,18 @@ namespace quadrille {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+void makeFolder(const fs::path& folder)
+{
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        throwSystemError(folder, error.value(), ErrorCode::WriteFailed);
+}
+
+} // namespace
+
 StagedFiles::StagedFiles(const fs::path& folder) : m_folder(folder.empty() ? fs::path(".") : folder)
 {
     static std::atomic<unsigned> counter{0};
@@ -21,9 +33,7 @@ StagedFiles::StagedFiles(const fs::path& folder) : m_folder(folder.empty() ? fs:
          made = made.parent_path())
         m_madeFolder = made;
     m_staging = m_folder / (".writing-" + std::to_string(::getpid()) + "-" + std::to_string(counter++));
-    fs::create_directories(m_staging, error);
-    if (error)
-        throwSystemError(m_folder, error.value(), ErrorCode::WriteFailed);
+    makeFolder(m_staging);
 }
 
 StagedFiles::~StagedFiles()
@@ -38,7 +48,9 @@ fs::path StagedFiles::add(const std::string& name)
 {
     const std::scoped_lock lock(m_mutex);
     m_names.push_back(name);
-    return m_staging / name;
+    fs::path path = m_staging / name;
+    makeFolder(path.parent_path());
+    return path;
 }
 
 std::vector<fs::path> StagedFiles::commit()
@@ -46,6 +58,7 @@ std::vector<fs::path> StagedFiles::commit()
     std::sort(m_names.begin(), m_names.end());
     std::vector<fs::path> paths;
     for (const std::string& name : m_names) {
+        makeFolder((m_folder / name).parent_path());
         std::error_code error;
         fs::rename(m_staging / name, m_folder / name, error);
         if (error)

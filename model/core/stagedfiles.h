@@ -22,7 +22,7 @@ public:
     StagedFiles(const StagedFiles&) = delete;
     StagedFiles& operator=(const StagedFiles&) = delete;
 
-    /// Where to write a file of this name for now. Safe from any thread.
+    /// Where to write a file of this name for now; a name may have folders before it. Safe from any thread.
     std::filesystem::path add(const std::string& name);
     /// Moves all files to their place, over files of the same name.
     /// \return their paths, sorted by name.

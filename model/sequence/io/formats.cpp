@@ -10,6 +10,7 @@
 #include "model/sequence/io/hdf5sequence.h"
 #include "model/sequence/io/obj.h"
 #include "model/sequence/io/pc2.h"
+#include "model/sequence/io/ply.h"
 #include "model/sequence/io/usdwriter.h"
 
 namespace quadrille {
@@ -18,6 +19,7 @@ std::vector<std::unique_ptr<Importer>> makeImporters()
 {
     std::vector<std::unique_ptr<Importer>> importers;
     importers.push_back(makeObjImporter());
+    importers.push_back(makePlyImporter());
     importers.push_back(makePc2Importer());
     importers.push_back(std::make_unique<GltfImporter>());
     importers.push_back(std::make_unique<FbxImporter>());
@@ -30,6 +32,8 @@ std::vector<std::unique_ptr<Importer>> makeImporters()
 std::vector<std::unique_ptr<Exporter>> makeExporters()
 {
     std::vector<std::unique_ptr<Exporter>> exporters;
+    exporters.push_back(makeObjExporter());
+    exporters.push_back(makePlyExporter());
     exporters.push_back(makePc2Exporter());
     exporters.push_back(std::make_unique<GlbExporter>());
     exporters.push_back(std::make_unique<UsdExporter>());

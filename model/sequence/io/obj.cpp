@@ -223,13 +223,19 @@ MeshFile parseObj(std::string_view content, const std::filesystem::path& file)
     return ObjParser(content, file).parse();
 }
 
+const FormatInfo& objFormat()
+{
+    static const FormatInfo info{
+        .id = "obj", .name = "Wavefront OBJ", .extensions = {".obj"}, .onePerFrame = true};
+    return info;
+}
+
 std::unique_ptr<Importer> makeObjImporter()
 {
-    return makeMeshImporter(
-        {.info = {.id = "obj", .name = "Wavefront OBJ", .extensions = {".obj"}, .onePerFrame = true},
-         .recognises = looksLikeObj,
-         .parse = parseObj,
-         .makePositionReader = makeObjPositionReader});
+    return makeMeshImporter({.info = objFormat(),
+                             .recognises = looksLikeObj,
+                             .parse = parseObj,
+                             .makePositionReader = makeObjPositionReader});
 }
 
 } // namespace quadrille

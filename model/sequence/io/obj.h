@@ -14,6 +14,10 @@ MeshFile parseObj(std::string_view content, const std::filesystem::path& file);
 /// Reads positions of further files by comparing the text of their faces and UVs with that of this one.
 std::shared_ptr<const PositionReader> makeObjPositionReader(std::string_view content, const MeshFile& mesh);
 
+const FormatInfo& objFormat();
 std::unique_ptr<Importer> makeObjImporter();
+/// Writes vertices, UVs per corner and materials; pictures and a material library (one per frame where
+/// textures change) beside them.
+std::unique_ptr<Exporter> makeObjExporter();
 
 } // namespace quadrille

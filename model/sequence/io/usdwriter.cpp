@@ -3,37 +3,25 @@
 #include "model/sequence/io/usdwriter.h"
 
 #include "model/core/file.h"
-#include "model/sequence/io/exporttexture.h"
+#include "model/sequence/io/copytextures.h"
+#include "model/sequence/io/numbertext.h"
 
 #include <array>
 #include <cctype>
 #include <cerrno>
-#include <charconv>
 #include <fstream>
-#include <map>
 #include <set>
+#include <type_traits>
 
 namespace quadrille {
 
 namespace {
 
-void append(std::string& text, double number)
+template <typename Number>
+requires std::is_arithmetic_v<Number>
+void append(std::string& text, Number number)
 {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    text.append(digits.data(), end);
-}
-
-void append(std::string& text, float number)
-{
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    text.append(digits.data(), end);
-}
-
-void append(std::string& text, std::int64_t number)
-{
-    text += std::to_string(number);
+    appendNumber(text, number);
 }
 
 void append(std::string& text, const Vec3f& v)
@@ -80,27 +68,6 @@ std::string primName(const std::string& name, const std::string& otherwise)
     return std::isdigit(static_cast<unsigned char>(result.front())) != 0 ? "_" + result : result;
 }
 
-/// Files that are removed again unless everything was written.
-class WrittenFiles
-{
-public:
-    WrittenFiles() = default;
-    ~WrittenFiles()
-    {
-        std::error_code error;
-        for (const auto& file : m_files)
-            std::filesystem::remove(file, error);
-    }
-    WrittenFiles(const WrittenFiles&) = delete;
-    WrittenFiles& operator=(const WrittenFiles&) = delete;
-
-    void add(std::filesystem::path file) { m_files.push_back(std::move(file)); }
-    std::vector<std::filesystem::path> keep() { return std::exchange(m_files, {}); }
-
-private:
-    std::vector<std::filesystem::path> m_files;
-};
-
 class Writer
 {
 public:
@@ -125,20 +92,17 @@ public:
 
     ExportResult write(const Progress& progress)
     {
-        copyTextures(progress.part(0, 0.2));
-        writeAtomically(m_out, [&](const std::filesystem::path& path) {
-            std::ofstream file(path, std::ios::binary);
-            flush(file, header());
-            flush(file, meshStart());
-            writeFrames(file, progress.part(0.2, 1));
-            flush(file, meshEnd() + materials() + "}\n");
-            file.flush();
-            check(file);
-        });
-        m_files.add(m_out);
-        ExportResult result;
-        result.files = m_files.keep();
-        return result;
+        StagedFiles files(m_out.parent_path());
+        if (m_options.textures)
+            m_textures = copyTextures(m_sequence, m_out.stem().string(), files, progress.part(0, 0.2));
+        std::ofstream file(files.add(m_out.filename().string()), std::ios::binary);
+        flush(file, header());
+        flush(file, meshStart());
+        writeFrames(file, progress.part(0.2, 1));
+        flush(file, meshEnd() + materials() + "}\n");
+        file.close();
+        check(file);
+        return {files.commit(), {}};
     }
 
 private:
@@ -152,47 +116,6 @@ private:
     {
         file.write(text.data(), static_cast<std::streamsize>(text.size()));
         check(file);
-    }
-
-    /// Copies the pictures that the frames use and notes the paths to write.
-    void copyTextures(const Progress& progress)
-    {
-        const TextureSet& textures = m_sequence.textures;
-        if (!m_options.textures || textures.kind() == TextureSet::Kind::None)
-            return;
-        const bool perFrame = textures.kind() == TextureSet::Kind::PerFrame;
-        const std::int64_t count =
-            perFrame ? m_sequence.frameCount() : static_cast<std::int64_t>(m_materialNames.size());
-        for (std::int64_t i = 0; i < count; ++i) {
-            progress.report(i, count);
-            const FrameIndex frame = m_sequence.sourceFrame(FrameIndex(perFrame ? i : 0));
-            const int index = textures.indexFor(frame, perFrame ? 0 : static_cast<int>(i));
-            std::string path;
-            if (index >= 0 && !textures.textures()[static_cast<std::size_t>(index)].isEmpty())
-                path = copyTexture(index, perFrame ? i : -1);
-            (perFrame ? m_framePaths : m_materialPaths).push_back(std::move(path));
-        }
-    }
-
-    std::string copyTexture(int index, std::int64_t frame)
-    {
-        if (const auto known = m_pathOf.find(index); known != m_pathOf.end())
-            return known->second;
-        const EncodedTexture encoded =
-            encodeTexture(m_sequence.textures.textures()[static_cast<std::size_t>(index)]);
-        const std::string stem = m_out.stem().string();
-        std::string name = stem + "_texture" + (m_pathOf.empty() ? "" : std::to_string(m_pathOf.size() + 1));
-        if (frame >= 0) {
-            std::string number = std::to_string(frame);
-            number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
-            name = stem + "_textures/" + number;
-        }
-        name += encoded.extension;
-        const auto file = m_out.parent_path() / name;
-        writeAtomically(file, std::string_view(reinterpret_cast<const char*>(encoded.bytes.data()),
-                                               encoded.bytes.size()));
-        m_files.add(file);
-        return m_pathOf[index] = "./" + name;
     }
 
     std::string header() const
@@ -299,15 +222,15 @@ private:
 
     std::string texturePath(std::size_t material) const
     {
-        if (!m_framePaths.empty()) {
+        const auto& frames = m_textures.ofFrames;
+        if (!frames.empty()) {
             std::string text = "asset inputs:file.timeSamples = {\n";
-            for (std::size_t f = 0; f < m_framePaths.size(); ++f)
-                text += "                    " + std::to_string(f) + ": @" + m_framePaths[f] + "@,\n";
+            for (std::size_t f = 0; f < frames.size(); ++f)
+                text += "                    " + std::to_string(f) + ": @./" + frames[f] + "@,\n";
             return text + "                }\n";
         }
-        if (material >= m_materialPaths.size() || m_materialPaths[material].empty())
-            return {};
-        return "asset inputs:file = @" + m_materialPaths[material] + "@\n";
+        const std::string& picture = m_textures.of(0, material);
+        return picture.empty() ? std::string() : "asset inputs:file = @./" + picture + "@\n";
     }
 
     std::string material(std::size_t index) const
@@ -347,10 +270,7 @@ private:
     std::string m_root;
     const TopologyData& m_topology;
     std::vector<std::string> m_materialNames; ///< as prims, at least one
-    std::vector<std::string> m_materialPaths; ///< pictures of the materials; empty ones without
-    std::vector<std::string> m_framePaths;    ///< pictures of the frames
-    std::map<int, std::string> m_pathOf;      ///< of textures that were copied
-    WrittenFiles m_files;
+    CopiedTextures m_textures;
 };
 
 } // namespace

@@ -123,8 +123,8 @@ TEST(Usd, TexturesPerFrameAreTimeSamples)
     EXPECT_EQ(written.files.size(), 3U);
     const std::string text = textOf(folder / "t.usda");
     EXPECT_THAT(text, HasSubstr("asset inputs:file.timeSamples = {"));
-    EXPECT_THAT(text, HasSubstr("1: @./t_textures/0001.png@,"));
-    EXPECT_EQ(readImage(folder / "t_textures/0000.png"), *plainImage(2));
+    EXPECT_THAT(text, HasSubstr("1: @./textures/t/0001.png@,"));
+    EXPECT_EQ(readImage(folder / "textures/t/0000.png"), *plainImage(2));
 }
 
 TEST(Usd, CancellingLeavesNothing)
