@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/core/file.h"
+#include "model/core/npy.h"
 #include "model/project/jsontext.h"
 #include "model/project/projectdata.h"
 #include "model/sequence/io/sourcefiles.h"
@@ -87,15 +88,7 @@ NpyColumn npyColumn(const DataValues& values)
 std::string npy(const std::string& description, const std::vector<std::int64_t>& shape,
                 const std::vector<NpyColumn>& columns, std::size_t rows)
 {
-    std::string header = "{'descr': " + description + ", 'fortran_order': False, 'shape': (";
-    for (const std::int64_t extent : shape)
-        header.append(std::to_string(extent)).append(", ");
-    header += "), }";
-    constexpr std::size_t prefix = 10; // magic, version, length
-    header.append(63 - (prefix + header.size()) % 64, ' ').append("\n");
-    std::string out("\x93NUMPY\x01\x00", 8);
-    appendBytes(out, static_cast<std::uint16_t>(header.size()));
-    out += header;
+    std::string out = npyHeader(description, shape);
     for (std::size_t row = 0; row < rows; ++row) {
         for (const NpyColumn& column : columns)
             column.append(out, row);

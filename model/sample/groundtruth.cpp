@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/sample/groundtruth.h"
 
+#include "model/core/npy.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -152,16 +154,9 @@ Json landmarksJson(const SampleCharacter& character)
 
 std::string warpsNpy(const SampleAppearance& appearance)
 {
-    std::string header = "{'descr': '<f4', 'fortran_order': False, 'shape': (" +
-                         std::to_string(appearance.warps.size()) + ", " + std::to_string(SampleWarp::nodes) +
-                         ", " + std::to_string(SampleWarp::nodes) + ", 2), }";
-    constexpr std::size_t preamble = 10;
-    header.append(63 - (preamble + header.size()) % 64, ' ');
-    header += '\n';
-    std::string bytes("\x93NUMPY\x01\x00", 8);
-    bytes += static_cast<char>(header.size() & 0xff);
-    bytes += static_cast<char>(header.size() >> 8);
-    bytes += header;
+    const std::array shape{static_cast<std::int64_t>(appearance.warps.size()),
+                           std::int64_t{SampleWarp::nodes}, std::int64_t{SampleWarp::nodes}, std::int64_t{2}};
+    std::string bytes = npyHeader("'<f4'", shape);
     for (const SampleWarp& warp : appearance.warps)
         bytes.append(reinterpret_cast<const char*>(warp.offsets.data()), warp.offsets.size() * sizeof(Vec2f));
     return bytes;

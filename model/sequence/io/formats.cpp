@@ -8,9 +8,13 @@
 #include "model/sequence/io/glbwriter.h"
 #include "model/sequence/io/gltf.h"
 #include "model/sequence/io/hdf5sequence.h"
+#include "model/sequence/io/mdd.h"
+#include "model/sequence/io/npy.h"
 #include "model/sequence/io/obj.h"
+#include "model/sequence/io/off.h"
 #include "model/sequence/io/pc2.h"
 #include "model/sequence/io/ply.h"
+#include "model/sequence/io/stl.h"
 #include "model/sequence/io/usdwriter.h"
 
 namespace quadrille {
@@ -20,7 +24,11 @@ std::vector<std::unique_ptr<Importer>> makeImporters()
     std::vector<std::unique_ptr<Importer>> importers;
     importers.push_back(makeObjImporter());
     importers.push_back(makePlyImporter());
+    importers.push_back(makeOffImporter());
+    importers.push_back(makeStlImporter());
     importers.push_back(makePc2Importer());
+    importers.push_back(makeMddImporter());
+    importers.push_back(makeNpyImporter());
     importers.push_back(std::make_unique<GltfImporter>());
     importers.push_back(std::make_unique<FbxImporter>());
     importers.push_back(std::make_unique<ColladaImporter>());
@@ -35,6 +43,8 @@ std::vector<std::unique_ptr<Exporter>> makeExporters()
     exporters.push_back(makeObjExporter());
     exporters.push_back(makePlyExporter());
     exporters.push_back(makePc2Exporter());
+    exporters.push_back(makeMddExporter());
+    exporters.push_back(makeNpyExporter());
     exporters.push_back(std::make_unique<GlbExporter>());
     exporters.push_back(std::make_unique<UsdExporter>());
     exporters.push_back(makePngExporter());

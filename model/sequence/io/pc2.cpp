@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/pc2.h"
 
-#include <array>
 #include <cstring>
 
 namespace quadrille {
@@ -29,21 +28,13 @@ const FormatInfo& pc2Format()
     return format;
 }
 
-class Pc2Exporter : public Exporter
+std::string headerOf(const MeshSequence& sequence)
 {
-public:
-    const FormatInfo& format() const override { return pc2Format(); }
-    ExportResult write(const MeshSequence& sequence, const std::filesystem::path& out, const ExportOptions&,
-                       const Progress& progress) const override
-    {
-        Pc2Header header{{},   1,    static_cast<std::int32_t>(sequence.topology->vertexCount()),
-                         0.0F, 1.0F, static_cast<std::int32_t>(sequence.frameCount())};
-        std::memcpy(header.signature, signature.data(), signature.size());
-        std::array<char, sizeof header> bytes{};
-        std::memcpy(bytes.data(), &header, sizeof header);
-        return writePointCache(sequence, out, {bytes.data(), bytes.size()}, {}, progress);
-    }
-};
+    Pc2Header header{{},   1,    static_cast<std::int32_t>(sequence.topology->vertexCount()),
+                     0.0F, 1.0F, static_cast<std::int32_t>(sequence.frameCount())};
+    std::memcpy(header.signature, signature.data(), signature.size());
+    return {reinterpret_cast<const char*>(&header), sizeof header};
+}
 
 } // namespace
 
@@ -78,7 +69,7 @@ std::unique_ptr<Importer> makePc2Importer()
 
 std::unique_ptr<Exporter> makePc2Exporter()
 {
-    return std::make_unique<Pc2Exporter>();
+    return makePointCacheExporter({.info = pc2Format(), .header = headerOf});
 }
 
 } // namespace quadrille

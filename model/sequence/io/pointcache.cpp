@@ -191,6 +191,51 @@ private:
     PointCacheFormat m_format;
 };
 
+class PointCacheExporter : public Exporter
+{
+public:
+    explicit PointCacheExporter(PointCacheWriterFormat format) : m_format(std::move(format)) {}
+    const FormatInfo& format() const override { return m_format.info; }
+    ExportResult write(const MeshSequence& sequence, const fs::path& out, const ExportOptions& /*options*/,
+                       const Progress& progress) const override
+    {
+        writeAtomically(out, [&](const fs::path& temporary) {
+            std::ofstream file(temporary, std::ios::binary);
+            if (!file)
+                throwSystemError(out, errno, ErrorCode::WriteFailed);
+            writeAll(sequence, file, progress);
+            file.close();
+            if (!file)
+                throwSystemError(out, errno, ErrorCode::WriteFailed);
+        });
+        progress.report(1);
+        return {{out}, {}};
+    }
+
+private:
+    /// Some frames at a time, read in parallel. A file that cannot be written stays failed.
+    void writeAll(const MeshSequence& sequence, std::ofstream& file, const Progress& progress) const
+    {
+        const std::string header = m_format.header(sequence);
+        file.write(header.data(), static_cast<std::streamsize>(header.size()));
+        constexpr std::int64_t batchBytes = std::int64_t{16} << 20;
+        const std::int64_t frameBytes = std::int64_t{sequence.topology->vertexCount()} * 12;
+        const std::int64_t batch = std::max<std::int64_t>(1, batchBytes / frameBytes);
+        const std::int64_t frames = sequence.frameCount();
+        for (std::int64_t first = 0; first < frames && file; first += batch) {
+            const std::int64_t last = std::min(first + batch, frames) - 1;
+            auto positions = loadFrames(sequence.cutTo({FrameIndex(first), FrameIndex(last)}));
+            progress.report(first, frames);
+            if (m_format.isBigEndian)
+                swapBytes(positions);
+            file.write(reinterpret_cast<const char*>(positions.data()),
+                       static_cast<std::streamsize>(positions.size() * sizeof(Vec3f)));
+        }
+    }
+
+    PointCacheWriterFormat m_format;
+};
+
 } // namespace
 
 void checkLayout(const PointCacheLayout& layout, const InputFile& file)
@@ -223,35 +268,9 @@ std::unique_ptr<Importer> makePointCacheImporter(PointCacheFormat format)
     return std::make_unique<PointCacheImporter>(std::move(format));
 }
 
-ExportResult writePointCache(const MeshSequence& sequence, const fs::path& out, std::string_view header,
-                             const std::function<void(std::span<Vec3f>)>& toBytes, const Progress& progress)
+std::unique_ptr<Exporter> makePointCacheExporter(PointCacheWriterFormat format)
 {
-    writeAtomically(out, [&](const fs::path& temporary) {
-        std::ofstream file(temporary, std::ios::binary);
-        if (!file)
-            throwSystemError(out, errno, ErrorCode::WriteFailed);
-        file.write(header.data(), static_cast<std::streamsize>(header.size()));
-        constexpr std::int64_t batchBytes = std::int64_t{16} << 20;
-        const std::int64_t frameBytes = std::int64_t{sequence.topology->vertexCount()} * 12;
-        const std::int64_t batch = std::max<std::int64_t>(1, batchBytes / frameBytes);
-        const std::int64_t frames = sequence.frameCount();
-        for (std::int64_t first = 0; first < frames; first += batch) {
-            const std::int64_t last = std::min(first + batch, frames) - 1;
-            auto positions = loadFrames(sequence.cutTo({FrameIndex(first), FrameIndex(last)}));
-            progress.report(first, frames);
-            if (toBytes)
-                toBytes(positions);
-            file.write(reinterpret_cast<const char*>(positions.data()),
-                       static_cast<std::streamsize>(positions.size() * sizeof(Vec3f)));
-            if (!file)
-                throwSystemError(out, errno, ErrorCode::WriteFailed);
-        }
-        file.flush();
-        if (!file)
-            throwSystemError(out, errno, ErrorCode::WriteFailed);
-    });
-    progress.report(1);
-    return {{out}, {}};
+    return std::make_unique<PointCacheExporter>(std::move(format));
 }
 
 } // namespace quadrille

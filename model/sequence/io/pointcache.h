@@ -5,7 +5,6 @@
 #include "model/core/file.h"
 #include "model/sequence/io/format.h"
 
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -46,11 +45,13 @@ struct PointCacheFormat
 /// when asked for.
 std::unique_ptr<Importer> makePointCacheImporter(PointCacheFormat format);
 
-/// Writes a whole point cache: a header, then all frames.
-/// \param toBytes brings the positions of one frame into the form of the file, in place; may be empty.
-/// \throws Error WriteFailed, PermissionDenied, Cancelled, and what reading frames throws.
-ExportResult writePointCache(const MeshSequence& sequence, const std::filesystem::path& out,
-                             std::string_view header, const std::function<void(std::span<Vec3f>)>& toBytes,
-                             const Progress& progress);
+/// How such a format is written: a header, then the positions of all frames as 32-bit numbers.
+struct PointCacheWriterFormat
+{
+    FormatInfo info;
+    std::string (*header)(const MeshSequence& sequence) = nullptr;
+    bool isBigEndian = false;
+};
+std::unique_ptr<Exporter> makePointCacheExporter(PointCacheWriterFormat format);
 
 } // namespace quadrille

@@ -13,9 +13,9 @@ std::span<const std::unique_ptr<Importer>> importers();
 /// All exporters, in the order in which dialogs list them.
 std::span<const std::unique_ptr<Exporter>> exporters();
 
-/// Finds what a path means: a file, a folder that holds one numbered series of meshes, or a pattern
-/// (name_####.obj, name_%04d.obj, name_*.obj). A numbered file means that file alone.
-/// \throws Error FileNotFound, PermissionDenied, SeriesEmpty, SeriesAmbiguous.
+/// Finds what a path means: a file, a folder that holds one numbered series of meshes or one mesh, or a
+/// pattern (name_####.obj, name_%04d.obj, name_*.obj). A numbered file means that file alone. \throws Error
+/// FileNotFound, PermissionDenied, SeriesEmpty, SeriesAmbiguous.
 SourceFiles findSource(const std::filesystem::path& path);
 
 /// The series that a numbered file belongs to; the file alone when it has no neighbours.

@@ -195,10 +195,13 @@ std::string describeFound(const FolderContent& content)
     return text;
 }
 
+/// The only series; the only file where there is no series.
 SourceFiles onlySeries(FolderContent content, const fs::path& path)
 {
     if (content.series.empty() && content.singles.empty())
         throw Error(ErrorCode::SeriesEmpty, {path, {}, {}});
+    if (content.series.empty() && content.singles.size() == 1)
+        return std::move(content.singles.front());
     if (content.series.size() != 1)
         throw Error(ErrorCode::SeriesAmbiguous, {path, {}, {{"found", describeFound(content)}}});
     return std::move(content.series.front());

@@ -59,9 +59,11 @@ TEST_F(Registry, SaysWhatAFolderHoldsWhenItIsNotOneSeries)
 {
     EXPECT_EQ(errorOf([&] { findSource(folder()); }).code(), ErrorCode::SeriesEmpty);
     write("one.obj", triangle);
-    const auto single = errorOf([&] { findSource(folder()); });
-    EXPECT_EQ(single.code(), ErrorCode::SeriesAmbiguous);
-    EXPECT_THAT(single.what(), HasSubstr("the file one.obj"));
+    EXPECT_THAT(fileNames(findSource(folder())), ElementsAre("one.obj"));
+    write("other.obj", triangle);
+    const auto singles = errorOf([&] { findSource(folder()); });
+    EXPECT_EQ(singles.code(), ErrorCode::SeriesAmbiguous);
+    EXPECT_THAT(singles.what(), HasSubstr("the file one.obj"));
     for (const char* name : {"a_1.obj", "a_2.obj", "b_1.obj", "b_2.obj", "b_3.obj"})
         write(name, triangle);
     const auto two = errorOf([&] { findSource(folder()); });
