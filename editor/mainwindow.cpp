@@ -9,6 +9,7 @@
 #include "editor/errors/errortext.h"
 #include "editor/errors/issuespanel.h"
 #include "editor/help/helpviewer.h"
+#include "editor/importing/importflow.h"
 #include "editor/language/retranslate.h"
 #include "editor/playback/player.h"
 #include "editor/welcome/welcomepage.h"
@@ -31,6 +32,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_autosave(m_context.document, m_context.jobs)
     , m_files(
           new ProjectFiles(m_context.document, m_context.jobs, m_context.issues, m_context.settings, this))
+    , m_import(new ImportFlow(m_context, this))
 {
     setObjectName(QStringLiteral("mainWindow"));
     setWindowIcon(widgets::icons::application());
@@ -53,7 +55,20 @@ MainWindow::~MainWindow() = default;
 void MainWindow::open(const QStringList& files)
 {
     m_sequences->playWhenReady();
-    m_files->open(files);
+    QStringList sequences = files;
+    openProjects(sequences);
+    if (!sequences.isEmpty())
+        m_import->open(sequences);
+}
+
+/// Opens the projects among some files and takes them out.
+void MainWindow::openProjects(QStringList& files)
+{
+    for (const QString& file : files) {
+        if (ProjectFiles::isProject(file))
+            m_files->open(file);
+    }
+    files.removeIf(ProjectFiles::isProject);
 }
 
 void MainWindow::openSample()
@@ -123,8 +138,12 @@ void MainWindow::connectAll()
         if (medium && medium->error)
             m_context.issues.add(*medium->error, name);
     });
-    connect(m_files, &ProjectFiles::sequencesAdded, this,
+    connect(m_import, &ImportFlow::imported, this,
             [this](const QStringList& names) { m_context.selection.selectSequences(names.mid(0, 1)); });
+    connect(m_import, &ImportFlow::failed, this, [this](const Error& error) {
+        m_context.issues.add(error);
+        showProblem(describe(error).oneLine());
+    });
     connect(m_files, &ProjectFiles::failed, this, &MainWindow::showProblem);
     connect(&m_context.jobs, &JobRunner::failed, this,
             [this](Job*, const Error& error) { showProblem(describe(error).oneLine()); });
@@ -188,8 +207,10 @@ void MainWindow::dropEvent(QDropEvent* event)
     QStringList files;
     for (const QUrl& url : event->mimeData()->urls())
         files << url.toLocalFile();
-    open(files);
     event->acceptProposedAction();
+    openProjects(files);
+    if (!files.isEmpty())
+        m_import->preview(files);
 }
 
 } // namespace quadrille

@@ -12,6 +12,7 @@ class QStackedWidget;
 
 namespace quadrille {
 
+class ImportFlow;
 class ProjectFiles;
 class SequencesWorkspace;
 class WelcomePage;
@@ -25,7 +26,7 @@ public:
     explicit MainWindow(QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// Opens what the command line or a drop names.
+    /// Opens what the command line names: a project, or sequences.
     void open(const QStringList& files);
     void openSample();
 
@@ -48,11 +49,13 @@ private:
     void connectAll();
     void followDocument(const ChangeEvent& event);
     void showHelp();
+    void openProjects(QStringList& files);
     void showProblem(const QString& message);
 
     EditorContext m_context;
     Autosave m_autosave;
     ProjectFiles* m_files;
+    ImportFlow* m_import;
     QStackedWidget* m_pages = nullptr;
     WelcomePage* m_welcome = nullptr;
     SequencesWorkspace* m_sequences = nullptr;

@@ -19,13 +19,6 @@ void MainWindow::makeActions()
                 [this] { m_files->askOpen(); });
     actions.add({"file.sample", file, [] { return tr("Open the &sample"); }, {}, "character", {}},
                 [this] { openSample(); });
-    actions.add({"file.import",
-                 file,
-                 [] { return tr("&Bring in sequences…"); },
-                 {},
-                 "import",
-                 {QKeySequence(Qt::CTRL | Qt::Key_I)}},
-                [this] { m_files->askImport(); });
     actions.add({"file.save", file, [] { return tr("&Save"); }, {}, "save", {QKeySequence::Save}},
                 [this] { m_files->save(); });
     actions.add({"file.saveAs", file, [] { return tr("Save &as…"); }, {}, "save", {QKeySequence::SaveAs}},

@@ -3,12 +3,10 @@
 #include "editor/application/projectfiles.h"
 
 #include "editor/application/settings.h"
-#include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
 #include "editor/errors/issuelog.h"
 #include "editor/jobs/jobrunner.h"
-#include "model/project/importsequences.h"
 #include "model/sample/sample.h"
 
 #include <QFileDialog>
@@ -21,30 +19,6 @@ namespace quadrille {
 namespace {
 
 const QString projectEnding = QStringLiteral(".quadrille");
-
-/// What a job that brings sequences in hands back.
-struct Addition
-{
-    std::vector<SequenceEntry> sequences;
-    std::vector<CharacterEntry> characters;
-    std::vector<Issue> issues;
-};
-
-Addition makeAddition(Project project, const ImportRequest& request, const Progress& progress)
-{
-    const std::filesystem::path folder = request.sources.front().root_path();
-    const std::size_t sequences = project.sequences.size();
-    const std::size_t characters = project.characters.size();
-    ImportReport report = addSequences(project, folder, request, false, progress);
-    project = withAbsolutePaths(std::move(project), folder);
-    Addition addition;
-    addition.sequences.assign(project.sequences.begin() + static_cast<std::ptrdiff_t>(sequences),
-                              project.sequences.end());
-    addition.characters.assign(project.characters.begin() + static_cast<std::ptrdiff_t>(characters),
-                               project.characters.end());
-    addition.issues = std::move(report.issues);
-    return addition;
-}
 
 } // namespace
 
@@ -76,6 +50,11 @@ bool ProjectFiles::run(const std::function<void()>& action)
     }
 }
 
+bool ProjectFiles::isProject(const QString& file)
+{
+    return file.endsWith(projectEnding);
+}
+
 bool ProjectFiles::mayClose()
 {
     if (!m_document.isModified())
@@ -94,17 +73,10 @@ bool ProjectFiles::load(const QString& file)
     return true;
 }
 
-void ProjectFiles::open(const QStringList& files)
+void ProjectFiles::open(const QString& file)
 {
-    std::vector<std::filesystem::path> sources;
-    for (const QString& file : files) {
-        if (!file.endsWith(projectEnding))
-            sources.push_back(toPath(QFileInfo(file).absoluteFilePath()));
-        else if (mayClose())
-            load(file);
-    }
-    if (!sources.empty())
-        addSequences(sources);
+    if (mayClose())
+        load(file);
 }
 
 void ProjectFiles::openSample()
@@ -126,28 +98,6 @@ void ProjectFiles::openSample()
         [this](const std::filesystem::path& made) { load(toQString(made)); });
 }
 
-void ProjectFiles::addSequences(const std::vector<std::filesystem::path>& sources)
-{
-    for (const auto& source : sources) {
-        ImportRequest request;
-        request.sources = {source};
-        m_jobs.start(
-            {.name = tr("Opening %1").arg(toQString(source.filename())),
-             .receiver = this,
-             .failed = [this](const Error& error) { report(error); }},
-            [project = m_document.project(), request](const Progress& progress) {
-                return makeAddition(project, request, progress);
-            },
-            [this](Addition addition) {
-                const QStringList names = quadrille::addSequences(m_document, std::move(addition.sequences),
-                                                                  std::move(addition.characters));
-                for (const Issue& issue : addition.issues)
-                    m_issues.add(issue, names.value(0));
-                emit sequencesAdded(names);
-            });
-    }
-}
-
 void ProjectFiles::newProject()
 {
     if (mayClose())
@@ -159,14 +109,7 @@ void ProjectFiles::askOpen()
     const QString file = QFileDialog::getOpenFileName(m_window, tr("Open project"), {},
                                                       tr("Quadrille projects (*%1)").arg(projectEnding));
     if (!file.isEmpty())
-        open({file});
-}
-
-void ProjectFiles::askImport()
-{
-    const QStringList files = QFileDialog::getOpenFileNames(m_window, tr("Bring in sequences"));
-    if (!files.isEmpty())
-        open(files);
+        open(file);
 }
 
 bool ProjectFiles::save()

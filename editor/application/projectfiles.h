@@ -17,8 +17,8 @@ class IssueLog;
 class JobRunner;
 class Settings;
 
-/// What the File menu does: new, open, save, the sample, and sequences that are brought in. Reading and
-/// writing of media run as jobs; what fails is told and leaves the open project as it was.
+/// What the File menu does: new, open, save, and the sample. What fails is told and leaves the open project
+/// as it was.
 class ProjectFiles : public QObject
 {
     Q_OBJECT
@@ -28,30 +28,28 @@ public:
     ProjectFiles(ProjectDocument& document, JobRunner& jobs, IssueLog& issues, Settings& settings,
                  QWidget* window);
 
+    /// Whether a path is that of a project, by its ending.
+    static bool isProject(const QString& file);
     /// Asks whether unsaved edits shall be saved. \return false when the user rather goes on as it is.
     bool mayClose();
     /// Opens a project file without asking anything. \return whether it is open now.
     bool load(const QString& file);
-    /// Opens projects, and adds everything else as sequences.
-    void open(const QStringList& files);
+    /// Opens a project file in the place of the one that is open, after asking whether to save that.
+    void open(const QString& file);
     /// Opens the built-in sample; makes it first where it is not there yet.
     void openSample();
 
 public slots:
     void newProject();
     void askOpen();
-    void askImport();
     bool save();
     bool saveAs();
 
 signals:
-    /// Sequences came in.
-    void sequencesAdded(const QStringList& names);
     /// Something failed, in the user's words.
     void failed(const QString& message);
 
 private:
-    void addSequences(const std::vector<std::filesystem::path>& sources);
     bool run(const std::function<void()>& action);
     void report(const Error& error);
 

@@ -64,11 +64,15 @@ void InsertPart::run(bool insert)
         events.push_back(ChangeEvent::list(Section::Sequences));
     if (!m_part.exports.empty())
         events.push_back(ChangeEvent::list(Section::Exports));
+    if (m_part.fps)
+        events.push_back(ChangeEvent::value(Section::Project, {}));
     apply(
         [&](Project& project) {
             exchange(project, m_part.characters, insert);
             exchange(project, m_part.sequences, insert);
             exchange(project, m_part.exports, insert);
+            if (m_part.fps)
+                std::swap(project.settings.fps, *m_part.fps);
         },
         events);
 }

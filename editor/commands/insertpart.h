@@ -4,6 +4,7 @@
 
 #include "editor/commands/projectcommand.h"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct ProjectPart
     PlacedEntries<CharacterEntry> characters;
     PlacedEntries<SequenceEntry> sequences;
     PlacedEntries<ExportEntry> exports;
+    /// The project's rate while the part is in it, where that is another one; the first sequences bring
+    /// theirs.
+    std::optional<double> fps;
 
     bool isEmpty() const { return characters.empty() && sequences.empty() && exports.empty(); }
     std::size_t bytes() const;

@@ -96,10 +96,12 @@ QString freeName(const Project& project, Section section, const QString& wanted)
 }
 
 QStringList addSequences(ProjectDocument& document, std::vector<SequenceEntry> sequences,
-                         std::vector<CharacterEntry> characters)
+                         std::vector<CharacterEntry> characters, std::optional<double> fps)
 {
     Project preview = document.project();
     ProjectPart part;
+    if (fps && *fps != preview.settings.fps)
+        part.fps = fps;
     for (CharacterEntry& character : characters) {
         const QString wanted = QString::fromStdString(character.name);
         const std::string before = character.name;

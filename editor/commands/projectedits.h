@@ -16,9 +16,10 @@ namespace quadrille {
 QString freeName(const Project& project, Section section, const QString& wanted);
 
 /// Adds sequences at the end, and the characters that come with them. Names are made free.
+/// \param fps the rate that the project takes with them; empty: it keeps its own.
 /// \return the names that the sequences got.
 QStringList addSequences(ProjectDocument& document, std::vector<SequenceEntry> sequences,
-                         std::vector<CharacterEntry> characters = {});
+                         std::vector<CharacterEntry> characters = {}, std::optional<double> fps = {});
 /// Removes entries and the exports (of sequences) or sequences (of characters) that need them.
 void removeEntries(ProjectDocument& document, Section section, const QStringList& names);
 /// \return the copy's name.

@@ -54,8 +54,11 @@ std::vector<Language> LanguageManager::languages()
 {
     std::vector<Language> languages{languageOf(QStringLiteral("en"))};
     const QString prefix = QStringLiteral("quadrille_");
-    for (const QFileInfo& file : QDir(catalogueFolder()).entryInfoList({prefix + QStringLiteral("*.qm")}))
-        languages.push_back(languageOf(file.completeBaseName().mid(prefix.size())));
+    for (const QFileInfo& file : QDir(catalogueFolder()).entryInfoList({prefix + QStringLiteral("*.qm")})) {
+        const QString code = file.completeBaseName().mid(prefix.size());
+        if (code != QLatin1String("en"))
+            languages.push_back(languageOf(code));
+    }
     return languages;
 }
 

@@ -2,24 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "editor/playback/frameloader.h"
 
+#include "editor/documents/pictures.h"
+
 namespace quadrille {
 
 namespace {
-
-/// The picture without a copy; it keeps the image alive.
-QImage toQImage(const std::shared_ptr<const Image>& image)
-{
-    if (!image || image->isEmpty())
-        return {};
-    auto* owner = new std::shared_ptr<const Image>(image);
-    return {image->pixels.data(),
-            image->width,
-            image->height,
-            static_cast<qsizetype>(image->width) * 4,
-            QImage::Format_RGBA8888,
-            [](void* data) { delete static_cast<std::shared_ptr<const Image>*>(data); },
-            owner};
-}
 
 std::int64_t wrapped(std::int64_t frame, std::int64_t count)
 {

@@ -85,7 +85,7 @@ void WelcomePage::retranslate()
         tr("Bring in captured performances: drop files or folders anywhere in this window, or begin here."));
     m_sample->setText(tr("Open the sample"));
     m_open->setText(tr("Open a project…"));
-    m_import->setText(tr("Bring in sequences…"));
+    m_import->setText(tr("Import sequences…"));
     m_recentTitle->setText(tr("Recent projects"));
     m_recent->setAccessibleName(tr("Recent projects"));
 }

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/image.h"
+
+#include <QImage>
+#include <memory>
+
+namespace quadrille {
+
+/// The same pixels for Qt; null for null.
+QImage toQImage(std::shared_ptr<const Image> image);
+/// \overload taking the pixels over.
+QImage toQImage(Image image);
+
+} // namespace quadrille

@@ -1,0 +1,386 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/importing/importdialog.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/documents/projectpaths.h"
+#include "editor/errors/errortext.h"
+#include "editor/help/helpviewer.h"
+#include "editor/importing/takepreview.h"
+#include "editor/importing/taketable.h"
+#include "editor/language/retranslate.h"
+#include "model/project/lengthunit.h"
+#include "widgets/controls/messagestrip.h"
+#include "widgets/theme/icons.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace quadrille {
+
+ImportDialog::ImportDialog(EditorContext& context, FoundSources found, QWidget* parent)
+    : QDialog(parent)
+    , m_context(context)
+    , m_found(std::move(found))
+    , m_takes(new TakeTable(context.jobs))
+    , m_strip(new widgets::MessageStrip)
+    , m_notes(new QLabel)
+    , m_preview(new TakePreview(context.jobs))
+    , m_height(new QLabel)
+    , m_character(new QComboBox)
+    , m_mesh(new QLineEdit)
+    , m_chooseMesh(new QToolButton)
+    , m_up(new QComboBox)
+    , m_unit(new QComboBox)
+    , m_fps(new QDoubleSpinBox)
+    , m_first(new QSpinBox)
+    , m_last(new QSpinBox)
+    , m_texture(new QToolButton)
+    , m_import(new QPushButton)
+    , m_cancel(new QPushButton)
+{
+    setObjectName(QStringLiteral("importDialog"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    setHelpPage(this, QStringLiteral("importing"));
+    resize(1000, 640);
+    makeControls();
+    connectAll();
+    retranslates(this, [this] { retranslate(); });
+    m_plan.fps = context.document.project().settings.fps;
+    survey();
+}
+
+ImportDialog::~ImportDialog() = default;
+
+void ImportDialog::makeControls()
+{
+    m_height->setObjectName(QStringLiteral("importHeight"));
+    m_height->setAlignment(Qt::AlignCenter);
+    m_notes->setObjectName(QStringLiteral("importNotes"));
+    m_notes->setWordWrap(true);
+    m_notes->setMargin(8);
+    m_import->setObjectName(QStringLiteral("importAccept"));
+    m_import->setDefault(true);
+    m_cancel->setObjectName(QStringLiteral("importCancel"));
+
+    auto* left = new QVBoxLayout;
+    left->setSpacing(8);
+    left->addWidget(m_takes, 1);
+    left->addWidget(m_strip);
+    left->addWidget(m_notes);
+    auto* middle = new QHBoxLayout;
+    middle->setSpacing(16);
+    middle->addLayout(left, 1);
+    middle->addWidget(makeSettings());
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch();
+    buttons->addWidget(m_cancel);
+    buttons->addWidget(m_import);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 16, 16, 16);
+    column->setSpacing(16);
+    column->addLayout(middle, 1);
+    column->addLayout(buttons);
+}
+
+QWidget* ImportDialog::makeSettings()
+{
+    m_character->setObjectName(QStringLiteral("importCharacter"));
+    m_character->setEditable(true);
+    m_mesh->setObjectName(QStringLiteral("importMesh"));
+    m_mesh->setReadOnly(true);
+    m_chooseMesh->setObjectName(QStringLiteral("importChooseMesh"));
+    m_chooseMesh->setIcon(widgets::icons::icon(QStringLiteral("folder")));
+    m_up->setObjectName(QStringLiteral("importUpAxis"));
+    for (const char* axis : {"x", "y", "z"})
+        m_up->addItem(QString::fromLatin1(axis).toUpper());
+    m_unit->setObjectName(QStringLiteral("importUnit"));
+    for (const LengthUnit& unit : lengthUnits())
+        m_unit->addItem(QString::fromUtf8(unit.name.data(), static_cast<qsizetype>(unit.name.size())),
+                        unit.metres);
+    m_fps->setObjectName(QStringLiteral("importFps"));
+    m_fps->setRange(1, 1000);
+    m_fps->setDecimals(3);
+    m_first->setObjectName(QStringLiteral("importFirst"));
+    m_last->setObjectName(QStringLiteral("importLast"));
+    m_texture->setObjectName(QStringLiteral("importTexture"));
+    m_texture->setPopupMode(QToolButton::InstantPopup);
+    m_texture->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    m_texture->setMenu(new QMenu(m_texture));
+
+    const auto row = [](QWidget* first, QWidget* second) {
+        auto* layout = new QHBoxLayout;
+        layout->setSpacing(4);
+        layout->addWidget(first, 1);
+        layout->addWidget(second, second->sizePolicy().horizontalPolicy() == QSizePolicy::Fixed ? 0 : 1);
+        return layout;
+    };
+    auto* settings = new QWidget;
+    settings->setFixedWidth(TakePreview::side + 40);
+    auto* column = new QVBoxLayout(settings);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addWidget(m_preview, 0, Qt::AlignHCenter);
+    column->addWidget(m_height);
+    m_form = new QFormLayout;
+    m_form->setSpacing(8);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_form->addRow(new QLabel, m_character);
+    m_form->addRow(new QLabel, row(m_mesh, m_chooseMesh));
+    m_form->addRow(new QLabel, row(m_up, m_unit));
+    m_form->addRow(new QLabel, m_fps);
+    m_form->addRow(new QLabel, row(m_first, m_last));
+    m_form->addRow(new QLabel, m_texture);
+    column->addLayout(m_form);
+    column->addStretch();
+    return settings;
+}
+
+void ImportDialog::connectAll()
+{
+    const auto changed = [this] {
+        readControls();
+        showPlan();
+    };
+    connect(m_takes, &TakeTable::edited, this, [this] {
+        readControls();
+        showProblems();
+    });
+    connect(m_takes, &QTreeWidget::currentItemChanged, this, &ImportDialog::showTake);
+    connect(m_character, &QComboBox::editTextChanged, this, [this] { readControls(); });
+    connect(m_up, &QComboBox::activated, this, changed);
+    connect(m_unit, &QComboBox::activated, this, changed);
+    connect(m_fps, &QDoubleSpinBox::valueChanged, this, [this] { readControls(); });
+    connect(m_first, &QSpinBox::valueChanged, this, [this] { readControls(); });
+    connect(m_last, &QSpinBox::valueChanged, this, [this] { readControls(); });
+    connect(m_chooseMesh, &QToolButton::clicked, this, &ImportDialog::chooseMesh);
+    connect(m_strip, &widgets::MessageStrip::actionTriggered, this, &ImportDialog::chooseMesh);
+    connect(m_cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(m_import, &QPushButton::clicked, this, &ImportDialog::import);
+}
+
+void ImportDialog::survey()
+{
+    m_isSurveyed = false;
+    m_import->setEnabled(false);
+    m_notes->setText(tr("Looking at what is there…"));
+    const SurveyOptions options{m_found.mesh, m_plan.fps};
+    m_context.jobs.start(
+        {.name = tr("Looking at %n source(s)", nullptr, static_cast<int>(m_found.sources.size())),
+         .receiver = this,
+         .failed =
+             [this](const Error& error) {
+                 m_strip->show(widgets::MessageStrip::Kind::Error, describe(error).oneLine());
+             }},
+        [sources = m_found.sources, options](const Progress& progress) {
+            return surveySources(sources, options, progress);
+        },
+        [this](std::vector<SurveyedTake> takes) { takeSurvey(std::move(takes)); });
+}
+
+void ImportDialog::takeSurvey(std::vector<SurveyedTake> takes)
+{
+    m_plan = planFor(std::move(takes), m_found.mesh, m_context.document.project());
+    m_isSurveyed = true;
+    const QSignalBlocker block(m_character);
+    m_character->clear();
+    for (const CharacterEntry& character : m_context.document.project().characters)
+        m_character->addItem(QString::fromStdString(character.name));
+    m_character->setCurrentText(QString::fromStdString(m_plan.character));
+    showPlan();
+}
+
+PlannedTake* ImportDialog::current()
+{
+    const int take = m_takes->currentTake();
+    return take < 0 ? nullptr : &m_plan.takes.at(static_cast<std::size_t>(take));
+}
+
+/// Takes over what the user set.
+void ImportDialog::readControls()
+{
+    if (!m_isSurveyed)
+        return;
+    m_plan.character = m_character->currentText().trimmed().toStdString();
+    m_plan.axes.up = static_cast<UpAxis>(m_up->currentIndex());
+    m_plan.axes.metresPerUnit = m_unit->currentData().toDouble();
+    m_plan.fps = m_fps->value();
+    for (std::size_t i = 0; i < m_plan.takes.size(); ++i) {
+        m_plan.takes[i].isWanted = m_takes->isWanted(static_cast<int>(i));
+        m_plan.takes[i].name = m_takes->nameOf(static_cast<int>(i)).trimmed().toStdString();
+    }
+    if (PlannedTake* planned = current(); planned != nullptr && planned->take.sequence) {
+        const FrameRange all = FrameRange::all(planned->take.sequence->frameCount());
+        const FrameRange wanted{FrameIndex(m_first->value()), FrameIndex(m_last->value())};
+        planned->range = wanted == all ? std::nullopt : std::optional(wanted);
+        m_first->setMaximum(m_last->value());
+        m_last->setMinimum(m_first->value());
+    }
+}
+
+void ImportDialog::showPlan()
+{
+    const QSignalBlocker blocks[] = {QSignalBlocker(m_up), QSignalBlocker(m_unit), QSignalBlocker(m_fps)};
+    m_up->setCurrentIndex(static_cast<int>(m_plan.axes.up));
+    m_unit->setCurrentIndex(m_unit->findData(m_plan.axes.metresPerUnit));
+    m_fps->setValue(m_plan.fps);
+    m_mesh->setText(toQString(m_plan.mesh.filename()));
+    m_mesh->setToolTip(toQString(m_plan.mesh));
+    m_takes->setPlan(m_plan);
+    showTake();
+}
+
+void ImportDialog::showTake()
+{
+    const PlannedTake* planned = current();
+    const bool isOpen = planned != nullptr && planned->take.sequence.has_value();
+    const bool namesAxes = isOpen && planned->take.coordinates.has_value();
+    const bool namesRate = isOpen && planned->take.hasOwnFps;
+    m_up->setEnabled(!namesAxes);
+    m_unit->setEnabled(!namesAxes);
+    m_fps->setEnabled(!namesRate);
+    for (QWidget* widget : {static_cast<QWidget*>(m_up), static_cast<QWidget*>(m_unit)})
+        widget->setToolTip(namesAxes ? tr("The file names its axes and unit itself") : QString());
+    m_fps->setToolTip(namesRate ? tr("The file names its rate itself")
+                                : tr("Frames a second of the takes whose files name no rate"));
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_first), static_cast<QWidget*>(m_last), static_cast<QWidget*>(m_texture)})
+        widget->setEnabled(isOpen);
+    if (isOpen) {
+        const QSignalBlocker blocks[] = {QSignalBlocker(m_first), QSignalBlocker(m_last)};
+        const auto last = static_cast<int>(planned->take.sequence->frameCount() - 1);
+        const FrameRange range = planned->range.value_or(FrameRange::all(last + 1));
+        m_first->setRange(0, static_cast<int>(range.last.value));
+        m_last->setRange(static_cast<int>(range.first.value), last);
+        m_first->setValue(static_cast<int>(range.first.value));
+        m_last->setValue(static_cast<int>(range.last.value));
+        m_height->setText(tr("%1 m high").arg(m_plan.heightOf(planned->take), 0, 'f', 2));
+    } else {
+        m_height->clear();
+    }
+    m_preview->draw(isOpen ? &*planned->take.sequence : nullptr,
+                    namesAxes ? CoordinateSystem{} : m_plan.axes);
+    showProblems();
+}
+
+void ImportDialog::showProblems()
+{
+    using Kind = widgets::MessageStrip::Kind;
+    const PlannedTake* planned = current();
+    const auto wanted = m_plan.wanted();
+    m_import->setEnabled(m_isSurveyed && !wanted.empty() && !m_plan.character.empty());
+    m_import->setText(wanted.empty() ? tr("Import")
+                                     : tr("Import %n take(s)", nullptr, static_cast<int>(wanted.size())));
+    m_notes->clear();
+    m_strip->clear();
+    m_strip->setAction({});
+    if (planned == nullptr)
+        return;
+    if (planned->take.error) {
+        const ErrorText text = describe(*planned->take.error);
+        const QString sentence =
+            text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where);
+        m_strip->show(Kind::Error, sentence, text.remedy);
+        if (planned->take.error->code() == ErrorCode::FormatNeedsMesh)
+            m_strip->setAction(tr("Choose the mesh…"));
+        return;
+    }
+    const double height = m_plan.heightOf(planned->take);
+    if (height < 0.3 || height > 3.5) {
+        m_strip->show(Kind::Warning, tr("The figure would be %1 m high.").arg(height, 0, 'g', 3),
+                      tr("Choose the unit and the up axis of the file."));
+    }
+    QStringList notes;
+    for (const Issue& issue : planned->take.issues) {
+        if (issue.code != Issue::Code::FpsAssumed) // stands beside, to be set
+            notes += QStringLiteral("• ") + describe(issue).oneLine();
+    }
+    if (!planned->take.jointAngles.empty())
+        notes += QStringLiteral("• ") +
+                 tr("Reference joint angles: %1").arg(toQString(planned->take.jointAngles.filename()));
+    m_notes->setText(notes.join(QLatin1Char('\n')));
+}
+
+void ImportDialog::chooseMesh()
+{
+    const QString file = QFileDialog::getOpenFileName(this, tr("Mesh with the faces"),
+                                                      toQString(m_found.sources.front().parent_path()),
+                                                      tr("Meshes (*.obj *.ply *.off *.stl)"));
+    if (file.isEmpty())
+        return;
+    m_found.mesh = toPath(file);
+    survey();
+}
+
+void ImportDialog::chooseTexture(bool isFolder)
+{
+    const QString start = toQString(m_found.sources.front().parent_path());
+    const QString path =
+        isFolder ? QFileDialog::getExistingDirectory(this, tr("Folder with one picture per frame"), start)
+                 : QFileDialog::getOpenFileName(this, tr("Texture"), start,
+                                                tr("Pictures (*.png *.jpg *.jpeg *.tif *.tiff)"));
+    if (path.isEmpty())
+        return;
+    TextureReference texture;
+    texture.kind = isFolder ? TextureReference::Kind::PerFrame : TextureReference::Kind::Single;
+    texture.paths = {path.toStdString()};
+    setTexture(texture);
+}
+
+void ImportDialog::setTexture(const TextureReference& texture)
+{
+    if (PlannedTake* planned = current(); planned != nullptr)
+        planned->texture = texture;
+    showPlan();
+}
+
+void ImportDialog::import()
+{
+    readControls();
+    const QStringList names = carryOut(m_plan, m_context.document);
+    for (const PlannedTake* planned : m_plan.wanted()) {
+        for (const Issue& issue : planned->take.issues)
+            m_context.issues.add(issue, QString::fromStdString(planned->name));
+    }
+    emit imported(names);
+    accept();
+}
+
+void ImportDialog::retranslate()
+{
+    setWindowTitle(tr("Import"));
+    m_takes->retranslate();
+    m_cancel->setText(tr("Cancel"));
+    m_texture->setText(tr("Choose…"));
+    m_texture->menu()->clear();
+    m_texture->menu()->addAction(tr("One picture…"), this, [this] { chooseTexture(false); });
+    m_texture->menu()->addAction(tr("A folder with one picture per frame…"), this,
+                                 [this] { chooseTexture(true); });
+    m_texture->menu()->addAction(tr("As found"), this, [this] { setTexture({}); });
+    m_mesh->setPlaceholderText(tr("in the files"));
+    m_chooseMesh->setToolTip(tr("Choose the mesh that gives faces and texture coordinates"));
+    m_fps->setSuffix(tr(" fps"));
+    m_preview->setAccessibleName(tr("Preview"));
+    const QStringList labels{tr("Character"), tr("Mesh"),   tr("Up, unit"),
+                             tr("Rate"),      tr("Frames"), tr("Textures")};
+    const QList<QWidget*> fields{m_character, m_mesh, m_up, m_fps, m_first, m_texture};
+    for (int row = 0; row < labels.size(); ++row) {
+        auto* label = qobject_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());
+        label->setText(labels[row]);
+        label->setBuddy(fields[row]);
+        fields[row]->setAccessibleName(labels[row]);
+    }
+    m_unit->setAccessibleName(tr("Unit"));
+    m_last->setAccessibleName(tr("Last frame"));
+    showProblems();
+}
+
+} // namespace quadrille

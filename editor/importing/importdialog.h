@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/importing/importplan.h"
+
+#include <QDialog>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+class QToolButton;
+
+namespace quadrille {
+
+class TakePreview;
+class TakeTable;
+struct EditorContext;
+
+namespace widgets {
+class MessageStrip;
+} // namespace widgets
+
+/// The import preview: what was found, how it will look, and what can be decided about it before anything is
+/// in the project.
+class ImportDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    ImportDialog(EditorContext& context, FoundSources found, QWidget* parent = nullptr);
+    ~ImportDialog() override;
+
+    const ImportPlan& plan() const { return m_plan; }
+
+signals:
+    /// The plan was carried out.
+    void imported(const QStringList& names);
+
+private:
+    void makeControls();
+    QWidget* makeSettings();
+    void connectAll();
+    void survey();
+    void takeSurvey(std::vector<SurveyedTake> takes);
+    void readControls();
+    void showPlan();
+    void showTake();
+    void showProblems();
+    void chooseMesh();
+    void chooseTexture(bool isFolder);
+    void setTexture(const TextureReference& texture);
+    void import();
+    void retranslate();
+    PlannedTake* current();
+
+    EditorContext& m_context;
+    FoundSources m_found;
+    ImportPlan m_plan;
+    bool m_isSurveyed = false;
+
+    TakeTable* m_takes;
+    widgets::MessageStrip* m_strip;
+    QLabel* m_notes;
+    TakePreview* m_preview;
+    QLabel* m_height;
+    QFormLayout* m_form = nullptr;
+    QComboBox* m_character;
+    QLineEdit* m_mesh;
+    QToolButton* m_chooseMesh;
+    QComboBox* m_up;
+    QComboBox* m_unit;
+    QDoubleSpinBox* m_fps;
+    QSpinBox* m_first;
+    QSpinBox* m_last;
+    QToolButton* m_texture;
+    QPushButton* m_import;
+    QPushButton* m_cancel;
+};
+
+} // namespace quadrille

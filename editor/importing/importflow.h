@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+class QWidget;
+
+namespace quadrille {
+
+class Error;
+struct EditorContext;
+
+/// Brings sequences in: asks for files or folders, looks at what they hold, and lets the user decide in the
+/// import preview.
+class ImportFlow : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// \param window what dialogs belong to.
+    ImportFlow(EditorContext& context, QWidget* window);
+
+    /// Shows the import preview for files and folders.
+    void preview(const QStringList& paths);
+    /// Brings files and folders in without asking, as the command line does.
+    void open(const QStringList& paths);
+
+signals:
+    void imported(const QStringList& names);
+    void failed(const quadrille::Error& error);
+
+private:
+    void askFiles();
+    void askFolder();
+
+    EditorContext& m_context;
+    QWidget* m_window;
+    QString m_folder; ///< where files were chosen last
+};
+
+} // namespace quadrille

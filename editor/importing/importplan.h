@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/importsurvey.h"
+#include "model/project/project.h"
+
+#include <QString>
+#include <vector>
+
+namespace quadrille {
+
+class ProjectDocument;
+
+/// A surveyed take with what the user decided about it.
+struct PlannedTake
+{
+    SurveyedTake take;
+    std::string name;
+    bool isWanted = true;
+    std::optional<FrameRange> range; ///< in source frames; everything when empty
+    TextureReference texture;        ///< none: as found beside the take
+
+    bool canBeImported() const { return take.sequence.has_value(); }
+};
+
+/// What an import is about to add.
+struct ImportPlan
+{
+    std::vector<PlannedTake> takes;
+    std::string character;      ///< of the project, or a new one's name
+    std::filesystem::path mesh; ///< of a new character
+    CoordinateSystem axes;      ///< of the takes whose files name none
+    double fps = 25;            ///< of the takes whose files name none
+
+    /// Takes that will be added.
+    std::vector<const PlannedTake*> wanted() const;
+    /// How high the figure of a take will stand in the first frame, metres.
+    double heightOf(const SurveyedTake& take) const;
+};
+
+/// The plan that a survey suggests: a name for the character after mesh or folder, a unit that makes it as
+/// tall as a person.
+ImportPlan planFor(std::vector<SurveyedTake> takes, const std::filesystem::path& mesh,
+                   const Project& project);
+
+/// Adds the wanted takes to the document as one edit; a project without sequences takes their rate.
+/// \return the names that they got.
+QStringList carryOut(const ImportPlan& plan, ProjectDocument& document);
+
+} // namespace quadrille

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/mainwindow.h"
+
+#include <QApplication>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <fstream>
+
+namespace quadrille::test {
+
+/// Settings, sessions and samples of a test stay in folders of its own. Call before anything else.
+inline void isolate()
+{
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName(QStringLiteral("Quadrille"));
+    QCoreApplication::setApplicationName(QStringLiteral("quadrille-test-") +
+                                         QString::number(QCoreApplication::applicationPid()));
+}
+
+/// A numbered OBJ series of a pyramid, 1.7 units high, whose tip wanders.
+inline void writeSeries(const QString& folder, const QList<int>& numbers)
+{
+    for (const int number : numbers) {
+        std::ofstream file(QStringLiteral("%1/walk_%2.obj").arg(folder).arg(number).toStdString());
+        file << "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0.5 1.7 " << 0.1 * number
+             << "\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 5/3\nf 2/1 3/2 5/3\nf 3/1 4/2 5/3\nf 4/1 1/2 5/3\n"
+                "f 4/1 3/2 2/3 1/1\n";
+    }
+}
+
+/// A widget of the program by its object name; fails the test when there is none.
+template <typename Widget>
+Widget* find(const QString& name)
+{
+    for (QWidget* widget : QApplication::allWidgets()) {
+        if (auto* found = qobject_cast<Widget*>(widget); found != nullptr && found->objectName() == name)
+            return found;
+    }
+    QTest::qFail(qPrintable(QStringLiteral("no widget called ") + name), __FILE__, __LINE__);
+    return nullptr;
+}
+
+/// Gives a window the keyboard, as a click on it does.
+inline bool activate(QWidget& window)
+{
+    window.activateWindow();
+    return QTest::qWaitForWindowActive(&window);
+}
+
+/// Waits until a sequence of the window's project can be shown.
+inline bool waitForSequence(MainWindow& window, const QString& name)
+{
+    return QTest::qWaitFor([&] { return window.context().media.untrimmed(name) != nullptr; }, 20000);
+}
+
+} // namespace quadrille::test

@@ -1,0 +1,137 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>quadrille::ImportDialog</name>
+    <message numerus="yes">
+        <source>Looking at %n source(s)</source>
+        <translation>
+            <numerusform>Looking at %n source</numerusform>
+            <numerusform>Looking at %n sources</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n take(s)</source>
+        <translation>
+            <numerusform>Import %n take</numerusform>
+            <numerusform>Import %n takes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ImportFlow</name>
+    <message numerus="yes">
+        <source>Opening %n file(s)</source>
+        <translation>
+            <numerusform>Opening %n file</numerusform>
+            <numerusform>Opening %n files</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::IssuesPanel</name>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation>
+            <numerusform>%n error</numerusform>
+            <numerusform>%n errors</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation>
+            <numerusform>%n warning</numerusform>
+            <numerusform>%n warnings</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::JobListModel</name>
+    <message numerus="yes">
+        <source>%n s left</source>
+        <translation>
+            <numerusform>%n s left</numerusform>
+            <numerusform>%n s left</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n min left</source>
+        <translation>
+            <numerusform>%n min left</numerusform>
+            <numerusform>%n min left</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n h left</source>
+        <translation>
+            <numerusform>%n h left</numerusform>
+            <numerusform>%n h left</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ProjectEdits</name>
+    <message numerus="yes">
+        <source>Remove %n characters</source>
+        <translation>
+            <numerusform>Remove %n character</numerusform>
+            <numerusform>Remove %n characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n exports</source>
+        <translation>
+            <numerusform>Remove %n export</numerusform>
+            <numerusform>Remove %n exports</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n sequences</source>
+        <translation>
+            <numerusform>Remove %n sequence</numerusform>
+            <numerusform>Remove %n sequences</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n sequences</source>
+        <translation>
+            <numerusform>Add %n sequence</numerusform>
+            <numerusform>Add %n sequences</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::StatusJobs</name>
+    <message numerus="yes">
+        <source>%1, and %n more</source>
+        <translation>
+            <numerusform>%1, and %n more</numerusform>
+            <numerusform>%1, and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TakeTable</name>
+    <message numerus="yes">
+        <source>%n, one per frame</source>
+        <translation>
+            <numerusform>%n, one per frame</numerusform>
+            <numerusform>%n, one per frame</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n, by material</source>
+        <translation>
+            <numerusform>%n, by material</numerusform>
+            <numerusform>%n, by material</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n vertices</source>
+        <translation>
+            <numerusform>%n vertex</numerusform>
+            <numerusform>%n vertices</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

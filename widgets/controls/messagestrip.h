@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QFrame>
+
+class QLabel;
+class QPushButton;
+
+namespace quadrille::widgets {
+
+/// A message beside what it is about: a sign, a sentence, a remedy, and maybe a button that helps. Hidden
+/// while there is nothing to say.
+class MessageStrip : public QFrame
+{
+    Q_OBJECT
+
+public:
+    enum class Kind
+    {
+        Info,
+        Warning,
+        Error
+    };
+
+    explicit MessageStrip(QWidget* parent = nullptr);
+
+    /// \param remedy may be empty.
+    void show(Kind kind, const QString& sentence, const QString& remedy = {});
+    void clear();
+    bool isEmpty() const { return m_sentence.isEmpty(); }
+    Kind kind() const { return m_kind; }
+    QString text() const;
+    /// A button that helps; an empty text takes it away.
+    void setAction(const QString& text);
+
+signals:
+    void actionTriggered();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void refresh();
+
+    Kind m_kind = Kind::Info;
+    QString m_sentence;
+    QString m_remedy;
+    QLabel* m_sign;
+    QLabel* m_text;
+    QPushButton* m_action;
+};
+
+} // namespace quadrille::widgets
