@@ -52,7 +52,8 @@ Session loadSession(const std::filesystem::path& project)
     session.windowGeometry = bytes(stored["windowGeometry"]);
     session.windowState = bytes(stored["windowState"]);
     session.workspace = stored["workspace"].toString();
-    for (const QJsonValue& name : stored["selected"].toArray())
+    const QJsonArray selected = stored["selected"].toArray();
+    for (const auto& name : selected)
         session.selected += name.toString();
     session.shownSequence = stored["shownSequence"].toString();
     session.frame = stored["frame"].toInteger();

@@ -83,6 +83,7 @@ std::vector<Camera> figureCameras(const MeshSequence& sequence, const std::vecto
         points,
         {.up = look.axes.up, .aspect = static_cast<double>(look.width) / look.height, .margin = 0.08});
     std::vector<Camera> cameras;
+    cameras.reserve(offsets.size());
     for (const Vec3d& offset : offsets)
         cameras.push_back(moved(camera, offset));
     return cameras;

@@ -110,13 +110,14 @@ TimelineDrag Timeline::Private::dragAt(const QPointF& position) const
     }
     result.span.track = owner->id;
     const QRect place = row(static_cast<std::size_t>(owner - tracks.data()));
-    for (auto span = owner->spans.rbegin(); span != owner->spans.rend(); ++span) {
-        const QRect box = rect(place, span->first, span->last);
+    for (std::size_t i = owner->spans.size(); i-- > 0;) {
+        const TimelineSpan& candidate = owner->spans[i];
+        const QRect box = rect(place, candidate.first, candidate.last);
         if (!box.adjusted(-edgeReach, 0, edgeReach, 0).contains(position.toPoint()))
             continue;
-        result.span.span = span->id;
-        result.first = result.oldFirst = span->first;
-        result.last = result.oldLast = span->last;
+        result.span.span = candidate.id;
+        result.first = result.oldFirst = candidate.first;
+        result.last = result.oldLast = candidate.last;
         // A span too narrow for three zones keeps its ends reachable from outside.
         const bool narrow = box.width() < 3 * edgeReach;
         const bool inside = box.contains(position.toPoint());

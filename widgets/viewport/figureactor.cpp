@@ -71,8 +71,8 @@ FigureActor::FigureActor(vtkRenderer* renderer, FigureMesh mesh) : d(std::make_u
         vtkbuffers::allocate(uvs, 2, d->split.uvs.size(), "UVs");
         // VTK's pictures start at the bottom, Qt's at the top: turning v spares turning every texture.
         for (std::size_t i = 0; i < d->split.uvs.size(); ++i) {
-            uvs->SetValue(static_cast<vtkIdType>(2 * i), d->split.uvs[i][0]);
-            uvs->SetValue(static_cast<vtkIdType>(2 * i + 1), 1.0F - d->split.uvs[i][1]);
+            uvs->SetValue(static_cast<vtkIdType>(i) * 2, d->split.uvs[i][0]);
+            uvs->SetValue(static_cast<vtkIdType>(i) * 2 + 1, 1.0F - d->split.uvs[i][1]);
         }
     }
     d->parts.resize(static_cast<std::size_t>(d->mesh.materialCount()));

@@ -124,7 +124,7 @@ bool ViewGestures::move(const QMouseEvent& event)
         return true;
     }
     if (!m_dragged &&
-        (event.position() - m_pressedAt).manhattanLength() < QApplication::startDragDistance() / 2)
+        2 * (event.position() - m_pressedAt).manhattanLength() < QApplication::startDragDistance())
         return true;
     m_dragged = true;
     const QPointF delta = event.position() - m_last;

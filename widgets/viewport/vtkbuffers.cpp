@@ -51,7 +51,8 @@ QVector3D mean(std::span<const float> positions)
     for (std::size_t i = 0; i + 2 < positions.size(); i += 3)
         for (std::size_t axis = 0; axis < 3; ++axis)
             sum[axis] += static_cast<double>(positions[i + axis]);
-    const double count = std::max(1.0, static_cast<double>(positions.size() / 3));
+    const std::size_t vertices = positions.size() / 3;
+    const auto count = static_cast<double>(std::max<std::size_t>(vertices, 1));
     return {static_cast<float>(sum[0] / count), static_cast<float>(sum[1] / count),
             static_cast<float>(sum[2] / count)};
 }

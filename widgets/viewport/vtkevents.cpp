@@ -86,9 +86,6 @@ bool VtkEvents::forward(QEvent* event, double devicePixelRatio)
     case QEvent::Leave:
         m_interactor->InvokeEvent(vtkCommand::LeaveEvent, event);
         return false;
-    case QEvent::FocusIn:
-    case QEvent::FocusOut:
-        return false;
     default:
         return false;
     }

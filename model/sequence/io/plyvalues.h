@@ -30,7 +30,7 @@ public:
             return false;
         switch (type) {
         case PlyType::Int8:
-            value = static_cast<Number>(raw<std::int8_t>());
+            value = static_cast<Number>(raw<std::int8_t>()); // NOLINT(bugprone-signed-char-misuse): a number
             break;
         case PlyType::UInt8:
             value = static_cast<Number>(raw<std::uint8_t>());

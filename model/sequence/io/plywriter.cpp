@@ -3,8 +3,8 @@
 #include "model/sequence/io/meshwriter.h"
 #include "model/sequence/io/ply.h"
 
+#include <array>
 #include <bit>
-#include <cstring>
 
 namespace quadrille {
 
@@ -15,8 +15,7 @@ static_assert(std::endian::native == std::endian::little, "binary PLY is written
 template <typename Value>
 void appendBytes(std::string& text, const Value& value)
 {
-    std::array<char, sizeof(Value)> bytes;
-    std::memcpy(bytes.data(), &value, bytes.size());
+    const auto bytes = std::bit_cast<std::array<char, sizeof(Value)>>(value);
     text.append(bytes.data(), bytes.size());
 }
 
@@ -74,7 +73,8 @@ private:
             if (!data().triangleUvs.empty()) {
                 text += '\6';
                 for (const std::uint32_t uv : data().triangleUvs[t])
-                    appendBytes(text, data().uvs[uv]);
+                    for (const float coordinate : data().uvs[uv])
+                        appendBytes(text, coordinate);
             }
             if (hasMaterials())
                 appendBytes(text, std::int32_t{data().triangleMaterials[t]});
