@@ -8,6 +8,7 @@
 #include "editor/docks/statusjobs.h"
 #include "editor/errors/errortext.h"
 #include "editor/errors/issuespanel.h"
+#include "editor/exporting/exportflow.h"
 #include "editor/help/helpviewer.h"
 #include "editor/importing/importflow.h"
 #include "editor/language/retranslate.h"
@@ -33,6 +34,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_files(
           new ProjectFiles(m_context.document, m_context.jobs, m_context.issues, m_context.settings, this))
     , m_import(new ImportFlow(m_context, this))
+    , m_export(new ExportFlow(m_context, this))
 {
     setObjectName(QStringLiteral("mainWindow"));
     setWindowIcon(widgets::icons::application());
@@ -140,6 +142,10 @@ void MainWindow::connectAll()
     });
     connect(m_import, &ImportFlow::imported, this,
             [this](const QStringList& names) { m_context.selection.selectSequences(names.mid(0, 1)); });
+    connect(m_export, &ExportFlow::exported, this, [this](const QStringList& files) {
+        m_message->setText(tr("Exported to %1").arg(files.value(0)));
+        m_message->setToolTip(files.mid(0, 20).join(QLatin1Char('\n')));
+    });
     connect(m_import, &ImportFlow::failed, this, [this](const Error& error) {
         m_context.issues.add(error);
         showProblem(describe(error).oneLine());

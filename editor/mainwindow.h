@@ -12,6 +12,7 @@ class QStackedWidget;
 
 namespace quadrille {
 
+class ExportFlow;
 class ImportFlow;
 class ProjectFiles;
 class SequencesWorkspace;
@@ -56,6 +57,7 @@ private:
     Autosave m_autosave;
     ProjectFiles* m_files;
     ImportFlow* m_import;
+    ExportFlow* m_export;
     QStackedWidget* m_pages = nullptr;
     WelcomePage* m_welcome = nullptr;
     SequencesWorkspace* m_sequences = nullptr;

@@ -2,6 +2,31 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>quadrille::ExportDialog</name>
+    <message numerus="yes">
+        <source>%1, and %n more</source>
+        <translation type="unfinished">
+            <numerusform>%1, and %n more</numerusform>
+            <numerusform>%1, and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n frame(s), %2 s</source>
+        <comment>files · frames, seconds</comment>
+        <translation>
+            <numerusform>%1 · %n frame, %2 s</numerusform>
+            <numerusform>%1 · %n frames, %2 s</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” and %n more are there already.</source>
+        <translation>
+            <numerusform>“%1” and %n more are there already.</numerusform>
+            <numerusform>“%1” and %n more are there already.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::ImportDialog</name>
     <message numerus="yes">
         <source>Looking at %n source(s)</source>

@@ -15,8 +15,8 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
     : QObject(&window), m_context(context), m_window(window)
 {
     addMenu([] { return tr("&File"); },
-            {"file.new", "file.open", "file.sample", "", "file.import", "file.importFolder", "", "file.save",
-             "file.saveAs", "", "file.quit"});
+            {"file.new", "file.open", "file.sample", "", "file.import", "file.importFolder", "file.export",
+             "", "file.save", "file.saveAs", "", "file.quit"});
     addMenu([] { return tr("&Edit"); },
             {"edit.undo", "edit.redo", "", "edit.trimStart", "edit.trimEnd", "edit.untrim", "edit.label"});
     QMenu* view = addMenu([] { return tr("&View"); },

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/sequencemedia.h"
 
-#include "editor/documents/entryopening.h"
 #include "editor/jobs/jobrunner.h"
+#include "model/project/paths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -113,6 +113,14 @@ SequenceMedia::Source SequenceMedia::sourceOf(const SequenceEntry& entry) const
         source.character.mesh = character->mesh;
         source.character.texture = character->texture;
     }
+    // A clip of another sequence changes with it.
+    const SequenceEntry* next = &entry;
+    while (const auto clip = clipOfSource(next->source)) {
+        next = m_document.sequence(QString::fromStdString(clip->substr(clip->find('/') + 1)));
+        if (next == nullptr)
+            break;
+        source.clips.push_back(*next);
+    }
     source.settings.fps = m_document.project().settings.fps;
     source.settings.axes = m_document.project().settings.axes;
     return source;
@@ -154,6 +162,19 @@ void SequenceMedia::update()
     }
 }
 
+OpenedSequence SequenceMedia::openWhole(const Source& source, const Progress& progress)
+{
+    if (!clipOfSource(source.entry.source))
+        return openSource(source.entry, &source.character, source.settings, {}, progress);
+    Project project;
+    project.settings = source.settings;
+    project.characters = {source.character};
+    project.sequences = source.clips;
+    for (SequenceEntry& clip : project.sequences)
+        clip.character.clear();
+    return openSequence(project, {}, source.entry, progress);
+}
+
 void SequenceMedia::open(const QString& name, Item& item)
 {
     if (item.job)
@@ -186,10 +207,8 @@ void SequenceMedia::open(const QString& name, Item& item)
                  found->second.medium.error = error;
                  emit changed(found->first);
              }},
-        [source = item.source](const Progress& progress) {
-            return openEntry(source.entry, source.character, source.settings, progress);
-        },
-        [this, findItem, current](OpenedEntry opened) {
+        [source = item.source](const Progress& progress) { return openWhole(source, progress); },
+        [this, findItem, current](OpenedSequence opened) {
             const auto found = findItem(*current);
             found->second.medium.whole = std::move(opened.sequence);
             found->second.medium.issues = std::move(opened.issues);

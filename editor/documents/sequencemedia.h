@@ -3,6 +3,7 @@
 #pragma once
 
 #include "editor/documents/projectdocument.h"
+#include "model/project/opensequence.h"
 #include "model/sequence/meshsequence.h"
 
 #include <QObject>
@@ -70,6 +71,7 @@ private:
         SequenceEntry entry; ///< without name, range, labels, contacts
         CharacterEntry character;
         ProjectSettings settings;
+        std::vector<SequenceEntry> clips; ///< that it is a clip of, one of the other
         bool operator==(const Source&) const = default;
     };
     struct Item
@@ -82,6 +84,7 @@ private:
 
     void follow(const ChangeEvent& event);
     void update();
+    static OpenedSequence openWhole(const Source& source, const Progress& progress);
     void open(const QString& name, Item& item);
     void shape(Item& item);
     Source sourceOf(const SequenceEntry& entry) const;

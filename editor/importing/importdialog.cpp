@@ -5,11 +5,11 @@
 #include "editor/application/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
+#include "editor/fields/axesfields.h"
 #include "editor/help/helpviewer.h"
-#include "editor/importing/takepreview.h"
 #include "editor/importing/taketable.h"
 #include "editor/language/retranslate.h"
-#include "model/project/lengthunit.h"
+#include "editor/pictures/takepreview.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/icons.h"
 
@@ -38,8 +38,7 @@ ImportDialog::ImportDialog(EditorContext& context, FoundSources found, QWidget* 
     , m_character(new QComboBox)
     , m_mesh(new QLineEdit)
     , m_chooseMesh(new QToolButton)
-    , m_up(new QComboBox)
-    , m_unit(new QComboBox)
+    , m_axes(new AxesFields)
     , m_fps(new QDoubleSpinBox)
     , m_first(new QSpinBox)
     , m_last(new QSpinBox)
@@ -99,13 +98,7 @@ QWidget* ImportDialog::makeSettings()
     m_mesh->setReadOnly(true);
     m_chooseMesh->setObjectName(QStringLiteral("importChooseMesh"));
     m_chooseMesh->setIcon(widgets::icons::icon(QStringLiteral("folder")));
-    m_up->setObjectName(QStringLiteral("importUpAxis"));
-    for (const char* axis : {"x", "y", "z"})
-        m_up->addItem(QString::fromLatin1(axis).toUpper());
-    m_unit->setObjectName(QStringLiteral("importUnit"));
-    for (const LengthUnit& unit : lengthUnits())
-        m_unit->addItem(QString::fromUtf8(unit.name.data(), static_cast<qsizetype>(unit.name.size())),
-                        unit.metres);
+    m_axes->setObjectName(QStringLiteral("importAxes"));
     m_fps->setObjectName(QStringLiteral("importFps"));
     m_fps->setRange(1, 1000);
     m_fps->setDecimals(3);
@@ -135,7 +128,7 @@ QWidget* ImportDialog::makeSettings()
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_form->addRow(new QLabel, m_character);
     m_form->addRow(new QLabel, row(m_mesh, m_chooseMesh));
-    m_form->addRow(new QLabel, row(m_up, m_unit));
+    m_form->addRow(new QLabel, m_axes);
     m_form->addRow(new QLabel, m_fps);
     m_form->addRow(new QLabel, row(m_first, m_last));
     m_form->addRow(new QLabel, m_texture);
@@ -156,8 +149,7 @@ void ImportDialog::connectAll()
     });
     connect(m_takes, &QTreeWidget::currentItemChanged, this, &ImportDialog::showTake);
     connect(m_character, &QComboBox::editTextChanged, this, [this] { readControls(); });
-    connect(m_up, &QComboBox::activated, this, changed);
-    connect(m_unit, &QComboBox::activated, this, changed);
+    connect(m_axes, &AxesFields::edited, this, changed);
     connect(m_fps, &QDoubleSpinBox::valueChanged, this, [this] { readControls(); });
     connect(m_first, &QSpinBox::valueChanged, this, [this] { readControls(); });
     connect(m_last, &QSpinBox::valueChanged, this, [this] { readControls(); });
@@ -210,8 +202,7 @@ void ImportDialog::readControls()
     if (!m_isSurveyed)
         return;
     m_plan.character = m_character->currentText().trimmed().toStdString();
-    m_plan.axes.up = static_cast<UpAxis>(m_up->currentIndex());
-    m_plan.axes.metresPerUnit = m_unit->currentData().toDouble();
+    m_plan.axes = m_axes->axes();
     m_plan.fps = m_fps->value();
     for (std::size_t i = 0; i < m_plan.takes.size(); ++i) {
         m_plan.takes[i].isWanted = m_takes->isWanted(static_cast<int>(i));
@@ -228,9 +219,8 @@ void ImportDialog::readControls()
 
 void ImportDialog::showPlan()
 {
-    const QSignalBlocker blocks[] = {QSignalBlocker(m_up), QSignalBlocker(m_unit), QSignalBlocker(m_fps)};
-    m_up->setCurrentIndex(static_cast<int>(m_plan.axes.up));
-    m_unit->setCurrentIndex(m_unit->findData(m_plan.axes.metresPerUnit));
+    const QSignalBlocker block(m_fps);
+    m_axes->setAxes(m_plan.axes);
     m_fps->setValue(m_plan.fps);
     m_mesh->setText(toQString(m_plan.mesh.filename()));
     m_mesh->setToolTip(toQString(m_plan.mesh));
@@ -244,11 +234,9 @@ void ImportDialog::showTake()
     const bool isOpen = planned != nullptr && planned->take.sequence.has_value();
     const bool namesAxes = isOpen && planned->take.coordinates.has_value();
     const bool namesRate = isOpen && planned->take.hasOwnFps;
-    m_up->setEnabled(!namesAxes);
-    m_unit->setEnabled(!namesAxes);
+    m_axes->setEnabled(!namesAxes);
+    m_axes->setToolTip(namesAxes ? tr("The file names its axes and unit itself") : QString());
     m_fps->setEnabled(!namesRate);
-    for (QWidget* widget : {static_cast<QWidget*>(m_up), static_cast<QWidget*>(m_unit)})
-        widget->setToolTip(namesAxes ? tr("The file names its axes and unit itself") : QString());
     m_fps->setToolTip(namesRate ? tr("The file names its rate itself")
                                 : tr("Frames a second of the takes whose files name no rate"));
     for (QWidget* widget :
@@ -371,14 +359,13 @@ void ImportDialog::retranslate()
     m_preview->setAccessibleName(tr("Preview"));
     const QStringList labels{tr("Character"), tr("Mesh"),   tr("Up, unit"),
                              tr("Rate"),      tr("Frames"), tr("Textures")};
-    const QList<QWidget*> fields{m_character, m_mesh, m_up, m_fps, m_first, m_texture};
+    const QList<QWidget*> fields{m_character, m_mesh, m_axes, m_fps, m_first, m_texture};
     for (int row = 0; row < labels.size(); ++row) {
         auto* label = qobject_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());
         label->setText(labels[row]);
         label->setBuddy(fields[row]);
         fields[row]->setAccessibleName(labels[row]);
     }
-    m_unit->setAccessibleName(tr("Unit"));
     m_last->setAccessibleName(tr("Last frame"));
     showProblems();
 }

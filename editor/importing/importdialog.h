@@ -17,6 +17,7 @@ class QToolButton;
 
 namespace quadrille {
 
+class AxesFields;
 class TakePreview;
 class TakeTable;
 struct EditorContext;
@@ -72,8 +73,7 @@ private:
     QComboBox* m_character;
     QLineEdit* m_mesh;
     QToolButton* m_chooseMesh;
-    QComboBox* m_up;
-    QComboBox* m_unit;
+    AxesFields* m_axes;
     QDoubleSpinBox* m_fps;
     QSpinBox* m_first;
     QSpinBox* m_last;

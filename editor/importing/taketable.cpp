@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "editor/importing/taketable.h"
 
-#include "editor/documents/pictures.h"
 #include "editor/errors/errortext.h"
 #include "editor/jobs/jobrunner.h"
+#include "editor/pictures/pictures.h"
 #include "model/render/thumbnail.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/playback/frameloader.h"
 
-#include "editor/documents/pictures.h"
+#include "editor/pictures/pictures.h"
 
 namespace quadrille {
 

@@ -183,31 +183,9 @@ OpenedSequence SequenceOpener::openEntry(const SequenceEntry& entry, const Progr
 OpenedSequence SequenceOpener::openFile(const SequenceEntry& entry, const CharacterEntry* character,
                                         const Progress& progress)
 {
-    const fs::path source = resolvePath(entry.source, m_folder);
-    ImportOptions options;
+    OpenedSequence opened = openSource(entry, character, m_project.settings, m_folder, progress);
     if (character != nullptr)
-        options.mesh = resolvePath(character->mesh, m_folder);
-    options.fps = entry.sourceFps.value_or(m_project.settings.fps);
-    options.from = entry.sourceAxes;
-    options.to = m_project.settings.axes;
-    options.clip = entry.clip;
-    ImportResult imported = openSequences(source, options, progress);
-    OpenedSequence opened;
-    opened.issues = std::move(imported.issues);
-    std::erase_if(opened.issues, [](const Issue& issue) { return issue.code == Issue::Code::FpsAssumed; });
-    opened.sequence = chooseClip(std::move(imported), entry, source);
-    for (const fs::path& file : findSource(source).files)
-        addFile(opened.files, file);
-    if (character != nullptr) {
         shareTopology(opened, *character);
-        addFile(opened.files, resolvePath(character->mesh, m_folder));
-    }
-    if (entry.texture.kind != TextureReference::Kind::None)
-        applyTextures(opened, entry.texture, source, m_folder);
-    else if (character != nullptr)
-        applyTextures(opened, character->texture, source, m_folder);
-    for (const Texture& texture : opened.sequence.textures.textures())
-        addFile(opened.files, texture.file);
     return opened;
 }
 
@@ -232,6 +210,34 @@ void SequenceOpener::shareTopology(OpenedSequence& opened, const CharacterEntry&
     checkSameTopology(shared->topology->data(), opened.sequence.topology->data(),
                       opened.files.empty() ? fs::path() : opened.files.front());
     opened.sequence.topology = shared->topology;
+}
+
+OpenedSequence openSource(const SequenceEntry& entry, const CharacterEntry* character,
+                          const ProjectSettings& settings, const fs::path& folder, const Progress& progress)
+{
+    const fs::path source = resolvePath(entry.source, folder);
+    const fs::path mesh = character == nullptr ? fs::path() : resolvePath(character->mesh, folder);
+    ImportOptions options;
+    options.mesh = mesh;
+    options.fps = entry.sourceFps.value_or(settings.fps);
+    options.from = entry.sourceAxes;
+    options.to = settings.axes;
+    options.clip = entry.clip;
+    ImportResult imported = openSequences(source, options, progress);
+    OpenedSequence opened;
+    opened.issues = std::move(imported.issues);
+    std::erase_if(opened.issues, [](const Issue& issue) { return issue.code == Issue::Code::FpsAssumed; });
+    opened.sequence = chooseClip(std::move(imported), entry, source);
+    for (const fs::path& file : findSource(source).files)
+        addFile(opened.files, file);
+    addFile(opened.files, mesh);
+    if (entry.texture.kind != TextureReference::Kind::None)
+        applyTextures(opened, entry.texture, source, folder);
+    else if (character != nullptr)
+        applyTextures(opened, character->texture, source, folder);
+    for (const Texture& texture : opened.sequence.textures.textures())
+        addFile(opened.files, texture.file);
+    return opened;
 }
 
 OpenedSequence openSequence(const Project& project, const fs::path& folder, const SequenceEntry& entry,

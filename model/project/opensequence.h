@@ -70,6 +70,14 @@ private:
 OpenedSequence openSequence(const Project& project, const std::filesystem::path& folder,
                             const SequenceEntry& entry, const Progress& progress = {});
 
+/// The source of a sequence that is a file or series: all its frames at their own rate, in settings.axes,
+/// with the textures that entry or character name; nothing is cut, marked or named. \param character may be
+/// null. \throws Error what opening its files throws; ImageCountMismatch; ProjectInvalid where the source
+/// holds several clips and none is named.
+OpenedSequence openSource(const SequenceEntry& entry, const CharacterEntry* character,
+                          const ProjectSettings& settings, const std::filesystem::path& folder,
+                          const Progress& progress = {});
+
 /// The character of a sequence: the one it names, or the only one; null when the project has none.
 const CharacterEntry* characterOf(const Project& project, const SequenceEntry& entry);
 const SequenceEntry* findSequence(const Project& project, const std::string& name);

@@ -83,7 +83,7 @@ private slots:
         QCOMPARE(test::find<QLabel>("importHeight")->text(), QLocale().toString(1.7, 'f', 2) + " m high");
 
         // A wrong unit leaps to the eye.
-        auto* unit = test::find<QComboBox>("importUnit");
+        auto* unit = openDialog()->findChild<QComboBox*>("unit");
         unit->setFocus();
         QTest::keyClick(unit, Qt::Key_Down);
         QCOMPARE(unit->currentText(), QString("cm"));

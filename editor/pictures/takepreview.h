@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/render/rendersettings.h"
 #include "model/sequence/axes.h"
 #include "model/sequence/meshsequence.h"
 
@@ -21,9 +22,11 @@ public:
 
     explicit TakePreview(JobRunner& jobs, QWidget* parent = nullptr);
 
-    /// Draws a take; empties the picture without one.
+    /// Draws a take on the theme's background; empties the picture without one.
     /// \param axes what its positions are in.
     void draw(const MeshSequence* sequence, const CoordinateSystem& axes = {});
+    /// Draws a take as a picture will look; its size is brought into the square.
+    void draw(const MeshSequence& sequence, RenderOptions look);
 
 private:
     JobRunner& m_jobs;

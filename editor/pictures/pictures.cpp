@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "editor/documents/pictures.h"
+#include "editor/pictures/pictures.h"
 
 #include <utility>
 

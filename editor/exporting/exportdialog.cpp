@@ -1,0 +1,384 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/exporting/exportdialog.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/commands/projectedits.h"
+#include "editor/documents/projectpaths.h"
+#include "editor/errors/errortext.h"
+#include "editor/exporting/picturefields.h"
+#include "editor/fields/axesfields.h"
+#include "editor/help/helpviewer.h"
+#include "editor/language/retranslate.h"
+#include "editor/pictures/takepreview.h"
+#include "model/project/exportentry.h"
+#include "model/project/opensequence.h"
+#include "model/project/pictureoptions.h"
+#include "model/sequence/io/registry.h"
+#include "widgets/controls/messagestrip.h"
+#include "widgets/theme/icons.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace quadrille {
+
+namespace {
+
+QHBoxLayout* pairOf(QWidget* first, QWidget* second, int secondStretch = 1)
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(4);
+    row->addWidget(first, 1);
+    row->addWidget(second, secondStretch);
+    return row;
+}
+
+} // namespace
+
+ExportDialog::ExportDialog(EditorContext& context, ExportPlan plan, QWidget* parent)
+    : QDialog(parent)
+    , m_context(context)
+    , m_plan(std::move(plan))
+    , m_strip(new widgets::MessageStrip)
+    , m_preview(new TakePreview(context.jobs))
+    , m_form(new QFormLayout)
+    , m_format(new QComboBox)
+    , m_place(new QLineEdit)
+    , m_choosePlace(new QToolButton)
+    , m_files(new QLabel)
+    , m_first(new QSpinBox)
+    , m_last(new QSpinBox)
+    , m_fps(new QDoubleSpinBox)
+    , m_axes(new AxesFields(true))
+    , m_textures(new QCheckBox)
+    , m_picture(new PictureFields)
+    , m_keep(new QCheckBox)
+    , m_export(new QPushButton)
+    , m_cancel(new QPushButton)
+{
+    setObjectName(QStringLiteral("exportDialog"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    setHelpPage(this, QStringLiteral("exporting"));
+    resize(820, 560);
+    makeControls();
+    connectAll();
+    retranslates(this, [this] { retranslate(); });
+    showPlan();
+}
+
+void ExportDialog::makeControls()
+{
+    const auto name = [](QWidget* widget, const char* text) { widget->setObjectName(QLatin1String(text)); };
+    name(m_format, "exportFormat");
+    name(m_place, "exportPlace");
+    name(m_choosePlace, "exportChoosePlace");
+    name(m_files, "exportFiles");
+    name(m_first, "exportFirst");
+    name(m_last, "exportLast");
+    name(m_fps, "exportFps");
+    name(m_axes, "exportAxes");
+    name(m_textures, "exportTextures");
+    name(m_keep, "exportKeep");
+    name(m_export, "exportAccept");
+    name(m_cancel, "exportCancel");
+    for (const auto& exporter : exporters()) {
+        const FormatInfo& info = exporter->format();
+        m_format->addItem(QString::fromStdString(info.name + " (" + info.extensions.front() + ")"),
+                          QString::fromStdString(info.id));
+    }
+    m_choosePlace->setIcon(widgets::icons::icon(QStringLiteral("folder")));
+    m_files->setWordWrap(true);
+    m_files->setForegroundRole(QPalette::PlaceholderText);
+    m_fps->setRange(1, 1000);
+    m_fps->setDecimals(3);
+    m_keep->setChecked(m_plan.isKept);
+    m_keep->setVisible(m_plan.edited.isEmpty());
+    m_export->setDefault(true);
+
+    m_form->setSpacing(8);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_form->addRow(new QLabel, m_format);
+    m_form->addRow(new QLabel, pairOf(m_place, m_choosePlace, 0));
+    m_form->addRow(QString(), m_files);
+    m_form->addRow(new QLabel, pairOf(m_first, m_last));
+    m_form->addRow(new QLabel, m_fps);
+    m_form->addRow(new QLabel, m_axes);
+    m_form->addRow(new QLabel, m_textures);
+    auto* left = new QVBoxLayout;
+    left->setSpacing(16);
+    left->addLayout(m_form);
+    left->addWidget(m_keep);
+    left->addStretch();
+    auto* right = new QVBoxLayout;
+    right->setSpacing(16);
+    right->addWidget(m_preview);
+    right->addWidget(m_picture);
+    right->addStretch();
+    auto* middle = new QHBoxLayout;
+    middle->setSpacing(24);
+    middle->addLayout(left, 1);
+    middle->addLayout(right);
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch();
+    buttons->addWidget(m_cancel);
+    buttons->addWidget(m_export);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 16, 16, 16);
+    column->setSpacing(16);
+    column->addLayout(middle, 1);
+    column->addWidget(m_strip);
+    column->addLayout(buttons);
+}
+
+void ExportDialog::connectAll()
+{
+    const auto edited = [this] {
+        readControls();
+        showFacts();
+    };
+    connect(m_format, &QComboBox::activated, this, &ExportDialog::chooseFormat);
+    connect(m_place, &QLineEdit::textEdited, this, edited);
+    connect(m_choosePlace, &QToolButton::clicked, this, &ExportDialog::choosePlace);
+    connect(m_first, &QSpinBox::valueChanged, this, edited);
+    connect(m_last, &QSpinBox::valueChanged, this, edited);
+    connect(m_fps, &QDoubleSpinBox::valueChanged, this, edited);
+    connect(m_axes, &AxesFields::edited, this, edited);
+    connect(m_textures, &QCheckBox::toggled, this, edited);
+    connect(m_picture, &PictureFields::edited, this, edited);
+    connect(m_keep, &QCheckBox::toggled, this, [this](bool kept) { m_plan.isKept = kept; });
+    connect(m_cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(m_export, &QPushButton::clicked, this, &ExportDialog::start);
+}
+
+const MeshSequence* ExportDialog::sequence() const
+{
+    return m_context.media.sequence(m_plan.sequences.front());
+}
+
+std::int64_t ExportDialog::framesWritten() const
+{
+    const MeshSequence* shown = sequence();
+    if (shown == nullptr)
+        return 1;
+    const MeshSequence cut = m_plan.entry.range ? shown->cutTo(*m_plan.entry.range) : *shown;
+    return m_plan.entry.fps ? resampled(cut, *m_plan.entry.fps).frameCount() : cut.frameCount();
+}
+
+void ExportDialog::readControls()
+{
+    const ProjectSettings& settings = m_context.document.project().settings;
+    ExportEntry& entry = m_plan.entry;
+    entry.path = m_place->text().toStdString();
+    entry.textures = m_textures->isChecked();
+    entry.fps = m_fps->value() == settings.fps ? std::nullopt : std::optional(m_fps->value());
+    entry.axes = m_axes->axes() == settings.axes ? std::nullopt : std::optional(m_axes->axes());
+    const FrameRange range{FrameIndex(m_first->value()), FrameIndex(m_last->value())};
+    const MeshSequence* shown = sequence();
+    const bool isWhole = shown == nullptr || range == FrameRange::all(shown->frameCount());
+    entry.range = isWhole || m_plan.sequences.size() > 1 ? std::nullopt : std::optional(range);
+    if (m_plan.isPicture())
+        entry.picture = pictureToJson(m_picture->settings());
+    m_first->setMaximum(m_last->value());
+    m_last->setMinimum(m_first->value());
+}
+
+void ExportDialog::showPlan()
+{
+    const ProjectSettings& settings = m_context.document.project().settings;
+    const ExportEntry& entry = m_plan.entry;
+    const QSignalBlocker blocks[] = {QSignalBlocker(m_first), QSignalBlocker(m_last), QSignalBlocker(m_fps),
+                                     QSignalBlocker(m_textures)};
+    m_format->setCurrentIndex(m_format->findData(QString::fromStdString(m_plan.format().id)));
+    m_place->setText(QString::fromStdString(entry.path));
+    if (const MeshSequence* shown = sequence()) {
+        const auto last = static_cast<int>(shown->frameCount() - 1);
+        const FrameRange range = entry.range.value_or(FrameRange::all(last + 1));
+        m_first->setRange(0, static_cast<int>(range.last.value));
+        m_last->setRange(static_cast<int>(range.first.value), last);
+        m_first->setValue(static_cast<int>(range.first.value));
+        m_last->setValue(static_cast<int>(range.last.value));
+    }
+    m_first->setEnabled(m_plan.sequences.size() == 1 && sequence() != nullptr);
+    m_last->setEnabled(m_first->isEnabled());
+    m_fps->setValue(entry.fps.value_or(settings.fps));
+    m_axes->setProjectAxes(settings.axes);
+    m_axes->setAxes(entry.axes.value_or(settings.axes));
+    m_textures->setChecked(entry.textures);
+    if (!entry.picture.is_null()) {
+        ProjectProblems ignored;
+        m_picture->setSettings(pictureFromJson(entry.picture, "/picture", ignored));
+    }
+    showFacts();
+}
+
+void ExportDialog::showFacts()
+{
+    const ProjectSettings& settings = m_context.document.project().settings;
+    const bool isPicture = m_plan.isPicture();
+    m_picture->setVisible(isPicture);
+    m_picture->setTransparencyPossible(m_plan.format().id == "png");
+    m_axes->setEnabled(!isPicture);
+    m_textures->setEnabled(!isPicture && !m_plan.format().needsMesh);
+    const std::int64_t frames = framesWritten();
+    const double seconds = static_cast<double>(frames) / m_plan.entry.fps.value_or(settings.fps);
+    QString text = m_plan.filesText(m_plan.entries().front(), frames);
+    if (m_plan.sequences.size() > 1)
+        text = tr("%1, and %n more", nullptr, static_cast<int>(m_plan.sequences.size() - 1)).arg(text);
+    m_files->setText(tr("%1 · %n frame(s), %2 s", "files · frames, seconds", static_cast<int>(frames))
+                         .arg(text, QLocale().toString(seconds, 'f', 2)));
+    m_export->setEnabled(!m_plan.entry.path.empty());
+    if (const MeshSequence* shown = sequence()) {
+        RenderOptions look = m_picture->settings().look;
+        look.axes = settings.axes;
+        if (isPicture)
+            m_preview->draw(*shown, look);
+        else
+            m_preview->draw(shown, settings.axes);
+    }
+}
+
+void ExportDialog::chooseFormat()
+{
+    readControls();
+    const std::string before = m_plan.entry.name;
+    const bool hasOwnName = !m_plan.edited.isEmpty();
+    m_plan.entry.format = m_format->currentData().toString().toStdString();
+    m_plan.entry.path = withEndingOf(m_plan.entry.path, m_plan.format());
+    const ExportPlan fresh = planExport(m_plan.sequences, m_plan.entry.format, {});
+    m_plan.entry.name = hasOwnName ? before : fresh.entry.name;
+    m_plan.entry.picture = m_plan.isPicture() ? pictureToJson(m_picture->settings()) : UnknownKeys();
+    showPlan();
+}
+
+void ExportDialog::choosePlace()
+{
+    const FormatInfo& info = m_plan.format();
+    const QString ending = QString::fromStdString(info.extensions.front());
+    QString file = QFileDialog::getSaveFileName(this, tr("Export to"), m_place->text(),
+                                                QString::fromStdString(info.name) + " (*" + ending + ")",
+                                                nullptr, QFileDialog::DontConfirmOverwrite);
+    if (file.isEmpty())
+        return;
+    if (!file.endsWith(ending))
+        file += ending;
+    m_place->setText(file);
+    readControls();
+    showFacts();
+}
+
+bool ExportDialog::mayWriteOver()
+{
+    const QStringList files = m_plan.filesInTheWay(framesWritten());
+    if (files.isEmpty() || !m_plan.edited.isEmpty())
+        return true;
+    const QString what = files.size() == 1 ? tr("“%1” is there already.").arg(files.front())
+                                           : tr("“%1” and %n more are there already.", nullptr,
+                                                static_cast<int>(files.size() - 1))
+                                                 .arg(files.front());
+    QMessageBox box(QMessageBox::Warning, tr("Write over files?"), what, QMessageBox::Cancel, this);
+    box.setObjectName(QStringLiteral("exportOverwrite"));
+    box.setInformativeText(tr("Exporting writes over them."));
+    QPushButton* overwrite = box.addButton(tr("Write over"), QMessageBox::AcceptRole);
+    box.exec();
+    return box.clickedButton() == overwrite;
+}
+
+void ExportDialog::start()
+{
+    readControls();
+    if (!mayWriteOver())
+        return;
+    setBusy(true);
+    m_context.jobs.start(
+        {.name = tr("Exporting %1").arg(toQString(std::filesystem::path(m_plan.entry.path).filename())),
+         .receiver = this,
+         .failed =
+             [this](const Error& error) {
+                 setBusy(false);
+                 const ErrorText text = describe(error);
+                 m_strip->show(widgets::MessageStrip::Kind::Error,
+                               text.where.isEmpty() ? text.sentence
+                                                    : tr("%1 (%2)").arg(text.sentence, text.where),
+                               text.remedy);
+             }},
+        [project = m_context.document.project(), entries = m_plan.entries()](const Progress& progress) {
+            std::vector<ExportResult> results;
+            SequenceOpener opener(project, {});
+            const auto count = static_cast<double>(entries.size());
+            for (const ExportEntry& entry : entries) {
+                const auto at = static_cast<double>(results.size());
+                const Progress part = progress.part(at / count, (at + 1) / count);
+                const auto opened =
+                    opener.open(entry.what.substr(entry.what.find('/') + 1), part.part(0, 0.1));
+                results.push_back(
+                    writeExport(entry, opened->sequence, project.settings, {}, part.part(0.1, 1)));
+            }
+            return results;
+        },
+        [this](const std::vector<ExportResult>& results) { finish(results); });
+}
+
+void ExportDialog::finish(const std::vector<ExportResult>& results)
+{
+    QStringList files;
+    for (const ExportResult& result : results) {
+        for (const auto& file : result.files)
+            files += toQString(file);
+        for (const Issue& issue : result.issues)
+            m_context.issues.add(issue, QString::fromStdString(m_plan.entry.name));
+    }
+    if (!m_plan.edited.isEmpty()) {
+        setExport(m_context.document, m_plan.edited, m_plan.entry);
+    } else if (m_plan.isKept) {
+        for (ExportEntry& entry : m_plan.entries())
+            addExport(m_context.document, std::move(entry));
+    }
+    emit exported(files);
+    accept();
+}
+
+void ExportDialog::setBusy(bool busy)
+{
+    m_strip->clear();
+    m_export->setEnabled(!busy);
+    m_export->setText(busy ? tr("Exporting…") : tr("Export"));
+}
+
+void ExportDialog::retranslate()
+{
+    setWindowTitle(m_plan.edited.isEmpty() ? tr("Export") : tr("Export “%1”").arg(m_plan.edited));
+    const QStringList labels{tr("Format"), tr("File"),    {}, tr("Frames"), tr("Rate"),
+                             tr("Axes"),   tr("Textures")};
+    const QList<QWidget*> fields{m_format, m_place, m_files, m_first, m_fps, m_axes, m_textures};
+    for (int row = 0; row < labels.size(); ++row) {
+        auto* item = m_form->itemAt(row, QFormLayout::LabelRole);
+        auto* label = item == nullptr ? nullptr : qobject_cast<QLabel*>(item->widget());
+        if (label == nullptr || labels[row].isEmpty())
+            continue;
+        label->setText(labels[row]);
+        label->setBuddy(fields[row]);
+        fields[row]->setAccessibleName(labels[row]);
+    }
+    m_last->setAccessibleName(tr("Last frame"));
+    m_choosePlace->setToolTip(tr("Choose the file"));
+    m_choosePlace->setAccessibleName(tr("Choose the file"));
+    m_fps->setSuffix(tr(" fps"));
+    m_fps->setToolTip(tr("Another rate than the project's is resampled"));
+    m_textures->setText(tr("Write the pictures beside"));
+    m_keep->setText(tr("Keep in the project, so that a rebuild repeats it"));
+    m_cancel->setText(tr("Cancel"));
+    setBusy(false);
+    showFacts();
+}
+
+} // namespace quadrille

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/exporting/exportflow.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/documents/projectpaths.h"
+#include "editor/exporting/exportdialog.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace quadrille {
+
+ExportFlow::ExportFlow(EditorContext& context, QWidget* window)
+    : QObject(window), m_context(context), m_window(window)
+{
+    context.actions.add(
+        {"file.export",
+         [] { return tr("File"); },
+         [] { return tr("&Export…"); },
+         [] { return tr("Write the selected sequences in another format, or as pictures or video"); },
+         "export",
+         {QKeySequence(Qt::CTRL | Qt::Key_E)}},
+        [this] { exportSelection(); });
+    connect(&context.selection, &Selection::changed, this, &ExportFlow::updateAction);
+    connect(&context.document, &ProjectDocument::changed, this, &ExportFlow::updateAction);
+    updateAction();
+}
+
+void ExportFlow::updateAction()
+{
+    const bool isExport = m_context.selection.current().section == Section::Exports &&
+                          !m_context.selection.current().name.isEmpty();
+    m_context.actions.action("file.export")
+        ->setEnabled(isExport || !m_context.selection.shownSequence().isEmpty());
+}
+
+void ExportFlow::exportSelection()
+{
+    const EntryRef& current = m_context.selection.current();
+    if (current.section == Section::Exports && !current.name.isEmpty()) {
+        editExport(current.name);
+        return;
+    }
+    QStringList names = m_context.selection.sequences();
+    if (names.isEmpty())
+        names = {m_context.selection.shownSequence()};
+    exportSequences(names);
+}
+
+void ExportFlow::exportSequences(const QStringList& names)
+{
+    QString folder = m_folder;
+    if (folder.isEmpty()) {
+        folder = m_context.document.isUntitled()
+                     ? QDir::homePath()
+                     : toQString(m_context.document.file().parent_path() / "exports");
+    }
+    auto* dialog = new ExportDialog(m_context, planExport(names, m_format.toStdString(), folder), m_window);
+    connect(dialog, &ExportDialog::exported, this, [this, dialog](const QStringList& files) {
+        m_format = QString::fromStdString(dialog->plan().format().id);
+        m_folder = QFileInfo(QString::fromStdString(dialog->plan().entry.path)).path();
+        emit exported(files);
+    });
+    dialog->open();
+}
+
+void ExportFlow::editExport(const QString& name)
+{
+    ExportPlan plan;
+    plan.entry = *m_context.document.exportEntry(name);
+    plan.edited = name;
+    plan.sequences = {QString::fromStdString(plan.entry.what.substr(plan.entry.what.find('/') + 1))};
+    auto* dialog = new ExportDialog(m_context, std::move(plan), m_window);
+    connect(dialog, &ExportDialog::exported, this, &ExportFlow::exported);
+    dialog->open();
+}
+
+} // namespace quadrille

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/exporting/exportplan.h"
+
+#include "editor/documents/projectpaths.h"
+#include "model/core/stagedfiles.h"
+#include "model/project/exportentry.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace quadrille {
+
+namespace {
+
+/// A name that every file system takes.
+QString fileNameOf(QString name)
+{
+    for (const QChar c : QStringLiteral("/\\:*?\"<>|"))
+        name.replace(c, QLatin1Char('_'));
+    return name.replace(QLatin1Char(' '), QLatin1Char('_'));
+}
+
+std::string nameOf(const QString& sequence, const FormatInfo& format)
+{
+    return (sequence + QLatin1Char(' ') +
+            QString::fromStdString(format.extensions.front().substr(1)).toUpper())
+        .toStdString();
+}
+
+} // namespace
+
+const FormatInfo& ExportPlan::format() const
+{
+    return exporterOf(entry).format();
+}
+
+bool ExportPlan::isPicture() const
+{
+    return format().id == "png" || format().id == "mp4";
+}
+
+std::vector<ExportEntry> ExportPlan::entries() const
+{
+    std::vector<ExportEntry> result;
+    const std::filesystem::path path = entry.path;
+    for (const QString& sequence : sequences) {
+        ExportEntry each = entry;
+        each.what = "sequences/" + sequence.toStdString();
+        if (sequences.size() > 1) {
+            each.name = nameOf(sequence, format());
+            each.path =
+                (path.parent_path() / (fileNameOf(sequence).toStdString() + path.extension().string()))
+                    .string();
+            each.range.reset();
+        }
+        result.push_back(std::move(each));
+    }
+    return result;
+}
+
+QString ExportPlan::filesText(const ExportEntry& each, std::int64_t frames) const
+{
+    const std::filesystem::path path = each.path;
+    if (!format().onePerFrame)
+        return toQString(path.filename());
+    const QString first = QString::fromStdString(numberedName(path, 0, frames));
+    if (frames == 1)
+        return first;
+    return first + QStringLiteral(" … ") + QString::fromStdString(numberedName(path, frames - 1, frames));
+}
+
+QStringList ExportPlan::filesInTheWay(std::int64_t frames) const
+{
+    QStringList files;
+    for (const ExportEntry& each : entries()) {
+        const std::filesystem::path path = each.path;
+        const auto file = format().onePerFrame ? path.parent_path() / numberedName(path, 0, frames) : path;
+        if (QFileInfo::exists(toQString(file)))
+            files += toQString(file.filename());
+    }
+    return files;
+}
+
+ExportPlan planExport(const QStringList& sequences, const std::string& format, const QString& folder)
+{
+    ExportPlan plan;
+    plan.sequences = sequences;
+    plan.entry.format = format;
+    const FormatInfo& info = plan.format();
+    plan.entry.name = nameOf(sequences.front(), info);
+    plan.entry.path =
+        QDir(folder).filePath(fileNameOf(sequences.front())).toStdString() + info.extensions.front();
+    return plan;
+}
+
+std::string withEndingOf(const std::string& path, const FormatInfo& format)
+{
+    std::filesystem::path changed = path;
+    changed.replace_extension(format.extensions.front());
+    return changed.string();
+}
+
+} // namespace quadrille

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/project.h"
+#include "model/sequence/io/format.h"
+
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+namespace quadrille {
+
+/// What an export dialog decides: one entry, and the sequences that it is repeated for.
+struct ExportPlan
+{
+    QStringList sequences;
+    /// The entry of the first sequence; the others' differ by name, `what` and file name only.
+    ExportEntry entry;
+    /// The entry of the project that is edited; empty for a new one.
+    QString edited;
+    bool isKept = true; ///< in the project, so that a rebuild repeats it
+
+    const FormatInfo& format() const;
+    bool isPicture() const;
+    /// The entries that are written, one for each sequence.
+    std::vector<ExportEntry> entries() const;
+    /// Files that an entry will write, for people: one, or first and last of a series.
+    QString filesText(const ExportEntry& entry, std::int64_t frames) const;
+    /// Files that are there and would be written over.
+    QStringList filesInTheWay(std::int64_t frames) const;
+};
+
+/// A new export of some sequences in a format, beside the project or in a folder.
+ExportPlan planExport(const QStringList& sequences, const std::string& format, const QString& folder);
+/// The same path with the ending of another format.
+std::string withEndingOf(const std::string& path, const FormatInfo& format);
+
+} // namespace quadrille

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/render/rendersettings.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QSpinBox;
+
+namespace quadrille {
+
+/// How pictures and videos of a clip look: size, background, shading and what the camera does.
+class PictureFields : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit PictureFields(QWidget* parent = nullptr);
+
+    RenderSettings settings() const;
+    void setSettings(const RenderSettings& settings);
+    /// Video holds no transparency.
+    void setTransparencyPossible(bool possible);
+
+signals:
+    void edited();
+
+private:
+    void retranslate();
+
+    RenderSettings m_settings;
+    QFormLayout* m_form;
+    QSpinBox* m_width;
+    QSpinBox* m_height;
+    QComboBox* m_background;
+    QComboBox* m_shading;
+    QComboBox* m_camera;
+    QDoubleSpinBox* m_turns;
+};
+
+} // namespace quadrille
