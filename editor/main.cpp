@@ -37,6 +37,9 @@ int main(int argc, char** argv)
     parser.process(application);
 
     MainWindow window;
+    if (const QString language = qEnvironmentVariable("QUADRILLE_LANGUAGE"); !language.isEmpty())
+        window.context().languages.setLanguage(
+            language); // for this run; "x-pseudo" shows what is not translated
     window.show();
     if (parser.isSet(sample))
         window.openSample();

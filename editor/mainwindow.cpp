@@ -131,6 +131,7 @@ void MainWindow::makeMenus()
 
 void MainWindow::connectAll()
 {
+    retranslates(this, [this] { showTitle(); });
     connect(&m_context.document, &ProjectDocument::changed, this, &MainWindow::followDocument);
     connect(m_context.document.undoStack(), &QUndoStack::indexChanged, this,
             [this] { followDocument(ChangeEvent::file()); });
@@ -158,10 +159,15 @@ void MainWindow::connectAll()
     connect(m_welcome, &WelcomePage::projectAsked, this, [this](const QString& file) { open({file}); });
 }
 
+void MainWindow::showTitle()
+{
+    setWindowTitle(m_context.document.title() + QStringLiteral("[*] – Quadrille"));
+}
+
 void MainWindow::followDocument(const ChangeEvent& event)
 {
     ProjectDocument& document = m_context.document;
-    setWindowTitle(document.title() + QStringLiteral("[*] – Quadrille"));
+    showTitle();
     setWindowModified(document.isModified());
     m_context.actions.action("edit.undo")->setEnabled(document.canUndo());
     m_context.actions.action("edit.redo")->setEnabled(document.undoStack()->canRedo());

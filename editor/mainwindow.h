@@ -48,6 +48,7 @@ private:
     void makeThemeActions();
     void makeMenus();
     void connectAll();
+    void showTitle();
     void followDocument(const ChangeEvent& event);
     void showHelp();
     void openProjects(QStringList& files);

@@ -3,6 +3,7 @@
 #include "editor/docks/statusjobs.h"
 
 #include "editor/jobs/jobrunner.h"
+#include "editor/language/retranslate.h"
 #include "model/core/mediacache.h"
 #include "widgets/theme/icons.h"
 
@@ -36,7 +37,7 @@ StatusJobs::StatusJobs(JobRunner& jobs, QWidget* parent)
     connect(m_cancel, &QToolButton::clicked, this, [this] { m_jobs.cancelAll(); });
     connect(m_timer, &QTimer::timeout, this, &StatusJobs::refresh);
     m_timer->start(200);
-    refresh();
+    retranslates(this, [this] { refresh(); });
 }
 
 void StatusJobs::refresh()

@@ -30,7 +30,8 @@ Language languageOf(const QString& code)
 
 bool isKnown(const QString& code)
 {
-    return std::ranges::any_of(LanguageManager::languages(),
+    return code == pseudoLanguage() ||
+           std::ranges::any_of(LanguageManager::languages(),
                                [&code](const Language& language) { return language.code == code; });
 }
 
@@ -72,6 +73,9 @@ void LanguageManager::setLanguage(const QString& code)
     const QLocale system = QLocale::system();
     const QLocale locale = system.language() == QLocale(language).language() ? system : QLocale(language);
     QLocale::setDefault(locale);
+    QCoreApplication::removeTranslator(&m_pseudo);
+    if (language == pseudoLanguage())
+        QCoreApplication::installTranslator(&m_pseudo);
     load(m_qt, QLibraryInfo::path(QLibraryInfo::TranslationsPath) + QStringLiteral("/qtbase_") + language);
     load(m_own, catalogueFolder() + QStringLiteral("/quadrille_") + language);
     QGuiApplication::setLayoutDirection(locale.textDirection());

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "editor/language/pseudolanguage.h"
+
 #include <QObject>
 #include <QString>
 #include <QTranslator>
@@ -28,6 +30,7 @@ public:
     static std::vector<Language> languages();
 
     /// \param code of one of the languages; empty or unknown: what the system asks for, else English.
+    ///             The pseudo-language is known, though not among languages().
     void setLanguage(const QString& code);
     /// The code of the language that is shown.
     const QString& language() const { return m_language; }
@@ -41,6 +44,7 @@ private:
     QString m_language;
     QTranslator m_own;
     QTranslator m_qt;
+    PseudoTranslator m_pseudo;
 };
 
 } // namespace quadrille

@@ -71,7 +71,6 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), d(std::make_unique<Privat
     if (VtkView::openGlAvailable()) {
         d->view = new VtkView(this);
         d->view->setObjectName(QStringLiteral("viewportSurface"));
-        d->view->setAccessibleName(tr("Three-dimensional view"));
         d->scene.attachTo(d->view->renderWindow());
         constexpr int samples = 4;
         d->view->renderWindow()->SetMultiSamples(samples);

@@ -183,6 +183,8 @@ void Viewport::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange) {
         setAccessibleName(tr("Viewport"));
+        if (d->view != nullptr)
+            d->view->setAccessibleName(tr("Three-dimensional view"));
         if (d->excuse != nullptr)
             d->excuse->setText(
                 tr("There is no OpenGL 3.2 here, so nothing can be shown in three dimensions. "
