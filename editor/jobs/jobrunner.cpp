@@ -48,6 +48,8 @@ Job* JobRunner::add(JobSettings settings, ErasedWork work, Deliver deliver)
     task->work = std::move(work);
     QObject* const receiver = settings.receiver;
     auto* job = new Job(*this, std::move(settings), task, std::move(deliver));
+    // One that is over and waits for its deletion must not outlive the runner that it would wake.
+    job->setParent(this);
     if (receiver)
         connect(receiver, &QObject::destroyed, job, &Job::cancel);
     m_jobs.push_back(job);

@@ -57,6 +57,7 @@ private slots:
     void resultIsDroppedWhenSettingsNoLongerStand();
     void errorIsDroppedWhenSettingsNoLongerStand();
     void jobIsCancelledWhenItsReceiverGoes();
+    void endedJobGoesWithItsRunner();
     void progressIsThrottledAndNeverGoesBack();
     void runnerIsDestroyedWhileJobsRun();
     void snapshotIsReleasedWhenTheWorkIsDone();
@@ -252,6 +253,20 @@ void JobRunnerTest::jobIsCancelledWhenItsReceiverGoes()
     QTRY_VERIFY(work.hasStarted());
     receiver.reset();
     QTRY_VERIFY(runner.jobs().empty());
+}
+
+void JobRunnerTest::endedJobGoesWithItsRunner()
+{
+    QObject receiver; // outlives the runner, as the widgets of a window do
+    auto runner = std::make_unique<JobRunner>();
+    bool done = false;
+    const QPointer<Job> job = runner->start(
+        {.receiver = &receiver}, [](const Progress&) { return 1; }, [&](int) { done = true; });
+    while (!done)
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    QVERIFY(!job.isNull()); // over, and waiting for its deletion
+    runner.reset();
+    QVERIFY(job.isNull());
 }
 
 void JobRunnerTest::progressIsThrottledAndNeverGoesBack()
