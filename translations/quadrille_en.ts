@@ -5,7 +5,7 @@
     <name>quadrille::ExportDialog</name>
     <message numerus="yes">
         <source>%1, and %n more</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%1, and %n more</numerusform>
             <numerusform>%1, and %n more</numerusform>
         </translation>

@@ -2,6 +2,29 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr_FR" sourcelanguage="en">
 <context>
+    <name>LegendBar</name>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>title of a legend, then its unit</extracomment>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>Length</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>quadrille</name>
     <message>
         <source>Cancelled.</source>
@@ -25,7 +48,7 @@
     </message>
     <message>
         <source>Reading failed: {reason}.</source>
-        <translation>Échec de la lecture : {reason}.</translation>
+        <translation>Échec de la lecture : {reason}.</translation>
     </message>
     <message>
         <source>Check the disk and try again.</source>
@@ -33,7 +56,7 @@
     </message>
     <message>
         <source>Writing failed: {reason}.</source>
-        <translation>Échec de l’écriture : {reason}.</translation>
+        <translation>Échec de l’écriture : {reason}.</translation>
     </message>
     <message>
         <source>Check free space and permissions, then try again.</source>
@@ -49,7 +72,7 @@
     </message>
     <message>
         <source>The file ends too early: {expected} expected, {found} found.</source>
-        <translation>Le fichier se termine trop tôt : {expected} attendus, {found} trouvés.</translation>
+        <translation>Le fichier se termine trop tôt : {expected} attendus, {found} trouvés.</translation>
     </message>
     <message>
         <source>Export or copy it again.</source>
@@ -65,7 +88,7 @@
     </message>
     <message>
         <source>This is not what the format allows here: {reason}.</source>
-        <translation>Le format ne permet pas cela à cet endroit : {reason}.</translation>
+        <translation>Le format ne permet pas cela à cet endroit : {reason}.</translation>
     </message>
     <message>
         <source>Export it again, or correct this place.</source>
@@ -77,7 +100,7 @@
     </message>
     <message>
         <source>The file is damaged or of another format; export it again.</source>
-        <translation>Le fichier est endommagé ou d’un autre format ; exportez-le de nouveau.</translation>
+        <translation>Le fichier est endommagé ou d’un autre format ; exportez-le de nouveau.</translation>
     </message>
     <message>
         <source>The format of this file is not known.</source>
@@ -97,7 +120,7 @@
     </message>
     <message>
         <source>This file holds positions only; a mesh with its faces is needed.</source>
-        <translation>Ce fichier ne contient que des positions ; il faut un maillage avec ses faces.</translation>
+        <translation>Ce fichier ne contient que des positions ; il faut un maillage avec ses faces.</translation>
     </message>
     <message>
         <source>Give the mesh (OBJ or PLY) of the same vertex order with it.</source>
@@ -141,11 +164,11 @@
     </message>
     <message>
         <source>Export the character&apos;s geometry too: cameras, lights and bones alone cannot be shown.</source>
-        <translation>Exportez aussi la géométrie du personnage : caméras, lumières et os seuls ne peuvent pas être montrés.</translation>
+        <translation>Exportez aussi la géométrie du personnage : caméras, lumières et os seuls ne peuvent pas être montrés.</translation>
     </message>
     <message>
         <source>The {count} triangles share no vertices: this is a polygon soup.</source>
-        <translation>Les {count} triangles ne partagent aucun sommet : c’est une soupe de polygones.</translation>
+        <translation>Les {count} triangles ne partagent aucun sommet : c’est une soupe de polygones.</translation>
     </message>
     <message>
         <source>Merge vertices by distance in the tool it comes from, and export again.</source>
@@ -177,11 +200,11 @@
     </message>
     <message>
         <source>The topology differs from the first frame: {what}.</source>
-        <translation>La topologie diffère de celle de la première image : {what}.</translation>
+        <translation>La topologie diffère de celle de la première image : {what}.</translation>
     </message>
     <message>
         <source>A sequence needs one topology; leave this frame out or track the capture first.</source>
-        <translation>Une séquence exige une seule topologie ; excluez cette image ou suivez d’abord la capture.</translation>
+        <translation>Une séquence exige une seule topologie ; excluez cette image ou suivez d’abord la capture.</translation>
     </message>
     <message>
         <source>Frames {first} to {last} were asked for, but there are only {count}.</source>
@@ -217,7 +240,7 @@
     </message>
     <message>
         <source>This is not valid JSON: {reason}.</source>
-        <translation>Ce n’est pas du JSON valide : {reason}.</translation>
+        <translation>Ce n’est pas du JSON valide : {reason}.</translation>
     </message>
     <message>
         <source>Correct this place.</source>
@@ -229,7 +252,7 @@
     </message>
     <message>
         <source>The project has version {found}; this program knows versions up to {known}.</source>
-        <translation>Le projet est de version {found} ; ce programme connaît les versions jusqu’à {known}.</translation>
+        <translation>Le projet est de version {found} ; ce programme connaît les versions jusqu’à {known}.</translation>
     </message>
     <message>
         <source>Open it with a newer Quadrille.</source>
@@ -237,7 +260,7 @@
     </message>
     <message>
         <source>“{what}” uses a file that is not there: {path}.</source>
-        <translation>« {what} » utilise un fichier absent : {path}.</translation>
+        <translation>« {what} » utilise un fichier absent : {path}.</translation>
     </message>
     <message>
         <source>Put it back, or relink it.</source>
@@ -245,15 +268,15 @@
     </message>
     <message>
         <source>The project has no target “{what}”.</source>
-        <translation>Le projet n’a pas de cible « {what} ».</translation>
+        <translation>Le projet n’a pas de cible « {what} ».</translation>
     </message>
     <message>
         <source>It has: {known}.</source>
-        <translation>Il contient : {known}.</translation>
+        <translation>Il contient : {known}.</translation>
     </message>
     <message>
         <source>The project has no data “{what}”.</source>
-        <translation>Le projet n’a pas de données « {what} ».</translation>
+        <translation>Le projet n’a pas de données « {what} ».</translation>
     </message>
     <message>
         <source>A stored result is damaged.</source>
@@ -273,15 +296,15 @@
     </message>
     <message>
         <source>Something unexpected happened: {reason}.</source>
-        <translation>Un événement inattendu s’est produit : {reason}.</translation>
+        <translation>Un événement inattendu s’est produit : {reason}.</translation>
     </message>
     <message>
         <source>Save your work and try again; if it happens again, report it.</source>
-        <translation>Enregistrez votre travail et réessayez ; si cela se reproduit, signalez-le.</translation>
+        <translation>Enregistrez votre travail et réessayez ; si cela se reproduit, signalez-le.</translation>
     </message>
     <message>
         <source>The numbering has gaps: {missing}.</source>
-        <translation>La numérotation a des trous : {missing}.</translation>
+        <translation>La numérotation a des trous : {missing}.</translation>
     </message>
     <message>
         <source>The frames that exist are used, one after the other.</source>
@@ -317,7 +340,7 @@
     </message>
     <message>
         <source>The source names no frame rate; {fps} fps is assumed.</source>
-        <translation>La source n’indique aucune cadence ; {fps} i/s est supposé.</translation>
+        <translation>La source n’indique aucune cadence ; {fps} i/s est supposé.</translation>
     </message>
     <message>
         <source>Resampled from {from} to {to} fps.</source>
@@ -330,6 +353,72 @@
     <message>
         <source>The file will take about {size}.</source>
         <translation>Le fichier occupera environ {size}.</translation>
+    </message>
+    <message>
+        <source>It is not clear which files are meant: {found}.</source>
+        <translation>On ne sait pas quels fichiers sont visés : {found}.</translation>
+    </message>
+    <message>
+        <source>Name one file, or one series by a pattern such as NAME_####.obj.</source>
+        <translation>Indiquez un seul fichier, ou une seule série par un motif tel que NOM_####.obj.</translation>
+    </message>
+    <message>
+        <source>{found} textures in {path} for {expected} frames.</source>
+        <translation>{found} textures dans {path} pour {expected} images.</translation>
+    </message>
+    <message>
+        <source>They are not used.</source>
+        <translation>Elles ne sont pas utilisées.</translation>
+    </message>
+    <message>
+        <source>Faces and texture coordinates are those of {path}.</source>
+        <translation>Les faces et les coordonnées de texture sont celles de {path}.</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::Autosave</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Sans titre</translation>
+    </message>
+    <message>
+        <source>Keeping a copy of “%1”</source>
+        <translation>Copie de sauvegarde de « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AxesFields</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Axe vertical</translation>
+    </message>
+    <message>
+        <source>The axis that points up</source>
+        <translation>L’axe qui pointe vers le haut</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>The length of one unit</source>
+        <translation>La longueur d’une unité</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <source>As the project</source>
+        <translation>Comme le projet</translation>
+    </message>
+    <message>
+        <source>Others</source>
+        <translation>Autres</translation>
     </message>
 </context>
 <context>
@@ -367,6 +456,138 @@
     </message>
 </context>
 <context>
+    <name>quadrille::ExportDialog</name>
+    <message numerus="yes">
+        <source>%1, and %n more</source>
+        <translation>
+            <numerusform>%1, et %n autre</numerusform>
+            <numerusform>%1, et %n autres</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n frame(s), %2 s</source>
+        <comment>files · frames, seconds</comment>
+        <translation>
+            <numerusform>%1 · %n image, %2 s</numerusform>
+            <numerusform>%1 · %n images, %2 s</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export to</source>
+        <translation>Exporter vers</translation>
+    </message>
+    <message>
+        <source>“%1” is there already.</source>
+        <translation>« %1 » existe déjà.</translation>
+    </message>
+    <message numerus="yes">
+        <source>“%1” and %n more are there already.</source>
+        <translation>
+            <numerusform>« %1 » et %n autre existent déjà.</numerusform>
+            <numerusform>« %1 » et %n autres existent déjà.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Write over files?</source>
+        <translation>Remplacer les fichiers ?</translation>
+    </message>
+    <message>
+        <source>Exporting writes over them.</source>
+        <translation>L’export les remplacera.</translation>
+    </message>
+    <message>
+        <source>Write over</source>
+        <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Export de %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Exporting…</source>
+        <translation>Export en cours…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Export “%1”</source>
+        <translation>Exporter « %1 »</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Cadence</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Textures</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Dernière image</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Choisir le fichier</translation>
+    </message>
+    <message>
+        <source> fps</source>
+        <translation> i/s</translation>
+    </message>
+    <message>
+        <source>Another rate than the project&apos;s is resampled</source>
+        <translation>Une cadence autre que celle du projet entraîne un rééchantillonnage</translation>
+    </message>
+    <message>
+        <source>Write the pictures beside</source>
+        <translation>Écrire aussi les fichiers de texture</translation>
+    </message>
+    <message>
+        <source>Keep in the project, so that a rebuild repeats it</source>
+        <translation>Garder dans le projet, pour qu’une reconstruction le refasse</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ExportFlow</name>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>Ex&amp;porter…</translation>
+    </message>
+    <message>
+        <source>Write the selected sequences in another format, or as pictures or video</source>
+        <translation>Écrire les séquences sélectionnées dans un autre format, ou sous forme d’images ou de vidéo</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::HelpViewer</name>
     <message>
         <source>Quadrille help</source>
@@ -383,6 +604,197 @@
     <message>
         <source>Help page</source>
         <translation>Page d’aide</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ImportDialog</name>
+    <message>
+        <source>Looking at what is there…</source>
+        <translation>Examen du contenu…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Looking at %n source(s)</source>
+        <translation>
+            <numerusform>Examen de %n source</numerusform>
+            <numerusform>Examen de %n sources</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The file names its axes and unit itself</source>
+        <translation>Le fichier indique lui-même ses axes et son unité</translation>
+    </message>
+    <message>
+        <source>The file names its rate itself</source>
+        <translation>Le fichier indique lui-même sa cadence</translation>
+    </message>
+    <message>
+        <source>Frames a second of the takes whose files name no rate</source>
+        <translation>Images par seconde des prises dont les fichiers n’indiquent aucune cadence</translation>
+    </message>
+    <message>
+        <source>%1 m high</source>
+        <translation>%1 m de haut</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n take(s)</source>
+        <translation>
+            <numerusform>Importer %n prise</numerusform>
+            <numerusform>Importer %n prises</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Choose the mesh…</source>
+        <translation>Choisir le maillage…</translation>
+    </message>
+    <message>
+        <source>The figure would be %1 m high.</source>
+        <translation>Le personnage mesurerait %1 m de haut.</translation>
+    </message>
+    <message>
+        <source>Choose the unit and the up axis of the file.</source>
+        <translation>Choisissez l’unité et l’axe vertical du fichier.</translation>
+    </message>
+    <message>
+        <source>Reference joint angles: %1</source>
+        <translation>Angles articulaires de référence : %1</translation>
+    </message>
+    <message>
+        <source>Mesh with the faces</source>
+        <translation>Maillage avec les faces</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.ply *.off *.stl)</source>
+        <translation>Maillages (*.obj *.ply *.off *.stl)</translation>
+    </message>
+    <message>
+        <source>Folder with one picture per frame</source>
+        <translation>Dossier avec une texture par image</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Texture</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.tif *.tiff)</source>
+        <translation>Images (*.png *.jpg *.jpeg *.tif *.tiff)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>One picture…</source>
+        <translation>Une seule texture…</translation>
+    </message>
+    <message>
+        <source>A folder with one picture per frame…</source>
+        <translation>Un dossier avec une texture par image…</translation>
+    </message>
+    <message>
+        <source>As found</source>
+        <translation>Comme trouvées</translation>
+    </message>
+    <message>
+        <source>in the files</source>
+        <translation>dans les fichiers</translation>
+    </message>
+    <message>
+        <source>Choose the mesh that gives faces and texture coordinates</source>
+        <translation>Choisir le maillage qui donne les faces et les coordonnées de texture</translation>
+    </message>
+    <message>
+        <source> fps</source>
+        <translation> i/s</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>Personnage</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Maillage</translation>
+    </message>
+    <message>
+        <source>Up, unit</source>
+        <translation>Axe vertical, unité</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Cadence</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Textures</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Dernière image</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ImportFlow</name>
+    <message>
+        <source>Mesh sequences (%1);;All files (*)</source>
+        <translation>Séquences de maillages (%1);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Import sequences…</source>
+        <translation>&amp;Importer des séquences…</translation>
+    </message>
+    <message>
+        <source>Look at mesh sequences and add them to the project</source>
+        <translation>Examiner des séquences de maillages et les ajouter au projet</translation>
+    </message>
+    <message>
+        <source>Import a &amp;folder…</source>
+        <translation>Importer un &amp;dossier…</translation>
+    </message>
+    <message>
+        <source>Look at all takes of a folder and add them to the project</source>
+        <translation>Examiner toutes les prises d’un dossier et les ajouter au projet</translation>
+    </message>
+    <message>
+        <source>Import sequences</source>
+        <translation>Importer des séquences</translation>
+    </message>
+    <message>
+        <source>Import a folder</source>
+        <translation>Importer un dossier</translation>
+    </message>
+    <message>
+        <source>Looking for sequences</source>
+        <translation>Recherche de séquences</translation>
+    </message>
+    <message numerus="yes">
+        <source>Opening %n file(s)</source>
+        <translation>
+            <numerusform>Ouverture de %n fichier</numerusform>
+            <numerusform>Ouverture de %n fichiers</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -479,6 +891,191 @@
     </message>
 </context>
 <context>
+    <name>quadrille::MainWindow</name>
+    <message>
+        <source>Project</source>
+        <translation>Projet</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historique</translation>
+    </message>
+    <message>
+        <source>Issues</source>
+        <translation>Problèmes</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Exporté vers %1</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Nouveau</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Open the &amp;sample</source>
+        <translation>Ouvrir l’e&amp;xemple</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Enregistrer &amp;sous…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manuel</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>Theme of the s&amp;ystem</source>
+        <translation>Thème du s&amp;ystème</translation>
+    </message>
+    <message>
+        <source>&amp;Light theme</source>
+        <translation>Thème c&amp;lair</translation>
+    </message>
+    <message>
+        <source>&amp;Dark theme</source>
+        <translation>Thème som&amp;bre</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::Menus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>É&amp;dition</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <source>&amp;Playback</source>
+        <translation>&amp;Lecture</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;ide</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>Lan&amp;gue</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PictureFields</name>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Arrière-plan</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Rendu</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Tours</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Transparent</translation>
+    </message>
+    <message>
+        <source>Textured</source>
+        <translation>Texturé</translation>
+    </message>
+    <message>
+        <source>Texture without light</source>
+        <translation>Texture sans éclairage</translation>
+    </message>
+    <message>
+        <source>Clay</source>
+        <translation>Argile</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>Fil de fer</translation>
+    </message>
+    <message>
+        <source>Turns around the figure</source>
+        <translation>Tourne autour du personnage</translation>
+    </message>
+    <message>
+        <source>Stands still</source>
+        <translation>Reste fixe</translation>
+    </message>
+    <message>
+        <source>Follows the figure</source>
+        <translation>Suit le personnage</translation>
+    </message>
+    <message>
+        <source>Full turns of the camera over the clip; negative ones go the other way round</source>
+        <translation>Tours complets de la caméra au cours du clip ; un nombre négatif inverse le sens</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::ProjectDocument</name>
     <message>
         <source>Untitled</source>
@@ -489,7 +1086,7 @@
     <name>quadrille::ProjectEdits</name>
     <message>
         <source>Remove “%1”</source>
-        <translation>Supprimer « %1 »</translation>
+        <translation>Supprimer « %1 »</translation>
     </message>
     <message numerus="yes">
         <source>Remove %n characters</source>
@@ -514,7 +1111,7 @@
     </message>
     <message>
         <source>Add “%1”</source>
-        <translation>Ajouter « %1 »</translation>
+        <translation>Ajouter « %1 »</translation>
     </message>
     <message numerus="yes">
         <source>Add %n sequences</source>
@@ -525,51 +1122,51 @@
     </message>
     <message>
         <source>Duplicate “%1”</source>
-        <translation>Dupliquer « %1 »</translation>
+        <translation>Dupliquer « %1 »</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
-        <translation>Renommer « %1 » en « %2 »</translation>
+        <translation>Renommer « %1 » en « %2 »</translation>
     </message>
     <message>
         <source>Trim “%1”</source>
-        <translation>Rogner « %1 »</translation>
+        <translation>Rogner « %1 »</translation>
     </message>
     <message>
         <source>Change the frame rate of “%1”</source>
-        <translation>Modifier la cadence de « %1 »</translation>
+        <translation>Modifier la cadence de « %1 »</translation>
     </message>
     <message>
         <source>Change axes or unit of “%1”</source>
-        <translation>Modifier les axes ou l’unité de « %1 »</translation>
+        <translation>Modifier les axes ou l’unité de « %1 »</translation>
     </message>
     <message>
         <source>Change the texture of “%1”</source>
-        <translation>Modifier la texture de « %1 »</translation>
+        <translation>Modifier la texture de « %1 »</translation>
     </message>
     <message>
         <source>Change the character of “%1”</source>
-        <translation>Modifier le personnage de « %1 »</translation>
+        <translation>Modifier le personnage de « %1 »</translation>
     </message>
     <message>
         <source>Label “%1”</source>
-        <translation>Étiqueter « %1 »</translation>
+        <translation>Étiqueter « %1 »</translation>
     </message>
     <message>
         <source>Mark foot contacts of “%1”</source>
-        <translation>Marquer les contacts des pieds de « %1 »</translation>
+        <translation>Marquer les contacts des pieds de « %1 »</translation>
     </message>
     <message>
         <source>Change the reference joint angles of “%1”</source>
-        <translation>Modifier les angles articulaires de référence de « %1 »</translation>
+        <translation>Modifier les angles articulaires de référence de « %1 »</translation>
     </message>
     <message>
         <source>Edit the notes of “%1”</source>
-        <translation>Modifier les notes de « %1 »</translation>
+        <translation>Modifier les notes de « %1 »</translation>
     </message>
     <message>
         <source>Change the mesh of “%1”</source>
-        <translation>Modifier le maillage de « %1 »</translation>
+        <translation>Modifier le maillage de « %1 »</translation>
     </message>
     <message>
         <source>Change the project settings</source>
@@ -577,15 +1174,480 @@
     </message>
     <message>
         <source>Add export “%1”</source>
-        <translation>Ajouter l’export « %1 »</translation>
+        <translation>Ajouter l’export « %1 »</translation>
     </message>
     <message>
         <source>Change export “%1”</source>
-        <translation>Modifier l’export « %1 »</translation>
+        <translation>Modifier l’export « %1 »</translation>
     </message>
     <message>
         <source>Relink media</source>
         <translation>Relier les médias</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ProjectFiles</name>
+    <message>
+        <source>Unsaved edits</source>
+        <translation>Modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>Save the edits in “%1”?</source>
+        <translation>Enregistrer les modifications de « %1 » ?</translation>
+    </message>
+    <message>
+        <source>Making the sample character</source>
+        <translation>Création du personnage d’exemple</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>Ouvrir un projet</translation>
+    </message>
+    <message>
+        <source>Quadrille projects (*%1)</source>
+        <translation>Projets Quadrille (*%1)</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Enregistrer le projet</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ProjectPanel</name>
+    <message>
+        <source>Project</source>
+        <translation>Projet</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ProjectTreeModel</name>
+    <message>
+        <source>Characters (%1)</source>
+        <translation>Personnages (%1)</translation>
+    </message>
+    <message>
+        <source>Sequences (%1)</source>
+        <translation>Séquences (%1)</translation>
+    </message>
+    <message>
+        <source>Exports (%1)</source>
+        <translation>Exports (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::SequenceMedia</name>
+    <message>
+        <source>Opening “%1”</source>
+        <translation>Ouverture de « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::SequenceStage</name>
+    <message>
+        <source>Reading the path of “%1”</source>
+        <translation>Lecture du trajet de « %1 »</translation>
+    </message>
+    <message>
+        <source>Ghosts of “%1”</source>
+        <translation>Fantômes de « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::SequenceTimeline</name>
+    <message>
+        <source>Labels</source>
+        <translation>Étiquettes</translation>
+    </message>
+    <message>
+        <source>Left foot</source>
+        <translation>Pied gauche</translation>
+    </message>
+    <message>
+        <source>Right foot</source>
+        <translation>Pied droit</translation>
+    </message>
+    <message>
+        <source>label</source>
+        <translation>étiquette</translation>
+    </message>
+    <message>
+        <source>Name of the label</source>
+        <translation>Nom de l’étiquette</translation>
+    </message>
+    <message>
+        <source>Rename Label</source>
+        <translation>Renommer l’étiquette</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Add Label Here</source>
+        <translation>Ajouter une étiquette ici</translation>
+    </message>
+    <message>
+        <source>Add Contact Here</source>
+        <translation>Ajouter un contact ici</translation>
+    </message>
+    <message>
+        <source>Trim Start to Frame %1</source>
+        <translation>Faire commencer à l’image %1</translation>
+    </message>
+    <message>
+        <source>Trim End to Frame %1</source>
+        <translation>Faire finir à l’image %1</translation>
+    </message>
+    <message>
+        <source>Use All Frames</source>
+        <translation>Utiliser toutes les images</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::SequencesWorkspace</name>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Trim &amp;start to here</source>
+        <translation>Faire &amp;commencer ici</translation>
+    </message>
+    <message>
+        <source>Trim &amp;end to here</source>
+        <translation>Faire &amp;finir ici</translation>
+    </message>
+    <message>
+        <source>Use &amp;all frames</source>
+        <translation>Utiliser &amp;toutes les images</translation>
+    </message>
+    <message>
+        <source>Add a &amp;label</source>
+        <translation>Ajouter une éti&amp;quette</translation>
+    </message>
+    <message>
+        <source>Playback</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>&amp;Lire ou mettre en pause</translation>
+    </message>
+    <message>
+        <source>P&amp;revious frame</source>
+        <translation>Image p&amp;récédente</translation>
+    </message>
+    <message>
+        <source>&amp;Next frame</source>
+        <translation>Image &amp;suivante</translation>
+    </message>
+    <message>
+        <source>&amp;First frame</source>
+        <translation>&amp;Première image</translation>
+    </message>
+    <message>
+        <source>&amp;Last frame</source>
+        <translation>&amp;Dernière image</translation>
+    </message>
+    <message>
+        <source>Play &amp;backwards, faster</source>
+        <translation>Lire en arr&amp;ière, plus vite</translation>
+    </message>
+    <message>
+        <source>P&amp;ause</source>
+        <translation>Pa&amp;use</translation>
+    </message>
+    <message>
+        <source>Play f&amp;orwards, faster</source>
+        <translation>Lire en a&amp;vant, plus vite</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>&amp;Textured</source>
+        <translation>&amp;Texturé</translation>
+    </message>
+    <message>
+        <source>&amp;Clay</source>
+        <translation>&amp;Argile</translation>
+    </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation>&amp;Fil de fer</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Grille</translation>
+    </message>
+    <message>
+        <source>&amp;Follow the character</source>
+        <translation>S&amp;uivre le personnage</translation>
+    </message>
+    <message>
+        <source>G&amp;hosts every 10 frames</source>
+        <translation>Fa&amp;ntômes toutes les 10 images</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Mesurer</translation>
+    </message>
+    <message>
+        <source>Frame &amp;all</source>
+        <translation>Tout &amp;cadrer</translation>
+    </message>
+    <message>
+        <source>From the f&amp;ront</source>
+        <translation>De fac&amp;e</translation>
+    </message>
+    <message>
+        <source>From the &amp;side</source>
+        <translation>De &amp;profil</translation>
+    </message>
+    <message>
+        <source>From a&amp;bove</source>
+        <translation>De &amp;dessus</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Frise chronologique</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::StatusJobs</name>
+    <message>
+        <source>Cancel all jobs</source>
+        <translation>Annuler toutes les tâches</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, and %n more</source>
+        <translation>
+            <numerusform>%1, et %n autre</numerusform>
+            <numerusform>%1, et %n autres</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cache %1 of %2 MB</source>
+        <translation>Cache : %1 sur %2 Mo</translation>
+    </message>
+    <message>
+        <source>Memory that frames and textures take, and may take</source>
+        <translation>Mémoire que les images et les textures occupent, et peuvent occuper</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TakePreview</name>
+    <message>
+        <source>Drawing the preview</source>
+        <translation>Dessin de l’aperçu</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TakeTable</name>
+    <message>
+        <source>one, chosen</source>
+        <translation>une, choisie</translation>
+    </message>
+    <message>
+        <source>one per frame, chosen</source>
+        <translation>une par image, choisies</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>une</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n, one per frame</source>
+        <translation>
+            <numerusform>%n, une par image</numerusform>
+            <numerusform>%n, une par image</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n, by material</source>
+        <translation>
+            <numerusform>%n, par matériau</numerusform>
+            <numerusform>%n, par matériau</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Prise</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Cadence</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Maillage</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Textures</translation>
+    </message>
+    <message>
+        <source>Takes that were found</source>
+        <translation>Prises trouvées</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>ne s’ouvre pas</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 i/s</translation>
+    </message>
+    <message>
+        <source>not named</source>
+        <translation>non indiquée</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n vertices</source>
+        <translation>
+            <numerusform>%n sommet</numerusform>
+            <numerusform>%n sommets</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drawing “%1”</source>
+        <translation>Dessin de « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::WelcomePage</name>
+    <message>
+        <source>Bring in captured performances: drop files or folders anywhere in this window, or begin here.</source>
+        <translation>Importez des performances captées : déposez des fichiers ou des dossiers n’importe où dans cette fenêtre, ou commencez ici.</translation>
+    </message>
+    <message>
+        <source>Open the sample</source>
+        <translation>Ouvrir l’exemple</translation>
+    </message>
+    <message>
+        <source>Open a project…</source>
+        <translation>Ouvrir un projet…</translation>
+    </message>
+    <message>
+        <source>Import sequences…</source>
+        <translation>Importer des séquences…</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Projets récents</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::MessageStrip</name>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Remarque</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::PlaybackBar</name>
+    <message>
+        <source>First frame (Home)</source>
+        <translation>Première image (Début)</translation>
+    </message>
+    <message>
+        <source>Previous frame (←)</source>
+        <translation>Image précédente (←)</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Pause (Espace)</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>Lire (Espace)</translation>
+    </message>
+    <message>
+        <source>Next frame (→)</source>
+        <translation>Image suivante (→)</translation>
+    </message>
+    <message>
+        <source>Last frame (End)</source>
+        <translation>Dernière image (Fin)</translation>
+    </message>
+    <message>
+        <source>Start over at the end</source>
+        <translation>Recommencer à la fin</translation>
+    </message>
+    <message>
+        <source>Current frame, counted from 0</source>
+        <translation>Image actuelle, comptée à partir de 0</translation>
+    </message>
+    <message>
+        <source>Current frame</source>
+        <translation>Image actuelle</translation>
+    </message>
+    <message>
+        <source>Frames a second that are reached, and that the sequence has</source>
+        <translation>Images par seconde atteintes, et celles de la séquence</translation>
+    </message>
+    <message>
+        <source>of %1 · %2 / %3 s</source>
+        <translation>sur %1 · %2 / %3 s</translation>
+    </message>
+    <message>
+        <source>%1 of %2 fps</source>
+        <translation>%1 sur %2 i/s</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 i/s</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::Timeline</name>
+    <message>
+        <source>Frame %1 of %2, %3</source>
+        <translation>Image %1 sur %2, %3</translation>
+    </message>
+    <message>
+        <source>%1: frames %2 to %3 (%4 s)</source>
+        <translation>%1 : images %2 à %3 (%4 s)</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Frise chronologique</translation>
+    </message>
+    <message>
+        <source>Scroll timeline</source>
+        <translation>Faire défiler la frise</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::Viewport</name>
+    <message>
+        <source>Viewport</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Three-dimensional view</source>
+        <translation>Vue en trois dimensions</translation>
+    </message>
+    <message>
+        <source>There is no OpenGL 3.2 here, so nothing can be shown in three dimensions. Install the graphics driver, or Mesa&apos;s software renderer (libgl1-mesa-dri).</source>
+        <translation>OpenGL 3.2 n’est pas disponible ici : rien ne peut être montré en trois dimensions. Installez le pilote graphique, ou le rendu logiciel de Mesa (libgl1-mesa-dri).</translation>
     </message>
 </context>
 </TS>
