@@ -64,7 +64,7 @@ QString ExportPlan::filesText(const ExportEntry& each, std::int64_t frames) cons
     const std::filesystem::path path = each.path;
     if (!format().onePerFrame)
         return toQString(path.filename());
-    const QString first = QString::fromStdString(numberedName(path, 0, frames));
+    QString first = QString::fromStdString(numberedName(path, 0, frames));
     if (frames == 1)
         return first;
     return first + QStringLiteral(" … ") + QString::fromStdString(numberedName(path, frames - 1, frames));
