@@ -18,11 +18,33 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
             {"file.new", "file.open", "file.sample", "", "file.import", "file.importFolder", "file.export",
              "", "file.save", "file.saveAs", "", "file.quit"});
     addMenu([] { return tr("&Edit"); },
-            {"edit.undo", "edit.redo", "", "edit.trimStart", "edit.trimEnd", "edit.untrim", "edit.label"});
-    QMenu* view = addMenu([] { return tr("&View"); },
-                          {"view.textured", "view.clay", "view.wire", "", "view.grid", "view.follow",
-                           "view.ghosts", "view.measure", "", "view.frame", "view.front", "view.side",
-                           "view.top", "", "theme.system", "theme.light", "theme.dark", ""});
+            {"edit.undo", "edit.redo", "", "edit.trimStart", "edit.trimEnd", "edit.untrim", "", "edit.label",
+             "edit.proposeContacts", "edit.clearContacts"});
+    QMenu* view = addMenu([] { return tr("&View"); }, {"view.textured",
+                                                       "view.clay",
+                                                       "view.wire",
+                                                       "",
+                                                       "view.grid",
+                                                       "view.trajectory",
+                                                       "view.names",
+                                                       "view.follow",
+                                                       "view.ghosts",
+                                                       "view.measure",
+                                                       "view.copy",
+                                                       "",
+                                                       "view.sideBySide",
+                                                       "view.overlay",
+                                                       "",
+                                                       "view.frame",
+                                                       "view.frameAll",
+                                                       "view.front",
+                                                       "view.side",
+                                                       "view.top",
+                                                       "",
+                                                       "theme.system",
+                                                       "theme.light",
+                                                       "theme.dark",
+                                                       ""});
     view->addActions(docks);
     addMenu([] { return tr("&Playback"); },
             {"play.toggle", "", "play.previous", "play.next", "play.first", "play.last", "", "play.backwards",

@@ -42,6 +42,11 @@ std::span<const float> toFloats(Positions positions)
     return {reinterpret_cast<const float*>(positions.data()), positions.size() * 3};
 }
 
+QVector3D toVector(const Vec3f& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
 /// Positions of every `interval`-th frame.
 std::vector<widgets::Ghost> makeGhosts(const MeshSequence& sequence, std::int64_t interval,
                                        const QColor& color, const Progress& progress)
@@ -77,10 +82,9 @@ void SequenceStage::show(const QStringList& names)
         if (!names.contains(name))
             removeActor(name);
     }
-    m_frameNextFigure = m_frameNextFigure || m_actors.empty() || before.isEmpty();
+    m_frameNextFigure = true;
     for (const QString& name : names)
         update(name);
-    m_viewport.setNamesVisible(names.size() > 1);
     colorFigures();
     emit changed();
 }
@@ -192,7 +196,7 @@ void SequenceStage::applyFrame(int stream, const LoadedFrame& loaded)
     if (loaded.positions) {
         m_viewport.setPositions(actor.figure, toFloats(loaded.positions->positions()));
         if (std::exchange(m_frameNextFigure, false))
-            m_viewport.frameAll();
+            frameAll();
     }
     actor.textureIndices.resize(loaded.textures.size(), -2);
     for (std::size_t material = 0; material < loaded.textures.size(); ++material) {
@@ -228,11 +232,21 @@ void SequenceStage::survey(const Actor& actor)
                 return;
             std::vector<QVector3D> path;
             for (const Vec3f& centroid : survey.centroids)
-                path.emplace_back(centroid.x(), centroid.y(), centroid.z());
+                path.push_back(toVector(centroid));
             m_viewport.setTrajectory(figure, path);
             surveyed->lowest = survey.lowest;
+            m_viewport.setFigureExtent(figure, toVector(survey.lower), toVector(survey.upper));
             setGround();
+            // The first pose was framed before the whole take was known; who has moved the camera keeps it.
+            if (m_framedView == m_viewport.camera())
+                frameAll();
         });
+}
+
+void SequenceStage::frameAll()
+{
+    m_viewport.frameAll();
+    m_framedView = m_viewport.camera();
 }
 
 void SequenceStage::setGround()

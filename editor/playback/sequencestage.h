@@ -7,6 +7,7 @@
 #include "widgets/viewport/viewport.h"
 
 #include <QObject>
+#include <optional>
 #include <vector>
 
 namespace quadrille {
@@ -27,6 +28,8 @@ public:
     /// Shows these sequences, in this order; those that are not ready come as soon as they are. One alone is
     /// shown untrimmed, several as the project uses them.
     void show(const QStringList& names);
+    /// Whether one of them can be seen.
+    bool isEmpty() const { return m_actors.empty(); }
     bool isComparing() const { return m_names.size() > 1; }
     const QStringList& shown() const { return m_names; }
     /// Shows a frame; shorter sequences stay at their last one.
@@ -75,6 +78,7 @@ private:
     Actor* actorOf(const QString& name);
     Actor* actorOfFigure(int figure);
     void setGround();
+    void frameAll();
 
     widgets::Viewport& m_viewport;
     SequenceMedia& m_media;
@@ -86,6 +90,7 @@ private:
     int m_step = 0;
     int m_ghostInterval = 0;
     bool m_frameNextFigure = true;
+    std::optional<widgets::Turntable> m_framedView; ///< what framing made of the camera last
 };
 
 } // namespace quadrille

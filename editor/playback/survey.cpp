@@ -11,7 +11,8 @@ Survey surveySequence(const MeshSequence& sequence, UpAxis up, int maximalFrames
 {
     const std::int64_t last = sequence.frameCount() - 1;
     const std::int64_t count = std::min<std::int64_t>(last + 1, maximalFrames);
-    Survey survey{.lowest = std::numeric_limits<float>::max()};
+    constexpr float unbounded = std::numeric_limits<float>::max();
+    Survey survey{.lower = Vec3f::Constant(unbounded), .upper = Vec3f::Constant(-unbounded)};
     std::vector<Vec3f> positions(sequence.topology->vertexCount());
     for (std::int64_t i = 0; i < count; ++i) {
         progress.report(i, count);
@@ -20,10 +21,12 @@ Survey surveySequence(const MeshSequence& sequence, UpAxis up, int maximalFrames
         Vec3d sum = Vec3d::Zero();
         for (const Vec3f& position : positions) {
             sum += position.cast<double>();
-            survey.lowest = std::min(survey.lowest, position[static_cast<int>(up)]);
+            survey.lower = survey.lower.cwiseMin(position);
+            survey.upper = survey.upper.cwiseMax(position);
         }
         survey.centroids.emplace_back((sum / static_cast<double>(positions.size())).cast<float>());
     }
+    survey.lowest = survey.lower[static_cast<int>(up)];
     return survey;
 }
 

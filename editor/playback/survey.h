@@ -14,7 +14,9 @@ namespace quadrille {
 struct Survey
 {
     std::vector<Vec3f> centroids; ///< in order, from first to last frame, metres
-    float lowest = 0;             ///< smallest height of any vertex, metres
+    Vec3f lower = Vec3f::Zero();  ///< corners of the box that holds every vertex, metres
+    Vec3f upper = Vec3f::Zero();
+    float lowest = 0; ///< smallest height of any vertex, metres
 };
 
 /// Reads at most `maximalFrames` frames, evenly spread, past the media cache.

@@ -37,6 +37,11 @@ void Timeline::Private::paint(QPainter& painter, const QRect& exposed, const Tim
 {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(exposed, Theme::color(ColorRole::Window));
+    if (scale.frameCount() == 0) {
+        painter.setPen(Theme::color(ColorRole::TextMuted));
+        painter.drawText(QRect(QPoint(), size), Qt::AlignCenter, Timeline::tr("Nothing to play yet"));
+        return;
+    }
     painter.fillRect(QRect(headerWidth, 0, size.width() - headerWidth, rulerHeight),
                      Theme::color(ColorRole::Raised));
     for (std::size_t i = 0; i < tracks.size(); ++i)

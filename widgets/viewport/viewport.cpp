@@ -28,8 +28,11 @@ std::optional<std::pair<QVector3D, QVector3D>> Viewport::Private::bounds(std::op
     for (const auto& [id, figure] : scene.figures()) {
         if (only ? id != *only : !figure.visible)
             continue;
-        const QVector3D lower = figure.actor->lowerBound() + figure.shift();
-        const QVector3D upper = figure.actor->upperBound() + figure.shift();
+        const bool wholeTake = figure.extent && followed != id;
+        const QVector3D lower =
+            (wholeTake ? figure.extent->first : figure.actor->lowerBound()) + figure.shift();
+        const QVector3D upper =
+            (wholeTake ? figure.extent->second : figure.actor->upperBound()) + figure.shift();
         if (!box)
             box.emplace(lower, upper);
         for (int axis = 0; axis < 3; ++axis) {
@@ -44,6 +47,7 @@ Annotations Viewport::Private::annotations() const
 {
     Annotations result;
     result.measured = measured;
+    result.notice = notice;
     const int up = gestures->camera().upAxis == UpAxis::Y ? 1 : 2;
     for (const auto& [id, figure] : scene.figures()) {
         if (!figure.visible)
@@ -56,6 +60,7 @@ Annotations Viewport::Private::annotations() const
         if (scene.shading() == Shading::Scalar && figure.actor->hasScalars() && !result.legend)
             result.legend = figure.scalarRange;
     }
+    result.namesListed = layout == Layout::Overlay && result.names.size() > 1;
     if (!result.isEmpty())
         result.camera = gestures->camera();
     return result;
@@ -174,8 +179,10 @@ void Viewport::setPositions(int figure, std::span<const float> positions)
     if (found == nullptr)
         return;
     found->actor->setPositions(positions);
-    if (found->firstSize.isNull()) {
+    const bool isFirst = found->firstSize.isNull();
+    if (isFirst) {
         found->firstSize = found->actor->upperBound() - found->actor->lowerBound();
+        found->firstMiddle = (found->actor->upperBound() + found->actor->lowerBound()) / 2.0F;
         arrange();
     }
     if (d->followed == figure) {
@@ -184,7 +191,8 @@ void Viewport::setPositions(int figure, std::span<const float> positions)
         // Only along the ground: a view that bobs with every step is hard to watch.
         step[d->gestures->camera().upAxis == UpAxis::Y ? 1 : 2] = 0.0F;
         d->followedCentroid = centroid;
-        d->gestures->carry(step);
+        if (!isFirst)
+            d->gestures->carry(step);
     }
     redraw();
 }
@@ -219,6 +227,12 @@ void Viewport::setFigureVisible(int figure, bool visible)
     if (SceneFigure* found = d->find(figure))
         found->visible = visible;
     arrange();
+}
+
+void Viewport::setFigureExtent(int figure, const QVector3D& lower, const QVector3D& upper)
+{
+    if (SceneFigure* found = d->find(figure))
+        found->extent.emplace(lower, upper);
 }
 
 void Viewport::setFigureOpacity(int figure, double opacity)
@@ -285,7 +299,7 @@ void Viewport::arrange()
     for (auto& [id, figure] : d->scene.figures()) {
         figure.layoutOffset = {};
         if (d->layout == Layout::SideBySide && figure.visible) {
-            figure.layoutOffset.setX(left + figure.firstSize.x() / 2.0F);
+            figure.layoutOffset.setX(left + figure.firstSize.x() / 2.0F - figure.firstMiddle.x());
             left += figure.firstSize.x() + gap;
         }
         d->scene.refresh(figure);
@@ -320,6 +334,20 @@ void Viewport::setNamesVisible(bool visible)
 {
     d->namesVisible = visible;
     redraw();
+}
+
+void Viewport::setNotice(const QString& text)
+{
+    if (d->notice == text)
+        return;
+    d->notice = text;
+    setAccessibleDescription(text);
+    redraw();
+}
+
+const QString& Viewport::notice() const
+{
+    return d->notice;
 }
 
 void Viewport::setUpAxis(UpAxis axis)

@@ -82,6 +82,9 @@ public:
     void setFigureColor(int figure, const QColor& color);
     void setFigureOffset(int figure, const QVector3D& offset);
     void setFigureVisible(int figure, bool visible);
+    /// The box that a figure stays in over all its frames, in its own coordinates: what framing shows, unless
+    /// the camera goes along with the figure.
+    void setFigureExtent(int figure, const QVector3D& lower, const QVector3D& upper);
     void setFigureOpacity(int figure, double opacity);
     /// One value per vertex or triangle; empty takes them away. Shown in Shading::Scalar with a legend.
     void setScalars(int figure, std::span<const float> values, ScalarPlace place, const ScalarRange& range);
@@ -99,6 +102,9 @@ public:
     void setTrajectoriesVisible(bool visible);
     /// Names above the figures; useful where there are several.
     void setNamesVisible(bool visible);
+    /// A sentence in the middle of the view, for as long as there is nothing to look at; empty for none.
+    void setNotice(const QString& text);
+    const QString& notice() const;
     void setUpAxis(UpAxis axis);
     void setGroundHeight(float metres);
     /// The camera moves along with a figure; no figure: it stays.

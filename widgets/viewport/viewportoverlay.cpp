@@ -14,12 +14,21 @@ namespace quadrille::widgets {
 
 namespace {
 
-void paintPlate(QPainter& painter, const QPointF& center, const QString& text, const QColor& mark)
+double markWidthOf(const QColor& mark)
+{
+    return mark.isValid() ? 14.0 : 0.0;
+}
+
+QSizeF plateSize(const QPainter& painter, const QString& text, const QColor& mark)
 {
     const QFontMetricsF metrics(painter.font());
-    const double markWidth = mark.isValid() ? 14.0 : 0.0;
-    QRectF plate(QPointF(),
-                 QSizeF(metrics.horizontalAdvance(text) + 16.0 + markWidth, metrics.height() + 6.0));
+    return {metrics.horizontalAdvance(text) + 16.0 + markWidthOf(mark), metrics.height() + 6.0};
+}
+
+void paintPlate(QPainter& painter, const QPointF& center, const QString& text, const QColor& mark)
+{
+    const double markWidth = markWidthOf(mark);
+    QRectF plate(QPointF(), plateSize(painter, text, mark));
     plate.moveCenter(center);
     QColor background = Theme::color(ColorRole::Base);
     background.setAlphaF(0.86F);
@@ -32,6 +41,15 @@ void paintPlate(QPainter& painter, const QPointF& center, const QString& text, c
     }
     painter.setPen(Theme::color(ColorRole::Text));
     painter.drawText(plate.adjusted(8.0 + markWidth, 0.0, -8.0, 0.0), Qt::AlignCenter, text);
+}
+
+/// \return the lower end.
+double paintListed(QPainter& painter, double top, const Annotations::Name& name)
+{
+    constexpr double left = 12.0;
+    const QSizeF size = plateSize(painter, name.text, name.color);
+    paintPlate(painter, QRectF(QPointF(left, top), size).center(), name.text, name.color);
+    return top + size.height();
 }
 
 void paintMeasurement(QPainter& painter, const QSizeF& size, const Annotations& annotations)
@@ -62,6 +80,21 @@ void paintMeasurement(QPainter& painter, const QSizeF& size, const Annotations& 
     }
 }
 
+void paintNotice(QPainter& painter, const QSizeF& size, const QString& text)
+{
+    constexpr double margin = 24.0;
+    const QRectF inside = QRectF(QPointF(), size).adjusted(margin, margin, -margin, -margin);
+    QRectF plate = painter.boundingRect(inside, Qt::AlignCenter | Qt::TextWordWrap, text);
+    plate.adjust(-16.0, -10.0, 16.0, 10.0);
+    QColor background = Theme::color(ColorRole::Base);
+    background.setAlphaF(0.86F);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(background);
+    painter.drawRoundedRect(plate, 6.0, 6.0);
+    painter.setPen(Theme::color(ColorRole::Text));
+    painter.drawText(inside, Qt::AlignCenter | Qt::TextWordWrap, text);
+}
+
 } // namespace
 
 QString lengthText(double metres, const QLocale& locale)
@@ -77,12 +110,17 @@ QString lengthText(double metres, const QLocale& locale)
 void paintAnnotations(QPainter& painter, const QSizeF& size, const Annotations& annotations)
 {
     painter.setRenderHint(QPainter::Antialiasing);
+    double row = 12.0;
     for (const auto& name : annotations.names) {
         QPointF pixel;
-        if (annotations.camera.project(name.place, size, &pixel))
+        if (annotations.namesListed)
+            row = paintListed(painter, row, name) + 4.0;
+        else if (annotations.camera.project(name.place, size, &pixel))
             paintPlate(painter, pixel - QPointF(0.0, 16.0), name.text, name.color);
     }
     paintMeasurement(painter, size, annotations);
+    if (!annotations.notice.isEmpty())
+        paintNotice(painter, size, annotations.notice);
     if (annotations.legend) {
         constexpr double margin = 16.0;
         const QSizeF legend = legendSize(painter.font(), *annotations.legend);

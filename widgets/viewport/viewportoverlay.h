@@ -25,10 +25,12 @@ struct Annotations
     Turntable camera;
     std::vector<QVector3D> measured; ///< none, one or two points
     std::vector<Name> names;
+    bool namesListed = false; ///< in a column, as figures in one place would hide each other's names
     std::optional<ScalarRange> legend;
+    QString notice; ///< in the middle
 
     bool operator==(const Annotations&) const = default;
-    bool isEmpty() const { return measured.empty() && names.empty() && !legend; }
+    bool isEmpty() const { return measured.empty() && names.empty() && !legend && notice.isEmpty(); }
 };
 
 /// Draws annotations into a rectangle that starts at the origin.

@@ -23,6 +23,7 @@ struct Viewport::Private
     Layout layout = Layout::Overlay;
     Tool tool = Tool::Navigate;
     bool namesVisible = false;
+    QString notice;
     bool hovering = false;
     bool frameWhenShown = false; ///< framing was asked for before the size was known
     std::optional<int> followed;

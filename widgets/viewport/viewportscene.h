@@ -10,6 +10,8 @@
 #include <QVector3D>
 #include <map>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 class vtkRenderWindow;
@@ -29,7 +31,9 @@ struct SceneFigure
     QVector3D layoutOffset; ///< from standing side by side
     QColor color;           ///< of clay; invalid: the theme's
     bool visible = true;
-    QVector3D firstSize; ///< of the first pose, for the layout
+    QVector3D firstSize;                                   ///< of the first pose, for the layout
+    QVector3D firstMiddle;                                 ///< of the first pose
+    std::optional<std::pair<QVector3D, QVector3D>> extent; ///< lower and upper corner over all frames
     ScalarRange scalarRange;
 
     QVector3D shift() const { return offset + layoutOffset; }

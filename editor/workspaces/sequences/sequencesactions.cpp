@@ -6,9 +6,12 @@
 #include "editor/playback/sequencestage.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editor/workspaces/sequences/sequencetimeline.h"
+#include "editor/workspaces/sequences/viewtools.h"
 #include "widgets/viewport/viewport.h"
 
 #include <QActionGroup>
+#include <QClipboard>
+#include <QGuiApplication>
 
 namespace quadrille {
 
@@ -52,6 +55,7 @@ void SequencesWorkspace::makePlaybackActions()
 void SequencesWorkspace::makeViewActions()
 {
     using widgets::Shading;
+    using Tool = widgets::Viewport::Tool;
     ActionRegistry& actions = m_context.actions;
     const auto view = [] { return tr("View"); };
     const auto shading = [this, view, &actions](const QString& id, ActionRegistry::Text text,
@@ -68,30 +72,76 @@ void SequencesWorkspace::makeViewActions()
         "view.wire", [] { return tr("&Wireframe"); }, "wire", Shading::Wireframe));
     actions.addToggle({"view.grid", view, [] { return tr("&Grid"); }, {}, "grid", {Qt::Key_G}},
                       m_viewport->isGridVisible(), [this](bool on) { m_viewport->setGridVisible(on); });
+    actions.addToggle({"view.trajectory", view, [] { return tr("Trajector&y"); }, {}, "trajectory", {}}, true,
+                      [this](bool on) { m_viewport->setTrajectoriesVisible(on); });
+    actions.addToggle({"view.names", view, [] { return tr("&Names"); }, {}, "names", {}}, true,
+                      [this](bool) { followNames(); });
+    actions.addToggle({"view.ghosts", view, [] { return tr("G&hosts"); }, {}, "ghost", {Qt::Key_H}}, false,
+                      [this](bool on) { m_stage->setGhostInterval(on ? m_tools->ghostInterval() : 0); });
+    actions.addToggle({"view.measure", view, [] { return tr("&Measure"); }, {}, "measure", {}}, false,
+                      [this](bool on) { m_viewport->setTool(on ? Tool::Measure : Tool::Navigate); });
+    connect(m_viewport, &widgets::Viewport::toolChanged, actions.action("view.measure"),
+            [measure = actions.action("view.measure")](Tool tool) {
+                measure->setChecked(tool == Tool::Measure);
+            });
+    actions.add({"view.copy",
+                 view,
+                 [] { return tr("Copy the &picture"); },
+                 [] { return tr("Puts the view as it is now onto the clipboard"); },
+                 "copy",
+                 {Qt::CTRL | Qt::SHIFT | Qt::Key_C}},
+                [this] { QGuiApplication::clipboard()->setImage(m_viewport->snapshot()); });
+    makeCameraActions();
+    makeComparingActions();
+}
+
+void SequencesWorkspace::makeCameraActions()
+{
+    ActionRegistry& actions = m_context.actions;
+    const auto view = [] { return tr("View"); };
     actions.addToggle({"view.follow", view, [] { return tr("&Follow the character"); }, {}, "follow", {}},
-                      false, [this](bool on) {
-                          const int figure = m_stage->figureOf(m_context.selection.shownSequence());
-                          m_viewport->setFollowed(on && figure >= 0 ? std::optional(figure) : std::nullopt);
-                      });
-    actions.addToggle({"view.ghosts", view, [] { return tr("G&hosts every 10 frames"); }, {}, "ghost", {}},
-                      false, [this](bool on) { m_stage->setGhostInterval(on ? 10 : 0); });
-    actions.addToggle(
-        {"view.measure", view, [] { return tr("&Measure"); }, {}, "measure", {}}, false, [this](bool on) {
-            m_viewport->setTool(on ? widgets::Viewport::Tool::Measure : widgets::Viewport::Tool::Navigate);
-        });
-    actions.add({"view.frame", view, [] { return tr("Frame &all"); }, {}, "frame", {Qt::Key_F}},
-                [this] { m_viewport->frameAll(); });
-    const auto look = [this, view, &actions](const QString& id, ActionRegistry::Text text, Qt::Key key,
-                                             widgets::StandardView side) {
-        actions.add({id, view, std::move(text), {}, "camera", {key}},
+                      false, [this](bool) { followCharacter(); });
+    actions.add({"view.frame", view, [] { return tr("Fra&me the selection"); }, {}, "frame", {Qt::Key_F}},
+                [this] { m_viewport->frameFigure(m_stage->figureOf(m_context.selection.shownSequence())); });
+    actions.add(
+        {"view.frameAll", view, [] { return tr("Frame &all"); }, {}, "frameall", {Qt::SHIFT | Qt::Key_F}},
+        [this] { m_viewport->frameAll(); });
+    const auto look = [this, view, &actions](const QString& id, ActionRegistry::Text text,
+                                             const QString& icon, Qt::Key key, widgets::StandardView side) {
+        actions.add({id, view, std::move(text), {}, icon, {key}},
                     [this, side] { m_viewport->lookFrom(side); });
     };
     look(
-        "view.front", [] { return tr("From the f&ront"); }, Qt::Key_1, widgets::StandardView::Front);
+        "view.front", [] { return tr("From the f&ront"); }, "viewfront", Qt::Key_1,
+        widgets::StandardView::Front);
     look(
-        "view.side", [] { return tr("From the &side"); }, Qt::Key_3, widgets::StandardView::Left);
+        "view.side", [] { return tr("From the &side"); }, "viewside", Qt::Key_3, widgets::StandardView::Left);
     look(
-        "view.top", [] { return tr("From a&bove"); }, Qt::Key_7, widgets::StandardView::Top);
+        "view.top", [] { return tr("From a&bove"); }, "viewtop", Qt::Key_7, widgets::StandardView::Top);
+}
+
+void SequencesWorkspace::makeComparingActions()
+{
+    using Layout = widgets::Viewport::Layout;
+    ActionRegistry& actions = m_context.actions;
+    const auto view = [] { return tr("View"); };
+    auto* layouts = new QActionGroup(this);
+    layouts->addAction(
+        actions.addToggle({"view.sideBySide", view, [] { return tr("Side by s&ide"); }, {}, "sidebyside", {}},
+                          true, [this](bool on) {
+                              if (on)
+                                  setLayout(Layout::SideBySide);
+                          }));
+    layouts->addAction(actions.addToggle({"view.overlay",
+                                          view,
+                                          [] { return tr("&Overlaid"); },
+                                          [] { return tr("Overlaid, each in a colour of its own"); },
+                                          "overlay",
+                                          {}},
+                                         false, [this](bool on) {
+                                             if (on)
+                                                 setLayout(Layout::Overlay);
+                                         }));
 }
 
 } // namespace quadrille

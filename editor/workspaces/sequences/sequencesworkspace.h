@@ -2,19 +2,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "widgets/viewport/viewport.h"
+
 #include <QWidget>
 
 namespace quadrille {
 
+class ContactProposal;
 class Player;
 class SequenceStage;
 class SequenceTimeline;
+class ViewTools;
 struct EditorContext;
 
 namespace widgets {
+class MessageStrip;
 class PlaybackBar;
 class Timeline;
-class Viewport;
 } // namespace widgets
 
 /// The workspace in which sequences are looked at, compared, trimmed and marked: viewport above timeline.
@@ -35,12 +39,19 @@ private:
     void makeEditActions();
     void makePlaybackActions();
     void makeViewActions();
+    void makeCameraActions();
+    void makeComparingActions();
+    void arrangeWidgets();
     void connectPlayback();
     void retranslate();
     void followDocument();
     void followSelection();
     void followStage();
     void followRange();
+    void followCharacter();
+    void followNames();
+    void setLayout(widgets::Viewport::Layout layout);
+    void showState();
 
     EditorContext& m_context;
     widgets::Viewport* m_viewport;
@@ -49,6 +60,9 @@ private:
     SequenceStage* m_stage;
     Player* m_player;
     SequenceTimeline* m_sequenceTimeline;
+    ContactProposal* m_contacts;
+    widgets::MessageStrip* m_message;
+    ViewTools* m_tools = nullptr;
     bool m_playsWhenReady = false;
 };
 

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+
+namespace quadrille {
+
+class Job;
+struct EditorContext;
+
+/// Proposes foot contacts for the sequence that is shown, in a job; what it finds replaces the contacts there
+/// were, in one undo step.
+class ContactProposal : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Registers the actions.
+    explicit ContactProposal(EditorContext& context, QObject* parent = nullptr);
+
+    void propose();
+    void clear();
+
+signals:
+    /// A sequence shows no feet that stand.
+    void foundNothing(const QString& sequence);
+
+private:
+    void updateActions();
+
+    EditorContext& m_context;
+    QPointer<Job> m_job;
+};
+
+} // namespace quadrille
