@@ -230,11 +230,13 @@ void SequenceStage::survey(const Actor& actor)
             Actor* surveyed = actorOfFigure(figure);
             if (surveyed == nullptr)
                 return;
-            std::vector<QVector3D> path;
-            for (const Vec3f& centroid : survey.centroids)
-                path.push_back(toVector(centroid));
-            m_viewport.setTrajectory(figure, path);
+            surveyed->path.clear();
+            for (Vec3f centroid : survey.centroids) {
+                centroid[static_cast<int>(m_media.upAxis())] = survey.lowest;
+                surveyed->path.push_back(toVector(centroid));
+            }
             surveyed->lowest = survey.lowest;
+            colorFigures();
             m_viewport.setFigureExtent(figure, toVector(survey.lower), toVector(survey.upper));
             setGround();
             // The first pose was framed before the whole take was known; who has moved the camera keeps it.
@@ -293,7 +295,9 @@ void SequenceStage::colorFigures()
 {
     for (const Actor& actor : m_actors) {
         const auto index = static_cast<int>(m_names.indexOf(actor.name));
-        m_viewport.setFigureColor(actor.figure, m_names.size() > 1 ? Theme::categorical(index) : QColor());
+        const QColor color = m_names.size() > 1 ? Theme::categorical(index) : QColor();
+        m_viewport.setFigureColor(actor.figure, color);
+        m_viewport.setTrajectory(actor.figure, actor.path, color);
     }
 }
 

@@ -64,7 +64,8 @@ private:
         std::vector<int> textureIndices; ///< what the figure wears, per material
         QImage texture;
         FrameIndex shown{-1};
-        float lowest = 0; ///< height of the ground under it, metres
+        std::vector<QVector3D> path; ///< of the centroid, on the ground
+        float lowest = 0;            ///< height of the ground under it, metres
         bool hasFailed = false;
     };
 

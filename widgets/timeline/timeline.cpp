@@ -42,6 +42,7 @@ Timeline::~Timeline() = default;
 
 void Timeline::setFrameCount(int frames)
 {
+    d->isEmpty = frames <= 0;
     d->scale.setFrameCount(frames);
     d->current = std::clamp(d->current, 0, d->scale.frameCount() - 1);
     scaleChanged();

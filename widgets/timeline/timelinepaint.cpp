@@ -37,7 +37,7 @@ void Timeline::Private::paint(QPainter& painter, const QRect& exposed, const Tim
 {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(exposed, Theme::color(ColorRole::Window));
-    if (scale.frameCount() == 0) {
+    if (isEmpty) {
         painter.setPen(Theme::color(ColorRole::TextMuted));
         painter.drawText(QRect(QPoint(), size), Qt::AlignCenter, Timeline::tr("Nothing to play yet"));
         return;

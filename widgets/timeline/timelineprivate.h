@@ -39,6 +39,7 @@ struct TimelineDrag
 struct Timeline::Private
 {
     TimelineScale scale;
+    bool isEmpty = false; ///< there is no clip; the scale keeps one frame for it
     double fps = 25.0;
     Unit unit = Unit::Frames;
     int current = 0;

@@ -35,6 +35,7 @@ SequencesWorkspace::SequencesWorkspace(EditorContext& context, QWidget* parent)
     setObjectName(QStringLiteral("sequencesWorkspace"));
     m_viewport->setObjectName(QStringLiteral("viewport"));
     m_timeline->setObjectName(QStringLiteral("timeline"));
+    m_message->setObjectName(QStringLiteral("viewMessage"));
     m_player->setLooping(context.settings.loopsPlayback());
     m_bar->setLooping(context.settings.loopsPlayback());
 

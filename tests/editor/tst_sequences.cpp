@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+// Stories of the Sequences workspace, with a small project and real keys and clicks.
+#include "editor/playback/player.h"
+#include "editor/playback/sequencestage.h"
+#include "editor/workspaces/sequences/sequencesworkspace.h"
+#include "editortest.h"
+#include "widgets/controls/messagestrip.h"
+#include "widgets/timeline/timeline.h"
+#include "widgets/viewport/viewport.h"
+
+#include <QDir>
+#include <QImage>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QTreeView>
+
+namespace quadrille {
+
+namespace {
+
+constexpr int steps = 30;
+
+/// Two flat feet with a shin each, facing +z; the left one is lifted in frames 10 … 19.
+void writeStepping(const QString& folder)
+{
+    QDir().mkpath(folder);
+    for (int f = 0; f < steps; ++f) {
+        std::ofstream file(QStringLiteral("%1/step_%2.obj").arg(folder).arg(f).toStdString());
+        for (const double side : {-0.2, 0.2}) {
+            const double height = f >= 10 && f < 20 && side > 0 ? 0.3 : 0.0;
+            for (const double z : {0.0, 0.1, 0.2}) {
+                file << "v " << side - 0.05 << ' ' << height << ' ' << z << '\n';
+                file << "v " << side + 0.05 << ' ' << height << ' ' << z << '\n';
+            }
+            file << "v " << side << ' ' << 0.16 + height << " 0\nv " << side << " 1.7 0\n";
+        }
+        file << "vt 0 0\nvt 1 0\nvt 0 1\n";
+        for (const int first : {1, 9}) {
+            const auto triangle = [&](int a, int b, int c) {
+                file << "f " << first + a << "/1 " << first + b << "/2 " << first + c << "/3\n";
+            };
+            triangle(0, 1, 2);
+            triangle(2, 1, 3);
+            triangle(2, 3, 4);
+            triangle(4, 3, 5);
+            triangle(0, 6, 1);
+            triangle(0, 7, 6);
+        }
+    }
+}
+
+/// A pyramid that goes 12 m along x.
+void writeFarGoing(const QString& folder)
+{
+    QDir().mkpath(folder);
+    for (int f = 0; f < 25; ++f) {
+        std::ofstream file(QStringLiteral("%1/far_%2.obj").arg(folder).arg(f).toStdString());
+        const double x = 0.5 * f;
+        file << "v " << x << " 0 0\nv " << x + 1 << " 0 0\nv " << x << " 0 1\nv " << x
+             << " 1.7 0\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 3 2\n";
+    }
+}
+
+/// A picture per frame, each redder than the one before.
+void writeTextures(const QString& folder)
+{
+    QDir().mkpath(folder);
+    for (int f = 0; f < steps; ++f) {
+        QImage image(8, 8, QImage::Format_RGB888);
+        image.fill(QColor(8 * f, 0, 0));
+        QVERIFY(image.save(QStringLiteral("%1/t_%2.png").arg(folder).arg(f)));
+    }
+}
+
+} // namespace
+
+class SequencesTest : public QObject
+{
+    Q_OBJECT
+
+private:
+    EditorContext& context() { return m_window->context(); }
+    SequenceStage& stage() { return m_window->sequences().stage(); }
+    widgets::Viewport& viewport() { return m_window->sequences().viewport(); }
+    const SequenceEntry& entry(const char* name) { return *context().document.sequence(name); }
+    void show(const QString& name)
+    {
+        context().selection.selectSequences({name});
+        QVERIFY(test::waitForSequence(*m_window, name));
+        QTRY_VERIFY(stage().frameCount() > 0);
+        QVERIFY(test::activate(*m_window));
+        viewport().setFocus();
+    }
+    /// Whether a point of the world lies within the view.
+    bool isSeen(const QVector3D& point)
+    {
+        QPointF pixel;
+        return viewport().camera().project(point, viewport().size(), &pixel) &&
+               QRectF(QPointF(), viewport().size()).contains(pixel);
+    }
+    void clickTreeRow(int row, Qt::KeyboardModifiers modifiers)
+    {
+        auto* tree = test::find<QTreeView>("projectTree");
+        const QModelIndex sequences = tree->model()->index(1, 0);
+        const QRect place = tree->visualRect(tree->model()->index(row, 0, sequences));
+        QVERIFY(place.isValid());
+        QTest::mouseClick(tree->viewport(), Qt::LeftButton, modifiers, place.center());
+    }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<MainWindow> m_window;
+
+private slots:
+    void initTestCase()
+    {
+        test::isolate();
+        writeStepping(m_folder.filePath("step"));
+        writeFarGoing(m_folder.filePath("far"));
+        writeTextures(m_folder.filePath("textures"));
+    }
+
+    void init()
+    {
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        Project project;
+        const auto path = [this](const char* name) { return m_folder.filePath(name).toStdString(); };
+        project.characters = {{.name = "stepper", .mesh = path("step/step_0.obj")},
+                              {.name = "pyramid", .mesh = path("far/far_0.obj")}};
+        project.characters[0].texture = {TextureReference::Kind::PerFrame, {path("textures")}, {}};
+        project.sequences = {{.name = "step", .character = "stepper", .source = path("step")},
+                             {.name = "far", .character = "pyramid", .source = path("far")},
+                             {.name = "late", .character = "pyramid", .source = path("late")}};
+        context().document.reset(project);
+        QVERIFY(test::waitForSequence(*m_window, "step"));
+        QVERIFY(test::waitForSequence(*m_window, "far"));
+    }
+
+    void cleanup()
+    {
+        context().document.reset({});
+        m_window.reset();
+    }
+
+    void framesTheWholeTake()
+    {
+        show("far");
+        QTRY_VERIFY(isSeen({0, 0, 0}) && isSeen({12, 1.7F, 0}));
+        QTest::keyClick(&viewport(), Qt::Key_1);
+        QTest::keyClick(&viewport(), Qt::Key_F);
+        QTRY_VERIFY(isSeen({0, 0, 0}) && isSeen({12, 1.7F, 0}));
+        // While the character is followed, framing comes near it, and the view goes along.
+        const float far = viewport().camera().distance;
+        QTest::mouseClick(test::find<QToolButton>("tool.view.follow"), Qt::LeftButton);
+        QTest::keyClick(&viewport(), Qt::Key_F);
+        QTRY_VERIFY(viewport().camera().distance < far / 2);
+        const float before = viewport().camera().target.x();
+        m_window->sequences().player().goTo(20);
+        QTRY_VERIFY(viewport().camera().target.x() > before + 9.9F);
+    }
+
+    void saysWhatCannotBeShownAndTriesAgain()
+    {
+        context().selection.selectSequences({"late"});
+        auto* strip = m_window->sequences().findChild<widgets::MessageStrip*>();
+        QTRY_VERIFY(strip->isVisible());
+        QCOMPARE(strip->kind(), widgets::MessageStrip::Kind::Error);
+        QVERIFY(viewport().notice().contains("late"));
+        writeFarGoing(m_folder.filePath("late"));
+        QTest::mouseClick(strip->findChild<QPushButton*>("messageStripAction"), Qt::LeftButton);
+        QTRY_VERIFY(stage().frameCount() == 25);
+        QVERIFY(!strip->isVisible());
+        QCOMPARE(viewport().notice(), QString());
+        QVERIFY(QDir(m_folder.filePath("late")).removeRecursively());
+    }
+
+    void proposesContactsInOneStep()
+    {
+        show("step");
+        QTest::keyClick(m_window.get(), Qt::Key_C, Qt::ShiftModifier);
+        QTRY_VERIFY(!entry("step").contacts.empty());
+        const auto& contacts = entry("step").contacts;
+        QCOMPARE(contacts.size(), 3U);
+        QVERIFY(std::ranges::count(contacts, "left", &ContactSpan::foot) == 2);
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(entry("step").contacts.empty());
+        QTest::keyClick(m_window.get(), Qt::Key_Y, Qt::ControlModifier);
+        QCOMPARE(entry("step").contacts.size(), 3U);
+        context().actions.action("edit.clearContacts")->trigger();
+        QVERIFY(entry("step").contacts.empty());
+        // What has no feet says so where it is seen.
+        show("far");
+        QTest::keyClick(m_window.get(), Qt::Key_C, Qt::ShiftModifier);
+        auto* strip = m_window->sequences().findChild<widgets::MessageStrip*>();
+        QTRY_VERIFY(strip->isVisible() || !entry("far").contacts.empty());
+    }
+
+    void comparesInBothLayouts()
+    {
+        auto* overlay = test::find<QToolButton>("tool.view.overlay");
+        clickTreeRow(0, Qt::NoModifier);
+        QVERIFY(!overlay->isVisible());
+        clickTreeRow(1, Qt::ControlModifier);
+        QTRY_COMPARE(viewport().figures().size(), 2U);
+        QTRY_COMPARE(stage().frameCount(), 30);
+        QVERIFY(viewport().layoutMode() == widgets::Viewport::Layout::SideBySide);
+        QTRY_VERIFY(overlay->isVisible());
+        QTest::mouseClick(overlay, Qt::LeftButton);
+        QVERIFY(viewport().layoutMode() == widgets::Viewport::Layout::Overlay);
+        QVERIFY(viewport().shading() == widgets::Shading::Clay);
+        clickTreeRow(1, Qt::NoModifier);
+        QTRY_COMPARE(viewport().figures().size(), 1U);
+        QTRY_VERIFY(!overlay->isVisible());
+    }
+
+    void ghostsComeAtTheIntervalThatIsSet()
+    {
+        show("far");
+        auto* interval = test::find<QSpinBox>("ghostInterval");
+        QVERIFY(!interval->isVisible());
+        QTest::keyClick(&viewport(), Qt::Key_H);
+        QTRY_VERIFY(interval->isVisible());
+        QCOMPARE(stage().ghostInterval(), 10);
+        interval->setFocus();
+        interval->selectAll();
+        QTest::keyClicks(interval, "5");
+        QTest::keyClick(interval, Qt::Key_Return);
+        QCOMPARE(stage().ghostInterval(), 5);
+        QTest::mouseClick(test::find<QToolButton>("tool.view.ghosts"), Qt::LeftButton);
+        QCOMPARE(stage().ghostInterval(), 0);
+    }
+
+    void texturesChangeWhilePlaying()
+    {
+        show("step");
+        QTRY_VERIFY(!stage().textureOf("step").isNull());
+        const auto red = [this] { return stage().textureOf("step").pixelColor(4, 4).red(); };
+        QCOMPARE(red(), 0);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTRY_VERIFY(red() > 0);
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QTest::keyClick(m_window.get(), Qt::Key_End);
+        QTRY_COMPARE(red(), 8 * (steps - 1));
+        QVERIFY(!m_window->sequences().player().isPlaying());
+    }
+};
+
+} // namespace quadrille
+
+QTEST_MAIN(quadrille::SequencesTest)
+#include "tst_sequences.moc"
