@@ -13,6 +13,7 @@
 #include "editor/importing/importflow.h"
 #include "editor/language/retranslate.h"
 #include "editor/playback/player.h"
+#include "editor/properties/propertiespanel.h"
 #include "editor/welcome/welcomepage.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "widgets/theme/icons.h"
@@ -110,15 +111,20 @@ void MainWindow::makeDocks()
 {
     auto* project = addDock(
         "projectDock", [] { return tr("Project"); }, new ProjectPanel(m_context), Qt::LeftDockWidgetArea);
+    auto* properties = addDock(
+        "propertiesDock", [] { return tr("Properties"); }, new PropertiesPanel(m_context),
+        Qt::RightDockWidgetArea);
     auto* history = addDock(
         "historyDock", [] { return tr("History"); }, new QUndoView(m_context.document.undoStack()),
         Qt::RightDockWidgetArea);
     m_issuesDock = addDock(
         "issuesDock", [] { return tr("Issues"); }, new IssuesPanel(m_context.issues),
         Qt::BottomDockWidgetArea);
+    tabifyDockWidget(properties, history);
+    properties->raise();
     history->hide();
     m_issuesDock->hide();
-    resizeDocks({project}, {240}, Qt::Horizontal);
+    resizeDocks({project, properties}, {240, 280}, Qt::Horizontal);
 }
 
 void MainWindow::makeMenus()

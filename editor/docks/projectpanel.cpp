@@ -67,6 +67,8 @@ void ProjectPanel::takeSelection()
     }
     if (!names.isEmpty())
         m_context.selection.selectSequences(names);
+    else if (m_tree->currentIndex().isValid())
+        m_context.selection.select(m_model->entry(m_tree->currentIndex()));
 }
 
 } // namespace quadrille

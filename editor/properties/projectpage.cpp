@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/properties/projectpage.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/commands/projectedits.h"
+#include "editor/documents/projectpaths.h"
+#include "editor/fields/axesfields.h"
+
+#include <QDoubleSpinBox>
+
+namespace quadrille {
+
+ProjectPage::ProjectPage(EditorContext& context)
+    : m_context(context), m_fps(new QDoubleSpinBox), m_axes(new AxesFields), m_cache(new QSpinBox)
+{
+    m_fps->setRange(1, 1000);
+    m_fps->setDecimals(3);
+    m_fps->setKeyboardTracking(false);
+    m_cache->setRange(16, 1 << 20);
+    m_cache->setSingleStep(64);
+    m_cache->setKeyboardTracking(false);
+    addField(
+        "projectFps", [] { return tr("Rate"); }, m_fps,
+        [] {
+            return tr("Frames a second at which everything runs; sequences with another rate are resampled");
+        });
+    addField(
+        "projectAxes", [] { return tr("Axes"); }, m_axes,
+        [] { return tr("Up axis and unit that all sequences are converted to"); });
+    addField(
+        "projectCache", [] { return tr("Cache"); }, m_cache,
+        [] { return tr("Memory for frames and textures of this project"); });
+    m_content = addFact("projectContent", [] { return tr("Holds"); });
+    m_file = addFact("projectFile", [] { return tr("File"); });
+    connect(m_fps, &QDoubleSpinBox::valueChanged, this, &ProjectPage::edit);
+    connect(m_axes, &AxesFields::edited, this, &ProjectPage::edit);
+    connect(m_cache, &QSpinBox::valueChanged, this, &ProjectPage::edit);
+    retranslate();
+}
+
+void ProjectPage::show(const QString& /*name*/)
+{
+    const Project& project = m_context.document.project();
+    const QSignalBlocker blocks[] = {QSignalBlocker(m_fps), QSignalBlocker(m_cache)};
+    m_fps->setValue(project.settings.fps);
+    m_axes->setAxes(project.settings.axes);
+    m_cache->setValue(static_cast<int>(project.settings.cacheMegabytes));
+    const QStringList parts{tr("%n characters", nullptr, static_cast<int>(project.characters.size())),
+                            tr("%n sequences", nullptr, static_cast<int>(project.sequences.size())),
+                            tr("%n exports", nullptr, static_cast<int>(project.exports.size()))};
+    m_content->setText(parts.join(QStringLiteral(" · ")));
+    m_file->setText(m_context.document.isUntitled() ? tr("not saved yet")
+                                                    : toQString(m_context.document.file()));
+}
+
+void ProjectPage::edit()
+{
+    ProjectSettings settings = m_context.document.project().settings;
+    settings.fps = m_fps->value();
+    settings.axes = m_axes->axes();
+    settings.cacheMegabytes = m_cache->value();
+    setSettings(m_context.document, settings);
+}
+
+void ProjectPage::retranslate()
+{
+    m_fps->setSuffix(tr(" fps"));
+    m_cache->setSuffix(tr(" MB"));
+}
+
+} // namespace quadrille

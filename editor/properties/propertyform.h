@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QLabel>
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+class QFormLayout;
+
+namespace quadrille {
+
+/// A page of properties: labels left, fields right, facts that are only read. Texts are functions, so that
+/// they follow the language.
+class PropertyForm : public QWidget
+{
+    Q_OBJECT
+
+public:
+    using Text = std::function<QString()>;
+
+    explicit PropertyForm(QWidget* parent = nullptr);
+
+    /// Shows the entry of a name; the page reads its values anew.
+    virtual void show(const QString& name) = 0;
+
+protected:
+    /// \param tip what the property does, in one sentence.
+    void addField(const char* objectName, Text label, QWidget* field, Text tip);
+    /// A value that is only read.
+    QLabel* addFact(const char* objectName, Text label);
+    void addWide(const char* objectName, QWidget* field);
+    /// Called after the language changed.
+    virtual void retranslate() {}
+
+private:
+    struct Row
+    {
+        QLabel* label;
+        QWidget* field;
+        Text text;
+        Text tip;
+    };
+    void retranslateRows();
+
+    QFormLayout* m_form;
+    std::vector<Row> m_rows;
+
+protected:
+    void changeEvent(QEvent* event) override;
+};
+
+} // namespace quadrille

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/properties/sequencepage.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/commands/projectedits.h"
+#include "editor/errors/errortext.h"
+#include "editor/fields/axesfields.h"
+#include "editor/properties/texturefield.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QLocale>
+#include <QMenu>
+#include <QToolButton>
+
+namespace quadrille {
+
+SequencePage::SequencePage(EditorContext& context)
+    : m_context(context)
+    , m_nameField(new QLineEdit)
+    , m_character(new QComboBox)
+    , m_range(new QWidget)
+    , m_first(new QSpinBox)
+    , m_last(new QSpinBox)
+    , m_fps(new QDoubleSpinBox)
+    , m_hasAxes(new QCheckBox)
+    , m_axes(new AxesFields)
+    , m_texture(new TextureField)
+    , m_jointAngles(new QToolButton)
+{
+    makeFields();
+    connectFields();
+    retranslate();
+}
+
+void SequencePage::makeFields()
+{
+    m_first->setObjectName(QStringLiteral("sequenceFirst"));
+    m_last->setObjectName(QStringLiteral("sequenceLast"));
+    auto* range = new QHBoxLayout(m_range);
+    range->setContentsMargins(0, 0, 0, 0);
+    range->setSpacing(4);
+    for (QSpinBox* field : {m_first, m_last}) {
+        field->setKeyboardTracking(false);
+        range->addWidget(field, 1);
+    }
+    m_range->setFocusProxy(m_first);
+    m_fps->setRange(0, 1000); // 0 stands for the project's rate
+    m_fps->setDecimals(3);
+    m_fps->setKeyboardTracking(false);
+    m_jointAngles->setPopupMode(QToolButton::InstantPopup);
+    m_jointAngles->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    m_jointAngles->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_jointAngles->setMenu(new QMenu(m_jointAngles));
+
+    addField(
+        "sequenceName", [] { return tr("Name"); }, m_nameField, [] { return tr("Unique in the project"); });
+    m_source = addFact("sequenceSource", [] { return tr("Source"); });
+    addField(
+        "sequenceCharacter", [] { return tr("Character"); }, m_character,
+        [] { return tr("Whose mesh gives faces and texture coordinates"); });
+    m_length = addFact("sequenceLength", [] { return tr("Length"); });
+    addField(
+        "sequenceRange", [] { return tr("Frames"); }, m_range,
+        [] { return tr("First and last frame of the source that are used, from 0"); });
+    addField(
+        "sequenceFps", [] { return tr("Source rate"); }, m_fps,
+        [] { return tr("Frames a second of the source, where the file names none"); });
+    addField(
+        "sequenceHasAxes", [] { return tr("Source axes"); }, m_hasAxes,
+        [] { return tr("Whether the source has other axes or another unit than metres with y up"); });
+    addField(
+        "sequenceAxes", [] { return QString(); }, m_axes,
+        [] { return tr("Up axis and unit of the source"); });
+    addField(
+        "sequenceTexture", [] { return tr("Textures"); }, m_texture,
+        [] { return tr("Its own textures instead of the character's"); });
+    addField(
+        "sequenceJointAngles", [] { return tr("Joint angles"); }, m_jointAngles,
+        [] { return tr("A BVH with the true joint angles, used to evaluate results"); });
+    m_marks = addFact("sequenceMarks", [] { return tr("Marks"); });
+    m_notes = addFact("sequenceNotes", [] { return tr("Findings"); });
+}
+
+void SequencePage::connectFields()
+{
+    ProjectDocument& document = m_context.document;
+    connect(m_nameField, &QLineEdit::editingFinished, this, [this, &document] {
+        if (!renameEntry(document, {Section::Sequences, m_name}, m_nameField->text().trimmed()))
+            m_nameField->setText(m_name);
+    });
+    connect(m_character, &QComboBox::textActivated, this,
+            [this, &document](const QString& name) { setSequenceCharacter(document, m_name, name); });
+    connect(m_first, &QSpinBox::valueChanged, this, &SequencePage::editRange);
+    connect(m_last, &QSpinBox::valueChanged, this, &SequencePage::editRange);
+    connect(m_fps, &QDoubleSpinBox::valueChanged, this, [this, &document](double fps) {
+        setSequenceFps(document, m_name, fps > 0 ? std::optional(fps) : std::nullopt);
+    });
+    connect(m_hasAxes, &QCheckBox::toggled, this, &SequencePage::editAxes);
+    connect(m_axes, &AxesFields::edited, this, &SequencePage::editAxes);
+    connect(m_texture, &TextureField::chosen, this, [this, &document](const TextureReference& texture) {
+        setSequenceTexture(document, m_name, texture);
+    });
+}
+
+void SequencePage::show(const QString& name)
+{
+    m_name = name;
+    const SequenceEntry& entry = *m_context.document.sequence(name);
+    const QSignalBlocker blocks[] = {QSignalBlocker(m_first), QSignalBlocker(m_last), QSignalBlocker(m_fps),
+                                     QSignalBlocker(m_hasAxes)};
+    m_nameField->setText(name);
+    const QString source = QString::fromStdString(entry.source);
+    const QString clip = QString::fromStdString(entry.clip);
+    const QString file = QFileInfo(source).fileName();
+    m_source->setText(clip.isEmpty() ? file : tr("%1, clip %2").arg(file, clip));
+    m_source->setToolTip(source);
+    m_character->clear();
+    for (const CharacterEntry& character : m_context.document.project().characters)
+        m_character->addItem(QString::fromStdString(character.name));
+    if (const CharacterEntry* own = m_context.document.characterOf(entry))
+        m_character->setCurrentText(QString::fromStdString(own->name));
+    m_fps->setValue(entry.sourceFps.value_or(0));
+    m_hasAxes->setChecked(entry.sourceAxes.has_value());
+    m_axes->setVisible(entry.sourceAxes.has_value());
+    m_axes->setAxes(entry.sourceAxes.value_or(CoordinateSystem{}));
+    m_texture->setTexture(entry.texture, tr("the character's, or as found"));
+    m_jointAngles->setText(entry.jointAngles.empty()
+                               ? tr("none")
+                               : QFileInfo(QString::fromStdString(entry.jointAngles)).fileName());
+    m_marks->setText(tr("%1 · %2").arg(tr("%n labels", nullptr, static_cast<int>(entry.labels.size())),
+                                       tr("%n contacts", nullptr, static_cast<int>(entry.contacts.size()))));
+    showMedium(entry);
+}
+
+void SequencePage::showMedium(const SequenceEntry& entry)
+{
+    const SequenceMedia::Medium* medium = m_context.media.medium(m_name);
+    const bool isOpen = medium != nullptr && medium->whole.has_value();
+    m_first->setEnabled(isOpen);
+    m_last->setEnabled(isOpen);
+    m_notes->clear();
+    if (!isOpen) {
+        const bool hasFailed = medium != nullptr && medium->error;
+        m_length->setText(hasFailed ? describe(*medium->error).oneLine() : tr("opening…"));
+        return;
+    }
+    const auto last = static_cast<int>(medium->whole->frameCount() - 1);
+    const FrameRange range = entry.range.value_or(FrameRange::all(last + 1));
+    m_first->setRange(0, static_cast<int>(range.last.value));
+    m_last->setRange(static_cast<int>(range.first.value), last);
+    m_first->setValue(static_cast<int>(range.first.value));
+    m_last->setValue(static_cast<int>(range.last.value));
+    const MeshSequence& shown = medium->sequence ? *medium->sequence : *medium->whole;
+    m_length->setText(
+        tr("%n frames, %1 s", nullptr, static_cast<int>(shown.frameCount()))
+            .arg(QLocale().toString(static_cast<double>(shown.frameCount()) / shown.fps, 'f', 2)));
+    QStringList notes;
+    for (const Issue& issue : medium->issues)
+        notes += describe(issue).oneLine();
+    m_notes->setText(notes.isEmpty() ? tr("none") : notes.join(QLatin1Char('\n')));
+}
+
+void SequencePage::editRange()
+{
+    const SequenceMedia::Medium* medium = m_context.media.medium(m_name);
+    if (medium == nullptr || !medium->whole)
+        return;
+    const FrameRange range{FrameIndex(m_first->value()), FrameIndex(m_last->value())};
+    const bool isAll = range == FrameRange::all(medium->whole->frameCount());
+    setSequenceRange(m_context.document, m_name, isAll ? std::nullopt : std::optional(range));
+}
+
+void SequencePage::editAxes()
+{
+    setSequenceAxes(m_context.document, m_name,
+                    m_hasAxes->isChecked() ? std::optional(m_axes->axes()) : std::nullopt);
+}
+
+void SequencePage::chooseJointAngles()
+{
+    const QString file = QFileDialog::getOpenFileName(this, tr("Reference joint angles"), m_source->toolTip(),
+                                                      tr("BVH (*.bvh)"));
+    if (!file.isEmpty())
+        setJointAngles(m_context.document, m_name, file.toStdString());
+}
+
+void SequencePage::retranslate()
+{
+    m_fps->setSuffix(tr(" fps"));
+    m_fps->setSpecialValueText(tr("as the project, or as the file says"));
+    m_hasAxes->setText(tr("Not metres with y up"));
+    m_last->setAccessibleName(tr("Last frame"));
+    m_first->setAccessibleName(tr("First frame"));
+    m_jointAngles->menu()->clear();
+    m_jointAngles->menu()->addAction(tr("Choose…"), this, &SequencePage::chooseJointAngles);
+    m_jointAngles->menu()->addAction(tr("None"), this,
+                                     [this] { setJointAngles(m_context.document, m_name, {}); });
+}
+
+} // namespace quadrille

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/project.h"
+
+#include <QToolButton>
+
+namespace quadrille {
+
+/// Says which textures a character or sequence has, and lets others be chosen.
+class TextureField : public QToolButton
+{
+    Q_OBJECT
+
+public:
+    explicit TextureField(QWidget* parent = nullptr);
+
+    /// \param without what stands there when no textures are named.
+    void setTexture(const TextureReference& texture, const QString& without);
+
+signals:
+    void chosen(const quadrille::TextureReference& texture);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void choose(bool isFolder);
+    void makeMenu();
+
+    TextureReference m_texture;
+};
+
+} // namespace quadrille
