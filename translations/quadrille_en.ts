@@ -2,6 +2,51 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>quadrille::CharacterPage</name>
+    <message numerus="yes">
+        <source>%n sequences</source>
+        <translation>
+            <numerusform>%n sequence</numerusform>
+            <numerusform>%n sequences</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n vertices</source>
+        <translation>
+            <numerusform>%n vertex</numerusform>
+            <numerusform>%n vertices</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangles</source>
+        <translation>
+            <numerusform>%n triangle</numerusform>
+            <numerusform>%n triangles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n components</source>
+        <translation>
+            <numerusform>%n component</numerusform>
+            <numerusform>%n components</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boundary loops</source>
+        <translation>
+            <numerusform>%n boundary loops</numerusform>
+            <numerusform>%n boundary loops</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n non-manifold edges</source>
+        <translation>
+            <numerusform>%n non-manifold edges</numerusform>
+            <numerusform>%n non-manifold edges</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::ExportDialog</name>
     <message numerus="yes">
         <source>%1, and %n more</source>
@@ -126,6 +171,71 @@
     </message>
 </context>
 <context>
+    <name>quadrille::ProjectPage</name>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n character</numerusform>
+            <numerusform>%n characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sequences</source>
+        <translation>
+            <numerusform>%n sequence</numerusform>
+            <numerusform>%n sequences</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exports</source>
+        <translation>
+            <numerusform>%n export</numerusform>
+            <numerusform>%n exports</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PropertiesPanel</name>
+    <message numerus="yes">
+        <source>%n sequences</source>
+        <translation>
+            <numerusform>%n sequence</numerusform>
+            <numerusform>%n sequences</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frames, %1 s</source>
+        <translation>
+            <numerusform>%n frame, %1 s</numerusform>
+            <numerusform>%n frames, %1 s</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::SequencePage</name>
+    <message numerus="yes">
+        <source>%n labels</source>
+        <translation>
+            <numerusform>%n label</numerusform>
+            <numerusform>%n labels</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n contacts</source>
+        <translation>
+            <numerusform>%n contact</numerusform>
+            <numerusform>%n contacts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frames, %1 s</source>
+        <translation>
+            <numerusform>%n frame, %1 s</numerusform>
+            <numerusform>%n frames, %1 s</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::StatusJobs</name>
     <message numerus="yes">
         <source>%1, and %n more</source>
@@ -156,6 +266,16 @@
         <translation>
             <numerusform>%n vertex</numerusform>
             <numerusform>%n vertices</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TextureField</name>
+    <message numerus="yes">
+        <source>%n, by material</source>
+        <translation>
+            <numerusform>%n, by material</numerusform>
+            <numerusform>%n, by material</numerusform>
         </translation>
     </message>
 </context>

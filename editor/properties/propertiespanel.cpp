@@ -46,6 +46,7 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
         auto* scroll = new QScrollArea;
         scroll->setWidgetResizable(true);
         scroll->setFrameShape(QFrame::NoFrame);
+        scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         scroll->setWidget(page);
         m_pages->addWidget(scroll);
     }

@@ -40,6 +40,11 @@ void PropertyForm::addWide(const char* objectName, QWidget* field)
     m_form->addRow(field);
 }
 
+void PropertyForm::setFieldVisible(QWidget* field, bool visible)
+{
+    m_form->setRowVisible(field, visible);
+}
+
 void PropertyForm::retranslateRows()
 {
     for (const Row& row : m_rows) {

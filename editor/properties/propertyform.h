@@ -31,6 +31,7 @@ protected:
     /// A value that is only read.
     QLabel* addFact(const char* objectName, Text label);
     void addWide(const char* objectName, QWidget* field);
+    void setFieldVisible(QWidget* field, bool visible);
     /// Called after the language changed.
     virtual void retranslate() {}
 

@@ -16,7 +16,7 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
-#include <QToolButton>
+#include <QPushButton>
 
 namespace quadrille {
 
@@ -31,7 +31,7 @@ SequencePage::SequencePage(EditorContext& context)
     , m_hasAxes(new QCheckBox)
     , m_axes(new AxesFields)
     , m_texture(new TextureField)
-    , m_jointAngles(new QToolButton)
+    , m_jointAngles(new QPushButton)
 {
     makeFields();
     connectFields();
@@ -53,9 +53,8 @@ void SequencePage::makeFields()
     m_fps->setRange(0, 1000); // 0 stands for the project's rate
     m_fps->setDecimals(3);
     m_fps->setKeyboardTracking(false);
-    m_jointAngles->setPopupMode(QToolButton::InstantPopup);
-    m_jointAngles->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    m_jointAngles->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_jointAngles->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_character->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_jointAngles->setMenu(new QMenu(m_jointAngles));
 
     addField(
@@ -70,7 +69,7 @@ void SequencePage::makeFields()
         [] { return tr("First and last frame of the source that are used, from 0"); });
     addField(
         "sequenceFps", [] { return tr("Source rate"); }, m_fps,
-        [] { return tr("Frames a second of the source, where the file names none"); });
+        [] { return tr("Frames a second of a source that names none; automatic is the project's rate"); });
     addField(
         "sequenceHasAxes", [] { return tr("Source axes"); }, m_hasAxes,
         [] { return tr("Whether the source has other axes or another unit than metres with y up"); });
@@ -79,7 +78,9 @@ void SequencePage::makeFields()
         [] { return tr("Up axis and unit of the source"); });
     addField(
         "sequenceTexture", [] { return tr("Textures"); }, m_texture,
-        [] { return tr("Its own textures instead of the character's"); });
+        [] {
+            return tr("Its own textures; automatic are the character's, or those found beside the source");
+        });
     addField(
         "sequenceJointAngles", [] { return tr("Joint angles"); }, m_jointAngles,
         [] { return tr("A BVH with the true joint angles, used to evaluate results"); });
@@ -127,9 +128,9 @@ void SequencePage::show(const QString& name)
         m_character->setCurrentText(QString::fromStdString(own->name));
     m_fps->setValue(entry.sourceFps.value_or(0));
     m_hasAxes->setChecked(entry.sourceAxes.has_value());
-    m_axes->setVisible(entry.sourceAxes.has_value());
+    setFieldVisible(m_axes, entry.sourceAxes.has_value());
     m_axes->setAxes(entry.sourceAxes.value_or(CoordinateSystem{}));
-    m_texture->setTexture(entry.texture, tr("the character's, or as found"));
+    m_texture->setTexture(entry.texture, tr("automatic"));
     m_jointAngles->setText(entry.jointAngles.empty()
                                ? tr("none")
                                : QFileInfo(QString::fromStdString(entry.jointAngles)).fileName());
@@ -193,7 +194,7 @@ void SequencePage::chooseJointAngles()
 void SequencePage::retranslate()
 {
     m_fps->setSuffix(tr(" fps"));
-    m_fps->setSpecialValueText(tr("as the project, or as the file says"));
+    m_fps->setSpecialValueText(tr("automatic"));
     m_hasAxes->setText(tr("Not metres with y up"));
     m_last->setAccessibleName(tr("Last frame"));
     m_first->setAccessibleName(tr("First frame"));

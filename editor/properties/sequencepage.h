@@ -9,7 +9,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QLineEdit;
 class QSpinBox;
-class QToolButton;
+class QPushButton;
 
 namespace quadrille {
 
@@ -51,7 +51,7 @@ private:
     QCheckBox* m_hasAxes;
     AxesFields* m_axes;
     TextureField* m_texture;
-    QToolButton* m_jointAngles;
+    QPushButton* m_jointAngles;
     QLabel* m_marks;
     QLabel* m_notes;
 };

@@ -8,11 +8,9 @@
 
 namespace quadrille {
 
-TextureField::TextureField(QWidget* parent) : QToolButton(parent)
+TextureField::TextureField(QWidget* parent) : QPushButton(parent)
 {
-    setPopupMode(InstantPopup);
-    setToolButtonStyle(Qt::ToolButtonTextOnly);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     setMenu(new QMenu(this));
     makeMenu();
 }
@@ -68,7 +66,7 @@ void TextureField::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange)
         makeMenu();
-    QToolButton::changeEvent(event);
+    QPushButton::changeEvent(event);
 }
 
 } // namespace quadrille

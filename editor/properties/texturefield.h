@@ -4,12 +4,12 @@
 
 #include "model/project/project.h"
 
-#include <QToolButton>
+#include <QPushButton>
 
 namespace quadrille {
 
 /// Says which textures a character or sequence has, and lets others be chosen.
-class TextureField : public QToolButton
+class TextureField : public QPushButton
 {
     Q_OBJECT
 

@@ -41,7 +41,11 @@ QStringList untranslated(QString text)
     static const QRegularExpression markup(QStringLiteral("<[^<>]*>|&\\w+;|&"));
     static const QRegularExpression bracketed(QStringLiteral("\\[[^\\[\\]]*\\]"));
     static const QRegularExpression word(QStringLiteral("\\p{L}[\\p{L}\\d_]+"));
+    // The user's own files and folders, as the tests name them.
+    static const QRegularExpression files(
+        QStringLiteral("[^\\s\\[\\]]*(/|####|quadrille-test-)[^\\s\\[\\]]*"));
     text.remove(markup);
+    text.remove(files);
     while (text.contains(bracketed))
         text.remove(bracketed);
     QStringList words;

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/commands/projectedits.h"
+#include "editortest.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSpinBox>
+
+namespace quadrille {
+
+class PropertiesTest : public QObject
+{
+    Q_OBJECT
+
+private:
+    ProjectDocument& document() { return m_window->context().document; }
+    Selection& selection() { return m_window->context().selection; }
+    const SequenceEntry& walk() { return *document().sequence("walk"); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<MainWindow> m_window;
+
+private slots:
+    void initTestCase() { test::isolate(); }
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        test::writeSeries(m_folder->path(), {1, 2, 3, 4, 5});
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->open({m_folder->filePath("walk_1.obj")});
+        QVERIFY(test::waitForSequence(*m_window, "walk"));
+        selection().selectSequences({"walk"});
+    }
+    void cleanup()
+    {
+        document().saveAs(m_folder->filePath("project.quadrille").toStdString());
+        m_window.reset();
+        m_folder.reset();
+    }
+
+    void showsAndEditsASequence()
+    {
+        QCOMPARE(test::find<QLabel>("propertiesTitle")->text(), QString("walk"));
+        QVERIFY(test::find<QLabel>("sequenceLength")->text().startsWith("5 frames"));
+        auto* last = test::find<QSpinBox>("sequenceLast");
+        last->setFocus();
+        QTest::keyClick(last, Qt::Key_Down);
+        QVERIFY(walk().range == (FrameRange{FrameIndex(0), FrameIndex(3)}));
+        QTRY_VERIFY(test::find<QLabel>("sequenceLength")->text().startsWith("4 frames"));
+        document().undo();
+        QVERIFY(!walk().range);
+        QCOMPARE(last->value(), 4);
+
+        QTest::mouseClick(test::find<QCheckBox>("sequenceHasAxes"), Qt::LeftButton, {}, {8, 8});
+        QVERIFY(walk().sourceAxes.has_value());
+        document().undo();
+        QVERIFY(!test::find<QCheckBox>("sequenceHasAxes")->isChecked());
+    }
+
+    void renamesInPlaceAndRefusesATakenName()
+    {
+        duplicateInto("run");
+        auto* name = test::find<QLineEdit>("sequenceName");
+        selection().selectSequences({"walk"});
+        name->setFocus();
+        name->selectAll();
+        QTest::keyClicks(name, "run");
+        QTest::keyClick(name, Qt::Key_Return);
+        QVERIFY(document().sequence("walk") != nullptr);
+        QCOMPARE(name->text(), QString("walk"));
+        name->selectAll();
+        QTest::keyClicks(name, "stroll");
+        QTest::keyClick(name, Qt::Key_Return);
+        QVERIFY(document().sequence("stroll") != nullptr);
+        QCOMPARE(test::find<QLabel>("propertiesTitle")->text(), QString("stroll"));
+    }
+
+    void showsTheProjectAndItsCharacters()
+    {
+        selection().select({Section::Characters, "pyramid-is-not-there"});
+        selection().select({});
+        auto* fps = test::find<QDoubleSpinBox>("projectFps");
+        fps->setFocus();
+        fps->selectAll();
+        QTest::keyClicks(fps, "50");
+        QTest::keyClick(fps, Qt::Key_Return);
+        QCOMPARE(document().project().settings.fps, 50.0);
+        document().undo();
+        QCOMPARE(fps->value(), 25.0);
+        const QString character = QString::fromStdString(document().project().characters.front().name);
+        selection().select({Section::Characters, character});
+        QTRY_VERIFY(test::find<QLabel>("characterSurface")->text().startsWith("5 vertices\n6 triangles"));
+        QVERIFY(test::find<QLabel>("characterSurface")->text().contains("closed"));
+    }
+
+    void sumsUpSeveralSequences()
+    {
+        duplicateInto("run");
+        QVERIFY(test::waitForSequence(*m_window, "run"));
+        selection().selectSequences({"walk", "run"});
+        QCOMPARE(test::find<QLabel>("propertiesTitle")->text(), QString("2 sequences"));
+        QTRY_VERIFY(test::find<QLabel>("propertiesSeveral")->text().startsWith("10 frames"));
+    }
+
+private:
+    void duplicateInto(const QString& name)
+    {
+        const QString copy = duplicateSequence(document(), "walk");
+        QVERIFY(renameEntry(document(), {Section::Sequences, copy}, name));
+    }
+};
+
+} // namespace quadrille
+
+QTEST_MAIN(quadrille::PropertiesTest)
+#include "tst_properties.moc"
