@@ -48,7 +48,7 @@
     </message>
     <message>
         <source>Reading failed: {reason}.</source>
-        <translation>Échec de la lecture : {reason}.</translation>
+        <translation>Échec de la lecture&#xa0;: {reason}.</translation>
     </message>
     <message>
         <source>Check the disk and try again.</source>
@@ -56,7 +56,7 @@
     </message>
     <message>
         <source>Writing failed: {reason}.</source>
-        <translation>Échec de l’écriture : {reason}.</translation>
+        <translation>Échec de l’écriture&#xa0;: {reason}.</translation>
     </message>
     <message>
         <source>Check free space and permissions, then try again.</source>
@@ -72,7 +72,7 @@
     </message>
     <message>
         <source>The file ends too early: {expected} expected, {found} found.</source>
-        <translation>Le fichier se termine trop tôt : {expected} attendus, {found} trouvés.</translation>
+        <translation>Le fichier se termine trop tôt&#xa0;: {expected} attendus, {found} trouvés.</translation>
     </message>
     <message>
         <source>Export or copy it again.</source>
@@ -88,7 +88,7 @@
     </message>
     <message>
         <source>This is not what the format allows here: {reason}.</source>
-        <translation>Le format ne permet pas cela à cet endroit : {reason}.</translation>
+        <translation>Le format ne permet pas cela à cet endroit&#xa0;: {reason}.</translation>
     </message>
     <message>
         <source>Export it again, or correct this place.</source>
@@ -100,7 +100,7 @@
     </message>
     <message>
         <source>The file is damaged or of another format; export it again.</source>
-        <translation>Le fichier est endommagé ou d’un autre format ; exportez-le de nouveau.</translation>
+        <translation>Le fichier est endommagé ou d’un autre format&#x202f;; exportez-le de nouveau.</translation>
     </message>
     <message>
         <source>The format of this file is not known.</source>
@@ -120,7 +120,7 @@
     </message>
     <message>
         <source>This file holds positions only; a mesh with its faces is needed.</source>
-        <translation>Ce fichier ne contient que des positions ; il faut un maillage avec ses faces.</translation>
+        <translation>Ce fichier ne contient que des positions&#x202f;; il faut un maillage avec ses faces.</translation>
     </message>
     <message>
         <source>Give the mesh (OBJ or PLY) of the same vertex order with it.</source>
@@ -164,11 +164,11 @@
     </message>
     <message>
         <source>Export the character&apos;s geometry too: cameras, lights and bones alone cannot be shown.</source>
-        <translation>Exportez aussi la géométrie du personnage : caméras, lumières et os seuls ne peuvent pas être montrés.</translation>
+        <translation>Exportez aussi la géométrie du personnage&#xa0;: caméras, lumières et os seuls ne peuvent pas être montrés.</translation>
     </message>
     <message>
         <source>The {count} triangles share no vertices: this is a polygon soup.</source>
-        <translation>Les {count} triangles ne partagent aucun sommet : c’est une soupe de polygones.</translation>
+        <translation>Les {count} triangles ne partagent aucun sommet&#xa0;: c’est une soupe de polygones.</translation>
     </message>
     <message>
         <source>Merge vertices by distance in the tool it comes from, and export again.</source>
@@ -200,11 +200,11 @@
     </message>
     <message>
         <source>The topology differs from the first frame: {what}.</source>
-        <translation>La topologie diffère de celle de la première image : {what}.</translation>
+        <translation>La topologie diffère de celle de la première image&#xa0;: {what}.</translation>
     </message>
     <message>
         <source>A sequence needs one topology; leave this frame out or track the capture first.</source>
-        <translation>Une séquence exige une seule topologie ; excluez cette image ou suivez d’abord la capture.</translation>
+        <translation>Une séquence exige une seule topologie&#x202f;; excluez cette image ou suivez d’abord la capture.</translation>
     </message>
     <message>
         <source>Frames {first} to {last} were asked for, but there are only {count}.</source>
@@ -240,7 +240,7 @@
     </message>
     <message>
         <source>This is not valid JSON: {reason}.</source>
-        <translation>Ce n’est pas du JSON valide : {reason}.</translation>
+        <translation>Ce n’est pas du JSON valide&#xa0;: {reason}.</translation>
     </message>
     <message>
         <source>Correct this place.</source>
@@ -252,7 +252,7 @@
     </message>
     <message>
         <source>The project has version {found}; this program knows versions up to {known}.</source>
-        <translation>Le projet est de version {found} ; ce programme connaît les versions jusqu’à {known}.</translation>
+        <translation>Le projet est de version {found}&#x202f;; ce programme connaît les versions jusqu’à {known}.</translation>
     </message>
     <message>
         <source>Open it with a newer Quadrille.</source>
@@ -260,7 +260,7 @@
     </message>
     <message>
         <source>“{what}” uses a file that is not there: {path}.</source>
-        <translation>« {what} » utilise un fichier absent : {path}.</translation>
+        <translation>«&#xa0;{what}&#xa0;» utilise un fichier absent&#xa0;: {path}.</translation>
     </message>
     <message>
         <source>Put it back, or relink it.</source>
@@ -268,15 +268,15 @@
     </message>
     <message>
         <source>The project has no target “{what}”.</source>
-        <translation>Le projet n’a pas de cible « {what} ».</translation>
+        <translation>Le projet n’a pas de cible «&#xa0;{what}&#xa0;».</translation>
     </message>
     <message>
         <source>It has: {known}.</source>
-        <translation>Il contient : {known}.</translation>
+        <translation>Il contient&#xa0;: {known}.</translation>
     </message>
     <message>
         <source>The project has no data “{what}”.</source>
-        <translation>Le projet n’a pas de données « {what} ».</translation>
+        <translation>Le projet n’a pas de données «&#xa0;{what}&#xa0;».</translation>
     </message>
     <message>
         <source>A stored result is damaged.</source>
@@ -296,15 +296,15 @@
     </message>
     <message>
         <source>Something unexpected happened: {reason}.</source>
-        <translation>Un événement inattendu s’est produit : {reason}.</translation>
+        <translation>Un événement inattendu s’est produit&#xa0;: {reason}.</translation>
     </message>
     <message>
         <source>Save your work and try again; if it happens again, report it.</source>
-        <translation>Enregistrez votre travail et réessayez ; si cela se reproduit, signalez-le.</translation>
+        <translation>Enregistrez votre travail et réessayez&#x202f;; si cela se reproduit, signalez-le.</translation>
     </message>
     <message>
         <source>The numbering has gaps: {missing}.</source>
-        <translation>La numérotation a des trous : {missing}.</translation>
+        <translation>La numérotation a des trous&#xa0;: {missing}.</translation>
     </message>
     <message>
         <source>The frames that exist are used, one after the other.</source>
@@ -340,7 +340,7 @@
     </message>
     <message>
         <source>The source names no frame rate; {fps} fps is assumed.</source>
-        <translation>La source n’indique aucune cadence ; {fps} i/s est supposé.</translation>
+        <translation>La source n’indique aucune cadence&#x202f;; {fps} i/s est supposé.</translation>
     </message>
     <message>
         <source>Resampled from {from} to {to} fps.</source>
@@ -356,7 +356,7 @@
     </message>
     <message>
         <source>It is not clear which files are meant: {found}.</source>
-        <translation>On ne sait pas quels fichiers sont visés : {found}.</translation>
+        <translation>On ne sait pas quels fichiers sont visés&#xa0;: {found}.</translation>
     </message>
     <message>
         <source>Name one file, or one series by a pattern such as NAME_####.obj.</source>
@@ -383,7 +383,7 @@
     </message>
     <message>
         <source>Keeping a copy of “%1”</source>
-        <translation>Copie de sauvegarde de « %1 »</translation>
+        <translation>Copie de sauvegarde de «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -419,6 +419,134 @@
     <message>
         <source>Others</source>
         <translation>Autres</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::CharacterPage</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Unique in the project</source>
+        <translation>Unique dans le projet</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Maillage</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Textures</translation>
+    </message>
+    <message>
+        <source>What its sequences wear, unless they have their own</source>
+        <translation>Ce que portent ses séquences, sauf si elles ont les leurs</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Used by</source>
+        <translation>Utilisé par</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Whatever is worth remembering about the capture</source>
+        <translation>Tout ce qui mérite d’être retenu de la captation</translation>
+    </message>
+    <message>
+        <source>that of its first sequence</source>
+        <translation>celui de sa première séquence</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>comme trouvées</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sequences</source>
+        <translation>
+            <numerusform>%n séquence</numerusform>
+            <numerusform>%n séquences</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not opened</source>
+        <translation>pas ouvert</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n vertices</source>
+        <translation>
+            <numerusform>%n sommet</numerusform>
+            <numerusform>%n sommets</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangles</source>
+        <translation>
+            <numerusform>%n triangle</numerusform>
+            <numerusform>%n triangles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n components</source>
+        <translation>
+            <numerusform>%n composante</numerusform>
+            <numerusform>%n composantes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>fermée</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boundary loops</source>
+        <translation>
+            <numerusform>%n contour</numerusform>
+            <numerusform>%n contours</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>with texture coordinates</source>
+        <translation>avec coordonnées de texture</translation>
+    </message>
+    <message>
+        <source>without texture coordinates</source>
+        <translation>sans coordonnées de texture</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n non-manifold edges</source>
+        <translation>
+            <numerusform>%n arête non variété</numerusform>
+            <numerusform>%n arêtes non variétés</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ContactProposal</name>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>&amp;Propose foot contacts</source>
+        <translation>&amp;Proposer les contacts des pieds</translation>
+    </message>
+    <message>
+        <source>Finds the frames in which the feet stand on the ground</source>
+        <translation>Trouve les images où les pieds sont posés au sol</translation>
+    </message>
+    <message>
+        <source>&amp;Clear foot contacts</source>
+        <translation>Effacer les c&amp;ontacts des pieds</translation>
+    </message>
+    <message>
+        <source>Finding foot contacts of “%1”</source>
+        <translation>Recherche des contacts des pieds de « %1 »</translation>
     </message>
 </context>
 <context>
@@ -478,18 +606,18 @@
     </message>
     <message>
         <source>“%1” is there already.</source>
-        <translation>« %1 » existe déjà.</translation>
+        <translation>«&#xa0;%1&#xa0;» existe déjà.</translation>
     </message>
     <message numerus="yes">
         <source>“%1” and %n more are there already.</source>
         <translation>
-            <numerusform>« %1 » et %n autre existent déjà.</numerusform>
-            <numerusform>« %1 » et %n autres existent déjà.</numerusform>
+            <numerusform>«&#xa0;%1&#xa0;» et %n autre existent déjà.</numerusform>
+            <numerusform>«&#xa0;%1&#xa0;» et %n autres existent déjà.</numerusform>
         </translation>
     </message>
     <message>
         <source>Write over files?</source>
-        <translation>Remplacer les fichiers ?</translation>
+        <translation>Remplacer les fichiers&#x202f;?</translation>
     </message>
     <message>
         <source>Exporting writes over them.</source>
@@ -517,7 +645,7 @@
     </message>
     <message>
         <source>Export “%1”</source>
-        <translation>Exporter « %1 »</translation>
+        <translation>Exporter «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Format</source>
@@ -585,6 +713,45 @@
     <message>
         <source>Write the selected sequences in another format, or as pictures or video</source>
         <translation>Écrire les séquences sélectionnées dans un autre format, ou sous forme d’images ou de vidéo</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ExportPage</name>
+    <message>
+        <source>Of</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Écrit</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 i/s</translation>
+    </message>
+    <message>
+        <source>%1 to %2, %3</source>
+        <translation>%1 à %2, %3</translation>
+    </message>
+    <message>
+        <source>all, %1</source>
+        <translation>toutes, %1</translation>
+    </message>
+    <message>
+        <source>not as one file</source>
+        <translation>pas en un seul fichier</translation>
+    </message>
+    <message>
+        <source>Change or write again…</source>
+        <translation>Modifier ou réécrire…</translation>
     </message>
 </context>
 <context>
@@ -664,7 +831,7 @@
     </message>
     <message>
         <source>Reference joint angles: %1</source>
-        <translation>Angles articulaires de référence : %1</translation>
+        <translation>Angles articulaires de référence&#xa0;: %1</translation>
     </message>
     <message>
         <source>Mesh with the faces</source>
@@ -972,6 +1139,10 @@
         <source>&amp;Dark theme</source>
         <translation>Thème som&amp;bre</translation>
     </message>
+    <message>
+        <source>Properties</source>
+        <translation>Propriétés</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::Menus</name>
@@ -1072,7 +1243,7 @@
     </message>
     <message>
         <source>Full turns of the camera over the clip; negative ones go the other way round</source>
-        <translation>Tours complets de la caméra au cours du clip ; un nombre négatif inverse le sens</translation>
+        <translation>Tours complets de la caméra au cours du clip&#x202f;; un nombre négatif inverse le sens</translation>
     </message>
 </context>
 <context>
@@ -1086,7 +1257,7 @@
     <name>quadrille::ProjectEdits</name>
     <message>
         <source>Remove “%1”</source>
-        <translation>Supprimer « %1 »</translation>
+        <translation>Supprimer «&#xa0;%1&#xa0;»</translation>
     </message>
     <message numerus="yes">
         <source>Remove %n characters</source>
@@ -1111,7 +1282,7 @@
     </message>
     <message>
         <source>Add “%1”</source>
-        <translation>Ajouter « %1 »</translation>
+        <translation>Ajouter «&#xa0;%1&#xa0;»</translation>
     </message>
     <message numerus="yes">
         <source>Add %n sequences</source>
@@ -1122,51 +1293,51 @@
     </message>
     <message>
         <source>Duplicate “%1”</source>
-        <translation>Dupliquer « %1 »</translation>
+        <translation>Dupliquer «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
-        <translation>Renommer « %1 » en « %2 »</translation>
+        <translation>Renommer «&#xa0;%1&#xa0;» en «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Trim “%1”</source>
-        <translation>Rogner « %1 »</translation>
+        <translation>Rogner «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Change the frame rate of “%1”</source>
-        <translation>Modifier la cadence de « %1 »</translation>
+        <translation>Modifier la cadence de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Change axes or unit of “%1”</source>
-        <translation>Modifier les axes ou l’unité de « %1 »</translation>
+        <translation>Modifier les axes ou l’unité de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Change the texture of “%1”</source>
-        <translation>Modifier la texture de « %1 »</translation>
+        <translation>Modifier la texture de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Change the character of “%1”</source>
-        <translation>Modifier le personnage de « %1 »</translation>
+        <translation>Modifier le personnage de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Label “%1”</source>
-        <translation>Étiqueter « %1 »</translation>
+        <translation>Étiqueter «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Mark foot contacts of “%1”</source>
-        <translation>Marquer les contacts des pieds de « %1 »</translation>
+        <translation>Marquer les contacts des pieds de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Change the reference joint angles of “%1”</source>
-        <translation>Modifier les angles articulaires de référence de « %1 »</translation>
+        <translation>Modifier les angles articulaires de référence de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Edit the notes of “%1”</source>
-        <translation>Modifier les notes de « %1 »</translation>
+        <translation>Modifier les notes de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Change the mesh of “%1”</source>
-        <translation>Modifier le maillage de « %1 »</translation>
+        <translation>Modifier le maillage de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Change the project settings</source>
@@ -1174,11 +1345,11 @@
     </message>
     <message>
         <source>Add export “%1”</source>
-        <translation>Ajouter l’export « %1 »</translation>
+        <translation>Ajouter l’export «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Change export “%1”</source>
-        <translation>Modifier l’export « %1 »</translation>
+        <translation>Modifier l’export «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Relink media</source>
@@ -1193,7 +1364,7 @@
     </message>
     <message>
         <source>Save the edits in “%1”?</source>
-        <translation>Enregistrer les modifications de « %1 » ?</translation>
+        <translation>Enregistrer les modifications de «&#xa0;%1&#xa0;»&#x202f;?</translation>
     </message>
     <message>
         <source>Making the sample character</source>
@@ -1210,6 +1381,74 @@
     <message>
         <source>Save project</source>
         <translation>Enregistrer le projet</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ProjectPage</name>
+    <message>
+        <source>Rate</source>
+        <translation>Cadence</translation>
+    </message>
+    <message>
+        <source>Frames a second at which everything runs; sequences with another rate are resampled</source>
+        <translation>Images par seconde auxquelles tout se joue ; les séquences d’une autre cadence sont rééchantillonnées</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <source>Up axis and unit that all sequences are converted to</source>
+        <translation>Axe vertical et unité vers lesquels toutes les séquences sont converties</translation>
+    </message>
+    <message>
+        <source>Cache</source>
+        <translation>Cache</translation>
+    </message>
+    <message>
+        <source>Memory for frames and textures of this project</source>
+        <translation>Mémoire pour les images et les textures de ce projet</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Contient</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n characters</source>
+        <translation>
+            <numerusform>%n personnage</numerusform>
+            <numerusform>%n personnages</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sequences</source>
+        <translation>
+            <numerusform>%n séquence</numerusform>
+            <numerusform>%n séquences</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exports</source>
+        <translation>
+            <numerusform>%n export</numerusform>
+            <numerusform>%n exports</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not saved yet</source>
+        <translation>pas encore enregistré</translation>
+    </message>
+    <message>
+        <source> fps</source>
+        <translation> i/s</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> Mo</translation>
     </message>
 </context>
 <context>
@@ -1235,21 +1474,198 @@
     </message>
 </context>
 <context>
+    <name>quadrille::PropertiesPanel</name>
+    <message numerus="yes">
+        <source>%n sequences</source>
+        <translation>
+            <numerusform>%n séquence</numerusform>
+            <numerusform>%n séquences</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frames, %1 s</source>
+        <translation>
+            <numerusform>%n image, %1 s</numerusform>
+            <numerusform>%n images, %1 s</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They are shown beside each other. Select one of them to edit it.</source>
+        <translation>Elles sont montrées côte à côte. Sélectionnez-en une pour la modifier.</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::SequenceMedia</name>
     <message>
         <source>Opening “%1”</source>
-        <translation>Ouverture de « %1 »</translation>
+        <translation>Ouverture de «&#xa0;%1&#xa0;»</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::SequencePage</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Unique in the project</source>
+        <translation>Unique dans le projet</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>Personnage</translation>
+    </message>
+    <message>
+        <source>Whose mesh gives faces and texture coordinates</source>
+        <translation>Celui dont le maillage donne les faces et les coordonnées de texture</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>First and last frame of the source that are used, from 0</source>
+        <translation>Première et dernière images de la source utilisées, à partir de 0</translation>
+    </message>
+    <message>
+        <source>Source rate</source>
+        <translation>Cadence de la source</translation>
+    </message>
+    <message>
+        <source>Frames a second of a source that names none; automatic is the project&apos;s rate</source>
+        <translation>Images par seconde d’une source qui n’en indique pas ; automatique : la cadence du projet</translation>
+    </message>
+    <message>
+        <source>Source axes</source>
+        <translation>Axes de la source</translation>
+    </message>
+    <message>
+        <source>Whether the source has other axes or another unit than metres with y up</source>
+        <translation>Indique si la source a d’autres axes ou une autre unité que le mètre avec y vers le haut</translation>
+    </message>
+    <message>
+        <source>Up axis and unit of the source</source>
+        <translation>Axe vertical et unité de la source</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Textures</translation>
+    </message>
+    <message>
+        <source>Its own textures; automatic are the character&apos;s, or those found beside the source</source>
+        <translation>Ses propres textures ; automatique : celles du personnage, ou celles trouvées à côté de la source</translation>
+    </message>
+    <message>
+        <source>Joint angles</source>
+        <translation>Angles articulaires</translation>
+    </message>
+    <message>
+        <source>A BVH with the true joint angles, used to evaluate results</source>
+        <translation>Un fichier BVH avec les vrais angles articulaires, pour évaluer les résultats</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Repères</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Constats</translation>
+    </message>
+    <message>
+        <source>%1, clip %2</source>
+        <translation>%1, clip %2</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatique</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels</source>
+        <translation>
+            <numerusform>%n étiquette</numerusform>
+            <numerusform>%n étiquettes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n contacts</source>
+        <translation>
+            <numerusform>%n contact</numerusform>
+            <numerusform>%n contacts</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>opening…</source>
+        <translation>ouverture…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frames, %1 s</source>
+        <translation>
+            <numerusform>%n image, %1 s</numerusform>
+            <numerusform>%n images, %1 s</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Reference joint angles</source>
+        <translation>Angles articulaires de référence</translation>
+    </message>
+    <message>
+        <source>BVH (*.bvh)</source>
+        <translation>BVH (*.bvh)</translation>
+    </message>
+    <message>
+        <source> fps</source>
+        <translation> i/s</translation>
+    </message>
+    <message>
+        <source>Not metres with y up</source>
+        <translation>Pas en mètres avec y vers le haut</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Dernière image</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>Première image</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
     </message>
 </context>
 <context>
     <name>quadrille::SequenceStage</name>
     <message>
         <source>Reading the path of “%1”</source>
-        <translation>Lecture du trajet de « %1 »</translation>
+        <translation>Lecture du trajet de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Ghosts of “%1”</source>
-        <translation>Fantômes de « %1 »</translation>
+        <translation>Fantômes de «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -1386,10 +1802,6 @@
         <translation>S&amp;uivre le personnage</translation>
     </message>
     <message>
-        <source>G&amp;hosts every 10 frames</source>
-        <translation>Fa&amp;ntômes toutes les 10 images</translation>
-    </message>
-    <message>
         <source>&amp;Measure</source>
         <translation>&amp;Mesurer</translation>
     </message>
@@ -1413,6 +1825,70 @@
         <source>Timeline</source>
         <translation>Frise chronologique</translation>
     </message>
+    <message>
+        <source>Trajector&amp;y</source>
+        <translation>T&amp;rajectoire</translation>
+    </message>
+    <message>
+        <source>&amp;Names</source>
+        <translation>N&amp;oms</translation>
+    </message>
+    <message>
+        <source>G&amp;hosts</source>
+        <translation>Fantôme&amp;s</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;picture</source>
+        <translation>Copier l’&amp;image</translation>
+    </message>
+    <message>
+        <source>Puts the view as it is now onto the clipboard</source>
+        <translation>Place la vue telle qu’elle est dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>Fra&amp;me the selection</source>
+        <translation>Cadrer la sélection</translation>
+    </message>
+    <message>
+        <source>Side by s&amp;ide</source>
+        <translation>Côte à côte</translation>
+    </message>
+    <message>
+        <source>&amp;Overlaid</source>
+        <translation>Superposées</translation>
+    </message>
+    <message>
+        <source>Overlaid, each in a colour of its own</source>
+        <translation>Superposées, chacune dans sa couleur</translation>
+    </message>
+    <message>
+        <source>No foot contacts were found in “%1”.</source>
+        <translation>Aucun contact des pieds n’a été trouvé dans « %1 ».</translation>
+    </message>
+    <message>
+        <source>Mark them by hand: draw in the track of a foot in the timeline.</source>
+        <translation>Marquez-les à la main : dessinez dans la piste d’un pied de la frise chronologique.</translation>
+    </message>
+    <message>
+        <source>No sequences yet. Drop files here, or import them from the File menu.</source>
+        <translation>Aucune séquence pour l’instant. Déposez des fichiers ici, ou importez-les par le menu Fichier.</translation>
+    </message>
+    <message>
+        <source>Opening “%1”…</source>
+        <translation>Ouverture de « %1 »…</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be shown.</source>
+        <translation>« %1 » ne peut pas être montrée.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Try Again</source>
+        <translation>Réessayer</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::StatusJobs</name>
@@ -1429,7 +1905,7 @@
     </message>
     <message>
         <source>Cache %1 of %2 MB</source>
-        <translation>Cache : %1 sur %2 Mo</translation>
+        <translation>Cache&#xa0;: %1 sur %2 Mo</translation>
     </message>
     <message>
         <source>Memory that frames and textures take, and may take</source>
@@ -1520,14 +1996,68 @@
     </message>
     <message>
         <source>Drawing “%1”</source>
-        <translation>Dessin de « %1 »</translation>
+        <translation>Dessin de «&#xa0;%1&#xa0;»</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TextureField</name>
+    <message>
+        <source>%1, one per frame</source>
+        <translation>%1, une par image</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n, by material</source>
+        <translation>
+            <numerusform>%n, par matériau</numerusform>
+            <numerusform>%n, par matériau</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>One picture…</source>
+        <translation>Une seule texture…</translation>
+    </message>
+    <message>
+        <source>A folder with one picture per frame…</source>
+        <translation>Un dossier avec une texture par image…</translation>
+    </message>
+    <message>
+        <source>None named</source>
+        <translation>Aucune indiquée</translation>
+    </message>
+    <message>
+        <source>Folder with one picture per frame</source>
+        <translation>Dossier avec une texture par image</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Texture</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.tif *.tiff)</source>
+        <translation>Images (*.png *.jpg *.jpeg *.tif *.tiff)</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ViewTools</name>
+    <message>
+        <source>View tools</source>
+        <translation>Outils de la vue</translation>
+    </message>
+    <message>
+        <source>every </source>
+        <comment>every 10 frames: a ghost</comment>
+        <translation>toutes les </translation>
+    </message>
+    <message>
+        <source>Frames from one ghost to the next</source>
+        <translation>Images d’un fantôme au suivant</translation>
     </message>
 </context>
 <context>
     <name>quadrille::WelcomePage</name>
     <message>
         <source>Bring in captured performances: drop files or folders anywhere in this window, or begin here.</source>
-        <translation>Importez des performances captées : déposez des fichiers ou des dossiers n’importe où dans cette fenêtre, ou commencez ici.</translation>
+        <translation>Importez des performances captées&#xa0;: déposez des fichiers ou des dossiers n’importe où dans cette fenêtre, ou commencez ici.</translation>
     </message>
     <message>
         <source>Open the sample</source>
@@ -1624,7 +2154,7 @@
     </message>
     <message>
         <source>%1: frames %2 to %3 (%4 s)</source>
-        <translation>%1 : images %2 à %3 (%4 s)</translation>
+        <translation>%1&#xa0;: images %2 à %3 (%4 s)</translation>
     </message>
     <message>
         <source>Timeline</source>
@@ -1633,6 +2163,10 @@
     <message>
         <source>Scroll timeline</source>
         <translation>Faire défiler la frise</translation>
+    </message>
+    <message>
+        <source>Nothing to play yet</source>
+        <translation>Rien à lire pour l’instant</translation>
     </message>
 </context>
 <context>
@@ -1647,7 +2181,7 @@
     </message>
     <message>
         <source>There is no OpenGL 3.2 here, so nothing can be shown in three dimensions. Install the graphics driver, or Mesa&apos;s software renderer (libgl1-mesa-dri).</source>
-        <translation>OpenGL 3.2 n’est pas disponible ici : rien ne peut être montré en trois dimensions. Installez le pilote graphique, ou le rendu logiciel de Mesa (libgl1-mesa-dri).</translation>
+        <translation>OpenGL 3.2 n’est pas disponible ici&#xa0;: rien ne peut être montré en trois dimensions. Installez le pilote graphique, ou le rendu logiciel de Mesa (libgl1-mesa-dri).</translation>
     </message>
 </context>
 </TS>
