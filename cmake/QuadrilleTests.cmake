@@ -23,6 +23,9 @@ function(quadrille_qt_test name)
     find_package(Qt6 REQUIRED COMPONENTS Test)
     add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
+    if(QUADRILLE_SANITIZE)
+        target_sources(${name} PRIVATE "${CMAKE_SOURCE_DIR}/tests/keeplibraries.cpp")
+    endif()
     target_link_libraries(${name} PRIVATE Qt6::Test ${arg_LIBRARIES})
     target_compile_definitions(${name} PRIVATE
         QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}"
