@@ -4,6 +4,7 @@
 
 #include "editor/application/menus.h"
 #include "editor/application/projectfiles.h"
+#include "editor/docks/cardspanel.h"
 #include "editor/docks/projectpanel.h"
 #include "editor/docks/statusjobs.h"
 #include "editor/errors/errortext.h"
@@ -114,6 +115,10 @@ void MainWindow::makeDocks()
     auto* properties = addDock(
         "propertiesDock", [] { return tr("Properties"); }, new PropertiesPanel(m_context),
         Qt::RightDockWidgetArea);
+    auto* cards = addDock(
+        "cardsDock", [] { return tr("Cards"); }, new CardsPanel(m_context), Qt::LeftDockWidgetArea);
+    tabifyDockWidget(project, cards);
+    project->raise();
     auto* history = addDock(
         "historyDock", [] { return tr("History"); }, new QUndoView(m_context.document.undoStack()),
         Qt::RightDockWidgetArea);

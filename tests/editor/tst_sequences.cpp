@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Stories of the Sequences workspace, with a small project and real keys and clicks.
+#include "editor/commands/projectedits.h"
+#include "editor/docks/sequencecards.h"
 #include "editor/playback/player.h"
 #include "editor/playback/sequencestage.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
@@ -10,7 +12,10 @@
 #include "widgets/viewport/viewport.h"
 
 #include <QDir>
+#include <QDockWidget>
 #include <QImage>
+#include <QLineEdit>
+#include <QListView>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QToolButton>
@@ -214,6 +219,49 @@ private slots:
         clickTreeRow(1, Qt::NoModifier);
         QTRY_COMPARE(viewport().figures().size(), 1U);
         QTRY_VERIFY(!overlay->isVisible());
+    }
+
+    void cardsShowFindAndCompare()
+    {
+        auto* dock = test::find<QDockWidget>("cardsDock");
+        dock->raise();
+        auto* cards = test::find<QListView>("cards");
+        QTRY_VERIFY(cards->isVisible());
+        const auto click = [cards](int row, Qt::KeyboardModifiers modifiers) {
+            QTest::mouseClick(cards->viewport(), Qt::LeftButton, modifiers,
+                              cards->visualRect(cards->model()->index(row, 0)).center());
+        };
+        click(1, Qt::NoModifier);
+        QCOMPARE(context().selection.shownSequence(), QString("far"));
+        click(0, Qt::ControlModifier);
+        QTRY_COMPARE(viewport().figures().size(), 2U);
+        // Each ready sequence gets its moving pictures.
+        const auto pictures = [cards](int row) {
+            return cards->model()->index(row, 0).data(SequenceCards::PicturesRole).value<QList<QImage>>();
+        };
+        QTRY_COMPARE(pictures(0).size(), 12);
+        QTRY_COMPARE(pictures(1).size(), 12);
+        QVERIFY(pictures(2).isEmpty());
+        setSequenceLabels(context().document, "far", {{"gallop", {FrameIndex(0), FrameIndex(4)}}});
+        auto* search = test::find<QLineEdit>("cardSearch");
+        QTest::keyClicks(search, "GALL");
+        QCOMPARE(cards->model()->rowCount(), 1);
+        QCOMPARE(cards->model()->index(0, 0).data().toString(), QString("far"));
+        QTest::keyClick(search, Qt::Key_Escape);
+        search->clear();
+        // F2 and a name rename, in one step that can be undone.
+        click(1, Qt::NoModifier);
+        cards->setFocus();
+        QTest::keyClick(cards, Qt::Key_F2);
+        auto* field = cards->viewport()->findChild<QLineEdit*>();
+        QVERIFY(field != nullptr);
+        field->selectAll();
+        QTest::keyClicks(field, "away");
+        QTest::keyClick(field, Qt::Key_Return);
+        QTRY_VERIFY(context().document.sequence("away") != nullptr);
+        QCOMPARE(pictures(1).size(), 12);
+        context().document.undo();
+        QVERIFY(context().document.sequence("far") != nullptr);
     }
 
     void ghostsComeAtTheIntervalThatIsSet()

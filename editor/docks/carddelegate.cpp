@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/docks/carddelegate.h"
+
+#include "editor/docks/sequencecards.h"
+#include "widgets/theme/icons.h"
+#include "widgets/theme/theme.h"
+
+#include <QPainter>
+
+namespace quadrille {
+
+namespace {
+
+using widgets::ColorRole;
+using widgets::Theme;
+
+constexpr int margin = 8;
+constexpr int gap = 8;
+constexpr int stripHeight = 6;
+constexpr int signSize = 16;
+
+QRect pictureRect(const QRect& card)
+{
+    return {card.left() + margin, card.top() + (card.height() - SequenceCards::pictureSize) / 2,
+            SequenceCards::pictureSize, SequenceCards::pictureSize};
+}
+
+QRect textRect(const QRect& card)
+{
+    return card.adjusted(margin + SequenceCards::pictureSize + gap, margin, -margin, -margin);
+}
+
+void paintPicture(QPainter& painter, const QRect& place, const QModelIndex& index, int phase)
+{
+    const auto pictures = index.data(SequenceCards::PicturesRole).value<QList<QImage>>();
+    const auto state = static_cast<SequenceMedia::State>(index.data(SequenceCards::StateRole).toInt());
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(Theme::color(ColorRole::Raised));
+    painter.drawRoundedRect(place, 4, 4);
+    if (!pictures.isEmpty()) {
+        const auto standing = pictures.size() / 3;
+        painter.drawImage(place, pictures[(standing + phase) % pictures.size()]);
+        return;
+    }
+    const bool failed = state == SequenceMedia::State::Failed;
+    QRect sign(0, 0, signSize, signSize);
+    sign.moveCenter(place.center());
+    painter.drawPixmap(
+        sign, widgets::icons::pixmap(failed ? QStringLiteral("error") : QStringLiteral("sequence"), signSize,
+                                     Theme::color(failed ? ColorRole::ErrorText : ColorRole::TextMuted),
+                                     painter.device()->devicePixelRatioF()));
+}
+
+void paintLabels(QPainter& painter, const QRect& place, const QModelIndex& index)
+{
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(Theme::color(ColorRole::Divider));
+    painter.drawRoundedRect(place, 2, 2);
+    for (const CardLabel& label : index.data(SequenceCards::LabelsRole).value<QList<CardLabel>>()) {
+        const QRectF part(place.left() + label.first * place.width(), place.top(),
+                          (label.last - label.first) * place.width(), place.height());
+        painter.setBrush(label.color);
+        painter.drawRoundedRect(part, 2, 2);
+    }
+}
+
+} // namespace
+
+void CardDelegate::setMoving(const QModelIndex& card, int phase)
+{
+    m_moving = card;
+    m_phase = phase;
+}
+
+void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                         const QModelIndex& index) const
+{
+    painter->save();
+    painter->setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+    const bool selected = option.state.testFlag(QStyle::State_Selected);
+    if (selected || option.state.testFlag(QStyle::State_MouseOver))
+        painter->fillRect(option.rect, Theme::color(selected ? ColorRole::Selection : ColorRole::Hover));
+    paintPicture(*painter, pictureRect(option.rect), index, m_moving == index ? m_phase : 0);
+
+    const QRect text = textRect(option.rect);
+    QFont heading = option.font;
+    heading.setWeight(QFont::DemiBold);
+    painter->setFont(heading);
+    painter->setPen(Theme::color(selected ? ColorRole::OnSelection : ColorRole::Text));
+    const int line = option.fontMetrics.height() + 2;
+    painter->drawText(
+        text, Qt::AlignLeft | Qt::AlignTop,
+        QFontMetrics(heading).elidedText(index.data().toString(), Qt::ElideRight, text.width()));
+    painter->setFont(Theme::tabularFont(option.font));
+    painter->setPen(Theme::color(selected ? ColorRole::OnSelection : ColorRole::TextMuted));
+    painter->drawText(text.adjusted(0, line, 0, 0), Qt::AlignLeft | Qt::AlignTop,
+                      painter->fontMetrics().elidedText(index.data(SequenceCards::LengthRole).toString(),
+                                                        Qt::ElideRight, text.width()));
+    paintLabels(*painter, QRect(text.left(), text.bottom() - stripHeight + 1, text.width(), stripHeight),
+                index);
+    if (option.state.testFlag(QStyle::State_HasFocus)) {
+        painter->setPen(Theme::color(ColorRole::AccentText));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+    painter->restore();
+}
+
+QSize CardDelegate::sizeHint(const QStyleOptionViewItem& /*option*/, const QModelIndex& /*index*/) const
+{
+    constexpr int narrowest = 180;
+    return {narrowest, SequenceCards::pictureSize + margin};
+}
+
+void CardDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                                        const QModelIndex& /*index*/) const
+{
+    const QRect text = textRect(option.rect);
+    editor->setGeometry(QRect(text.topLeft(), QSize(text.width(), editor->sizeHint().height())));
+}
+
+} // namespace quadrille

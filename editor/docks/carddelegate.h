@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QPersistentModelIndex>
+#include <QStyledItemDelegate>
+
+namespace quadrille {
+
+/// Paints a row of SequenceCards: picture, name, length and the strip of labels.
+class CardDelegate : public QStyledItemDelegate
+{
+    Q_OBJECT
+
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    /// The card that moves, and how many pictures it has gone on by.
+    void setMoving(const QModelIndex& card, int phase);
+    QModelIndex moving() const { return m_moving; }
+    int phase() const { return m_phase; }
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                              const QModelIndex& index) const override;
+
+private:
+    QPersistentModelIndex m_moving;
+    int m_phase = 0;
+};
+
+} // namespace quadrille

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/documents/sequencemedia.h"
+
+#include <QAbstractListModel>
+#include <QColor>
+#include <QImage>
+#include <QPointer>
+#include <QTimer>
+#include <map>
+
+namespace quadrille {
+
+class Job;
+struct EditorContext;
+
+/// A label on a card: where it begins and ends, as shares of the sequence, 0 … 1.
+struct CardLabel
+{
+    double first = 0;
+    double last = 0;
+    QColor color;
+};
+
+/// The sequences of the project as cards: name, length, labels, state, and pictures of the movement, which
+/// are drawn in jobs, one sequence after the other, while somebody looks.
+class SequenceCards : public QAbstractListModel
+{
+    Q_OBJECT
+
+public:
+    enum Role
+    {
+        LengthRole = Qt::UserRole, ///< QString: "3.16 s · 25 fps · 79 frames"
+        PicturesRole,              ///< QList<QImage>, to be shown one after the other; maybe empty
+        LabelsRole,                ///< QList<CardLabel>
+        StateRole,                 ///< SequenceMedia::State as int
+        SearchRole,                ///< QString: name and labels
+    };
+    /// Logical pixels, square.
+    static constexpr int pictureSize = 64;
+
+    explicit SequenceCards(EditorContext& context, QObject* parent = nullptr);
+
+    QString name(const QModelIndex& index) const;
+    QModelIndex indexOf(const QString& name) const;
+    /// Draws pictures only while true.
+    void setActive(bool active, double devicePixelRatio);
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    /// Renames. \return false when the name is taken or empty.
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+private:
+    struct Pictures
+    {
+        std::shared_ptr<const FrameSource> source; ///< of what they show
+        FrameRange range;
+        QList<QImage> images;
+    };
+
+    void follow(const ChangeEvent& event);
+    void changed(const QString& name);
+    void drawNext();
+    void draw(const QString& name, const MeshSequence& sequence);
+    QString length(const QString& name) const;
+    QList<CardLabel> labels(const SequenceEntry& entry) const;
+    const std::vector<SequenceEntry>& entries() const;
+
+    EditorContext& m_context;
+    std::map<QString, Pictures> m_pictures;
+    QPointer<Job> m_job;
+    QTimer m_soon;
+    bool m_isActive = false;
+    int m_pixels = pictureSize;
+};
+
+} // namespace quadrille
