@@ -95,8 +95,7 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     painter->setFont(Theme::tabularFont(option.font));
     painter->setPen(Theme::color(selected ? ColorRole::OnSelection : ColorRole::TextMuted));
     painter->drawText(text.adjusted(0, line, 0, 0), Qt::AlignLeft | Qt::AlignTop,
-                      painter->fontMetrics().elidedText(index.data(SequenceCards::LengthRole).toString(),
-                                                        Qt::ElideRight, text.width()));
+                      index.data(SequenceCards::LengthRole).toString());
     paintLabels(*painter, QRect(text.left(), text.bottom() - stripHeight + 1, text.width(), stripHeight),
                 index);
     if (option.state.testFlag(QStyle::State_HasFocus)) {

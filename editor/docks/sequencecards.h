@@ -33,7 +33,7 @@ class SequenceCards : public QAbstractListModel
 public:
     enum Role
     {
-        LengthRole = Qt::UserRole, ///< QString: "3.16 s · 25 fps · 79 frames"
+        LengthRole = Qt::UserRole, ///< QString of two lines: "3.16 s · 25 fps", "79 frames"
         PicturesRole,              ///< QList<QImage>, to be shown one after the other; maybe empty
         LabelsRole,                ///< QList<CardLabel>
         StateRole,                 ///< SequenceMedia::State as int

@@ -297,7 +297,8 @@ void SequenceStage::colorFigures()
         const auto index = static_cast<int>(m_names.indexOf(actor.name));
         const QColor color = m_names.size() > 1 ? Theme::categorical(index) : QColor();
         m_viewport.setFigureColor(actor.figure, color);
-        m_viewport.setTrajectory(actor.figure, actor.path, color);
+        m_viewport.setTrajectory(actor.figure, actor.path,
+                                 color.isValid() ? color : Theme::color(widgets::ColorRole::Original));
     }
 }
 
