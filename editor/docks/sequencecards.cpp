@@ -119,7 +119,7 @@ QString SequenceCards::length(const QString& name) const
     if (sequence == nullptr)
         return tr("Opening…");
     const QLocale locale;
-    return tr("%1 s · %2 fps\n%n frame(s)", nullptr, static_cast<int>(sequence->frameCount()))
+    return tr("%1 s · %2 fps\n%n frames", nullptr, static_cast<int>(sequence->frameCount()))
         .arg(locale.toString(sequence->duration().value, 'f', 2), locale.toString(sequence->fps));
 }
 
