@@ -212,6 +212,19 @@
     </message>
 </context>
 <context>
+    <name>quadrille::SequenceCards</name>
+    <message numerus="yes">
+        <source>%1 s · %2 fps
+%n frames</source>
+        <translation>
+            <numerusform>%1 s · %2 fps
+%n frame</numerusform>
+            <numerusform>%1 s · %2 fps
+%n frames</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::SequencePage</name>
     <message numerus="yes">
         <source>%n labels</source>

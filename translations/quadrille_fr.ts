@@ -422,6 +422,37 @@
     </message>
 </context>
 <context>
+    <name>quadrille::CardsPanel</name>
+    <message>
+        <source>Name or label</source>
+        <translation>Nom ou étiquette</translation>
+    </message>
+    <message>
+        <source>Find sequences by name or label</source>
+        <translation>Trouver des séquences par leur nom ou une étiquette</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Séquences</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliquer</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Try Again</source>
+        <translation>Réessayer</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::CharacterPage</name>
     <message>
         <source>Name</source>
@@ -546,7 +577,7 @@
     </message>
     <message>
         <source>Finding foot contacts of “%1”</source>
-        <translation>Recherche des contacts des pieds de « %1 »</translation>
+        <translation>Recherche des contacts des pieds de «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -1143,6 +1174,10 @@
         <source>Properties</source>
         <translation>Propriétés</translation>
     </message>
+    <message>
+        <source>Cards</source>
+        <translation>Cartes</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::Menus</name>
@@ -1391,7 +1426,7 @@
     </message>
     <message>
         <source>Frames a second at which everything runs; sequences with another rate are resampled</source>
-        <translation>Images par seconde auxquelles tout se joue ; les séquences d’une autre cadence sont rééchantillonnées</translation>
+        <translation>Images par seconde auxquelles tout se joue&#x202f;; les séquences d’une autre cadence sont rééchantillonnées</translation>
     </message>
     <message>
         <source>Axes</source>
@@ -1499,6 +1534,31 @@
     </message>
 </context>
 <context>
+    <name>quadrille::SequenceCards</name>
+    <message>
+        <source>Cannot be opened</source>
+        <translation>Ne s’ouvre pas</translation>
+    </message>
+    <message>
+        <source>Opening…</source>
+        <translation>Ouverture…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 s · %2 fps
+%n frames</source>
+        <translation>
+            <numerusform>%1 s · %2 i/s
+%n image</numerusform>
+            <numerusform>%1 s · %2 i/s
+%n images</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pictures of “%1”</source>
+        <translation>Images de « %1 »</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::SequenceMedia</name>
     <message>
         <source>Opening “%1”</source>
@@ -1545,7 +1605,7 @@
     </message>
     <message>
         <source>Frames a second of a source that names none; automatic is the project&apos;s rate</source>
-        <translation>Images par seconde d’une source qui n’en indique pas ; automatique : la cadence du projet</translation>
+        <translation>Images par seconde d’une source qui n’en indique pas&#x202f;; automatique&#xa0;: la cadence du projet</translation>
     </message>
     <message>
         <source>Source axes</source>
@@ -1565,7 +1625,7 @@
     </message>
     <message>
         <source>Its own textures; automatic are the character&apos;s, or those found beside the source</source>
-        <translation>Ses propres textures ; automatique : celles du personnage, ou celles trouvées à côté de la source</translation>
+        <translation>Ses propres textures&#x202f;; automatique&#xa0;: celles du personnage, ou celles trouvées à côté de la source</translation>
     </message>
     <message>
         <source>Joint angles</source>
@@ -1863,11 +1923,11 @@
     </message>
     <message>
         <source>No foot contacts were found in “%1”.</source>
-        <translation>Aucun contact des pieds n’a été trouvé dans « %1 ».</translation>
+        <translation>Aucun contact des pieds n’a été trouvé dans «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>Mark them by hand: draw in the track of a foot in the timeline.</source>
-        <translation>Marquez-les à la main : dessinez dans la piste d’un pied de la frise chronologique.</translation>
+        <translation>Marquez-les à la main&#xa0;: dessinez dans la piste d’un pied de la frise chronologique.</translation>
     </message>
     <message>
         <source>No sequences yet. Drop files here, or import them from the File menu.</source>
@@ -1875,11 +1935,11 @@
     </message>
     <message>
         <source>Opening “%1”…</source>
-        <translation>Ouverture de « %1 »…</translation>
+        <translation>Ouverture de «&#xa0;%1&#xa0;»…</translation>
     </message>
     <message>
         <source>“%1” cannot be shown.</source>
-        <translation>« %1 » ne peut pas être montrée.</translation>
+        <translation>«&#xa0;%1&#xa0;» ne peut pas être montrée.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
