@@ -41,6 +41,7 @@ int main(int argc, char** argv)
         window.context().languages.setLanguage(
             language); // for this run; "x-pseudo" shows what is not translated
     window.show();
+    window.offerRecovery();
     if (parser.isSet(sample))
         window.openSample();
     if (!parser.positionalArguments().isEmpty())

@@ -4,6 +4,8 @@
 
 #include "editor/application/menus.h"
 #include "editor/application/projectfiles.h"
+#include "editor/application/recoveryflow.h"
+#include "editor/application/sessionkeeper.h"
 #include "editor/docks/cardspanel.h"
 #include "editor/docks/projectpanel.h"
 #include "editor/docks/statusjobs.h"
@@ -52,6 +54,7 @@ MainWindow::MainWindow(QWidget* parent)
     restoreGeometry(m_context.settings.windowGeometry());
     restoreState(m_context.settings.windowState());
     followDocument(ChangeEvent::reset());
+    m_session = new SessionKeeper(m_context, *m_sequences, *this);
 }
 
 MainWindow::~MainWindow() = default;
@@ -63,6 +66,11 @@ void MainWindow::open(const QStringList& files)
     openProjects(sequences);
     if (!sequences.isEmpty())
         m_import->open(sequences);
+}
+
+void MainWindow::offerRecovery()
+{
+    (new RecoveryFlow(m_context, m_autosave, this))->offer();
 }
 
 /// Opens the projects among some files and takes them out.
@@ -162,6 +170,13 @@ void MainWindow::connectAll()
         m_context.issues.add(error);
         showProblem(describe(error).oneLine());
     });
+    connect(m_files, &ProjectFiles::aboutToLeave, this, [this] { m_session->keep(); });
+    connect(m_files, &ProjectFiles::saved, this, [this] { m_session->keep(); });
+    connect(&m_context.settings, &Settings::changed, this, [this] {
+        m_autosave.setInterval(m_context.settings.autosaveSeconds());
+        m_context.document.setHistoryBytes(static_cast<std::size_t>(m_context.settings.historyMegabytes())
+                                           << 20U);
+    });
     connect(m_files, &ProjectFiles::failed, this, &MainWindow::showProblem);
     connect(&m_context.jobs, &JobRunner::failed, this,
             [this](Job*, const Error& error) { showProblem(describe(error).oneLine()); });
@@ -182,6 +197,8 @@ void MainWindow::followDocument(const ChangeEvent& event)
     setWindowModified(document.isModified());
     m_context.actions.action("edit.undo")->setEnabled(document.canUndo());
     m_context.actions.action("edit.redo")->setEnabled(document.undoStack()->canRedo());
+    MediaCache::shared()->setBudget(static_cast<std::size_t>(document.project().settings.cacheMegabytes)
+                                    << 20U);
     const auto& sequences = document.project().sequences;
     m_pages->setCurrentIndex(sequences.empty() && document.isUntitled() ? 0 : 1);
     if (event.kind == ChangeEvent::Kind::Reset) {
@@ -214,6 +231,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         event->ignore();
         return;
     }
+    m_session->keep();
     m_context.settings.setWindow(saveGeometry(), saveState());
     m_context.jobs.cancelAll();
     event->accept();

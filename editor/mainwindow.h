@@ -16,7 +16,12 @@ class ExportFlow;
 class ImportFlow;
 class ProjectFiles;
 class SequencesWorkspace;
+class SessionKeeper;
 class WelcomePage;
+
+namespace widgets {
+class ActionPalette;
+} // namespace widgets
 
 /// The window: puts document, workspaces, docks and actions together, and nothing else.
 class MainWindow : public QMainWindow
@@ -30,6 +35,8 @@ public:
     /// Opens what the command line names: a project, or sequences.
     void open(const QStringList& files);
     void openSample();
+    /// Offers edits that a crash left unsaved.
+    void offerRecovery();
 
     EditorContext& context() { return m_context; }
     SequencesWorkspace& sequences() { return *m_sequences; }
@@ -51,6 +58,7 @@ private:
     void showTitle();
     void followDocument(const ChangeEvent& event);
     void showHelp();
+    void showPalette();
     void openProjects(QStringList& files);
     void showProblem(const QString& message);
 
@@ -65,6 +73,8 @@ private:
     QList<QDockWidget*> m_docks;
     QDockWidget* m_issuesDock = nullptr;
     QLabel* m_message = nullptr;
+    SessionKeeper* m_session = nullptr;
+    widgets::ActionPalette* m_palette = nullptr;
 };
 
 } // namespace quadrille

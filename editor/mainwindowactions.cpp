@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: MIT
 // The actions of the window.
 #include "editor/application/projectfiles.h"
+#include "editor/application/recentmenu.h"
 #include "editor/mainwindow.h"
+#include "editor/preferences/aboutdialog.h"
+#include "editor/preferences/preferencesdialog.h"
+#include "widgets/controls/actionpalette.h"
 #include "widgets/theme/theme.h"
 
 #include <QActionGroup>
@@ -17,6 +21,11 @@ void MainWindow::makeActions()
                 [this] { m_files->newProject(); });
     actions.add({"file.open", file, [] { return tr("&Open…"); }, {}, "open", {QKeySequence::Open}},
                 [this] { m_files->askOpen(); });
+    auto* recent = new RecentMenu(m_context.settings, this);
+    connect(recent, &RecentMenu::projectAsked, this,
+            [this](const QString& chosen) { m_files->open(chosen); });
+    actions.add({"file.recent", file, [] { return tr("Open &recent"); }, {}, "history", {}}, [] {})
+        ->setMenu(recent);
     actions.add({"file.sample", file, [] { return tr("Open the &sample"); }, {}, "character", {}},
                 [this] { openSample(); });
     actions.add({"file.save", file, [] { return tr("&Save"); }, {}, "save", {QKeySequence::Save}},
@@ -35,6 +44,23 @@ void MainWindow::makeActions()
                  "redo",
                  {QKeySequence::Redo, QKeySequence(Qt::CTRL | Qt::Key_Y)}},
                 [this] { m_context.document.redo(); });
+    actions.add({"edit.preferences",
+                 edit,
+                 [] { return tr("&Preferences…"); },
+                 [] { return tr("Theme, language, copies, shortcuts"); },
+                 "settings",
+                 {QKeySequence(Qt::CTRL | Qt::Key_Comma)}},
+                [this] { (new PreferencesDialog(m_context, this))->open(); });
+    const auto help = [] { return tr("Help"); };
+    actions.add({"help.palette",
+                 help,
+                 [] { return tr("&Find an action…"); },
+                 [] { return tr("Find any action by its name and run it"); },
+                 "search",
+                 {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)}},
+                [this] { showPalette(); });
+    actions.add({"help.about", help, [] { return tr("&About Quadrille"); }, {}, "info", {}},
+                [this] { (new AboutDialog(this))->open(); });
     actions.add({"help.manual",
                  [] { return tr("Help"); },
                  [] { return tr("&Manual"); },
@@ -42,6 +68,18 @@ void MainWindow::makeActions()
                  "help",
                  {QKeySequence::HelpContents}},
                 [this] { showHelp(); });
+}
+
+void MainWindow::showPalette()
+{
+    if (m_palette == nullptr)
+        m_palette = new widgets::ActionPalette(this);
+    std::vector<widgets::ActionPalette::Entry> entries;
+    for (QAction* action : m_context.actions.actions()) {
+        if (action->menu() == nullptr)
+            entries.push_back({action, m_context.actions.group(action)});
+    }
+    m_palette->ask(entries);
 }
 
 void MainWindow::makeThemeActions()

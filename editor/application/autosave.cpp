@@ -12,6 +12,7 @@
 #include <QSaveFile>
 #include <QStandardPaths>
 #include <QUuid>
+#include <utility>
 
 namespace quadrille {
 
@@ -32,6 +33,8 @@ QString pathOf(const QString& id, const char* ending)
 
 void removeFiles(const QString& id)
 {
+    if (id.isEmpty())
+        return;
     QFile::remove(pathOf(id, "json"));
     QFile::remove(pathOf(id, "quadrille"));
 }
@@ -99,14 +102,22 @@ void Autosave::copyNow()
         {.name = tr("Keeping a copy of “%1”").arg(m_document.title()), .receiver = this, .background = true},
         [project = m_document.project(), id = m_id, file](const Progress&) { writeCopy(project, id, file); },
         [this] {
+            removeFiles(std::exchange(m_adopted, {}));
             if (!m_document.isModified())
                 removeCopy();
         });
 }
 
+void Autosave::adopt(const Recovery& recovery)
+{
+    m_adopted = recovery.id;
+    copyNow();
+}
+
 void Autosave::removeCopy()
 {
     removeFiles(m_id);
+    removeFiles(std::exchange(m_adopted, {}));
 }
 
 std::optional<Recovery> Autosave::findRecovery()

@@ -41,6 +41,9 @@ public:
     /// Copies now if there are unsaved edits since the last copy.
     void copyNow();
 
+    /// Takes a recovered copy over: it goes once this program has one of its own, or nothing is unsaved.
+    void adopt(const Recovery& recovery);
+
     /// The newest copy that no running program holds.
     static std::optional<Recovery> findRecovery();
     static void discard(const Recovery& recovery);
@@ -52,6 +55,7 @@ private:
     ProjectDocument& m_document;
     JobRunner& m_jobs;
     QString m_id;
+    QString m_adopted; ///< id of the recovered copy; empty without one
     std::unique_ptr<QLockFile> m_lock;
     QTimer m_timer;
     quint64 m_revision = 0; ///< counts edits, so that a copy that comes too late is taken away again

@@ -15,11 +15,11 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
     : QObject(&window), m_context(context), m_window(window)
 {
     addMenu([] { return tr("&File"); },
-            {"file.new", "file.open", "file.sample", "", "file.import", "file.importFolder", "file.export",
-             "", "file.save", "file.saveAs", "", "file.quit"});
+            {"file.new", "file.open", "file.recent", "file.sample", "", "file.import", "file.importFolder",
+             "file.export", "", "file.save", "file.saveAs", "", "file.quit"});
     addMenu([] { return tr("&Edit"); },
             {"edit.undo", "edit.redo", "", "edit.trimStart", "edit.trimEnd", "edit.untrim", "", "edit.label",
-             "edit.proposeContacts", "edit.clearContacts"});
+             "edit.proposeContacts", "edit.clearContacts", "", "edit.preferences"});
     QMenu* view = addMenu([] { return tr("&View"); }, {"view.textured",
                                                        "view.clay",
                                                        "view.wire",
@@ -50,7 +50,7 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
             {"play.toggle", "", "play.previous", "play.next", "play.first", "play.last", "", "play.backwards",
              "play.pause", "play.forwards"});
     addLanguages();
-    addMenu([] { return tr("&Help"); }, {"help.manual"});
+    addMenu([] { return tr("&Help"); }, {"help.manual", "help.palette", "", "help.about"});
     m_window.addActions(context.actions.actions());
     retranslates(&window, [this] { retranslate(); });
 }

@@ -67,6 +67,7 @@ bool ProjectFiles::mayClose()
 
 bool ProjectFiles::load(const QString& file)
 {
+    emit aboutToLeave();
     if (!run([&] { m_document.load(toPath(file)); }))
         return false;
     m_settings.addRecentProject(QFileInfo(file).absoluteFilePath());
@@ -100,8 +101,10 @@ void ProjectFiles::openSample()
 
 void ProjectFiles::newProject()
 {
-    if (mayClose())
-        m_document.reset({});
+    if (!mayClose())
+        return;
+    emit aboutToLeave();
+    m_document.reset({});
 }
 
 void ProjectFiles::askOpen()
@@ -116,7 +119,10 @@ bool ProjectFiles::save()
 {
     if (m_document.isUntitled())
         return saveAs();
-    return run([this] { m_document.save(); });
+    if (!run([this] { m_document.save(); }))
+        return false;
+    emit saved();
+    return true;
 }
 
 bool ProjectFiles::saveAs()
@@ -131,6 +137,7 @@ bool ProjectFiles::saveAs()
     if (!run([&] { m_document.saveAs(toPath(file)); }))
         return false;
     m_settings.addRecentProject(file);
+    emit saved();
     return true;
 }
 

@@ -46,6 +46,9 @@ public slots:
     bool saveAs();
 
 signals:
+    /// Another project takes the place of the open one.
+    void aboutToLeave();
+    void saved();
     /// Something failed, in the user's words.
     void failed(const QString& message);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/welcome/welcomepage.h"
 
+#include "editor/application/session.h"
 #include "editor/application/settings.h"
 #include "editor/language/retranslate.h"
 #include "widgets/theme/icons.h"
@@ -11,6 +12,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QShortcut>
 
 namespace quadrille {
 
@@ -32,11 +34,20 @@ WelcomePage::WelcomePage(Settings& settings, QWidget* parent)
     m_title->setFont(heading);
     m_lead->setWordWrap(true);
     m_recent->setObjectName(QStringLiteral("recentProjects"));
-    m_recent->setMinimumHeight(160);
+    m_recent->setViewMode(QListView::IconMode);
+    m_recent->setIconSize({160, 100});
+    m_recent->setGridSize({172, 132});
+    m_recent->setMovement(QListView::Static);
+    m_recent->setResizeMode(QListView::Adjust);
+    m_recent->setUniformItemSizes(true);
+    m_recent->setFixedHeight(2 * 132 + 8);
+    m_recent->viewport()->setAutoFillBackground(false);
+    auto* forget = new QShortcut(QKeySequence::Delete, m_recent, nullptr, nullptr, Qt::WidgetShortcut);
+    connect(forget, &QShortcut::activated, this, &WelcomePage::forgetCurrent);
     m_sample->setDefault(true);
 
     auto* content = new QWidget;
-    content->setFixedWidth(520);
+    content->setFixedWidth(3 * 172 + 24);
     auto* column = new QVBoxLayout(content);
     column->setSpacing(12);
     auto* logo = new QLabel;
@@ -68,14 +79,31 @@ void WelcomePage::showRecent()
 {
     m_recent->clear();
     for (const QString& file : m_settings.recentProjects()) {
-        auto* item = new QListWidgetItem(widgets::icons::icon(QStringLiteral("project")),
-                                         QFileInfo(file).completeBaseName(), m_recent);
-        item->setToolTip(file);
+        const QFileInfo info(file);
+        const QPixmap picture(thumbnailFile(file));
+        auto* item = new QListWidgetItem(picture.isNull() ? widgets::icons::icon(QStringLiteral("project"))
+                                                          : QIcon(picture),
+                                         info.completeBaseName(), m_recent);
+        item->setToolTip(info.exists() ? file : tr("%1 is not there any more. Del forgets it.").arg(file));
         item->setData(Qt::UserRole, file);
+        if (!info.exists())
+            item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
     }
     const bool hasRecent = m_recent->count() > 0;
     m_recentTitle->setVisible(hasRecent);
     m_recent->setVisible(hasRecent);
+}
+
+void WelcomePage::forgetCurrent()
+{
+    if (const QListWidgetItem* item = m_recent->currentItem())
+        m_settings.removeRecentProject(item->data(Qt::UserRole).toString());
+}
+
+void WelcomePage::showEvent(QShowEvent* event)
+{
+    showRecent(); // pictures may be new
+    QWidget::showEvent(event);
 }
 
 void WelcomePage::retranslate()

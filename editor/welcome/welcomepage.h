@@ -25,9 +25,13 @@ signals:
     void actionAsked(const QString& id);
     void projectAsked(const QString& file);
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     QPushButton* addButton(const char* action, const char* icon);
     void showRecent();
+    void forgetCurrent();
     void retranslate();
 
     Settings& m_settings;

@@ -99,6 +99,10 @@ void SequencesWorkspace::connectPlayback()
     connect(m_bar, &PlaybackBar::firstAsked, m_player, &Player::goToStart);
     connect(m_bar, &PlaybackBar::lastAsked, m_player, &Player::goToEnd);
     connect(m_bar, &PlaybackBar::frameEntered, m_player, &Player::goTo);
+    connect(&m_context.settings, &Settings::changed, this, [this] {
+        m_player->setLooping(m_context.settings.loopsPlayback());
+        m_bar->setLooping(m_context.settings.loopsPlayback());
+    });
     connect(m_bar, &PlaybackBar::loopToggled, this, [this](bool loops) {
         m_context.settings.setLoopsPlayback(loops);
         m_player->setLooping(loops);

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/application/sessionkeeper.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/documents/projectpaths.h"
+#include "editor/playback/player.h"
+#include "editor/playback/sequencestage.h"
+#include "editor/workspaces/sequences/sequencesworkspace.h"
+#include "widgets/viewport/viewport.h"
+
+#include <QJsonArray>
+#include <QMainWindow>
+#include <array>
+#include <utility>
+
+namespace quadrille {
+
+namespace {
+
+constexpr QSize thumbnailSize(320, 200);
+
+/// Actions that choose the shading, in the order of widgets::Shading.
+constexpr std::array shadings{"view.textured", "view.clay", "view.wire"};
+
+QJsonObject toJson(const widgets::Turntable& camera)
+{
+    return {{"target", QJsonArray{camera.target.x(), camera.target.y(), camera.target.z()}},
+            {"yaw", camera.yaw},
+            {"pitch", camera.pitch},
+            {"distance", camera.distance}};
+}
+
+widgets::Turntable cameraFrom(const QJsonObject& json, widgets::Turntable camera)
+{
+    const QJsonArray target = json["target"].toArray();
+    const auto number = [](const QJsonValue& value, float otherwise) {
+        return static_cast<float>(value.toDouble(otherwise));
+    };
+    if (target.size() == 3)
+        camera.target = {number(target[0], 0), number(target[1], 0), number(target[2], 0)};
+    camera.yaw = number(json["yaw"], camera.yaw);
+    camera.pitch = number(json["pitch"], camera.pitch);
+    camera.distance = number(json["distance"], camera.distance);
+    return camera;
+}
+
+} // namespace
+
+SessionKeeper::SessionKeeper(EditorContext& context, SequencesWorkspace& workspace, QMainWindow& window)
+    : QObject(&window), m_context(context), m_workspace(workspace), m_window(window)
+{
+    connect(&context.document, &ProjectDocument::changed, this, &SessionKeeper::follow);
+    connect(&workspace.stage(), &SequenceStage::frameShown, this, &SessionKeeper::showView);
+}
+
+void SessionKeeper::keep()
+{
+    if (m_context.document.isUntitled())
+        return;
+    const widgets::Viewport& viewport = m_workspace.viewport();
+    Session session;
+    session.windowGeometry = m_window.saveGeometry();
+    session.windowState = m_window.saveState();
+    session.workspace = QStringLiteral("sequences");
+    session.selected = m_context.selection.sequences();
+    session.shownSequence = m_context.selection.shownSequence();
+    session.frame = m_workspace.player().frame().value;
+    session.view = {{"camera", toJson(viewport.camera())}, {"shading", static_cast<int>(viewport.shading())}};
+    saveSession(session, m_context.document.file());
+    const QImage picture = m_workspace.viewport().snapshot({.size = thumbnailSize, .annotations = false});
+    if (!picture.isNull())
+        picture.save(thumbnailFile(toQString(m_context.document.file())));
+}
+
+void SessionKeeper::follow(const ChangeEvent& event)
+{
+    if (event.kind != ChangeEvent::Kind::Reset)
+        return;
+    m_pending.reset();
+    if (m_context.document.isUntitled())
+        return;
+    Session session = loadSession(m_context.document.file());
+    if (session == Session{})
+        return;
+    m_window.restoreGeometry(session.windowGeometry);
+    m_window.restoreState(session.windowState);
+    session.selected.removeIf(
+        [this](const QString& name) { return m_context.document.sequence(name) == nullptr; });
+    if (!session.selected.isEmpty())
+        m_context.selection.selectSequences(session.selected, session.shownSequence);
+    m_pending = std::move(session);
+}
+
+void SessionKeeper::showView()
+{
+    const auto session = std::exchange(m_pending, std::nullopt);
+    if (!session || m_context.selection.shownSequence() != session->shownSequence)
+        return;
+    widgets::Viewport& viewport = m_workspace.viewport();
+    viewport.setCamera(cameraFrom(session->view["camera"].toObject(), viewport.camera()));
+    const int shading = session->view["shading"].toInt();
+    if (shading >= 0 && shading < static_cast<int>(shadings.size()))
+        m_context.actions.action(QLatin1String(shadings.at(static_cast<std::size_t>(shading))))
+            ->setChecked(true);
+    if (session->frame > 0 && session->frame < m_workspace.stage().frameCount())
+        m_workspace.player().goTo(session->frame);
+}
+
+} // namespace quadrille

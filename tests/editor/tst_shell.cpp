@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+// What stands around the workspaces: palette, preferences, sessions, recovery, recent projects.
+#include "editor/application/autosave.h"
+#include "editor/application/session.h"
+#include "editor/commands/projectedits.h"
+#include "editor/playback/player.h"
+#include "editor/playback/sequencestage.h"
+#include "editor/workspaces/sequences/sequencesworkspace.h"
+#include "editortest.h"
+#include "widgets/controls/actionpalette.h"
+#include "widgets/controls/messagestrip.h"
+#include "widgets/viewport/viewport.h"
+
+#include <QComboBox>
+#include <QKeySequenceEdit>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTreeWidget>
+
+namespace quadrille {
+
+class ShellTest : public QObject
+{
+    Q_OBJECT
+
+private:
+    EditorContext& context() { return m_window->context(); }
+    QString project() const { return m_folder->filePath("take.quadrille"); }
+    void openSaved()
+    {
+        m_window->open({m_folder->filePath("walk_1.obj")});
+        QVERIFY(test::waitForSequence(*m_window, "walk"));
+        context().document.saveAs(project().toStdString());
+    }
+    void newWindow()
+    {
+        m_window.reset();
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(test::activate(*m_window));
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<MainWindow> m_window;
+
+private slots:
+    void initTestCase() { test::isolate(); }
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        test::writeSeries(m_folder->path(), {1, 2, 3, 4, 5, 6});
+        newWindow();
+    }
+    void cleanup()
+    {
+        if (m_window)
+            context().document.saveAs(project().toStdString());
+        m_window.reset();
+        m_folder.reset();
+    }
+
+    void everyActionIsNamedAndNoShortcutIsTakenTwice()
+    {
+        QMap<QString, QString> owners;
+        for (const QAction* action : context().actions.actions()) {
+            QVERIFY2(!action->text().isEmpty(), qPrintable(action->objectName()));
+            QVERIFY2(!action->statusTip().isEmpty(), qPrintable(action->objectName()));
+            for (const QKeySequence& keys : action->shortcuts()) {
+                const QString text = keys.toString();
+                QVERIFY2(!owners.contains(text),
+                         qPrintable(text + ": " + owners[text] + ", " + action->objectName()));
+                owners[text] = action->objectName();
+            }
+        }
+    }
+
+    void thePaletteFindsAndRunsActions()
+    {
+        QVERIFY(widgets::ActionPalette::score("tr st", "Trim start to here") > 0);
+        QCOMPARE(widgets::ActionPalette::score("xyz", "Trim start to here"), 0);
+        QVERIFY(widgets::ActionPalette::score("frame", "Frame all") >
+                widgets::ActionPalette::score("frame", "Wireframe"));
+        openSaved();
+        m_window->sequences().player().pause();
+        m_window->sequences().player().goTo(2);
+        QVERIFY(test::activate(*m_window));
+        QTest::keyClick(m_window.get(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+        auto* field = test::find<QLineEdit>("actionPaletteField");
+        QTRY_VERIFY(field->isVisible());
+        QTest::keyClicks(field, "trim start");
+        QCOMPARE(test::find<QListWidget>("actionPaletteList")->count(), 1);
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY(!field->isVisible());
+        QVERIFY(context().document.sequence("walk")->range == (FrameRange{FrameIndex(2), FrameIndex(5)}));
+    }
+
+    void preferencesApplyAtOnce()
+    {
+        QTest::keyClick(m_window.get(), Qt::Key_Comma, Qt::ControlModifier);
+        auto* theme = test::find<QComboBox>("preferencesTheme");
+        theme->setFocus();
+        QTest::keyClick(theme, Qt::Key_End);
+        QVERIFY(widgets::Theme::instance().isDark());
+        QTest::keyClick(theme, Qt::Key_Up);
+        QVERIFY(!widgets::Theme::instance().isDark());
+    }
+
+    void shortcutsCanBeChangedButNotTakenTwice()
+    {
+        QTest::keyClick(m_window.get(), Qt::Key_Comma, Qt::ControlModifier);
+        QDialog* dialog = m_window->findChild<QDialog*>("preferencesDialog");
+        dialog->findChild<QTabWidget*>()->setCurrentIndex(1);
+        auto* list = test::find<QTreeWidget>("shortcutList");
+        QTest::keyClicks(test::find<QLineEdit>("shortcutSearch"), "clear foot");
+        QTreeWidgetItem* found = nullptr;
+        for (QTreeWidgetItemIterator it(list, QTreeWidgetItemIterator::NotHidden); *it != nullptr; ++it) {
+            if (!(*it)->data(0, Qt::UserRole).isNull())
+                found = *it;
+        }
+        QVERIFY(found != nullptr);
+        list->setCurrentItem(found);
+        auto* keys = test::find<QKeySequenceEdit>("shortcutKeys");
+        QAction* action = context().actions.action("edit.clearContacts");
+        keys->setFocus();
+        QTest::keyClick(keys, Qt::Key_S, Qt::ControlModifier);
+        auto* strip = dialog->findChild<widgets::MessageStrip*>();
+        QTRY_VERIFY(strip->isVisible());
+        QVERIFY(strip->text().contains("Save"));
+        QVERIFY(action->shortcut().isEmpty());
+        keys->setFocus();
+        QTest::keyClick(keys, Qt::Key_F9);
+        QTRY_COMPARE(action->shortcut(), QKeySequence(Qt::Key_F9));
+        QTest::mouseClick(test::find<QPushButton>("shortcutReset"), Qt::LeftButton);
+        QVERIFY(action->shortcut().isEmpty());
+    }
+
+    void aProjectIsSeenAgainAsItWasLeft()
+    {
+        openSaved();
+        SequencesWorkspace& before = m_window->sequences();
+        QTRY_COMPARE(before.stage().frame(), before.player().frame());
+        before.player().pause();
+        before.player().goTo(3);
+        auto camera = before.viewport().camera();
+        camera.yaw += 40;
+        before.viewport().setCamera(camera);
+        context().actions.action("view.clay")->setChecked(true);
+        m_window->close();
+        QVERIFY(QFile::exists(thumbnailFile(project())));
+
+        newWindow();
+        m_window->open({project()});
+        QVERIFY(test::waitForSequence(*m_window, "walk"));
+        SequencesWorkspace& after = m_window->sequences();
+        QTRY_COMPARE(after.viewport().camera().yaw, camera.yaw);
+        QVERIFY(after.viewport().shading() == widgets::Shading::Clay);
+    }
+
+    void editsThatACrashLeftAreOfferedAgain()
+    {
+        openSaved();
+        duplicateSequence(context().document, "walk");
+        // What a crash leaves: a copy that no program holds.
+        const Project edited = context().document.project();
+        context().document.save();
+        const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+                          "/recovery");
+        QDir().mkpath(folder.path());
+        saveProject(edited, folder.filePath("left.quadrille").toStdString());
+        QFile info(folder.filePath("left.json"));
+        QVERIFY(info.open(QIODevice::WriteOnly));
+        info.write("{\"project\": \"" + project().toUtf8() + "\"}");
+        info.close();
+
+        newWindow();
+        m_window->offerRecovery();
+        QTRY_VERIFY(test::find<QPushButton>("recoveryAccept")->isVisible());
+        QTest::mouseClick(test::find<QPushButton>("recoveryAccept"), Qt::LeftButton);
+        QTRY_COMPARE(context().document.project().sequences.size(), 2U);
+        QVERIFY(context().document.isModified());
+        QCOMPARE(QString::fromStdString(context().document.file().string()), project());
+        QTRY_VERIFY(!QFile::exists(folder.filePath("left.json"))); // taken over by a copy of this program
+        context().document.save();
+        QVERIFY(!Autosave::findRecovery());
+    }
+
+    void recentProjectsAreInMenuAndWelcome()
+    {
+        context().settings.addRecentProject("/nowhere/old.quadrille");
+        auto* menu = test::find<QMenu>("recentMenu");
+        QCOMPARE(menu->actions().front()->text(), QString("old"));
+        QVERIFY(!menu->actions().front()->isEnabled());
+        auto* list = test::find<QListWidget>("recentProjects");
+        QVERIFY(list->isVisible());
+        list->setCurrentRow(0);
+        list->setFocus();
+        QTest::keyClick(list, Qt::Key_Delete);
+        QVERIFY(!context().settings.recentProjects().contains("/nowhere/old.quadrille"));
+    }
+};
+
+} // namespace quadrille
+
+QTEST_MAIN(quadrille::ShellTest)
+#include "tst_shell.moc"
