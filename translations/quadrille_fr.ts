@@ -376,6 +376,29 @@
     </message>
 </context>
 <context>
+    <name>quadrille::AboutDialog</name>
+    <message>
+        <source>About Quadrille</source>
+        <translation>À propos de Quadrille</translation>
+    </message>
+    <message>
+        <source>An editor for 4D performance capture: makes new performances from captured ones.</source>
+        <translation>Un éditeur pour la capture de performances en 4D : il tire de nouvelles performances de celles qui ont été captées.</translation>
+    </message>
+    <message>
+        <source>Free software under the MIT licence.</source>
+        <translation>Logiciel libre sous licence MIT.</translation>
+    </message>
+    <message>
+        <source>Built on %1.</source>
+        <translation>Construit sur %1.</translation>
+    </message>
+    <message>
+        <source>Copy versions</source>
+        <translation>Copier les versions</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::Autosave</name>
     <message>
         <source>Untitled</source>
@@ -1178,6 +1201,30 @@
         <source>Cards</source>
         <translation>Cartes</translation>
     </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Projets &amp;récents</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Préférences…</translation>
+    </message>
+    <message>
+        <source>Theme, language, copies, shortcuts</source>
+        <translation>Thème, langue, copies, raccourcis</translation>
+    </message>
+    <message>
+        <source>&amp;Find an action…</source>
+        <translation>&amp;Trouver une action…</translation>
+    </message>
+    <message>
+        <source>Find any action by its name and run it</source>
+        <translation>Trouver une action par son nom et l’exécuter</translation>
+    </message>
+    <message>
+        <source>&amp;About Quadrille</source>
+        <translation>À &amp;propos de Quadrille</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::Menus</name>
@@ -1279,6 +1326,77 @@
     <message>
         <source>Full turns of the camera over the clip; negative ones go the other way round</source>
         <translation>Tours complets de la caméra au cours du clip&#x202f;; un nombre négatif inverse le sens</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Préférences</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Général</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Raccourcis</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Comme le système</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>jamais</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> Mo</translation>
+    </message>
+    <message>
+        <source>Play over and over</source>
+        <translation>Lire en boucle</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>Copy unsaved edits every</source>
+        <translation>Copier les modifications toutes les</translation>
+    </message>
+    <message>
+        <source>Undo history</source>
+        <translation>Historique d’annulation</translation>
+    </message>
+    <message>
+        <source>Playback</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>A copy is offered again after a crash</source>
+        <translation>Une copie est proposée après un plantage</translation>
+    </message>
+    <message>
+        <source>Oldest edits beyond this can no longer be undone</source>
+        <translation>Au-delà, les modifications les plus anciennes ne peuvent plus être annulées</translation>
     </message>
 </context>
 <context>
@@ -1534,6 +1652,40 @@
     </message>
 </context>
 <context>
+    <name>quadrille::RecentMenu</name>
+    <message>
+        <source>Forget these</source>
+        <translation>Oublier ces projets</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::RecoveryFlow</name>
+    <message>
+        <source>Unsaved edits were kept</source>
+        <translation>Des modifications non enregistrées ont été gardées</translation>
+    </message>
+    <message>
+        <source>Quadrille ended unexpectedly. Edits of “%1” from %2 were never saved.</source>
+        <translation>Quadrille s’est arrêté de façon inattendue. Des modifications de « %1 » du %2 n’ont jamais été enregistrées.</translation>
+    </message>
+    <message>
+        <source>Recover them, or discard them for good.</source>
+        <translation>Récupérez-les, ou abandonnez-les définitivement.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Récupérer</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>Ask again later</source>
+        <translation>Demander plus tard</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::SequenceCards</name>
     <message>
         <source>Cannot be opened</source>
@@ -1555,7 +1707,7 @@
     </message>
     <message>
         <source>Pictures of “%1”</source>
-        <translation>Images de « %1 »</translation>
+        <translation>Images de «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -1951,6 +2103,53 @@
     </message>
 </context>
 <context>
+    <name>quadrille::ShortcutPage</name>
+    <message>
+        <source>%1 belongs to “%2” already.</source>
+        <translation>%1 appartient déjà à « %2 ».</translation>
+    </message>
+    <message>
+        <source>Choose other keys, or give “%1” others first.</source>
+        <translation>Choisissez d’autres touches, ou donnez-en d’abord d’autres à « %1 ».</translation>
+    </message>
+    <message>
+        <source>Find an action or its keys</source>
+        <translation>Trouver une action ou ses touches</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Trouver</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Action</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Raccourcis</translation>
+    </message>
+    <message>
+        <source>New keys</source>
+        <translation>Nouvelles touches</translation>
+    </message>
+    <message>
+        <source>Click here and press the keys</source>
+        <translation>Cliquez ici et pressez les touches</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Tout rétablir</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::StatusJobs</name>
     <message>
         <source>Cancel all jobs</source>
@@ -2134,6 +2333,29 @@
     <message>
         <source>Recent projects</source>
         <translation>Projets récents</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more. Del forgets it.</source>
+        <translation>%1 n’existe plus. Suppr l’oublie.</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::ActionPalette</name>
+    <message>
+        <source>What do you want to do?</source>
+        <translation>Que voulez-vous faire ?</translation>
+    </message>
+    <message>
+        <source>Find an action</source>
+        <translation>Trouver une action</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>Actions</translation>
+    </message>
+    <message>
+        <source>No action has this name.</source>
+        <translation>Aucune action ne porte ce nom.</translation>
     </message>
 </context>
 <context>
