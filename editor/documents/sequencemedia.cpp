@@ -82,6 +82,8 @@ void SequenceMedia::retry(const QString& name)
 
 void SequenceMedia::follow(const ChangeEvent& event)
 {
+    if (event.touches(Section::Project))
+        MediaCache::shared()->setBudget(m_document.project().settings.cacheBytes());
     if (event.kind == ChangeEvent::Kind::Reset) {
         for (auto& [name, item] : m_items) {
             if (item.job)

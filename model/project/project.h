@@ -25,6 +25,8 @@ struct ProjectSettings
     std::int64_t cacheMegabytes = 512; ///< frames and textures kept in memory
     UnknownKeys unknown;
 
+    /// What MediaCache::setBudget takes.
+    std::size_t cacheBytes() const { return static_cast<std::size_t>(cacheMegabytes) << 20U; }
     bool operator==(const ProjectSettings&) const = default;
 };
 

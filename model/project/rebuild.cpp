@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/rebuild.h"
 
+#include "model/core/mediacache.h"
 #include "model/project/media.h"
 #include "model/project/paths.h"
 #include "model/project/stagestate.h"
@@ -228,6 +229,7 @@ RebuildReport rebuild(const std::vector<ResultStage>& stages, const fs::path& pr
 RebuildReport rebuild(const Project& project, const fs::path& projectFile, const RebuildOptions& options,
                       const Progress& progress, const StageListener& listener)
 {
+    MediaCache::shared()->setBudget(project.settings.cacheBytes());
     const fs::path folder = projectFolder(projectFile);
     const auto opener = std::make_shared<SequenceOpener>(project, folder);
     RebuildReport report =

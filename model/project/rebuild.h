@@ -54,8 +54,9 @@ struct RebuildReport
 using StageListener = std::function<void(const StageReport&)>;
 
 /// Brings results and exports up to date: what is stale by the hash of its inputs, and nothing else.
-/// Independent stages run in parallel. A stage that fails stops those that need it, no others.
-/// \throws Error ProjectUnknownTarget, Cancelled (results finished by then stay; nothing is half-written).
+/// Independent stages run in parallel. A stage that fails stops those that need it, no others. The shared
+/// media cache takes the size that the project's settings name. \throws Error ProjectUnknownTarget, Cancelled
+/// (results finished by then stay; nothing is half-written).
 RebuildReport rebuild(const Project& project, const std::filesystem::path& projectFile,
                       const RebuildOptions& options = {}, const Progress& progress = {},
                       const StageListener& listener = {});

@@ -5,6 +5,7 @@
 #include "model/core/error.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <tbb/parallel_for.h>
 
@@ -14,18 +15,21 @@ namespace {
 
 void checkFinite(Positions positions, const FrameSource& source, FrameIndex frame)
 {
-    // The sum of x·0 is 0 unless a coordinate is infinite or not a number; this vectorises, a test per value
-    // does not.
-    float sum = 0;
-    for (const Vec3f& p : positions)
-        sum += p.x() * 0.0F + p.y() * 0.0F + p.z() * 0.0F;
-    if (sum == 0.0F)
+    // Infinity and what is no number have all bits of the exponent set. Without an early end, and with whole
+    // numbers, whose order of summing is free, the loop vectorises.
+    constexpr std::uint32_t exponent = 0x7F80'0000;
+    const float* const coordinates = positions.empty() ? nullptr : positions.front().data();
+    std::uint32_t bad = 0;
+    for (std::size_t i = 0; i < positions.size() * 3; ++i)
+        bad |=
+            static_cast<std::uint32_t>((std::bit_cast<std::uint32_t>(coordinates[i]) & exponent) == exponent);
+    if (bad == 0)
         return;
-    const auto bad =
+    const auto first =
         std::find_if(positions.begin(), positions.end(), [](const Vec3f& p) { return !p.allFinite(); });
     throw Error(
         ErrorCode::NonFiniteCoordinate,
-        {source.fileOf(frame), {.frame = frame}, {{"vertex", std::to_string(bad - positions.begin())}}});
+        {source.fileOf(frame), {.frame = frame}, {{"vertex", std::to_string(first - positions.begin())}}});
 }
 
 template <typename Span>

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "editor/commands/projectedits.h"
+#include "editor/documents/sequencemedia.h"
+#include "editor/jobs/jobrunner.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -184,6 +186,26 @@ private slots:
         QVERIFY(document.project() == after);
         document.undo();
         QVERIFY(document.project() == before);
+    }
+
+    void theCacheTakesTheSizeOfTheSettings()
+    {
+        const auto budget = [] { return MediaCache::shared()->statistics().budget; };
+        JobRunner jobs;
+        ProjectDocument document;
+        const SequenceMedia media(document, jobs);
+        Project project;
+        project.settings.cacheMegabytes = 300;
+        document.reset(project);
+        QCOMPARE(budget(), std::size_t{300} << 20U);
+        ProjectSettings settings = project.settings;
+        settings.cacheMegabytes = 40;
+        setSettings(document, settings);
+        QCOMPARE(budget(), std::size_t{40} << 20U);
+        document.undo();
+        QCOMPARE(budget(), std::size_t{300} << 20U);
+        document.reset({});
+        QCOMPARE(budget(), MediaCache::defaultBudget);
     }
 
     void anEditThatChangesNothingLeavesNoTrace()

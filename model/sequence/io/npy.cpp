@@ -32,7 +32,7 @@ PointCacheLayout readNpyLayout(const InputFile& file)
     file.read(0, std::as_writable_bytes(std::span(head)));
     const NpyHeader header = parseNpyHeader(head, file.path());
     const bool isFloat = header.type.size() == 3 && header.type[1] == 'f';
-    if (!isFloat || (header.type[2] != '4' && header.type[2] != '8')) {
+    if (!isFloat || std::string_view("248").find(header.type[2]) == std::string_view::npos) {
         refuse(file, "of type " + (header.type.empty() ? "record" : header.type),
                "Save it as numpy.ascontiguousarray(a, 'float32').");
     }
@@ -48,7 +48,7 @@ PointCacheLayout readNpyLayout(const InputFile& file)
     return {.frameCount = shape.size() == 3 ? shape[0] : 1,
             .vertexCount = shape[shape.size() - 2],
             .offset = header.size,
-            .isDouble = header.type[2] == '8',
+            .numberBytes = static_cast<unsigned>(header.type[2] - '0'),
             .isBigEndian = header.type[0] == '>',
             .fps = std::nullopt,
             .issues = {}};

@@ -30,6 +30,26 @@ void swapBytes(std::span<Vec3f> positions)
     }
 }
 
+std::uint16_t swapped(std::uint16_t bits)
+{
+    return __builtin_bswap16(bits);
+}
+
+std::uint64_t swapped(std::uint64_t bits)
+{
+    return __builtin_bswap64(bits);
+}
+
+float toFloat(std::uint16_t bits)
+{
+    return static_cast<float>(Eigen::numext::bit_cast<Eigen::half>(bits));
+}
+
+float toFloat(std::uint64_t bits)
+{
+    return static_cast<float>(std::bit_cast<double>(bits));
+}
+
 /// Frames in a file, read by offset when asked for.
 class PointCacheFrames : public FrameSource
 {
@@ -45,8 +65,10 @@ public:
     {
         const auto offset = m_layout.offset + static_cast<std::uint64_t>(frame.value) * m_layout.frameBytes();
         try {
-            if (m_layout.isDouble) {
-                readDoubles(offset, out);
+            if (m_layout.numberBytes == sizeof(std::uint16_t)) {
+                readConverted<std::uint16_t>(offset, out);
+            } else if (m_layout.numberBytes == sizeof(std::uint64_t)) {
+                readConverted<std::uint64_t>(offset, out);
             } else {
                 m_file->read(offset, std::as_writable_bytes(out));
                 if (m_layout.isBigEndian)
@@ -60,13 +82,15 @@ public:
     }
 
 private:
-    void readDoubles(std::uint64_t offset, MutablePositions out) const
+    template <typename Bits>
+    void readConverted(std::uint64_t offset, MutablePositions out) const
     {
-        const auto raw = std::make_unique_for_overwrite<std::uint64_t[]>(out.size() * 3);
+        const auto raw = std::make_unique_for_overwrite<Bits[]>(out.size() * 3);
         m_file->read(offset, std::as_writable_bytes(std::span(raw.get(), out.size() * 3)));
-        for (std::size_t i = 0; i < out.size() * 3; ++i) {
-            const auto bits = m_layout.isBigEndian ? __builtin_bswap64(raw[i]) : raw[i];
-            out[i / 3][static_cast<Eigen::Index>(i % 3)] = static_cast<float>(std::bit_cast<double>(bits));
+        const Bits* next = raw.get();
+        for (Vec3f& p : out) {
+            for (int axis = 0; axis < 3; ++axis, ++next)
+                p[axis] = toFloat(m_layout.isBigEndian ? swapped(*next) : *next);
         }
     }
 
@@ -245,7 +269,7 @@ void checkLayout(const PointCacheLayout& layout, const InputFile& file)
     if (layout.frameCount <= 0)
         throw Error(ErrorCode::FileSyntax, {file.path(), {}, {{"reason", "the header says 0 frames"}}});
     const std::uint64_t held = file.size() - std::min(layout.offset, file.size());
-    const std::uint64_t numbersAtMost = held / (layout.isDouble ? 24 : 12);
+    const std::uint64_t numbersAtMost = held / (std::uint64_t{3} * layout.numberBytes);
     const auto tooLarge = [&](std::int64_t count, const char* what) {
         throw Error(ErrorCode::CountTooLarge,
                     {file.path(), {}, {{"count", std::to_string(count)}, {"what", what}}});

@@ -16,15 +16,12 @@ struct PointCacheLayout
     std::int64_t frameCount = 0;
     std::int64_t vertexCount = 0;
     std::uint64_t offset = 0; ///< bytes before the first frame
-    bool isDouble = false;    ///< 64-bit numbers instead of 32-bit
+    unsigned numberBytes = 4; ///< of one coordinate: 2, 4 or 8, as IEEE 754 has them
     bool isBigEndian = false;
     std::optional<double> fps; ///< when the file names a real rate
     std::vector<Issue> issues;
 
-    std::uint64_t frameBytes() const
-    {
-        return static_cast<std::uint64_t>(vertexCount) * (isDouble ? 24 : 12);
-    }
+    std::uint64_t frameBytes() const { return static_cast<std::uint64_t>(vertexCount) * 3 * numberBytes; }
 };
 
 /// Checks a layout against the size of its file before anything is allocated.

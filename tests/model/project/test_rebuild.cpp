@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/contenthash.h"
+#include "model/core/mediacache.h"
 #include "model/project/rebuild.h"
 #include "model/project/resultstore.h"
 #include "tests/model/project/testproject.h"
@@ -256,6 +257,18 @@ TEST_F(Rebuild, CancellingLeavesNothingHalfWritten)
         EXPECT_EQ(error.code(), ErrorCode::Cancelled);
     }
     EXPECT_FALSE(std::filesystem::exists(resultOf("slow")));
+}
+
+TEST_F(Rebuild, KeepsToTheMemoryOfTheSettings)
+{
+    const auto budget = [] { return MediaCache::shared()->statistics().budget; };
+    Project project;
+    project.settings.cacheMegabytes = 7;
+    rebuild(project, folder / "p.quadrille");
+    EXPECT_EQ(budget(), std::size_t{7} << 20U);
+    project.settings = {};
+    rebuild(project, folder / "p.quadrille");
+    EXPECT_EQ(budget(), MediaCache::defaultBudget);
 }
 
 TEST_F(Rebuild, ManyStagesGiveTheSameBytesForAnyNumberOfThreads)

@@ -4,6 +4,7 @@
 #include "fixture.h"
 #include "testsequence.h"
 
+#include <bit>
 #include <gmock/gmock.h>
 
 using namespace quadrille;
@@ -68,6 +69,58 @@ TEST_P(CacheWriter, LeavesNothingHalfWritten)
     const auto blocked = write("file", "not a folder");
     EXPECT_EQ(errorOf([&] { exportSequence(wanderingPyramid(2), blocked / ("p" + GetParam())); }).code(),
               ErrorCode::WriteFailed);
+}
+
+/// The file read without this project's code: the last value of the last frame, and how many bytes stand
+/// before the values.
+TEST_P(CacheWriter, HoldsWhatItsFormatSays)
+{
+    const MeshSequence sequence = wanderingPyramid(3);
+    exportSequence(sequence, out("take"));
+    const std::string bytes = read(out("take"));
+    const bool isBigEndian = GetParam() == ".mdd";
+    const std::size_t header = bytes.size() - std::size_t{3} * 7 * 3 * 4;
+    if (GetParam() == ".npy") {
+        ASSERT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\1\0", 8));
+        EXPECT_EQ(header,
+                  10U + static_cast<unsigned char>(bytes[8]) + 256U * static_cast<unsigned char>(bytes[9]));
+        EXPECT_NE(bytes.find("{'descr': '<f4', 'fortran_order': False, 'shape': (3, 7, 3, ), }"),
+                  std::string::npos);
+    } else {
+        EXPECT_EQ(header, isBigEndian ? 8U + 3 * 4 : 32U);
+    }
+    const auto all = loadFrames(sequence);
+    for (std::size_t i = 0; i < all.size() * 3; ++i) {
+        std::uint32_t bits = 0;
+        for (std::size_t b = 0; b < 4; ++b) {
+            const auto byte = static_cast<unsigned char>(bytes[header + 4 * i + b]);
+            bits |= static_cast<std::uint32_t>(byte) << (isBigEndian ? 24 - 8 * b : 8 * b);
+        }
+        ASSERT_EQ(bits, std::bit_cast<std::uint32_t>(all[i / 3][static_cast<Eigen::Index>(i % 3)])) << i;
+    }
+}
+
+TEST_P(CacheWriter, IsNotReadAnywayWhenItIsEmptyOrClosed)
+{
+    write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const auto file = write("take" + GetParam(), "");
+    EXPECT_EQ(errorOf([&] { openSequences(file); }).code(), ErrorCode::FileEmpty);
+    write("take" + GetParam(), "closed");
+    std::filesystem::permissions(file, std::filesystem::perms::none);
+    if (::access(file.c_str(), R_OK) == 0)
+        GTEST_SKIP() << "this user may read everything";
+    const auto error = errorOf([&] { openSequences(file); });
+    EXPECT_EQ(error.code(), ErrorCode::PermissionDenied);
+    EXPECT_EQ(error.context().file, file);
+}
+
+TEST_P(CacheWriter, NamesBothNumbersWhenTheMeshDiffers)
+{
+    exportSequence(wanderingPyramid(2), out("take"));
+    const auto mesh = write("other.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const auto error = errorOf([&] { openSequences(out("take"), {.mesh = mesh}); });
+    EXPECT_EQ(error.code(), ErrorCode::VertexCountMismatch);
+    EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("3"), testing::HasSubstr("7")));
 }
 
 using Mdd = FolderTest;

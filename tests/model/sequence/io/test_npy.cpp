@@ -27,7 +27,7 @@ std::string values(std::size_t count, bool isBigEndian = false)
 {
     std::string bytes;
     for (std::size_t i = 0; i < count; ++i) {
-        const auto value = static_cast<Value>(i);
+        const auto value = static_cast<Value>(static_cast<float>(i));
         std::string one(reinterpret_cast<const char*>(&value), sizeof value);
         if (isBigEndian)
             std::reverse(one.begin(), one.end());
@@ -60,10 +60,9 @@ TEST_F(Npy, HeadersReadBack)
 TEST_F(Npy, ReadsEveryTypeAndByteOrderOfNumbers)
 {
     const std::vector<std::pair<std::string, std::string>> files{
-        {"<f4", values<float>(18)},
-        {">f4", values<float>(18, true)},
-        {"<f8", values<double>(18)},
-        {">f8", values<double>(18, true)},
+        {"<f4", values<float>(18)},       {">f4", values<float>(18, true)},
+        {"<f8", values<double>(18)},      {">f8", values<double>(18, true)},
+        {"<f2", values<Eigen::half>(18)}, {">f2", values<Eigen::half>(18, true)},
     };
     for (const auto& [type, bytes] : files) {
         const auto sequence = openSequences(array(header(type, {2, 3, 3}), bytes)).sequences.at(0);
@@ -87,12 +86,40 @@ TEST_F(Npy, ReadsLaterVersionsOfTheFormat)
     EXPECT_EQ(openSequences(array(text, values<float>(9))).sequences.at(0).frameCount(), 1);
 }
 
+TEST_F(Npy, HalvesKeepTheirValue)
+{
+    // 1.5, -2, the smallest number above 0, the largest one, and zeros.
+    const std::string halves("\x00\x3e\x00\xc0\x01\x00\xff\x7b\x00\x00\x00\x80\x00\x00\x00\x00\x00\x00", 18);
+    const auto sequence = openSequences(array(header("<f2", {1, 3, 3}), halves)).sequences.at(0);
+    EXPECT_EQ(positionsOf(sequence)[0], Vec3f(1.5F, -2.0F, 0x1p-24F));
+    EXPECT_EQ(positionsOf(sequence)[1], Vec3f(65504.0F, 0, 0));
+    const std::string infinite = std::string("\x00\x7c", 2) + std::string(16, '\0');
+    EXPECT_EQ(errorOf([&] {
+                  openSequences(array(header("<f2", {1, 3, 3}), infinite));
+              }).code(),
+              ErrorCode::NonFiniteCoordinate);
+    EXPECT_EQ(errorOf([&] {
+                  openSequences(array(header("<f2", {1, 3, 3}), halves.substr(1)));
+              }).code(),
+              ErrorCode::CountTooLarge);
+}
+
+TEST_F(Npy, ADoubleBeyondFloatIsNoCoordinate)
+{
+    std::string bytes = values<double>(9);
+    const double large = 1e300;
+    bytes.replace(8 * 4, 8, reinterpret_cast<const char*>(&large), 8);
+    const auto error = errorOf([&] { openSequences(array(header("<f8", {1, 3, 3}), bytes)); });
+    EXPECT_EQ(error.code(), ErrorCode::NonFiniteCoordinate);
+    EXPECT_EQ(valueOf(error, "vertex"), "1");
+}
+
 TEST_F(Npy, RefusesWhatIsNoArrayOfPositions)
 {
     const auto errorFor = [&](const std::string& head, const std::string& bytes) {
         return errorOf([&] { openSequences(array(head, bytes)); });
     };
-    EXPECT_EQ(errorFor(header("<f2", {1, 3, 3}), values<float>(9)).code(), ErrorCode::FormatRefused);
+    EXPECT_EQ(errorFor(header("<f3", {1, 3, 3}), values<float>(9)).code(), ErrorCode::FormatRefused);
     EXPECT_EQ(errorFor(header("<i4", {1, 3, 3}), values<float>(9)).code(), ErrorCode::FormatRefused);
     EXPECT_EQ(errorFor(header("|O", {1, 3, 3}), values<float>(9)).code(), ErrorCode::FormatRefused);
     EXPECT_EQ(errorFor(npyHeader("[('x', '<f4')]", std::vector<std::int64_t>{9}), values<float>(9)).code(),
