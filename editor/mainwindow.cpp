@@ -197,8 +197,6 @@ void MainWindow::followDocument(const ChangeEvent& event)
     setWindowModified(document.isModified());
     m_context.actions.action("edit.undo")->setEnabled(document.canUndo());
     m_context.actions.action("edit.redo")->setEnabled(document.undoStack()->canRedo());
-    MediaCache::shared()->setBudget(static_cast<std::size_t>(document.project().settings.cacheMegabytes)
-                                    << 20U);
     const auto& sequences = document.project().sequences;
     m_pages->setCurrentIndex(sequences.empty() && document.isUntitled() ? 0 : 1);
     if (event.kind == ChangeEvent::Kind::Reset) {

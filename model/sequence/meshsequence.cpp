@@ -18,11 +18,11 @@ void checkFinite(Positions positions, const FrameSource& source, FrameIndex fram
     // Infinity and what is no number have all bits of the exponent set. Without an early end, and with whole
     // numbers, whose order of summing is free, the loop vectorises.
     constexpr std::uint32_t exponent = 0x7F80'0000;
-    const float* const coordinates = positions.empty() ? nullptr : positions.front().data();
     std::uint32_t bad = 0;
-    for (std::size_t i = 0; i < positions.size() * 3; ++i)
-        bad |=
-            static_cast<std::uint32_t>((std::bit_cast<std::uint32_t>(coordinates[i]) & exponent) == exponent);
+    for (const Vec3f& p : positions) {
+        for (int axis = 0; axis < 3; ++axis)
+            bad |= static_cast<std::uint32_t>((std::bit_cast<std::uint32_t>(p[axis]) & exponent) == exponent);
+    }
     if (bad == 0)
         return;
     const auto first =

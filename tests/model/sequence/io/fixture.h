@@ -25,9 +25,10 @@ protected:
     FolderTest()
     {
         const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        m_folder =
-            std::filesystem::temp_directory_path() / (std::string("quadrille-") + info->test_suite_name() +
-                                                      "-" + info->name() + "-" + std::to_string(::getpid()));
+        std::string name = std::string("quadrille-") + info->test_suite_name() + "-" + info->name() + "-" +
+                           std::to_string(::getpid());
+        std::replace(name.begin(), name.end(), '/', '-'); // of parametrised tests
+        m_folder = std::filesystem::temp_directory_path() / name;
         std::filesystem::create_directories(m_folder);
     }
     ~FolderTest() override { std::filesystem::remove_all(m_folder); }
