@@ -1610,6 +1610,50 @@
         <source>Project</source>
         <translation>Projet</translation>
     </message>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>Re&amp;nommer</translation>
+    </message>
+    <message>
+        <source>Give the selected entry of the project another name</source>
+        <translation>Donner un autre nom à l’élément sélectionné du projet</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Dupliquer</translation>
+    </message>
+    <message>
+        <source>Add a copy of the selected sequence, to cut or mark otherwise</source>
+        <translation>Ajouter une copie de la séquence sélectionnée, à couper ou à marquer autrement</translation>
+    </message>
+    <message>
+        <source>&amp;Remove from the project</source>
+        <translation>&amp;Retirer du projet</translation>
+    </message>
+    <message>
+        <source>Take the selected entries out; their files stay</source>
+        <translation>Retirer les éléments sélectionnés ; leurs fichiers restent</translation>
+    </message>
+    <message>
+        <source>A name is needed.</source>
+        <translation>Il faut un nom.</translation>
+    </message>
+    <message>
+        <source>“%1” is taken.</source>
+        <translation>« %1 » est déjà pris.</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>Show in its folder</source>
+        <translation>Montrer dans son dossier</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ProjectTreeModel</name>

@@ -18,8 +18,9 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
             {"file.new", "file.open", "file.recent", "file.sample", "", "file.import", "file.importFolder",
              "file.export", "", "file.save", "file.saveAs", "", "file.quit"});
     addMenu([] { return tr("&Edit"); },
-            {"edit.undo", "edit.redo", "", "edit.trimStart", "edit.trimEnd", "edit.untrim", "", "edit.label",
-             "edit.proposeContacts", "edit.clearContacts", "", "edit.preferences"});
+            {"edit.undo", "edit.redo", "", "edit.rename", "edit.duplicate", "edit.remove", "",
+             "edit.trimStart", "edit.trimEnd", "edit.untrim", "", "edit.label", "edit.proposeContacts",
+             "edit.clearContacts", "", "edit.preferences"});
     QMenu* view = addMenu([] { return tr("&View"); }, {"view.textured",
                                                        "view.clay",
                                                        "view.wire",

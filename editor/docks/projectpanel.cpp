@@ -3,11 +3,17 @@
 #include "editor/docks/projectpanel.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/commands/projectedits.h"
 #include "editor/docks/projecttreemodel.h"
 #include "editor/errors/errortext.h"
 #include "editor/language/retranslate.h"
 
+#include <QDesktopServices>
+#include <QFileInfo>
+#include <QMenu>
+#include <QToolTip>
 #include <QTreeView>
+#include <QUrl>
 #include <QVBoxLayout>
 
 namespace quadrille {
@@ -41,6 +47,9 @@ ProjectPanel::ProjectPanel(EditorContext& context, QWidget* parent)
     m_tree->setModel(m_model);
     m_tree->setHeaderHidden(true);
     m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_tree->setEditTriggers(
+        QAbstractItemView::NoEditTriggers); // by the action, so that its keys can be changed
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_tree);
@@ -54,21 +63,151 @@ ProjectPanel::ProjectPanel(EditorContext& context, QWidget* parent)
     });
     connect(m_tree->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &ProjectPanel::takeSelection);
+    connect(&context.selection, &Selection::changed, this, &ProjectPanel::showSelection);
+    connect(m_tree, &QTreeView::activated, this, &ProjectPanel::activate);
+    connect(m_tree, &QTreeView::customContextMenuRequested, this, &ProjectPanel::showMenu);
+    connect(m_model, &ProjectTreeModel::nameRefused, this, &ProjectPanel::refuseName);
+    makeActions();
     retranslates(this, [this] { m_tree->setAccessibleName(tr("Project")); });
 }
 
-void ProjectPanel::takeSelection()
+void ProjectPanel::makeActions()
+{
+    ActionRegistry& actions = m_context.actions;
+    const auto edit = [] { return tr("Edit"); };
+    QAction* rename = actions.add({"edit.rename",
+                                   edit,
+                                   [] { return tr("Re&name"); },
+                                   [] { return tr("Give the selected entry of the project another name"); },
+                                   "label",
+                                   {Qt::Key_F2}},
+                                  [this] { m_tree->edit(m_tree->currentIndex()); });
+    QAction* duplicate =
+        actions.add({"edit.duplicate",
+                     edit,
+                     [] { return tr("&Duplicate"); },
+                     [] { return tr("Add a copy of the selected sequence, to cut or mark otherwise"); },
+                     "copy",
+                     {QKeySequence(Qt::CTRL | Qt::Key_D)}},
+                    [this] { duplicateSelected(); });
+    QAction* remove = actions.add({"edit.remove",
+                                   edit,
+                                   [] { return tr("&Remove from the project"); },
+                                   [] { return tr("Take the selected entries out; their files stay"); },
+                                   "delete",
+                                   {QKeySequence::Delete}},
+                                  [this] { removeSelected(); });
+    // Keys that mean something else in a text or on the timeline.
+    for (QAction* action : {rename, duplicate, remove}) {
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        m_tree->addAction(action);
+    }
+    updateActions();
+}
+
+void ProjectPanel::updateActions()
+{
+    const EntryRef& current = m_context.selection.current();
+    const bool isEntry = !current.name.isEmpty();
+    m_context.actions.action("edit.rename")->setEnabled(isEntry);
+    m_context.actions.action("edit.remove")->setEnabled(isEntry);
+    m_context.actions.action("edit.duplicate")->setEnabled(isEntry && current.section == Section::Sequences);
+}
+
+QStringList ProjectPanel::selectedNames(Section section) const
 {
     QStringList names;
     for (const QModelIndex& index : m_tree->selectionModel()->selectedIndexes()) {
         const EntryRef entry = m_model->entry(index);
-        if (entry.section == Section::Sequences && !entry.name.isEmpty())
+        if (entry.section == section && !entry.name.isEmpty())
             names << entry.name;
     }
+    return names;
+}
+
+void ProjectPanel::takeSelection()
+{
+    if (m_isFollowing)
+        return;
+    const QStringList names = selectedNames(Section::Sequences);
     if (!names.isEmpty())
         m_context.selection.selectSequences(names);
     else if (m_tree->currentIndex().isValid())
         m_context.selection.select(m_model->entry(m_tree->currentIndex()));
+}
+
+void ProjectPanel::showSelection()
+{
+    updateActions();
+    const EntryRef& current = m_context.selection.current();
+    QStringList names = m_context.selection.sequences();
+    if (names.isEmpty())
+        names = {current.name};
+    QItemSelection selection;
+    for (const QString& name : names) {
+        if (const QModelIndex index = m_model->indexOf({current.section, name}); index.isValid())
+            selection.select(index, index);
+    }
+    m_isFollowing = true;
+    m_tree->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+    if (const QModelIndex index = m_model->indexOf(current); index.isValid())
+        m_tree->selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
+    m_isFollowing = false;
+}
+
+void ProjectPanel::removeSelected()
+{
+    const EntryRef current = m_context.selection.current();
+    QStringList names = selectedNames(current.section);
+    if (names.isEmpty())
+        names = {current.name};
+    removeEntries(m_context.document, current.section, names);
+}
+
+void ProjectPanel::duplicateSelected()
+{
+    m_context.selection.selectSequences(
+        {duplicateSequence(m_context.document, m_context.selection.current().name)});
+}
+
+void ProjectPanel::activate(const QModelIndex& index)
+{
+    const EntryRef entry = m_model->entry(index);
+    const auto* medium = entry.section == Section::Sequences ? m_context.media.medium(entry.name) : nullptr;
+    if (medium != nullptr && medium->state == SequenceMedia::State::Failed)
+        m_context.media.retry(entry.name);
+    else if (entry.section == Section::Exports && !entry.name.isEmpty())
+        m_context.actions.action("file.export")->trigger();
+}
+
+void ProjectPanel::refuseName(const EntryRef& entry, const QString& name)
+{
+    const QRect row = m_tree->visualRect(m_model->indexOf(entry));
+    const QString text = name.trimmed().isEmpty() ? tr("A name is needed.") : tr("“%1” is taken.").arg(name);
+    QToolTip::showText(m_tree->viewport()->mapToGlobal(row.bottomLeft()), text, m_tree);
+}
+
+void ProjectPanel::showMenu(const QPoint& position)
+{
+    const QModelIndex index = m_tree->indexAt(position);
+    if (!index.isValid() || m_model->entry(index).name.isEmpty())
+        return;
+    const EntryRef entry = m_model->entry(index);
+    QMenu menu(m_tree);
+    for (const char* id : {"edit.rename", "edit.duplicate", "edit.remove", "file.export"}) {
+        if (QAction* action = m_context.actions.action(QLatin1String(id)); action->isEnabled())
+            menu.addAction(action);
+    }
+    const auto* medium = entry.section == Section::Sequences ? m_context.media.medium(entry.name) : nullptr;
+    if (medium != nullptr && medium->state == SequenceMedia::State::Failed)
+        menu.addAction(tr("Try again"), m_tree, [this, name = entry.name] { m_context.media.retry(name); });
+    if (const SequenceEntry* sequence = m_context.document.sequence(entry.name);
+        sequence != nullptr && entry.section == Section::Sequences) {
+        const QString folder = QFileInfo(QString::fromStdString(sequence->source)).absolutePath();
+        menu.addAction(tr("Show in its folder"), m_tree,
+                       [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
+    }
+    menu.exec(m_tree->viewport()->mapToGlobal(position));
 }
 
 } // namespace quadrille

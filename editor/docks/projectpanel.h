@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "editor/documents/changeevent.h"
+
 #include <QWidget>
 
+class QModelIndex;
 class QTreeView;
 
 namespace quadrille {
@@ -20,11 +23,22 @@ public:
     explicit ProjectPanel(EditorContext& context, QWidget* parent = nullptr);
 
 private:
+    void makeActions();
+    void updateActions();
     void takeSelection();
+    void showSelection();
+    void removeSelected();
+    void duplicateSelected();
+    void activate(const QModelIndex& index);
+    void refuseName(const EntryRef& entry, const QString& name);
+    void showMenu(const QPoint& position);
+    /// Names of the selected entries of the section that is selected.
+    QStringList selectedNames(Section section) const;
 
     EditorContext& m_context;
     ProjectTreeModel* m_model;
     QTreeView* m_tree;
+    bool m_isFollowing = false; ///< the tree is taking a selection over
 };
 
 } // namespace quadrille

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/jsontext.h"
+#include "model/render/camera.h"
+#include "model/sequence/io/registry.h"
 #include "tests/model/cli/runquadrille.h"
 
 #include <algorithm>
@@ -115,4 +117,94 @@ TEST_F(RealData, EachFrameOfTheCaptureHasItsTexture)
     const Json info = Json::parse(run.out)[0];
     EXPECT_EQ(info["textures"]["kind"], "per_frame");
     EXPECT_EQ(info["textures"]["count"], 50);
+}
+
+TEST_F(RealData, RoundTripsKeepVerticesAndTheirPlaces)
+{
+    const fs::path take = dataFolder / "characters/mh_male/m_avg__walk.pc2";
+    ImportOptions options;
+    options.mesh = dataFolder / "characters/mh_male/mesh.obj";
+    const MeshSequence source = openSequences(take, options).sequences.front();
+    const auto size = [](const MeshSequence& sequence) {
+        const Bounds bounds = boundsOf(sequence.frame(FrameIndex(0)).positions());
+        return bounds.size().norm();
+    };
+    const auto expectSame = [&](const MeshSequence& other, const char* format) {
+        ASSERT_EQ(other.frameCount(), source.frameCount()) << format;
+        EXPECT_EQ(other.topology->triangles(), source.topology->triangles()) << format;
+        double largest = 0;
+        for (std::int64_t f = 0; f < source.frameCount(); ++f) {
+            const Frame a = source.frame(FrameIndex(f));
+            const Frame b = other.frame(FrameIndex(f));
+            for (std::size_t v = 0; v < a.positions().size(); ++v)
+                largest =
+                    std::max(largest, static_cast<double>((a.positions()[v] - b.positions()[v]).norm()));
+        }
+        EXPECT_LE(largest, 1e-6 * size(source)) << format;
+    };
+    exportSequence(source, folder / "obj/walk.obj");
+    const auto obj = openSequences(folder / "obj").sequences.front();
+    expectSame(obj, "OBJ");
+    exportSequence(obj, folder / "walk.pc2");
+    options.mesh = folder / "obj/walk_0000.obj";
+    const auto cache = openSequences(folder / "walk.pc2", options).sequences.front();
+    expectSame(cache, "PC2");
+    exportSequence(cache, folder / "ply/walk.ply");
+    const auto ply = openSequences(folder / "ply").sequences.front();
+    expectSame(ply, "PLY");
+    exportSequence(ply, folder / "again/walk.obj");
+    expectSame(openSequences(folder / "again").sequences.front(), "OBJ again");
+    exportSequence(source, folder / "walk.glb");
+    ImportOptions rate;
+    rate.fps = source.fps;
+    expectSame(openSequences(folder / "walk.glb", rate).sequences.front(), "GLB");
+}
+
+TEST_F(RealData, RawSeriesEqualTheirPointCache)
+{
+    ImportOptions options;
+    options.mesh = dataFolder / "characters/mh_male/mesh.obj";
+    const MeshSequence cache =
+        openSequences(dataFolder / "characters/mh_male/m_avg__walk.pc2", options).sequences.front();
+    for (const char* name : {"raw/seq_m_avg_walk_obj", "raw/seq_m_avg_walk_ply"}) {
+        const MeshSequence series = openSequences(dataFolder / name).sequences.front();
+        ASSERT_EQ(series.frameCount(), 6) << name;
+        EXPECT_EQ(series.topology->triangles(), cache.topology->triangles()) << name;
+        for (std::int64_t f = 0; f < 6; ++f) {
+            const Frame a = series.frame(FrameIndex(f));
+            const Frame b = cache.frame(FrameIndex(f));
+            for (std::size_t v = 0; v < a.positions().size(); ++v)
+                ASSERT_LT((a.positions()[v] - b.positions()[v]).norm(), 1e-6F) << name << ", vertex " << v;
+        }
+    }
+}
+
+TEST_F(RealData, EachScanOpens)
+{
+    const std::vector<std::tuple<const char*, std::uint32_t, std::size_t>> scans{
+        {"scans/liam_frame112", 26585, 53164},
+        {"scans/makehuman_m_muscle.ply", 53514, 107024},
+        {"scans/human_man.ply", 6890, 13776},
+        {"scans/statue_DancingGirl.ply", 9641, 19294},
+    };
+    for (const auto& [name, vertices, triangles] : scans) {
+        const MeshSequence scan = openSequences(dataFolder / name).sequences.front();
+        EXPECT_EQ(scan.topology->vertexCount(), vertices) << name;
+        EXPECT_EQ(scan.topology->triangles().size(), triangles) << name;
+    }
+}
+
+TEST_F(RealData, WhatCannotBeReadSaysWhatToConvertItTo)
+{
+    const std::vector<std::pair<const char*, const char*>> refused{
+        {"raw/dem_bones_Bone_Anim.abc", "Alembic cannot be read here. Open it in Blender"},
+        {"raw/cmu_02_01.bvh", "A skeleton without a mesh (BVH)"},
+        {"raw/cmu_02.asf", "A skeleton without a mesh (Acclaim)"},
+        {"raw/liam_draco_ktx2", "Draco compressed meshes cannot be read here. Decode them"},
+    };
+    for (const auto& [name, sentence] : refused) {
+        const Outcome run = runQuadrille({"info", (dataFolder / name).string()}, folder.path());
+        EXPECT_EQ(run.status, 1) << name;
+        EXPECT_THAT(run.err, testing::HasSubstr(sentence)) << name;
+    }
 }
