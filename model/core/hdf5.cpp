@@ -5,7 +5,10 @@
 #include "model/core/error.h"
 #include "model/core/file.h"
 
+#include <algorithm>
+#include <charconv>
 #include <utility>
+#include <vector>
 
 namespace quadrille {
 
@@ -54,14 +57,64 @@ std::string hdf5ErrorText()
     return text;
 }
 
+Hdf5Handle hdf5FileAccess()
+{
+    Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    H5Pset_file_locking(access.id(), true, true);
+    return access;
+}
+
+bool holdsAllValues(const Hdf5Handle& dataset)
+{
+    const Hdf5Handle type(H5Dget_type(dataset.id()), H5Tclose);
+    const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose);
+    const Hdf5Handle properties(H5Dget_create_plist(dataset.id()), H5Pclose);
+    if (!type.isValid() || !space.isValid() || !properties.isValid())
+        return false;
+    if (H5Pget_layout(properties.id()) == H5D_CHUNKED)
+        return true;
+    std::vector<hsize_t> extents(
+        static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space.id()))));
+    H5Sget_simple_extent_dims(space.id(), extents.data(), nullptr);
+    auto bytes = static_cast<double>(H5Tget_size(type.id())); // counts may be too large for whole numbers
+    for (const hsize_t extent : extents)
+        bytes *= static_cast<double>(extent);
+    return bytes <= static_cast<double>(H5Dget_storage_size(dataset.id()));
+}
+
+namespace {
+
+/// Why opening failed, as an error of our own.
+[[noreturn]] void throwOpening(const InputFile& file, const std::string& reason)
+{
+    if (reason.find("unable to lock file") != std::string::npos) {
+        throw Error(ErrorCode::ReadFailed,
+                    {file.path(), {}, {{"reason", "another program has the file open for writing"}}});
+    }
+    constexpr std::string_view stored = "stored_eof = ";
+    if (const auto at = reason.find(stored); reason.starts_with("truncated file") && at != std::string::npos) {
+        std::uint64_t expected = 0;
+        std::from_chars(reason.data() + at + stored.size(), reason.data() + reason.size(), expected);
+        throw Error(ErrorCode::FileTruncated,
+                    {file.path(),
+                     {},
+                     {{"expected", std::to_string(expected) + " bytes"},
+                      {"found", std::to_string(file.size())}}});
+    }
+    throw Error(ErrorCode::FileSyntax, {file.path(), {}, {{"reason", "HDF5 says: " + reason}}});
+}
+
+} // namespace
+
 Hdf5Handle openHdf5(const std::filesystem::path& path)
 {
     // InputFile says why a file cannot be opened; HDF5 does not.
-    const InputFile exists(path);
+    const InputFile readable(path);
     const auto lock = lockHdf5();
-    Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    const Hdf5Handle access = hdf5FileAccess();
+    Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
     if (!file.isValid())
-        throw Error(ErrorCode::FileSyntax, {path, {}, {{"reason", hdf5ErrorText()}}});
+        throwOpening(readable, hdf5ErrorText());
     return file;
 }
 

@@ -40,8 +40,16 @@ private:
 /// What the library says about the last call that failed, one line. Call under the same lock.
 std::string hdf5ErrorText();
 
+/// File access properties: where a file system knows no locks, the library goes without. Wants the lock.
+Hdf5Handle hdf5FileAccess();
+
+/// False for a dataset stored in one piece that is smaller than its values: reading it would take the library
+/// (1.10) beyond the end of its buffer. Wants the lock.
+bool holdsAllValues(const Hdf5Handle& dataset);
+
 /// Opens a file for reading.
-/// \throws Error file errors as InputFile; FileSyntax when it is no HDF5 file or damaged.
+/// \throws Error file errors as InputFile; FileTruncated; ReadFailed where another program is writing it;
+/// FileSyntax when it is no HDF5 file or damaged.
 Hdf5Handle openHdf5(const std::filesystem::path& path);
 
 } // namespace quadrille

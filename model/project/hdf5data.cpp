@@ -102,7 +102,7 @@ std::vector<std::string> readTexts(hid_t object, const char* name)
     const auto count = static_cast<std::size_t>(check(H5Sget_simple_extent_npoints(space.id())));
     const std::size_t size = H5Tget_size(type.id());
     constexpr std::size_t largestAttribute = std::size_t{1} << 20;
-    if (H5Tget_class(type.id()) != H5T_STRING || size == 0 || count > largestAttribute / size)
+    if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) > 0 || size == 0 || count > largestAttribute / size)
         throw Failure{};
     std::vector<char> packed(count * size);
     check(H5Aread(attribute.id(), type.id(), packed.data()));
@@ -132,7 +132,7 @@ DataValues readValues(hid_t dataset, std::size_t count, std::uint64_t limit)
         return size == 1 ? readNumbers<std::uint8_t>(dataset, count, limit)
                          : readNumbers<std::int64_t>(dataset, count, limit);
     case H5T_STRING: {
-        if (size == 0 || count > limit / size)
+        if (size == 0 || H5Tis_variable_str(type.id()) > 0 || count > limit / size)
             throw Failure{};
         std::vector<char> packed(count * size);
         if (count > 0)
@@ -151,7 +151,8 @@ Hdf5Handle createFile(const std::filesystem::path& path)
     const Hdf5Handle properties = handle(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
     check(H5Pset_link_creation_order(properties.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
     check(H5Pset_obj_track_times(properties.id(), false));
-    return handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties.id(), H5P_DEFAULT), H5Fclose);
+    const Hdf5Handle access = hdf5FileAccess();
+    return handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties.id(), access.id()), H5Fclose);
 }
 
 Hdf5Handle createGroup(hid_t parent, const std::string& name)
@@ -237,6 +238,8 @@ DataArray readArray(hid_t parent, const std::string& name, std::uint64_t limit)
     array.unit = readText(dataset.id(), "unit");
     if (check(H5Aexists(dataset.id(), "columns")) > 0)
         array.columns = readTexts(dataset.id(), "columns");
+    if (!holdsAllValues(dataset))
+        throw Failure{};
     const auto count = static_cast<std::size_t>(check(H5Sget_simple_extent_npoints(space.id())));
     array.values = readValues(dataset.id(), count, limit);
     return array;

@@ -117,7 +117,7 @@ auto readDamageable(const fs::path& path, const Read& read)
     } catch (const std::bad_variant_access&) {
         throw Error(ErrorCode::ResultDamaged, {path, {}, {}});
     } catch (const Error& error) {
-        if (error.code() == ErrorCode::FileSyntax)
+        if (error.code() == ErrorCode::FileSyntax || error.code() == ErrorCode::FileTruncated)
             throw Error(ErrorCode::ResultDamaged, {path, {}, {}});
         throw;
     }

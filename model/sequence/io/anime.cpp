@@ -3,6 +3,8 @@
 #include "model/sequence/io/anime.h"
 
 #include "model/core/file.h"
+#include "model/sequence/io/meshfile.h"
+#include "model/sequence/io/polygons.h"
 
 #include <array>
 
@@ -90,6 +92,35 @@ Header readHeader(const InputFile& file)
     return header;
 }
 
+/// The triangles; those that name a vertex twice are left out.
+/// \throws Error IndexOutOfRange, NoFaces.
+TopologyData readTriangles(const InputFile& file, const Header& header, std::uint64_t offset,
+                           std::vector<Issue>& issues)
+{
+    std::vector<std::uint32_t> corners(static_cast<std::size_t>(header.triangles) * 3);
+    file.read(offset, std::as_writable_bytes(std::span(corners)));
+    TopologyData data;
+    data.vertexCount = static_cast<std::uint32_t>(header.vertices);
+    PolygonCollector collector;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (corners[i] >= data.vertexCount) {
+            throw Error(ErrorCode::IndexOutOfRange,
+                        {file.path(),
+                         {.byte = static_cast<std::int64_t>(offset + i * sizeof(std::uint32_t))},
+                         {{"what", "vertex"},
+                          {"index", std::to_string(static_cast<std::int32_t>(corners[i]))},
+                          {"count", std::to_string(data.vertexCount)}}});
+        }
+        if (i % 3 == 0)
+            collector.begin();
+        collector.add(corners[i]);
+        if (i % 3 == 2)
+            collector.end(data);
+    }
+    collector.finish(data, file.path(), issues);
+    return data;
+}
+
 } // namespace
 
 const FormatInfo& AnimeImporter::format() const
@@ -104,17 +135,15 @@ ImportResult AnimeImporter::open(const SourceFiles& source, const ImportOptions&
     progress.report(0);
     const auto file = std::make_shared<const InputFile>(source.files.front());
     const Header header = readHeader(*file);
-    TopologyData data;
-    data.vertexCount = static_cast<std::uint32_t>(header.vertices);
-    data.triangles.resize(static_cast<std::size_t>(header.triangles));
-    std::vector<Vec3f> first(data.vertexCount);
+    std::vector<Vec3f> first(static_cast<std::size_t>(header.vertices));
     const std::uint64_t trianglesAt = headerBytes + first.size() * sizeof(Vec3f);
-    const std::uint64_t offsetsAt = trianglesAt + data.triangles.size() * sizeof(Triangle);
+    const std::uint64_t offsetsAt =
+        trianglesAt + static_cast<std::uint64_t>(header.triangles) * sizeof(Triangle);
     file->read(headerBytes, std::as_writable_bytes(std::span(first)));
-    file->read(trianglesAt, std::as_writable_bytes(std::span(data.triangles)));
-    progress.report(0.5);
-    const auto topology = std::make_shared<const Topology>(std::move(data), file->path());
     ImportResult result;
+    auto data = readTriangles(*file, header, trianglesAt, result.issues);
+    progress.report(0.5);
+    const auto topology = buildTopology(std::move(data), first, file->path(), result.issues);
     result.sequences.push_back(makeSequence(
         source.files.front().stem().string(), topology,
         std::make_shared<AnimeFrames>(file, std::move(first), header.frames, offsetsAt), options.fps));

@@ -82,6 +82,15 @@ std::vector<int> readNodes(const GltfDocument& document, Scene& scene)
     return nodeOf;
 }
 
+/// What the JSON library says, without its own number for it.
+std::string plainReason(const Json::exception& exception)
+{
+    const std::string_view text = exception.what();
+    const auto end = text.find("] ");
+    return "the JSON is not that of a scene: " +
+           std::string(end == std::string_view::npos ? text : text.substr(end + 2));
+}
+
 Scene readScene(const GltfDocument& document)
 {
     Scene scene;
@@ -115,7 +124,7 @@ ImportResult GltfImporter::open(const SourceFiles& source, const ImportOptions& 
         progress.report(0.3);
         scene = readScene(document);
     } catch (const Json::exception& exception) {
-        throw Error(ErrorCode::FileSyntax, {file, {}, {{"reason", exception.what()}}});
+        throw Error(ErrorCode::FileSyntax, {file, {}, {{"reason", plainReason(exception)}}});
     }
     return sequencesFromScene(std::move(scene), file, options, progress.part(0.6, 1.0));
 }

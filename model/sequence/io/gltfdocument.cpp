@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/gltfdocument.h"
 
+#include "model/sequence/io/textscan.h"
 #include "model/sequence/io/uri.h"
 
 #include <algorithm>
@@ -107,8 +108,14 @@ void GltfDocument::parse(FileContent content)
     }
     try {
         m_json = Json::parse(text);
-    } catch (const Json::exception& exception) {
-        fail(exception.what());
+    } catch (const Json::parse_error& error) {
+        const char* const at = text.data() + std::min<std::size_t>(error.byte, text.size());
+        const char* const file = m_content.text().data();
+        throw Error(ErrorCode::FileSyntax,
+                    {m_path,
+                     {.line = text.data() == file ? std::optional(lineOf(text, at)) : std::nullopt,
+                      .byte = at - file},
+                     {{"reason", "the JSON text breaks off or is wrong"}}});
     }
     if (!m_json.is_object())
         fail("it is not a glTF document");

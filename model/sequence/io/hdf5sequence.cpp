@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/hdf5sequence.h"
 
+#include "model/core/file.h"
 #include "model/core/hdf5.h"
+#include "model/sequence/io/meshfile.h"
+#include "model/sequence/io/polygons.h"
 
 #include <algorithm>
 #include <array>
@@ -62,34 +65,48 @@ std::optional<DatasetShape> shapeOf(const Hdf5Handle& file, const std::string& n
     return shape;
 }
 
-/// \throws Error CountTooLarge.
-void checkSize(const DatasetShape& shape, const std::filesystem::path& file)
+/// Refuses more values than the file can hold.
+/// \throws Error CountTooLarge, FileSyntax.
+void checkSize(const Hdf5Handle& file, const DatasetShape& shape, const std::filesystem::path& path)
 {
     double values = 1;
-    for (const hsize_t n : shape.size)
+    std::string count;
+    for (const hsize_t n : shape.size) {
         values *= static_cast<double>(n);
-    if (values > largestPacking * static_cast<double>(std::filesystem::file_size(file))) {
-        throw Error(
-            ErrorCode::CountTooLarge,
-            {file, {}, {{"count", std::to_string(values)}, {"what", "values of “" + shape.name + "”"}}});
+        count += (count.empty() ? "" : " × ") + std::to_string(n);
+    }
+    if (values > largestPacking * static_cast<double>(InputFile(path).size())) {
+        throw Error(ErrorCode::CountTooLarge,
+                    {path, {}, {{"count", count}, {"what", "values of “" + shape.name + "”"}}});
+    }
+    if (!holdsAllValues(openDataset(file, shape.name))) {
+        throw Error(ErrorCode::FileSyntax,
+                    {path, {}, {{"reason", "“" + shape.name + "” has less data than " + count + " values"}}});
     }
 }
 
-std::vector<Triangle> readFaces(const Hdf5Handle& file, const DatasetShape& shape,
-                                const std::filesystem::path& path)
+/// The triangles; those that name a vertex twice are left out.
+TopologyData readFaces(const Hdf5Handle& file, const DatasetShape& shape, const std::filesystem::path& path,
+                       std::vector<Issue>& issues)
 {
-    checkSize(shape, path);
+    checkSize(file, shape, path);
     std::vector<std::int64_t> values(shape.size[0] * 3);
     const Hdf5Handle dataset = openDataset(file, shape.name);
     if (H5Dread(dataset.id(), H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
         failReading(path);
-    std::vector<Triangle> triangles(shape.size[0]);
+    TopologyData data;
+    PolygonCollector collector;
     for (std::size_t i = 0; i < values.size(); ++i) {
+        if (i % 3 == 0)
+            collector.begin();
         // What does not fit becomes the largest index, which Topology refuses.
         const bool fits = values[i] >= 0 && values[i] < std::int64_t{0xffffffff};
-        triangles[i / 3][i % 3] = VertexIndex(fits ? values[i] : std::int64_t{0xffffffff});
+        collector.add(fits ? static_cast<std::uint32_t>(values[i]) : 0xffffffffU);
+        if (i % 3 == 2)
+            collector.end(data);
     }
-    return triangles;
+    collector.finish(data, path, issues);
+    return data;
 }
 
 /// Reads frames of one dataset in blocks: in a dataset vertices × 3 × frames a frame lies scattered, and some
@@ -223,11 +240,11 @@ ImportResult Hdf5Importer::open(const SourceFiles& source, const ImportOptions& 
     }
     if (!content.faces)
         throw Error(ErrorCode::NoFaces, {path, {}, {}});
-    const std::vector<Triangle> triangles = readFaces(*file, *content.faces, path);
     ImportResult result;
+    TopologyData triangles = readFaces(*file, *content.faces, path, result.issues);
     std::shared_ptr<const Topology> topology;
     for (const DatasetShape& shape : content.sequences) {
-        checkSize(shape, path);
+        checkSize(*file, shape, path);
         const auto name = shape.name.substr(shape.name.find_last_of('/') + 1);
         if (!options.clip.empty() && name != options.clip)
             continue;
@@ -236,10 +253,10 @@ ImportResult Hdf5Importer::open(const SourceFiles& source, const ImportOptions& 
         const auto frames = static_cast<std::int64_t>(shape.size[framesLast ? 2 : 0]);
         if (vertices == 0 || frames == 0)
             throw Error(ErrorCode::NoVertices, {path, {}, {}});
-        if (!topology || topology->vertexCount() != vertices)
-            topology = std::make_shared<const Topology>(
-                TopologyData{.vertexCount = static_cast<std::uint32_t>(vertices), .triangles = triangles},
-                path);
+        if (!topology || topology->vertexCount() != vertices) {
+            triangles.vertexCount = static_cast<std::uint32_t>(vertices);
+            topology = buildTopology(triangles, {}, path, result.issues);
+        }
         Hdf5Handle dataset = openDataset(*file, shape.name);
         const auto fps = fpsOf(dataset);
         result.hasOwnFps = result.hasOwnFps || fps.has_value();

@@ -267,7 +267,10 @@ void checkLayout(const PointCacheLayout& layout, const InputFile& file)
     if (layout.vertexCount <= 0)
         throw Error(ErrorCode::NoVertices, {file.path(), {}, {}});
     if (layout.frameCount <= 0)
-        throw Error(ErrorCode::FileSyntax, {file.path(), {}, {{"reason", "the header says 0 frames"}}});
+        throw Error(ErrorCode::FileSyntax,
+                    {file.path(),
+                     {},
+                     {{"reason", "the header says " + std::to_string(layout.frameCount) + " frames"}}});
     const std::uint64_t held = file.size() - std::min(layout.offset, file.size());
     const std::uint64_t numbersAtMost = held / (std::uint64_t{3} * layout.numberBytes);
     const auto tooLarge = [&](std::int64_t count, const char* what) {

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/scenesequences.h"
 
+#include "model/sequence/io/meshfile.h"
 #include "model/sequence/io/skinning.h"
 #include "model/sequence/io/weld.h"
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -240,13 +242,19 @@ TextureSet textureSet(std::vector<Texture> textures)
     return same ? TextureSet::single(first) : TextureSet::perMaterial(std::move(textures));
 }
 
+std::string wholeNumber(double value)
+{
+    std::array<char, 32> text{};
+    return {text.begin(), std::to_chars(text.begin(), text.end(), value, std::chars_format::general, 6).ptr};
+}
+
 std::int64_t clipFrames(const SceneClip& clip, double fps, const std::filesystem::path& file)
 {
     // Times are stored as float: a last key that lies on a frame may come out a little before it.
     const double frames = std::floor((clip.last - clip.first) * fps + 1e-3) + 1;
     if (!(frames <= maxClipFrames)) {
         throw Error(ErrorCode::CountTooLarge,
-                    {file, {}, {{"count", std::to_string(frames)}, {"what", "frames"}}});
+                    {file, {}, {{"count", wholeNumber(frames)}, {"what", "frames"}}});
     }
     return static_cast<std::int64_t>(frames);
 }
@@ -312,14 +320,14 @@ ImportResult sequencesFromScene(Scene scene, const std::filesystem::path& file, 
         checkFinite(scene.meshes[m], file);
         merger.add(std::move(scene.meshes[m]));
     }
-    const auto topology = std::make_shared<const Topology>(merger.finishedTopology(), file);
+    ImportResult result;
+    result.issues = std::move(scene.issues);
+    const auto topology = buildTopology(merger.finishedTopology(), merger.model.rest, file, result.issues);
     merger.model.nodes = std::move(scene.nodes);
     merger.model.file = file;
     const auto model = std::make_shared<const SkinnedModel>(std::move(merger.model));
     const TextureSet textures = textureSet(std::move(merger.textures));
 
-    ImportResult result;
-    result.issues = std::move(scene.issues);
     result.coordinates = scene.coordinates;
     result.hasOwnFps = true; // scenes have times in seconds, which are baked at any rate
     if (merger.splitCount > topology->vertexCount())
