@@ -92,14 +92,14 @@ namespace {
                     {file.path(), {}, {{"reason", "another program has the file open for writing"}}});
     }
     constexpr std::string_view stored = "stored_eof = ";
-    if (const auto at = reason.find(stored); reason.starts_with("truncated file") && at != std::string::npos) {
+    if (const auto at = reason.find(stored);
+        reason.starts_with("truncated file") && at != std::string::npos) {
         std::uint64_t expected = 0;
         std::from_chars(reason.data() + at + stored.size(), reason.data() + reason.size(), expected);
-        throw Error(ErrorCode::FileTruncated,
-                    {file.path(),
-                     {},
-                     {{"expected", std::to_string(expected) + " bytes"},
-                      {"found", std::to_string(file.size())}}});
+        throw Error(ErrorCode::FileTruncated, {file.path(),
+                                               {},
+                                               {{"expected", std::to_string(expected) + " bytes"},
+                                                {"found", std::to_string(file.size())}}});
     }
     throw Error(ErrorCode::FileSyntax, {file.path(), {}, {{"reason", "HDF5 says: " + reason}}});
 }

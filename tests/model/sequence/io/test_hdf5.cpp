@@ -124,7 +124,7 @@ TEST(Hdf5, BadFilesAreRefused)
     const auto whole = writeFaust(folder / "whole.h5");
     const FileContent content = readFile(whole);
     const auto cut = folder.write("cut.h5", std::string(content.text().substr(0, content.size / 2)));
-    EXPECT_EQ(codeOf([&] { open(cut); }), ErrorCode::FileSyntax);
+    EXPECT_EQ(codeOf([&] { open(cut); }), ErrorCode::FileTruncated);
     EXPECT_EQ(codeOf([&] {
                   open(writeFaust(folder / "outside.h5", {0, 1, 9}));
               }),
