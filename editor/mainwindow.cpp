@@ -9,6 +9,7 @@
 #include "editor/docks/cardspanel.h"
 #include "editor/docks/projectpanel.h"
 #include "editor/docks/statusjobs.h"
+#include "editor/docks/texturepanel.h"
 #include "editor/errors/errortext.h"
 #include "editor/errors/issuespanel.h"
 #include "editor/exporting/exportflow.h"
@@ -133,9 +134,14 @@ void MainWindow::makeDocks()
     m_issuesDock = addDock(
         "issuesDock", [] { return tr("Issues"); }, new IssuesPanel(m_context.issues),
         Qt::BottomDockWidgetArea);
+    auto* texture = addDock(
+        "textureDock", [] { return tr("Texture"); }, new TexturePanel(m_context, m_sequences->stage()),
+        Qt::RightDockWidgetArea);
+    splitDockWidget(properties, texture, Qt::Vertical);
     tabifyDockWidget(properties, history);
     properties->raise();
     history->hide();
+    texture->hide();
     m_issuesDock->hide();
     resizeDocks({project, properties}, {240, 280}, Qt::Horizontal);
 }

@@ -10,6 +10,7 @@
 #include "widgets/theme/theme.h"
 
 #include <QActionGroup>
+#include <QDockWidget>
 
 namespace quadrille {
 
@@ -79,6 +80,8 @@ void MainWindow::showPalette()
         if (action->menu() == nullptr)
             entries.push_back({action, m_context.actions.group(action)});
     }
+    for (const QDockWidget* dock : m_docks)
+        entries.push_back({dock->toggleViewAction(), tr("View")});
     m_palette->ask(entries);
 }
 

@@ -76,6 +76,7 @@ void FrameLoader::want(int stream, FrameIndex frame, int step)
         const std::lock_guard lock(m_mutex);
         Stream& changed = m_streams.at(stream);
         changed.wanted = frame;
+        ++changed.lastWish;
         changed.step = step == 0 ? 1 : step;
         changed.ahead = frame;
         changed.aheadLeft = step == 0 ? 2 : m_lookahead;
@@ -93,7 +94,7 @@ std::optional<FrameLoader::Task> FrameLoader::takeTask()
 {
     for (auto& [id, stream] : m_streams) {
         if (stream.wanted) {
-            const Task task{id, stream.sequence, *stream.wanted, true};
+            const Task task{id, stream.sequence, *stream.wanted, true, stream.lastWish};
             stream.wanted.reset();
             return task;
         }
@@ -103,7 +104,7 @@ std::optional<FrameLoader::Task> FrameLoader::takeTask()
             --stream.aheadLeft;
             stream.ahead =
                 FrameIndex(wrapped(stream.ahead.value + stream.step, stream.sequence->frameCount()));
-            return Task{id, stream.sequence, stream.ahead, false};
+            return Task{id, stream.sequence, stream.ahead, false, 0};
         }
     }
     return std::nullopt;
@@ -129,12 +130,14 @@ void FrameLoader::deliver(const Task& task, const LoadedFrame& frame)
 {
     QMetaObject::invokeMethod(
         this,
-        [this, stream = task.stream, sequence = task.sequence, frame] {
+        [this, stream = task.stream, sequence = task.sequence, wish = task.wish, frame] {
             {
                 const std::lock_guard lock(m_mutex);
                 const auto found = m_streams.find(stream);
-                if (found == m_streams.end() || found->second.sequence != sequence)
+                if (found == m_streams.end() || found->second.sequence != sequence ||
+                    found->second.lastAnswered > wish)
                     return;
+                found->second.lastAnswered = wish;
             }
             emit loaded(stream, frame);
         },

@@ -61,6 +61,8 @@ private:
         int step = 0;
         FrameIndex ahead; ///< last frame asked for, from which reading ahead goes on
         int aheadLeft = 0;
+        std::int64_t lastWish = 0;     ///< wishes are numbered in their order
+        std::int64_t lastAnswered = 0; ///< an answer to an earlier wish comes too late
     };
     struct Task
     {
@@ -68,6 +70,7 @@ private:
         std::shared_ptr<const MeshSequence> sequence;
         FrameIndex frame;
         bool isWanted = false;
+        std::int64_t wish = 0;
     };
 
     void run();

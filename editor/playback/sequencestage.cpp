@@ -111,6 +111,7 @@ void SequenceStage::update(const QString& name)
                                 actor->sequence.fps == sequence->fps;
         actor->sequence = *sequence;
         actor->textureIndices.clear();
+        actor->loaded = {.frame = FrameIndex(-1)};
         m_loader.setSequence(actor->stream, *sequence);
         if (!sameFrames)
             survey(*actor);
@@ -147,6 +148,12 @@ SequenceStage::Actor* SequenceStage::actorOf(const QString& name)
     return found == m_actors.end() ? nullptr : &*found;
 }
 
+const SequenceStage::Actor* SequenceStage::actorOf(const QString& name) const
+{
+    const auto found = std::ranges::find(m_actors, name, &Actor::name);
+    return found == m_actors.end() ? nullptr : &*found;
+}
+
 SequenceStage::Actor* SequenceStage::actorOfFigure(int figure)
 {
     const auto found = std::ranges::find(m_actors, figure, &Actor::figure);
@@ -155,14 +162,27 @@ SequenceStage::Actor* SequenceStage::actorOfFigure(int figure)
 
 int SequenceStage::figureOf(const QString& name) const
 {
-    const auto found = std::ranges::find(m_actors, name, &Actor::name);
-    return found == m_actors.end() ? -1 : found->figure;
+    const Actor* actor = actorOf(name);
+    return actor == nullptr ? -1 : actor->figure;
 }
 
 QImage SequenceStage::textureOf(const QString& name) const
 {
-    const auto found = std::ranges::find(m_actors, name, &Actor::name);
-    return found == m_actors.end() ? QImage() : found->texture;
+    const Actor* actor = actorOf(name);
+    return actor == nullptr || actor->loaded.textures.empty() ? QImage()
+                                                              : actor->loaded.textures.front().second;
+}
+
+const MeshSequence* SequenceStage::sequenceOf(const QString& name) const
+{
+    const Actor* actor = actorOf(name);
+    return actor == nullptr ? nullptr : &actor->sequence;
+}
+
+const LoadedFrame* SequenceStage::loadedFrame(const QString& name) const
+{
+    const Actor* actor = actorOf(name);
+    return actor == nullptr || actor->loaded.frame.value < 0 ? nullptr : &actor->loaded;
 }
 
 std::int64_t SequenceStage::frameCount() const
@@ -205,12 +225,12 @@ void SequenceStage::applyFrame(int stream, const LoadedFrame& loaded)
             continue;
         actor.textureIndices[material] = index;
         m_viewport.setTexture(actor.figure, image, static_cast<int>(material));
-        if (material == 0)
-            actor.texture = image;
     }
-    actor.shown = loaded.frame;
+    actor.loaded = loaded;
+    actor.loaded.positions.reset();
+    emit frameLoaded(actor.name);
     const bool complete = std::ranges::all_of(m_actors, [this](const Actor& each) {
-        return each.shown.value == std::min(m_frame.value, each.sequence.frameCount() - 1);
+        return each.loaded.frame.value == std::min(m_frame.value, each.sequence.frameCount() - 1);
     });
     if (complete)
         emit frameShown(m_frame);

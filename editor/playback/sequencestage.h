@@ -45,8 +45,14 @@ public:
     int figureOf(const QString& name) const;
     /// The picture that a sequence wears now; null when there is none.
     QImage textureOf(const QString& name) const;
+    /// The sequence as it is shown; null until it can be.
+    const MeshSequence* sequenceOf(const QString& name) const;
+    /// What was read of the frame that a sequence shows now, without positions; null until there is any.
+    const LoadedFrame* loadedFrame(const QString& name) const;
 
 signals:
+    /// A figure shows another frame: `loadedFrame` is new.
+    void frameLoaded(const QString& sequence);
     /// All figures show this frame now.
     void frameShown(quadrille::FrameIndex frame);
     /// Sequences came, went or changed their length.
@@ -61,11 +67,10 @@ private:
         int figure = -1;
         int stream = -1;
         MeshSequence sequence;
-        std::vector<int> textureIndices; ///< what the figure wears, per material
-        QImage texture;
-        FrameIndex shown{-1};
-        std::vector<QVector3D> path; ///< of the centroid, on the ground
-        float lowest = 0;            ///< height of the ground under it, metres
+        std::vector<int> textureIndices;             ///< what the figure wears, per material
+        LoadedFrame loaded{.frame = FrameIndex(-1)}; ///< without positions
+        std::vector<QVector3D> path;                 ///< of the centroid, on the ground
+        float lowest = 0;                            ///< height of the ground under it, metres
         bool hasFailed = false;
     };
 
@@ -77,6 +82,7 @@ private:
     void updateGhosts();
     void colorFigures();
     Actor* actorOf(const QString& name);
+    const Actor* actorOf(const QString& name) const;
     Actor* actorOfFigure(int figure);
     void setGround();
     void frameAll();

@@ -118,9 +118,12 @@ void ActionPalette::refill()
     std::vector<Match> matches;
     for (std::size_t i = 0; i < m_entries.size(); ++i) {
         const auto recent = m_recent.indexOf(m_entries[i].action);
-        const int fit = score(typed, plainText(*m_entries[i].action) + QLatin1Char(' ') + m_entries[i].group);
+        const QString name = plainText(*m_entries[i].action);
+        const int fit = score(typed, name + QLatin1Char(' ') + m_entries[i].group);
+        const bool isExact = name.compare(typed.trimmed(), Qt::CaseInsensitive) == 0;
         if (fit > 0)
-            matches.push_back({i, 100 * fit + (recent < 0 ? 0 : 50 - static_cast<int>(recent))});
+            matches.push_back(
+                {i, 100 * (isExact ? 2 * fit : fit) + (recent < 0 ? 0 : 50 - static_cast<int>(recent))});
     }
     std::ranges::stable_sort(matches, std::greater{}, &Match::score);
     m_list->clear();

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QImage>
+#include <QLineF>
+#include <QList>
+#include <QWidget>
+#include <vector>
+
+class QLabel;
+class QVBoxLayout;
+
+namespace quadrille::widgets {
+
+/// A picture with smaller copies of itself, so that it looks smooth however far it is zoomed out.
+struct TexturePicture
+{
+    QImage image;
+    std::vector<QImage> halves; ///< each half as wide and high as the one before; may be empty
+};
+
+/// Makes the smaller copies. Takes about 10 ms for each four megapixels; on any thread.
+TexturePicture prepareTexture(const QImage& image);
+
+/// Shows a texture over a checkerboard and maybe the edges of the mesh in UV space, to be zoomed with the
+/// wheel and moved by dragging. Texture coordinates have their origin at the lower left, v up; pixels are
+/// counted from the upper left. Keys: + and − zoom, 0 shows each pixel as one of the screen, F fits the
+/// texture into the view, arrows move it where it is larger than the view.
+class TextureView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit TextureView(QWidget* parent = nullptr);
+
+    /// Shows another picture, a null one for none; one of the same size leaves the view where it is.
+    void setPicture(TexturePicture picture);
+    const QImage& image() const { return m_picture.image; }
+    /// Lines in texture coordinates drawn over the picture. Without a picture they are drawn over the square
+    /// that all coordinates from 0 to 1 make.
+    void setUvEdges(QList<QLineF> edges);
+    const QList<QLineF>& uvEdges() const { return m_edges; }
+    /// What stands in the middle while there is neither a picture nor edges.
+    void setEmptyText(const QString& text);
+    /// A button below that text which helps to get a texture. Taken over.
+    void setEmptyAction(QWidget* action);
+    /// Whether there is neither a picture nor edges.
+    bool isEmpty() const { return m_picture.image.isNull() && m_edges.isEmpty(); }
+
+    /// Pixels of the screen for each pixel of the texture: 1 is 100 %.
+    double zoom() const;
+    bool isFitted() const { return m_isFitted; }
+    /// Makes the texture larger or smaller; what is at `position` stays there.
+    void zoomAbout(const QPointF& position, double factor);
+    void fit();
+    void showActualSize();
+
+    QPointF positionOf(const QPointF& uv) const;
+    QPointF uvAt(const QPointF& position) const;
+    /// May lie outside of the picture.
+    QPoint pixelAt(const QPointF& position) const;
+
+    QSize sizeHint() const override { return {280, 280}; }
+    QSize minimumSizeHint() const override { return {160, 240}; }
+
+signals:
+    void zoomChanged(double zoom);
+    /// The pointer is over the texture.
+    void hovered(const QPointF& uv, const QPoint& pixel);
+    /// The pointer has left the texture.
+    void hoverEnded();
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    QSizeF textureSize() const;
+    QRectF textureRect() const;
+    double fittingScale() const;
+    void setScale(double scale, const QPointF& origin);
+    void moveBy(const QPointF& distance);
+    void keepInView();
+    void viewChanged();
+    void contentChanged();
+    bool mayMove(int key) const;
+    void reportHover(const QPointF& position);
+    void paintContent(QPainter& painter);
+    void paintPicture(QPainter& painter) const;
+    void paintPixelGrid(QPainter& painter) const;
+    void updateEdgeImage();
+
+    TexturePicture m_picture;
+    QList<QLineF> m_edges;
+    double m_scale = 1; ///< logical pixels of the screen for each pixel of the texture
+    QPointF m_origin;   ///< where the upper left corner of the texture is
+    QPointF m_pointer;  ///< where the pointer was last
+    bool m_isDragging = false;
+    bool m_isFitted = true;
+    bool m_isHovered = false;
+    QImage m_edgeImage; ///< the edges as they are seen now; null when they have to be drawn again
+    QWidget* m_empty;
+    QLabel* m_emptyText;
+    QVBoxLayout* m_emptyColumn;
+};
+
+} // namespace quadrille::widgets
