@@ -30,8 +30,7 @@ QList<QLineF> uvEdges(const Topology& topology, std::optional<int> material, con
             edges.emplace_back(std::minmax(corners.at(corner), corners.at((corner + 1) % 3)));
     }
     std::ranges::sort(edges);
-    const auto repeated = std::ranges::unique(edges);
-    edges.erase(repeated.begin(), repeated.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     QList<QLineF> lines;
     lines.reserve(static_cast<qsizetype>(edges.size()));
     for (const auto& [first, second] : edges) {
