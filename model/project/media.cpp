@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/media.h"
 
-#include "model/core/contenthash.h"
-#include "model/core/file.h"
-#include "model/project/jsontext.h"
+#include "model/core/error.h"
 #include "model/project/paths.h"
-#include "model/sequence/io/sourcefiles.h"
+#include "model/project/stage.h"
 
-#include <algorithm>
+#include <map>
 #include <set>
 
 namespace quadrille {
@@ -43,114 +41,6 @@ void visitMedia(ProjectType& project, const Visit& visit)
     }
 }
 
-bool mediaExists(const fs::path& file)
-{
-    std::error_code error;
-    if (!isPattern(file))
-        return fs::exists(file, error);
-    try {
-        return !findPattern(file).files.empty();
-    } catch (const Error&) {
-        return false;
-    }
-}
-
-/// All files and folders below a folder, in a fixed order.
-std::vector<fs::path> everythingBelow(const fs::path& folder, const Progress& progress)
-{
-    std::error_code error;
-    if (!fs::is_directory(folder, error))
-        throw Error(ErrorCode::FileNotFound, {folder, {}, {}});
-    std::vector<fs::path> found;
-    constexpr auto options = fs::directory_options::skip_permission_denied;
-    for (auto entry = fs::recursive_directory_iterator(folder, options, error);
-         entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-        progress.report(0);
-        found.push_back(entry->path());
-    }
-    std::sort(found.begin(), found.end());
-    return found;
-}
-
-/// How many last parts of two paths are the same.
-std::size_t sameEnding(const fs::path& a, const fs::path& b)
-{
-    std::size_t same = 0;
-    auto partA = a.end();
-    auto partB = b.end();
-    while (partA != a.begin() && partB != b.begin() && *--partA == *--partB)
-        ++same;
-    return same;
-}
-
-class Relinker
-{
-public:
-    Relinker(std::vector<fs::path> candidates, const KnownHashes& known, const Progress& progress)
-        : m_candidates(std::move(candidates)), m_known(known), m_progress(progress)
-    {
-    }
-
-    /// Where a medium is now; empty when it was not found.
-    fs::path find(const std::string& stored, RelinkReport& report)
-    {
-        if (isPattern(stored))
-            return findSeries(stored);
-        const fs::path name = fs::path(stored).filename();
-        std::vector<fs::path> namesakes;
-        std::copy_if(m_candidates.begin(), m_candidates.end(), std::back_inserter(namesakes),
-                     [&](const fs::path& candidate) { return candidate.filename() == name; });
-        if (const auto hash = m_known.find(stored); hash != m_known.end()) {
-            for (const auto* list : {&namesakes, &m_candidates}) {
-                for (const fs::path& candidate : *list) {
-                    if (hashOf(candidate) == hash->second)
-                        return candidate;
-                }
-            }
-        }
-        if (namesakes.empty())
-            return {};
-        if (namesakes.size() > 1)
-            report.ambiguous.push_back(stored);
-        return *std::max_element(namesakes.begin(), namesakes.end(),
-                                 [&](const fs::path& a, const fs::path& b) {
-                                     return sameEnding(a, stored) < sameEnding(b, stored);
-                                 });
-    }
-
-private:
-    fs::path findSeries(const fs::path& pattern) const
-    {
-        for (const fs::path& candidate : m_candidates) {
-            std::error_code error;
-            fs::path moved = candidate / pattern.filename();
-            if (fs::is_directory(candidate, error) && mediaExists(moved))
-                return moved;
-        }
-        return {};
-    }
-
-    const std::string& hashOf(const fs::path& file)
-    {
-        const auto [entry, isNew] = m_hashes.try_emplace(file);
-        std::error_code error;
-        if (isNew && fs::is_regular_file(file, error)) {
-            try {
-                entry->second = hashFile(file, m_progress);
-            } catch (const Error& failure) {
-                if (failure.code() == ErrorCode::Cancelled)
-                    throw;
-            }
-        }
-        return entry->second;
-    }
-
-    std::vector<fs::path> m_candidates;
-    const KnownHashes& m_known;
-    const Progress m_progress;
-    std::map<fs::path, std::string> m_hashes;
-};
-
 } // namespace
 
 std::vector<MediaUse> mediaOf(const Project& project, const fs::path& folder)
@@ -160,72 +50,72 @@ std::vector<MediaUse> mediaOf(const Project& project, const fs::path& folder)
         if (path.empty())
             return;
         const fs::path file = resolvePath(path, folder);
-        media.push_back({owner, pointer, path, file, mediaExists(file)});
+        media.push_back({owner, pointer, path, file, mediumExists(file)});
     });
     return media;
 }
 
+KnownMedia contentsOfMedia(const Project& project, const fs::path& folder, FileHashes& hashes,
+                           const Progress& progress)
+{
+    KnownMedia known;
+    const std::vector<MediaUse> media = mediaOf(project, folder);
+    std::int64_t done = 0;
+    for (const MediaUse& use : media) {
+        progress.report(done++, static_cast<std::int64_t>(media.size()));
+        const std::vector<fs::path> files = filesOfMedium(use.file);
+        if (files.empty() || known.contains(use.path))
+            continue;
+        try {
+            known[use.path] = contentOf(files, hashes, Progress(progress.token()));
+        } catch (const Error& error) {
+            if (error.code() == ErrorCode::Cancelled)
+                throw;
+        }
+    }
+    return known;
+}
+
+void noteMedia(const Project& project, const fs::path& projectFile, const Progress& progress)
+{
+    const fs::path cache = cacheFolder(projectFile);
+    FileHashes hashes(cache / "hashes.json");
+    KnownMedia known = contentsOfMedia(project, projectFolder(projectFile), hashes, progress);
+    const KnownMedia before = readKnownMedia(cache);
+    known.insert(before.begin(), before.end());
+    if (known != before)
+        writeKnownMedia(known, cache);
+    hashes.save();
+}
+
 RelinkReport relinkMedia(Project& project, const fs::path& projectFolder, const fs::path& searchFolder,
-                         const KnownHashes& known, const Progress& progress)
+                         const KnownMedia& known, const Progress& progress)
 {
     std::set<std::string> lost;
     for (const MediaUse& use : mediaOf(project, projectFolder)) {
         if (!use.exists)
             lost.insert(use.path);
     }
+    const MediaSearch search{{lost.begin(), lost.end()}, known, searchFolder, std::nullopt};
     RelinkReport report;
-    if (lost.empty())
-        return report;
-    Relinker relinker(everythingBelow(searchFolder, progress), known, Progress(progress.token()));
     std::map<std::string, std::string> moves;
-    std::int64_t done = 0;
-    for (const std::string& stored : lost) {
-        progress.report(done++, static_cast<std::int64_t>(lost.size()));
-        const fs::path found = relinker.find(stored, report);
-        if (found.empty()) {
-            report.missing.push_back(stored);
-            continue;
+    for (const FoundMedium& found : findMedia(search, progress)) {
+        if (found.match == MediaMatch::Missing) {
+            report.missing.push_back(found.path);
+        } else if (found.match == MediaMatch::OtherContent) {
+            report.different.push_back(found);
+        } else {
+            moves[found.path] = storedPath(found.file, projectFolder);
+            report.moved.push_back({found.path, moves[found.path]});
         }
-        moves[stored] = storedPath(found, projectFolder);
-        report.moved.push_back({stored, moves[stored]});
+        if (found.isAmbiguous)
+            report.ambiguous.push_back(found.path);
     }
     visitMedia(project, [&](std::string& path, const std::string&, const std::string&) {
         if (const auto move = moves.find(path); move != moves.end())
             path = move->second;
     });
     return report;
-}
-
-KnownHashes hashMedia(const Project& project, const fs::path& folder, FileHashes& hashes,
-                      const Progress& progress)
-{
-    KnownHashes known;
-    for (const MediaUse& use : mediaOf(project, folder)) {
-        std::error_code error;
-        if (fs::is_regular_file(use.file, error))
-            known[use.path] = hashes.of(use.file, progress);
-    }
-    return known;
-}
-
-KnownHashes readMediaHashes(const fs::path& cacheFolder)
-{
-    const fs::path file = cacheFolder / "media.json";
-    std::error_code error;
-    if (!fs::exists(file, error))
-        return {};
-    try {
-        return parseJson(readFile(file).text(), file).document.get<KnownHashes>();
-    } catch (const Error&) {
-        return {};
-    } catch (const Json::exception&) {
-        return {};
-    }
-}
-
-void writeMediaHashes(const KnownHashes& known, const fs::path& cacheFolder)
-{
-    writeAtomically(cacheFolder / "media.json", writeJson(Json(known)));
 }
 
 } // namespace quadrille

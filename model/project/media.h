@@ -3,11 +3,11 @@
 #pragma once
 
 #include "model/core/progress.h"
-#include "model/project/filehashes.h"
+#include "model/project/findmedia.h"
+#include "model/project/mediacontent.h"
 #include "model/project/project.h"
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -27,8 +27,16 @@ struct MediaUse
 /// \param folder the project file's.
 std::vector<MediaUse> mediaOf(const Project& project, const std::filesystem::path& folder);
 
-/// Content hashes by stored path, as far as they are known: they tell a moved file from a namesake.
-using KnownHashes = std::map<std::string, std::string>;
+/// Contents of all media that are there, by stored path.
+/// \throws Error Cancelled. Files that cannot be read are left out.
+KnownMedia contentsOfMedia(const Project& project, const std::filesystem::path& folder, FileHashes& hashes,
+                           const Progress& progress = {});
+
+/// Notes the contents of a project's media in its cache folder, so that they are found again once they have
+/// moved. What is not there now keeps what was noted of it.
+/// \throws Error WriteFailed, PermissionDenied, Cancelled.
+void noteMedia(const Project& project, const std::filesystem::path& projectFile,
+               const Progress& progress = {});
 
 struct RelinkReport
 {
@@ -38,25 +46,17 @@ struct RelinkReport
         std::string to;
     };
     std::vector<Moved> moved;
-    std::vector<std::string> missing; ///< still not found
+    std::vector<FoundMedium> different; ///< only namesakes with another content; left as they are
+    std::vector<std::string> missing;   ///< still not found
     /// Several files of that name and none known by content; the nearest was taken.
     std::vector<std::string> ambiguous;
 };
 
 /// Finds media that are not where the project says, by content and name, in a folder and its subfolders, and
-/// changes their paths in the project. A file of another name counts when its content is the known one.
+/// changes their paths in the project; see findMedia.
 /// \throws Error FileNotFound (the folder), Cancelled.
 RelinkReport relinkMedia(Project& project, const std::filesystem::path& projectFolder,
-                         const std::filesystem::path& searchFolder, const KnownHashes& known = {},
+                         const std::filesystem::path& searchFolder, const KnownMedia& known = {},
                          const Progress& progress = {});
-
-/// The hashes of all media files that are there, for a later relinkMedia. Kept beside the results when a
-/// project is rebuilt.
-KnownHashes hashMedia(const Project& project, const std::filesystem::path& folder, FileHashes& hashes,
-                      const Progress& progress = {});
-
-/// The hashes that the last rebuild noted; empty when there are none.
-KnownHashes readMediaHashes(const std::filesystem::path& cacheFolder);
-void writeMediaHashes(const KnownHashes& known, const std::filesystem::path& cacheFolder);
 
 } // namespace quadrille

@@ -234,13 +234,8 @@ RebuildReport rebuild(const Project& project, const fs::path& projectFile, const
     const auto opener = std::make_shared<SequenceOpener>(project, folder);
     RebuildReport report =
         rebuild(makeStages({opener, projectFile}), projectFile, options, progress, listener);
-    if (!options.dryRun) {
-        FileHashes hashes(cacheFolder(projectFile) / "hashes.json");
-        KnownHashes known = hashMedia(project, folder, hashes, Progress(progress.token()));
-        // What is not there keeps the hash by which it can be found again.
-        known.merge(readMediaHashes(cacheFolder(projectFile)));
-        writeMediaHashes(known, cacheFolder(projectFile));
-    }
+    if (!options.dryRun)
+        noteMedia(project, projectFile, Progress(progress.token()));
     return report;
 }
 

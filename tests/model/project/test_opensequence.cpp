@@ -190,29 +190,6 @@ TEST_F(OpenSequence, CheckNamesTheProblemsWithTheirLines)
     EXPECT_THAT(report.problems[2].toString(), HasSubstr("format"));
 }
 
-TEST_F(OpenSequence, MovedMediaAreFoundByNameAndByContent)
-{
-    FileHashes hashes;
-    const KnownHashes known = hashMedia(project, folder.path(), hashes);
-    fs::create_directories(folder / "moved/a");
-    fs::create_directories(folder / "moved/b");
-    fs::copy(folder / "walk.pc2", folder / "moved/b/walk.pc2");
-    folder.write("moved/a/walk.pc2", "something else of that name");
-    fs::rename(folder / "mesh.obj", folder / "moved/a/renamed.obj");
-    fs::remove(folder / "walk.pc2");
-    Project moved = project;
-    const RelinkReport report = relinkMedia(moved, folder.path(), folder / "moved", known);
-    EXPECT_EQ(report.moved.size(), 2U);
-    EXPECT_TRUE(report.missing.empty());
-    EXPECT_EQ(moved.sequences[0].source, "moved/b/walk.pc2");
-    EXPECT_EQ(moved.characters[0].mesh, "moved/a/renamed.obj");
-
-    Project byName = project;
-    const RelinkReport blind = relinkMedia(byName, folder.path(), folder / "moved");
-    EXPECT_THAT(blind.ambiguous, ::testing::ElementsAre("walk.pc2"));
-    EXPECT_THAT(blind.missing, ::testing::ElementsAre("mesh.obj"));
-}
-
 TEST_F(OpenSequence, ImportMakesAProjectAndNumbersNames)
 {
     ImportRequest request;
