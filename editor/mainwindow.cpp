@@ -18,8 +18,10 @@
 #include "editor/language/retranslate.h"
 #include "editor/playback/player.h"
 #include "editor/properties/propertiespanel.h"
+#include "editor/relinking/relinkflow.h"
 #include "editor/welcome/welcomepage.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
+#include "widgets/controls/messagestrip.h"
 #include "widgets/theme/icons.h"
 
 #include <QCloseEvent>
@@ -30,6 +32,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QUndoView>
+#include <QVBoxLayout>
 
 namespace quadrille {
 
@@ -40,6 +43,7 @@ MainWindow::MainWindow(QWidget* parent)
           new ProjectFiles(m_context.document, m_context.jobs, m_context.issues, m_context.settings, this))
     , m_import(new ImportFlow(m_context, this))
     , m_export(new ExportFlow(m_context, this))
+    , m_relink(new RelinkFlow(m_context, this))
 {
     setObjectName(QStringLiteral("mainWindow"));
     setWindowIcon(widgets::icons::application());
@@ -97,7 +101,13 @@ void MainWindow::makeCentre()
     m_pages = new QStackedWidget;
     m_pages->addWidget(m_welcome);
     m_pages->addWidget(m_sequences);
-    setCentralWidget(m_pages);
+    auto* centre = new QWidget;
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_relink->strip());
+    column->addWidget(m_pages, 1);
+    setCentralWidget(centre);
 
     m_message = new QLabel;
     m_message->setObjectName(QStringLiteral("message"));
@@ -177,7 +187,12 @@ void MainWindow::connectAll()
         showProblem(describe(error).oneLine());
     });
     connect(m_files, &ProjectFiles::aboutToLeave, this, [this] { m_session->keep(); });
-    connect(m_files, &ProjectFiles::saved, this, [this] { m_session->keep(); });
+    connect(m_files, &ProjectFiles::saved, this, [this] {
+        m_session->keep();
+        m_relink->noteContents();
+    });
+    connect(m_relink, &RelinkFlow::relinked, this,
+            [this](int media) { m_message->setText(tr("%n file(s) were relinked", nullptr, media)); });
     connect(&m_context.settings, &Settings::changed, this, [this] {
         m_autosave.setInterval(m_context.settings.autosaveSeconds());
         m_context.document.setHistoryBytes(static_cast<std::size_t>(m_context.settings.historyMegabytes())

@@ -15,6 +15,7 @@ namespace quadrille {
 class ExportFlow;
 class ImportFlow;
 class ProjectFiles;
+class RelinkFlow;
 class SequencesWorkspace;
 class SessionKeeper;
 class WelcomePage;
@@ -67,6 +68,7 @@ private:
     ProjectFiles* m_files;
     ImportFlow* m_import;
     ExportFlow* m_export;
+    RelinkFlow* m_relink;
     QStackedWidget* m_pages = nullptr;
     WelcomePage* m_welcome = nullptr;
     SequencesWorkspace* m_sequences = nullptr;

@@ -16,7 +16,7 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
 {
     addMenu([] { return tr("&File"); },
             {"file.new", "file.open", "file.recent", "file.sample", "", "file.import", "file.importFolder",
-             "file.export", "", "file.save", "file.saveAs", "", "file.quit"});
+             "file.export", "", "file.findMissing", "", "file.save", "file.saveAs", "", "file.quit"});
     addMenu([] { return tr("&Edit"); },
             {"edit.undo", "edit.redo", "", "edit.rename", "edit.duplicate", "edit.remove", "",
              "edit.trimStart", "edit.trimEnd", "edit.untrim", "", "edit.label", "edit.proposeContacts",

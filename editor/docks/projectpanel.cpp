@@ -199,8 +199,10 @@ void ProjectPanel::showMenu(const QPoint& position)
             menu.addAction(action);
     }
     const auto* medium = entry.section == Section::Sequences ? m_context.media.medium(entry.name) : nullptr;
-    if (medium != nullptr && medium->state == SequenceMedia::State::Failed)
+    if (medium != nullptr && medium->state == SequenceMedia::State::Failed) {
         menu.addAction(tr("Try again"), m_tree, [this, name = entry.name] { m_context.media.retry(name); });
+        menu.addAction(m_context.actions.action("file.findMissing"));
+    }
     if (const SequenceEntry* sequence = m_context.document.sequence(entry.name);
         sequence != nullptr && entry.section == Section::Sequences) {
         const QString folder = QFileInfo(QString::fromStdString(sequence->source)).absolutePath();
