@@ -124,7 +124,9 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const
     case Qt::EditRole:
         return ref.name;
     case Qt::DecorationRole:
-        return widgets::icons::icon(iconOf(ref.section));
+        return m_statusOf(ref).state == EntryState::Failed
+                   ? widgets::icons::icon(QStringLiteral("error"), widgets::ColorRole::Error)
+                   : widgets::icons::icon(iconOf(ref.section));
     case StateRole:
         return static_cast<int>(m_statusOf(ref).state);
     case ProblemRole:

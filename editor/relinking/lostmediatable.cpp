@@ -54,8 +54,6 @@ LostMediaTable::LostMediaTable(QWidget* parent) : QTreeWidget(parent)
     setAllColumnsShowFocus(true);
     setTextElideMode(Qt::ElideMiddle);
     header()->setStretchLastSection(false);
-    for (const int column : {FileColumn, UsersColumn, StateColumn})
-        header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     for (const int column : {OldColumn, NewColumn})
         header()->setSectionResizeMode(column, QHeaderView::Stretch);
     connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* /*item*/, int column) {
@@ -134,7 +132,8 @@ void LostMediaTable::fill(QTreeWidgetItem& item, const LostMedium& medium)
     item.setData(StateColumn, Qt::DecorationRole, signOf(medium));
     item.setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled |
                   (medium.isFound() ? Qt::ItemIsUserCheckable : Qt::NoItemFlags));
-    item.setCheckState(FileColumn, medium.isWanted ? Qt::Checked : Qt::Unchecked);
+    item.setData(FileColumn, Qt::CheckStateRole,
+                 medium.isFound() ? QVariant(medium.isWanted ? Qt::Checked : Qt::Unchecked) : QVariant());
 }
 
 void LostMediaTable::setPlan(const RelinkPlan& plan)
@@ -148,6 +147,11 @@ void LostMediaTable::setPlan(const RelinkPlan& plan)
         if (row == topLevelItemCount())
             addTopLevelItem(new QTreeWidgetItem);
         fill(*topLevelItem(row), plan.media[i]);
+    }
+    constexpr int gap = 16;
+    for (const int column : {FileColumn, UsersColumn, StateColumn}) {
+        resizeColumnToContents(column);
+        setColumnWidth(column, columnWidth(column) + gap);
     }
     setCurrentItem(topLevelItem(std::min(current, topLevelItemCount() - 1)));
 }

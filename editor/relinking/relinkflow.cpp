@@ -54,17 +54,14 @@ void RelinkFlow::look()
          .failed = [](const Error&) { /* opening the sequences tells it */ },
          .background = true},
         [project = m_context.document.project()](const Progress&) { return missingMedia(project); },
-        [this](std::vector<MediaUse> missing) { takeMissing(std::move(missing)); });
+        [this](const std::vector<MediaUse>& missing) { takeMissing(missing); });
 }
 
-void RelinkFlow::takeMissing(std::vector<MediaUse> missing)
+void RelinkFlow::takeMissing(const std::vector<MediaUse>& missing)
 {
-    std::vector<std::string> paths;
-    for (MediaUse& use : missing)
-        paths.push_back(std::move(use.path));
-    std::ranges::sort(paths);
-    const auto repeated = std::ranges::unique(paths);
-    paths.erase(repeated.begin(), repeated.end());
+    std::set<std::string> paths;
+    for (const MediaUse& use : missing)
+        paths.insert(use.path);
     const bool cameBack = !std::ranges::includes(paths, m_missing);
     m_missing = std::move(paths);
     showStrip();

@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QPointer>
 #include <QTimer>
+#include <set>
 
 class QWidget;
 
@@ -39,7 +40,7 @@ signals:
 
 private:
     void look();
-    void takeMissing(std::vector<MediaUse> missing);
+    void takeMissing(const std::vector<MediaUse>& missing);
     void showStrip();
     void ask();
 
@@ -49,8 +50,8 @@ private:
     QTimer m_timer; ///< several changes are looked at once
     QPointer<Job> m_looking;
     QPointer<Job> m_noting;
-    std::vector<std::string> m_missing; ///< each path once, sorted
-    QString m_folder;                   ///< searched last
+    std::set<std::string> m_missing; ///< paths
+    QString m_folder;                ///< searched last
 };
 
 } // namespace quadrille

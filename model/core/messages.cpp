@@ -15,8 +15,7 @@ ErrorMessage errorMessage(ErrorCode code)
         return {QUADRILLE_MESSAGE("Cancelled."), ""};
     case ErrorCode::FileNotFound:
         return {QUADRILLE_MESSAGE("There is no such file or folder."),
-                QUADRILLE_MESSAGE("Check the path; what has moved is found again in the editor, with "
-                                  "“Find missing files”.")};
+                QUADRILLE_MESSAGE("Check the path, or use “Find missing files” in the editor.")};
     case ErrorCode::PermissionDenied:
         return {QUADRILLE_MESSAGE("You do not have permission to use this file."),
                 QUADRILLE_MESSAGE("Change its permissions or choose another place.")};
@@ -107,8 +106,7 @@ ErrorMessage errorMessage(ErrorCode code)
             QUADRILLE_MESSAGE("Open it with a newer Quadrille.")};
     case ErrorCode::ProjectMissingMedia:
         return {QUADRILLE_MESSAGE("“{what}” uses a file that is not there: {path}."),
-                QUADRILLE_MESSAGE("Put it back, correct the path, or find it again in the editor, with "
-                                  "“Find missing files”.")};
+                QUADRILLE_MESSAGE("Put it back, or use “Find missing files” in the editor.")};
     case ErrorCode::ProjectUnknownTarget:
         return {QUADRILLE_MESSAGE("The project has no target “{what}”."),
                 QUADRILLE_MESSAGE("It has: {known}.")};

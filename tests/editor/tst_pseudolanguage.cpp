@@ -14,10 +14,12 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QTabBar>
 #include <QTableView>
 #include <QTreeView>
+#include <QTreeWidget>
 #include <QUndoStack>
 #include <QUrl>
 
@@ -140,6 +142,7 @@ private slots:
     void welcomeSpeaksIt();
     void openSequenceSpeaksIt();
     void importPreviewSpeaksIt();
+    void relinkDialogSpeaksIt();
     void everyActionSpeaksIt();
 
 private:
@@ -240,6 +243,29 @@ void PseudoLanguageTest::importPreviewSpeaksIt()
         return static_cast<QWidget*>(nullptr);
     };
     QTRY_VERIFY(importButton() != nullptr && importButton()->isVisible() && importButton()->isEnabled());
+    expectTranslated();
+}
+
+void PseudoLanguageTest::relinkDialogSpeaksIt()
+{
+    QTemporaryDir folder;
+    Project project;
+    project.sequences.resize(1);
+    project.sequences[0].name = "1";
+    project.sequences[0].source = folder.filePath("2").toStdString();
+    MainWindow window;
+    window.show();
+    window.context().languages.setLanguage(pseudoLanguage());
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    window.context().document.reset(project);
+    auto* strip = window.findChild<QWidget*>("missingStrip");
+    QTRY_VERIFY(strip->isVisible());
+    QTest::mouseClick(strip->findChild<QPushButton*>(), Qt::LeftButton);
+    auto* byHand = test::find<QPushButton>("relinkByHand");
+    QTRY_VERIFY(byHand->isVisible() && byHand->isEnabled());
+    // Folders are the user's words.
+    auto* table = test::find<QTreeWidget>("relinkTable");
+    QVERIFY(untranslated(table->topLevelItem(0)->text(2)).isEmpty());
     expectTranslated();
 }
 
