@@ -124,9 +124,9 @@ std::vector<double> readPoints(const Reader& reader, const Node& node)
     return floats ? std::vector<double>(floats->begin(), floats->end()) : std::vector<double>();
 }
 
-FbxGeometry readGeometry(const Reader& reader, const Node& geometry)
+PolygonGeometry readGeometry(const Reader& reader, const Node& geometry)
 {
-    FbxGeometry result;
+    PolygonGeometry result;
     reader.forEachNode(geometry.childrenAt, geometry.end, [&](const Node& child) {
         if (child.name == "Vertices") {
             result.controlPoints = readPoints(reader, child);
@@ -146,9 +146,9 @@ FbxGeometry readGeometry(const Reader& reader, const Node& geometry)
 
 } // namespace
 
-std::vector<FbxGeometry> readFbxGeometries(std::span<const std::byte> file)
+std::vector<PolygonGeometry> readFbxGeometries(std::span<const std::byte> file)
 {
-    std::vector<FbxGeometry> geometries;
+    std::vector<PolygonGeometry> geometries;
     if (file.size() < 27 || std::memcmp(file.data(), magic.data(), magic.size()) != 0)
         return geometries;
     std::uint32_t version = 0;

@@ -112,10 +112,9 @@ private:
     {
         skip();
         float value = 0;
-        const char* const behind = scanNumber(m_at, m_end, value);
-        if (!behind)
+        m_at = scanNumber(m_at, m_end, value);
+        if (!m_at || !(atLineEnd() || isBlank(*m_at) || *m_at == '\\'))
             fail(otherwise);
-        m_at = behind;
         return value;
     }
 

@@ -138,7 +138,7 @@ private:
         }
         if (at != end && *at == '\n') [[likely]]
             return at + 1;
-        if (at != end && *at != ' ' && *at != '\t' && *at != '\r')
+        if (at != end && *at != ' ' && *at != '\t' && *at != '\r' && *at != '#')
             return nullptr;
         return behindLine(at, end);
     }

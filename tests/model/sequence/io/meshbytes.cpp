@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <sstream>
 #include <unistd.h>
 
@@ -212,16 +213,6 @@ GlobalSettings:  {
 		P: "UnitScaleFactor", "double", "Number", "",100
 	}
 }
-Definitions:  {
-	Version: 100
-	Count: 2
-	ObjectType: "Model" {
-		Count: 1
-	}
-	ObjectType: "Geometry" {
-		Count: 1
-	}
-}
 Objects:  {
 	Geometry: 100, "Geometry::g", "Mesh" {
 		Vertices: *)" +
@@ -240,6 +231,95 @@ Connections:  {
 	C: "OO",100,200
 }
 )";
+}
+
+/// Properties of a node of a binary FBX file.
+struct FbxProperties
+{
+    std::string bytes;
+    std::uint32_t count = 0;
+
+    FbxProperties& number(char type, auto value)
+    {
+        bytes += type;
+        append(bytes, value);
+        ++count;
+        return *this;
+    }
+    FbxProperties& text(const std::string& value)
+    {
+        number('S', static_cast<std::uint32_t>(value.size()));
+        bytes += value;
+        return *this;
+    }
+    template <typename Value>
+    FbxProperties& array(char type, const std::vector<Value>& values)
+    {
+        number(type, static_cast<std::uint32_t>(values.size()));
+        append(bytes, std::uint32_t{0}); // not packed
+        append(bytes, static_cast<std::uint32_t>(values.size() * sizeof(Value)));
+        for (const Value value : values)
+            append(bytes, value);
+        return *this;
+    }
+};
+
+void fbxNode(std::string& out, const std::string& name, const FbxProperties& properties,
+             const std::function<void()>& children = {})
+{
+    const std::size_t start = out.size();
+    append(out, std::uint32_t{0});
+    append(out, properties.count);
+    append(out, static_cast<std::uint32_t>(properties.bytes.size()));
+    append(out, static_cast<std::uint8_t>(name.size()));
+    out += name + properties.bytes;
+    if (children) {
+        children();
+        out.append(13, '\0');
+    }
+    const auto end = static_cast<std::uint32_t>(out.size());
+    std::memcpy(out.data() + start, &end, sizeof(end));
+}
+
+std::string fbxBinary(const RawMesh& mesh)
+{
+    std::vector<double> points;
+    for (const Vec3f& p : mesh.points) {
+        for (const float x : {p.x(), p.y(), p.z()})
+            points.push_back(static_cast<double>(x));
+    }
+    std::vector<std::int32_t> corners;
+    for (const auto& face : mesh.faces) {
+        corners.insert(corners.end(), face.begin(), face.end());
+        corners.back() = -1 - corners.back();
+    }
+    std::string out("Kaydara FBX Binary  \0\x1a\0", 23);
+    append(out, std::uint32_t{7400});
+    const auto number = [](std::int32_t value) { return FbxProperties().number('I', value); };
+    const auto link = [&](std::int64_t from, std::int64_t to) {
+        fbxNode(out, "C", FbxProperties().text("OO").number('L', from).number('L', to));
+    };
+    fbxNode(out, "FBXHeaderExtension", {}, [&] {
+        fbxNode(out, "FBXHeaderVersion", number(1003));
+        fbxNode(out, "FBXVersion", number(7400));
+    });
+    fbxNode(out, "GlobalSettings", {}, [&] { fbxNode(out, "Version", number(1000)); });
+    const auto object = [](std::int64_t id, const std::string& kind) {
+        return FbxProperties().number('L', id).text("g" + std::string("\0\1", 2) + kind).text("Mesh");
+    };
+    fbxNode(out, "Objects", {}, [&] {
+        fbxNode(out, "Geometry", object(100, "Geometry"), [&] {
+            fbxNode(out, "Vertices", FbxProperties().array('d', points));
+            fbxNode(out, "PolygonVertexIndex", FbxProperties().array('i', corners));
+        });
+        fbxNode(out, "Model", object(200, "Model"), [&] { fbxNode(out, "Version", number(232)); });
+    });
+    fbxNode(out, "Connections", {}, [&] {
+        link(200, 0);
+        link(100, 200);
+    });
+    out.append(13, '\0');
+    return out;
 }
 
 void writeDataset(const Hdf5Handle& file, const char* name, std::vector<hsize_t> extents, hid_t type,
@@ -285,18 +365,14 @@ const std::vector<RawFormat>& rawFormats()
         {.name = "StlBinary", .extension = ".stl", .bytes = stlBinary, .hasIndices = false},
         {.name = "Anime", .extension = ".anime", .bytes = anime},
         {.name = "Glb", .extension = ".glb", .bytes = glb},
-        {.name = "Collada",
-         .extension = ".dae",
-         .bytes = dae,
-         .isText = true,
-         .hasPolygons = true,
-         .keepsIndices = false},
+        {.name = "Collada", .extension = ".dae", .bytes = dae, .isText = true, .hasPolygons = true},
         {.name = "FbxText",
          .extension = ".fbx",
          .bytes = fbxText,
          .isText = true,
          .hasPolygons = true,
          .keepsIndices = false},
+        {.name = "FbxBinary", .extension = ".fbx", .bytes = fbxBinary, .hasPolygons = true},
         {.name = "Hdf5", .extension = ".h5", .bytes = hdf5},
     };
     return formats;

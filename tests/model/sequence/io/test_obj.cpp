@@ -126,6 +126,7 @@ TEST_F(Obj, RefusesBadFilesWithTheirLine)
         {vertices + "f 1 2 3x\n", ErrorCode::FileSyntax, 4},
         {"v 0 0\n" + vertices + "f 1 2 3\n", ErrorCode::FileSyntax, 1},
         {"\nv 0 0 zero\n", ErrorCode::FileSyntax, 2},
+        {"\nv 0 0 1,5\n" + vertices + "f 1 2 3\n", ErrorCode::FileSyntax, 2},
         {vertices, ErrorCode::NoFaces, {}},
         {vertices + "f 1 1 2\n", ErrorCode::NoFaces, {}},
         {"f 1 2 3\n", ErrorCode::NoVertices, {}},
