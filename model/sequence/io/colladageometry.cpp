@@ -199,7 +199,7 @@ private:
     /// The lengths of polygons or of weight lists, whose sum must be what the list of indices has.
     std::vector<std::int64_t> readLengths(Node element, std::size_t indices, std::int64_t stride) const
     {
-        const auto lengths = m_document.integers(element.child("vcount"));
+        auto lengths = m_document.integers(element.child("vcount"));
         std::int64_t sum = 0;
         for (const std::int64_t length : lengths) {
             if (length < 0 || length > static_cast<std::int64_t>(indices))

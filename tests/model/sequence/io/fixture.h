@@ -36,7 +36,7 @@ protected:
     const std::filesystem::path& folder() const { return m_folder; }
     std::filesystem::path write(const std::filesystem::path& name, std::string_view content) const
     {
-        const auto path = m_folder / name;
+        auto path = m_folder / name;
         std::filesystem::create_directories(path.parent_path());
         std::ofstream(path, std::ios::binary) << content;
         return path;

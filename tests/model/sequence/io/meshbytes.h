@@ -29,9 +29,9 @@ struct RawFormat
     bool keepsIndices = true; ///< the reader knows which corners are one vertex
 };
 
-inline void PrintTo(const RawFormat& format, std::ostream* out)
+inline std::ostream& operator<<(std::ostream& out, const RawFormat& format)
 {
-    *out << format.name;
+    return out << format.name;
 }
 
 /// Every format that holds faces.

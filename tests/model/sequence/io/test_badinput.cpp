@@ -28,9 +28,9 @@ struct GoodFile
 };
 
 // Names are all that need be shown of a case.
-void PrintTo(const GoodFile& file, std::ostream* out)
+std::ostream& operator<<(std::ostream& out, const GoodFile& file)
 {
-    *out << file.name;
+    return out << file.name;
 }
 
 std::string exported(const std::string& extension)
