@@ -30,6 +30,13 @@ using widgets::MessageStrip;
 using widgets::TexturePicture;
 using widgets::TextureView;
 
+namespace {
+
+constexpr int rowHeight = 28;    // pixels
+constexpr int choiceWidth = 180; // pixels; a texture's name may stand on the button
+
+} // namespace
+
 TexturePanel::TexturePanel(EditorContext& context, SequenceStage& stage, QWidget* parent)
     : QWidget(parent)
     , m_context(context)
@@ -86,6 +93,7 @@ void TexturePanel::arrangeWidgets()
     m_materials->setObjectName(QStringLiteral("textureMaterial"));
     m_materials->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_edgesShown->setObjectName(QStringLiteral("textureEdges"));
+    m_edgesShown->setMinimumHeight(rowHeight);
     m_zoom->setObjectName(QStringLiteral("textureZoom"));
     m_actualSize->setObjectName(QStringLiteral("textureActualSize"));
     m_fit->setObjectName(QStringLiteral("textureFit"));
@@ -93,6 +101,7 @@ void TexturePanel::arrangeWidgets()
     m_note->setObjectName(QStringLiteral("textureNote"));
     m_choice->setObjectName(QStringLiteral("textureChoice"));
     m_choice->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+    m_choice->setMinimumWidth(choiceWidth);
     m_file->setObjectName(QStringLiteral("textureFile"));
     m_facts->setObjectName(QStringLiteral("textureFacts"));
     m_pointer->setObjectName(QStringLiteral("texturePointer"));
@@ -190,6 +199,7 @@ void TexturePanel::refresh()
     else if (sequence == nullptr || isOther)
         showNothing(stateText(), false);
     showNote();
+    showTools();
 }
 
 void TexturePanel::refreshMaterials(const MeshSequence* sequence)
@@ -336,6 +346,7 @@ void TexturePanel::show(const Shown& shown, TexturePicture picture)
     m_facts->setText(shown.facts);
     showFile();
     showNote();
+    showTools();
 }
 
 void TexturePanel::showFile()
@@ -343,6 +354,13 @@ void TexturePanel::showFile()
     m_file->setText(fontMetrics().elidedText(m_fileName, Qt::ElideMiddle, std::max(40, width() - 24)));
     if (m_fileName.isEmpty())
         m_file->setToolTip({});
+}
+
+/// What works on the view rests while there is nothing in it.
+void TexturePanel::showTools()
+{
+    for (QWidget* tool : std::initializer_list<QWidget*>{m_zoom, m_actualSize, m_fit})
+        tool->setVisible(!m_view->isEmpty());
 }
 
 /// Says what is missing while something is shown nevertheless.

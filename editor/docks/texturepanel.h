@@ -60,6 +60,7 @@ private:
     void show(const Shown& shown, widgets::TexturePicture picture);
     void showFile();
     void showNote();
+    void showTools();
     QString stateText() const;
     QString missingText(const MeshSequence& sequence) const;
     /// The material whose texture is chosen; the first unless there is a texture for each.

@@ -26,7 +26,7 @@ namespace {
 
 constexpr int frames = 12;
 
-/// Two triangles with materials "left" and "right" that share an edge, in some frames.
+/// Triangles with materials "left", "right" and "top", in some frames.
 void writeMesh(const QString& folder, bool hasUvs)
 {
     QDir().mkpath(folder);
@@ -34,8 +34,9 @@ void writeMesh(const QString& folder, bool hasUvs)
         std::ofstream file(QStringLiteral("%1/m_%2.obj").arg(folder).arg(f).toStdString());
         file << "v 0 " << 0.1 * f << " 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
         if (hasUvs)
-            file << "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl left\nf 1/1 2/2 3/3\nusemtl right\nf 1/1 3/3 "
-                    "4/4\n";
+            file
+                << "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl left\nf 1/1 2/2 3/3\nusemtl right\nf 1/1 3/3 4/4\n"
+                   "usemtl top\nf 1/1 2/2 4/4\n";
         else
             file << "f 1 2 3\nf 1 3 4\n";
     }
@@ -87,6 +88,7 @@ private slots:
         std::ofstream(path("broken/b_3.png").toStdString()) << "no picture";
         writePicture(path("green.png"), Qt::green, 300);
         writePicture(path("yellow.png"), Qt::yellow, 16);
+        writePicture(path("red.png"), Qt::red, 16);
     }
 
     void init()
@@ -106,7 +108,8 @@ private slots:
         project.sequences = {
             sequence("changing", "mesh", {Kind::PerFrame, {at("changing")}, {}}),
             sequence("single", "mesh", {Kind::Single, {at("green.png")}, {}}),
-            sequence("parts", "mesh", {Kind::PerMaterial, {at("green.png"), at("yellow.png")}, {}}),
+            sequence("parts", "mesh",
+                     {Kind::PerMaterial, {at("green.png"), at("yellow.png"), at("red.png")}, {}}),
             sequence("broken", "mesh", {Kind::PerFrame, {at("broken")}, {}}),
             sequence("untextured", "mesh", {}),
             sequence("bare", "bare", {}),
@@ -210,13 +213,13 @@ private slots:
         auto* check = test::find<QCheckBox>("textureEdges");
         QVERIFY(view().uvEdges().isEmpty());
         QTest::mouseClick(check, Qt::LeftButton, {}, {8, check->height() / 2});
-        QTRY_COMPARE(view().uvEdges().size(), 5);
+        QTRY_COMPARE(view().uvEdges().size(), 6);
         QVERIFY(view().uvEdges().contains(QLineF(0, 0, 1, 1)));
         show("bare");
         QTRY_VERIFY(view().uvEdges().isEmpty());
         QVERIFY(!check->isEnabled());
         show("untextured");
-        QTRY_COMPARE(view().uvEdges().size(), 5);
+        QTRY_COMPARE(view().uvEdges().size(), 6);
         // There is something to see, so what is missing is said above it.
         auto* note = test::find<widgets::MessageStrip>("textureNote");
         QTRY_VERIFY(note->isVisible());
@@ -235,7 +238,7 @@ private slots:
         show("parts");
         QTRY_COMPARE(color(), QColor(Qt::green));
         QVERIFY(materials->isVisible());
-        QCOMPARE(materials->count(), 2);
+        QCOMPARE(materials->count(), 3);
         test::find<QCheckBox>("textureEdges")->click();
         materials->setFocus();
         QTest::keyClick(materials, Qt::Key_Down);
@@ -244,6 +247,12 @@ private slots:
         QCOMPARE(text("textureFile"), QString("yellow.png"));
         QTRY_COMPARE(view().uvEdges().size(), 3);
         QVERIFY(view().uvEdges().contains(QLineF(0, 0, 0, 1)));
+        // However quickly one is chosen after the other, the last one stays.
+        QTest::keyClick(materials, Qt::Key_Up);
+        QTest::keyClick(materials, Qt::Key_Down);
+        QTest::keyClick(materials, Qt::Key_Down);
+        QTRY_COMPARE(color(), QColor(Qt::red));
+        QCOMPARE(text("textureFile"), QString("red.png"));
     }
 
     void saysWhatIsMissingAndOffersToChoose()
@@ -252,6 +261,7 @@ private slots:
         show("untextured");
         QTRY_VERIFY(emptyText().contains("“untextured” has no texture."));
         QTRY_VERIFY(choice->isVisible());
+        QVERIFY(!test::find<QToolButton>("textureFit")->isVisible());
         emit choice->chosen({TextureReference::Kind::Single, {path("yellow.png").toStdString()}, {}});
         QTRY_COMPARE(color(), QColor(Qt::yellow));
         QVERIFY(!choice->isVisible());

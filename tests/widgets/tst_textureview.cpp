@@ -245,6 +245,12 @@ void TestTextureView::drawsEdgesWhereTheyAre()
     QVERIFY(!isWhite({0.5, 0.75}));
     wheel({200, 150}, 3);
     QVERIFY(isWhite({0.5, 0.25}));
+    // A great many are thinned out and still make the same shape.
+    QList<QLineF> many;
+    for (int i = 0; i < 250'000; ++i)
+        many += QLineF(0.49, 0.25, 0.51, 0.25);
+    m_view->setUvEdges(many);
+    QVERIFY(isWhite({0.5, 0.25}));
     m_view->setUvEdges({});
     QVERIFY(!isWhite({0.5, 0.25}));
 }

@@ -13,9 +13,10 @@ namespace quadrille::widgets {
 
 namespace {
 
-constexpr int smallestHalf = 128;  // pixels
-constexpr double gridZoom = 8;     // logical pixels for each of the texture from which the grid is drawn
-constexpr double checkerSize = 8;  // logical pixels
+constexpr int smallestHalf = 128; // pixels
+constexpr double gridZoom = 8;    // logical pixels for each of the texture from which the grid is drawn
+constexpr double checkerSize = 8; // logical pixels
+constexpr qsizetype mostLines = 100'000;
 constexpr double crowdedEdge = 10; // mean length in logical pixels below which edges would hide the texture
 
 void paintChecker(QPainter& painter, const QRectF& place)
@@ -129,6 +130,12 @@ void TextureView::updateEdgeImage()
         length += line.length();
         if (QRectF(line.p1(), line.p2()).normalized().adjusted(-1, -1, 1, 1).intersects(view))
             lines += line;
+    }
+    // So many lines are a blur that some of them make as well, without keeping the interface.
+    if (const qsizetype step = 1 + lines.size() / mostLines; step > 1) {
+        for (qsizetype kept = 0; kept * step < lines.size(); ++kept)
+            lines[kept] = lines[kept * step];
+        lines.resize((lines.size() + step - 1) / step);
     }
     const double room = length / static_cast<double>(m_edges.size()) / crowdedEdge;
     const double strength = std::clamp(room, 0.12, 1.0);
