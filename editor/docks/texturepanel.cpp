@@ -20,6 +20,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <utility>
@@ -69,6 +70,8 @@ TexturePanel::TexturePanel(EditorContext& context, SequenceStage& stage, QWidget
     connect(m_choice, &TextureField::chosen, this, [this](const TextureReference& texture) {
         setSequenceTexture(m_context.document, m_name, texture);
     });
+    connect(m_note, &MessageStrip::actionTriggered, this,
+            [this] { m_choice->menu()->popup(m_note->mapToGlobal(m_note->rect().bottomLeft())); });
     connect(m_view, &TextureView::zoomChanged, this, [this](double zoom) {
         const double percent = zoom * 100;
         m_zoom->setText(tr("%1 %").arg(QLocale().toString(percent, 'f', percent < 10 ? 1 : 0)));
@@ -372,8 +375,10 @@ void TexturePanel::showNote()
         m_note->show(MessageStrip::Kind::Info,
                      tr("The mesh has no texture coordinates (UVs), so it is shown in clay."),
                      tr("Choose a character whose mesh has them in the properties."));
+        m_note->setAction({});
     } else if (sequence != nullptr && !hasImage && !m_view->uvEdges().isEmpty()) {
         m_note->show(MessageStrip::Kind::Info, missingText(*sequence));
+        m_note->setAction(m_choice->isVisibleTo(m_choice->parentWidget()) ? tr("Choose…") : QString());
     } else {
         m_note->clear();
     }

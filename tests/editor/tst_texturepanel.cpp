@@ -18,6 +18,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QToolButton>
 
 namespace quadrille {
@@ -224,6 +225,10 @@ private slots:
         auto* note = test::find<widgets::MessageStrip>("textureNote");
         QTRY_VERIFY(note->isVisible());
         QVERIFY(note->text().contains("has no texture"));
+        QTest::mouseClick(note->findChild<QPushButton*>("messageStripAction"), Qt::LeftButton);
+        QMenu* menu = test::find<TextureField>("textureChoice")->menu();
+        QTRY_VERIFY(menu->isVisible());
+        menu->close();
         QTest::mouseClick(check, Qt::LeftButton, {}, {8, check->height() / 2});
         QTRY_VERIFY(view().isEmpty());
         QVERIFY(!note->isVisible());

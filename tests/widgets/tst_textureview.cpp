@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "widgets/controls/textureview.h"
+#include "widgets/theme/theme.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -270,8 +271,11 @@ void TestTextureView::saysWhatIsMissingAndOffersHelp()
     QTest::mouseClick(offer, Qt::LeftButton);
     QCOMPARE(clicked.size(), 1);
     // Edges alone are worth looking at, over the unit square.
-    m_view->setUvEdges({{0, 0, 1, 1}});
+    const double halfPixel = 1 - 150.5 / 300; // down to the middle of a row: the line fills it
+    m_view->setUvEdges({{0, halfPixel, 1, halfPixel}});
     QVERIFY(!text->isVisible());
+    const QPointF onEdge = m_view->positionOf({0.25, halfPixel}) - QPointF(0, 0.5);
+    QVERIFY(Theme::contrast(colorAt(onEdge), colorAt(onEdge + QPointF(0, 30))) > 3);
     QCOMPARE(m_view->uvAt(m_view->positionOf({0.25, 0.5})), QPointF(0.25, 0.5));
 }
 

@@ -59,6 +59,8 @@ TextureView::TextureView(QWidget* parent)
 void TextureView::setPicture(TexturePicture picture)
 {
     const QSizeF before = textureSize();
+    if (picture.image.isNull() != m_picture.image.isNull())
+        m_edgeImage = {};
     m_picture = std::move(picture);
     if (textureSize() != before)
         m_isFitted = true;

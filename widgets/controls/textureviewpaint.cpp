@@ -113,7 +113,8 @@ void TextureView::paintPixelGrid(QPainter& painter) const
     painter.drawLines(lines);
 }
 
-/// A light line on a dark one is seen on every texture; where edges crowd, both get fainter.
+/// A light line on a dark one is seen on every texture; where edges crowd, both get fainter. Without a
+/// texture they have the colour of text.
 void TextureView::updateEdgeImage()
 {
     const QSize pixels = size() * devicePixelRatioF();
@@ -141,13 +142,14 @@ void TextureView::updateEdgeImage()
     const double strength = std::clamp(room, 0.12, 1.0);
     QPainter painter(&m_edgeImage);
     painter.setRenderHint(QPainter::Antialiasing);
-    if (room > 0.4) {
+    const bool isBare = m_picture.image.isNull();
+    if (room > 0.4 && !isBare) {
         painter.setPen(QPen(QColor(0, 0, 0, static_cast<int>(150 * strength)), 2.5));
         painter.drawLines(lines);
     }
-    QColor light = Qt::white;
-    light.setAlphaF(static_cast<float>(strength));
-    painter.setPen(QPen(light, 1));
+    QColor line = isBare ? Theme::color(ColorRole::Text) : QColor(Qt::white);
+    line.setAlphaF(static_cast<float>(strength));
+    painter.setPen(QPen(line, 1));
     painter.drawLines(lines);
 }
 
