@@ -266,6 +266,7 @@ void TestTextureView::saysWhatIsMissingAndOffersHelp()
     QVERIFY(!text->isVisible());
     m_view->setPicture({});
     QVERIFY(m_view->isEmpty());
+    QVERIFY(m_view->focusPolicy() == Qt::NoFocus);
     QTRY_VERIFY(text->isVisible() && offer->isVisible());
     QCOMPARE(text->text(), QStringLiteral("There is no texture."));
     QTest::mouseClick(offer, Qt::LeftButton);

@@ -35,7 +35,6 @@ TextureView::TextureView(QWidget* parent)
     , m_emptyColumn(new QVBoxLayout(m_empty))
 {
     setObjectName(QStringLiteral("textureView"));
-    setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     m_emptyText->setObjectName(QStringLiteral("textureViewEmpty"));
@@ -87,6 +86,7 @@ void TextureView::setEmptyAction(QWidget* action)
 void TextureView::contentChanged()
 {
     m_empty->setVisible(isEmpty());
+    setFocusPolicy(isEmpty() ? Qt::NoFocus : Qt::StrongFocus);
     if (m_isFitted)
         fit();
     if (isEmpty() && std::exchange(m_isHovered, false))
