@@ -105,9 +105,9 @@ void RelinkDialog::makeControls()
     column->setSpacing(12);
     column->addWidget(m_summary);
     column->addLayout(where);
+    column->addWidget(m_strip);
     column->addLayout(middle, 1);
     column->addLayout(about);
-    column->addWidget(m_strip);
     column->addLayout(buttons);
 }
 

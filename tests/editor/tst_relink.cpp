@@ -174,6 +174,26 @@ private slots:
         QVERIFY(strip()->isVisible());
     }
 
+    void aSearchCanBeStopped()
+    {
+        QVERIFY(QDir().rename(place("old/takes"), place("old/moved")));
+        openProject();
+        ask();
+        auto* field = test::find<QLineEdit>("relinkFolder");
+        auto* button = test::find<QPushButton>("relinkSearch");
+        QTRY_VERIFY(field->hasFocus());
+        field->setText("/");
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY(!field->isEnabled());
+        QTest::mouseClick(button, Qt::LeftButton);
+        QTRY_VERIFY(field->hasFocus());
+        QCOMPARE(dialog()->plan().foundCount(), 0U);
+        QVERIFY(!dialog()->findChild<widgets::MessageStrip*>()->isVisible());
+        search(place("old"));
+        QTRY_COMPARE(dialog()->plan().foundCount(), dialog()->plan().media.size());
+        QTest::keyClick(dialog(), Qt::Key_Escape);
+    }
+
     void aNamesakeWithOtherContentIsNotTakenUnasked()
     {
         QVERIFY(QDir().rename(place("old/takes"), place("old/moved")));
