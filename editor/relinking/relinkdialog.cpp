@@ -203,7 +203,7 @@ void RelinkDialog::takeFound(const std::vector<FoundMedium>& found)
         std::ranges::all_of(found, [](const FoundMedium& each) { return each.match == MediaMatch::Missing; });
     if (isVain) {
         m_strip->show(widgets::MessageStrip::Kind::Info,
-                      tr("Nothing of what is missing is in “%1”.").arg(m_folder->text()),
+                      tr("None of the missing files is in “%1”.").arg(m_folder->text()),
                       tr("Search another folder, or choose one file by hand."));
     }
     finish();

@@ -135,7 +135,7 @@ private slots:
         search(place("nowhere"));
         QTRY_VERIFY(dialog()->findChild<widgets::MessageStrip*>()->isVisible());
         search(place("old"));
-        QTRY_VERIFY(dialog()->findChild<widgets::MessageStrip*>()->text().contains("Nothing"));
+        QTRY_VERIFY(dialog()->findChild<widgets::MessageStrip*>()->text().contains("None of"));
         search(place("new"));
         QTRY_COMPARE(state(walk), QString("found by name and content"));
         QCOMPARE(state(run), QString("found by name and content"));
