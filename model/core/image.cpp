@@ -4,6 +4,7 @@
 
 #include "model/core/error.h"
 #include "model/core/file.h"
+#include "model/core/imagecheck.h"
 
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
@@ -35,8 +36,9 @@ Image readImage(const std::filesystem::path& path)
 
 Image decodeImage(std::span<const std::byte> encoded, const std::filesystem::path& path)
 {
-    if (encoded.empty() || encoded.size() > std::numeric_limits<int>::max())
+    if (encoded.size() > std::numeric_limits<int>::max())
         throw Error(ErrorCode::ImageUnreadable, {path, {}, {}});
+    checkEncodedImage(encoded, path);
     const cv::Mat bytes(1, static_cast<int>(encoded.size()), CV_8U, const_cast<std::byte*>(encoded.data()));
     cv::Mat decoded;
     try {
@@ -48,8 +50,12 @@ Image decodeImage(std::span<const std::byte> encoded, const std::filesystem::pat
         throw Error(ErrorCode::ImageUnreadable, {path, {}, {}});
     if (decoded.depth() == CV_16U)
         decoded.convertTo(decoded, CV_8U, 1.0 / 257.0);
-    if (decoded.depth() != CV_8U)
-        throw Error(ErrorCode::ImageUnreadable, {path, {}, {}});
+    if (decoded.depth() != CV_8U) {
+        throw Error(ErrorCode::FormatRefused, {path,
+                                               {},
+                                               {{"format", "A picture of floating-point numbers"},
+                                                {"remedy", "Save it with 8 or 16 bits a channel."}}});
+    }
     Image image(decoded.cols, decoded.rows);
     cv::Mat target(decoded.rows, decoded.cols, CV_8UC4, image.pixels.data());
     switch (decoded.channels()) {

@@ -27,12 +27,12 @@ struct Image
 };
 
 /// Reads PNG, JPEG or TIFF.
-/// \throws Error FileNotFound, PermissionDenied, FileEmpty, ImageUnreadable.
+/// \throws Error FileNotFound, PermissionDenied, FileEmpty, and those of decodeImage.
 Image readImage(const std::filesystem::path& path);
 
 /// Decodes the bytes of a PNG, JPEG or TIFF file.
 /// \param file  names the source in errors.
-/// \throws Error ImageUnreadable.
+/// \throws Error ImageUnreadable, and those of checkEncodedImage: FileTruncated, CountTooLarge, FormatRefused.
 Image decodeImage(std::span<const std::byte> encoded, const std::filesystem::path& file = {});
 
 /// The bytes of a PNG, JPEG or TIFF file.
