@@ -3,6 +3,7 @@
 #include "model/project/jsontext.h"
 #include "model/project/migration.h"
 #include "tests/model/project/testproject.h"
+#include "tests/model/withoutroot.h"
 
 #include <csignal>
 #include <gmock/gmock.h>
@@ -282,6 +283,63 @@ TEST(ProjectFile, NothingIsSavedWhenTheBackupCannotBeMade)
     fs::create_directories(folder / "p.quadrille.bak/in-the-way");
     project.settings.fps = 30;
     EXPECT_THROW(saveProject(project, file), Error);
+    EXPECT_EQ(textOf(file), before);
+}
+
+TEST(ProjectFile, EmptyCutAndForeignFilesAreRefusedWithTheirName)
+{
+    const TemporaryFolder folder;
+    const auto file = folder / "p.quadrille";
+    const auto codeOf = [&] {
+        try {
+            loadProject(file);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.context().file, file);
+            return error.code();
+        }
+        return ErrorCode::Cancelled; // stands for no error
+    };
+    saveProject(fullProject(), file);
+    const std::string whole = textOf(file);
+    for (std::size_t length = 1; length + 2 < whole.size(); length += whole.size() / 100 + 1) {
+        folder.write("p.quadrille", std::string_view(whole).substr(0, length));
+        EXPECT_EQ(codeOf(), ErrorCode::ProjectSyntax) << length;
+    }
+    folder.write("p.quadrille", std::string(100, '\0'));
+    EXPECT_EQ(codeOf(), ErrorCode::ProjectSyntax);
+    folder.write("p.quadrille", "");
+    EXPECT_EQ(codeOf(), ErrorCode::FileEmpty);
+    fs::remove(file);
+    fs::create_directories(file);
+    EXPECT_EQ(codeOf(), ErrorCode::ReadFailed);
+}
+
+TEST(ProjectFile, WithoutPermissionNothingIsReadOrWritten)
+{
+    const TemporaryFolder folder;
+    const auto file = folder / "p.quadrille";
+    saveProject(fullProject(), file);
+    const std::string before = textOf(file);
+    const auto codeOf = [](const auto& call) {
+        try {
+            call();
+        } catch (const Error& error) {
+            return error.code();
+        }
+        return ErrorCode::Cancelled; // stands for no error
+    };
+    fs::permissions(file, fs::perms::none);
+    fs::permissions(folder.path(), fs::perms::owner_all | fs::perms::others_exec);
+    {
+        const WithoutRoot guard;
+        if (!guard.isPlain())
+            GTEST_SKIP() << "the rights of root cannot be given up here";
+        EXPECT_EQ(codeOf([&] { loadProject(file); }), ErrorCode::PermissionDenied);
+        const auto saved = codeOf([&] { saveProject(fullProject(), file); });
+        // A user may write in his own folder.
+        EXPECT_EQ(saved, guard.wasRoot() ? ErrorCode::PermissionDenied : saved);
+    }
+    fs::permissions(file, fs::perms::owner_all);
     EXPECT_EQ(textOf(file), before);
 }
 

@@ -4,6 +4,7 @@
 // sequence; never anything else. What is particular to a format is in its own test.
 #include "fixture.h"
 #include "meshbytes.h"
+#include "tests/model/withoutroot.h"
 #include "testsequence.h"
 
 #include <cstring>
@@ -86,26 +87,6 @@ protected:
 
 private:
     std::filesystem::path m_mesh;
-};
-
-/// Gives up the rights of root for a while: root may read everything.
-class WithoutRoot
-{
-public:
-    WithoutRoot() : m_wasRoot(::geteuid() == 0) { m_isPlain = !m_wasRoot || ::seteuid(nobody) == 0; }
-    ~WithoutRoot()
-    {
-        if (m_wasRoot && m_isPlain && ::seteuid(0) != 0)
-            std::abort();
-    }
-    WithoutRoot(const WithoutRoot&) = delete;
-    WithoutRoot& operator=(const WithoutRoot&) = delete;
-    bool isPlain() const { return m_isPlain; }
-
-private:
-    static constexpr uid_t nobody = 65534;
-    bool m_wasRoot;
-    bool m_isPlain = false;
 };
 
 } // namespace

@@ -107,6 +107,9 @@ TEST(Bvh, AnglesAreResampledToASequence)
 TEST(Bvh, BadFilesNameTheLine)
 {
     EXPECT_EQ(codeOf([] { readBvh("/no/such/file.bvh"); }), ErrorCode::FileNotFound);
+    const TemporaryFolder folder;
+    EXPECT_EQ(codeOf([&] { readBvh(folder.write("empty.bvh", "")); }), ErrorCode::FileEmpty);
+    EXPECT_EQ(codeOf([&] { readBvh(folder / ""); }), ErrorCode::ReadFailed); // the folder itself
     EXPECT_EQ(codeOf([] { parse("just text"); }), ErrorCode::FileSyntax);
     EXPECT_EQ(codeOf([] { parse(std::string("HIER\0ARCHY", 10)); }), ErrorCode::FileEncoding);
     EXPECT_EQ(codeOf([] { parse(arm.substr(0, 200)); }), ErrorCode::FileSyntax);
@@ -123,6 +126,21 @@ TEST(Bvh, BadFilesNameTheLine)
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::FileSyntax);
         EXPECT_EQ(error.context().place.line, 25);
+    }
+}
+
+TEST(Bvh, IsRefusedWhereItIsCutOrWrong)
+{
+    for (std::size_t length = 0; length + 8 < arm.size(); length += 3)
+        codeOf([&] { parse(arm.substr(0, length)); });
+    for (std::size_t at = 0; at < arm.size(); ++at) {
+        std::string wrong = arm;
+        wrong[at] = static_cast<char>(static_cast<unsigned char>(wrong[at]) ^ 0xFFU);
+        try {
+            parse(wrong);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.context().file, "arm.bvh");
+        }
     }
 }
 
