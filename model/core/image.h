@@ -32,7 +32,7 @@ Image readImage(const std::filesystem::path& path);
 
 /// Decodes the bytes of a PNG, JPEG or TIFF file.
 /// \param file  names the source in errors.
-/// \throws Error ImageUnreadable, and those of checkEncodedImage: FileTruncated, CountTooLarge, FormatRefused.
+/// \throws Error ImageUnreadable, FileTruncated, CountTooLarge, FormatRefused: see checkEncodedImage.
 Image decodeImage(std::span<const std::byte> encoded, const std::filesystem::path& file = {});
 
 /// The bytes of a PNG, JPEG or TIFF file.
