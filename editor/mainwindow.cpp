@@ -28,6 +28,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QLabel>
+#include <QLocale>
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -166,7 +167,10 @@ void MainWindow::makeMenus()
 
 void MainWindow::connectAll()
 {
-    retranslates(this, [this] { showTitle(); });
+    retranslates(this, [this] {
+        setLocale(QLocale()); // numbers as the language writes them
+        showTitle();
+    });
     connect(&m_context.document, &ProjectDocument::changed, this, &MainWindow::followDocument);
     connect(m_context.document.undoStack(), &QUndoStack::indexChanged, this,
             [this] { followDocument(ChangeEvent::file()); });

@@ -64,7 +64,13 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
             m_context.selection.sequences().contains(name))
             refresh();
     });
-    retranslates(this, [this] { refresh(); });
+    retranslates(this, [this] {
+        for (int page = 0; page < m_pages->count(); ++page) {
+            if (auto* scroll = qobject_cast<QScrollArea*>(m_pages->widget(page)))
+                scroll->setMinimumWidth(scroll->widget()->minimumSizeHint().width());
+        }
+        refresh();
+    });
 }
 
 void PropertiesPanel::refresh()

@@ -12,7 +12,7 @@ PropertyForm::PropertyForm(QWidget* parent) : QWidget(parent), m_form(new QFormL
     m_form->setContentsMargins(12, 4, 12, 12);
     m_form->setSpacing(8);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    m_form->setRowWrapPolicy(QFormLayout::DontWrapRows);
+    m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
 }
 
 void PropertyForm::addField(const char* objectName, Text label, QWidget* field, Text tip)

@@ -152,6 +152,8 @@ void PlaybackBar::showTime()
         m_fpsReached > 0 ? tr("%1 of %2 fps")
                                .arg(locale().toString(m_fpsReached, 'f', 1), locale().toString(m_fps, 'g', 5))
                          : tr("%1 fps").arg(locale().toString(m_fps, 'g', 5)));
+    // The text changes while it plays: a wider one must not wait for the next layout to be seen whole.
+    m_reached->setMinimumWidth(m_reached->sizeHint().width());
 }
 
 } // namespace quadrille::widgets
