@@ -163,7 +163,7 @@ private:
     std::string_view m_text;
     std::string_view m_rest;
     std::string_view m_line;
-    const char* m_place = nullptr;
+    const char* m_place = m_text.data();
     std::int64_t m_vertexCount = 0;
     std::int64_t m_faceCount = 0;
     bool m_hasUvs = false;

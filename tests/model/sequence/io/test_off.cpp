@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "fixture.h"
+#include "model/sequence/io/off.h"
 
 using namespace quadrille;
 
@@ -58,6 +59,8 @@ TEST_F(Off, RefusesWhatIsDamaged)
     EXPECT_EQ(errorFor("OFF\n0 0 0\n").code(), ErrorCode::NoVertices);
     EXPECT_EQ(errorFor("OFF\n1 0 0\n0 0 0\n").code(), ErrorCode::NoFaces);
     EXPECT_EQ(errorFor("OFF\n-3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").code(), ErrorCode::FileSyntax);
+    EXPECT_EQ(errorFor("\n").code(), ErrorCode::FileSyntax);
+    EXPECT_EQ(errorOf([] { parseOff({}, "empty.off"); }).context().place.line, 1);
     EXPECT_EQ(errorFor("OFF BINARY\n").code(), ErrorCode::FormatRefused);
     EXPECT_EQ(errorFor("4OFF\n3 1 0\n").code(), ErrorCode::FormatRefused);
     EXPECT_EQ(errorFor("OFF\n4000000000 1 0\n0 0 0\n").code(), ErrorCode::CountTooLarge);
