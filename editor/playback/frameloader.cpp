@@ -3,10 +3,24 @@
 #include "editor/playback/frameloader.h"
 
 #include "editor/pictures/pictures.h"
+#include "model/core/mediacache.h"
+
+#include <algorithm>
 
 namespace quadrille {
 
 namespace {
+
+/// How many frames are read ahead, at most.
+constexpr int lookahead = 12;
+
+std::size_t bytesOf(const LoadedFrame& frame)
+{
+    std::size_t bytes = frame.positions ? frame.positions->positions().size_bytes() : 0;
+    for (const auto& [index, picture] : frame.textures)
+        bytes += static_cast<std::size_t>(picture.sizeInBytes());
+    return bytes;
+}
 
 std::int64_t wrapped(std::int64_t frame, std::int64_t count)
 {
@@ -62,6 +76,7 @@ void FrameLoader::setSequence(int stream, const MeshSequence& sequence)
     changed.sequence = std::make_shared<const MeshSequence>(sequence);
     changed.wanted.reset();
     changed.aheadLeft = 0;
+    changed.frameBytes = 0;
 }
 
 void FrameLoader::removeStream(int stream)
@@ -79,15 +94,18 @@ void FrameLoader::want(int stream, FrameIndex frame, int step)
         ++changed.lastWish;
         changed.step = step == 0 ? 1 : step;
         changed.ahead = frame;
-        changed.aheadLeft = step == 0 ? 2 : m_lookahead;
+        changed.aheadLeft = std::min(step == 0 ? 2 : lookahead, framesThatFit());
     }
     m_available.notify_all();
 }
 
-void FrameLoader::setLookahead(int frames)
+int FrameLoader::framesThatFit() const
 {
-    const std::lock_guard lock(m_mutex);
-    m_lookahead = frames;
+    std::size_t bytes = 1;
+    for (const auto& [id, stream] : m_streams)
+        bytes += stream.frameBytes;
+    return static_cast<int>(
+        std::clamp<std::size_t>(MediaCache::shared()->statistics().budget / 2 / bytes, 1, lookahead));
 }
 
 std::optional<FrameLoader::Task> FrameLoader::takeTask()
@@ -123,6 +141,8 @@ void FrameLoader::run()
         if (task->isWanted)
             deliver(*task, frame);
         lock.lock();
+        if (const auto stream = m_streams.find(task->stream); stream != m_streams.end())
+            stream->second.frameBytes = bytesOf(frame);
     }
 }
 

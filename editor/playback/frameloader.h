@@ -34,8 +34,6 @@ class FrameLoader : public QObject
     Q_OBJECT
 
 public:
-    static constexpr int defaultLookahead = 12;
-
     explicit FrameLoader(QObject* parent = nullptr, int threads = 2);
     ~FrameLoader() override;
 
@@ -47,8 +45,6 @@ public:
     /// \param step frames from one to the next while playing, negative backwards, 0 when standing.
     /// \pre 0 ≤ frame < the sequence's frameCount().
     void want(int stream, FrameIndex frame, int step = 0);
-    /// How many frames are read ahead, at most.
-    void setLookahead(int frames);
 
 signals:
     void loaded(int stream, const quadrille::LoadedFrame& frame);
@@ -63,6 +59,7 @@ private:
         int aheadLeft = 0;
         std::int64_t lastWish = 0;     ///< wishes are numbered in their order
         std::int64_t lastAnswered = 0; ///< an answer to an earlier wish comes too late
+        std::size_t frameBytes = 0; ///< of the frame loaded last, with its textures
     };
     struct Task
     {
@@ -75,13 +72,14 @@ private:
 
     void run();
     std::optional<Task> takeTask();
+    /// How many frames of every stream half the media cache has room for.
+    int framesThatFit() const;
     void deliver(const Task& task, const LoadedFrame& frame);
 
     std::mutex m_mutex;
     std::condition_variable m_available;
     std::map<int, Stream> m_streams;
     int m_nextStream = 1;
-    int m_lookahead = defaultLookahead;
     bool m_stopping = false;
     std::vector<std::thread> m_threads;
 };

@@ -24,25 +24,45 @@ std::shared_ptr<const void> MediaCache::get(MediaId id, std::int64_t index,
                                             const std::function<Loaded()>& load)
 {
     const Key key{id.value(), index};
+    std::promise<std::shared_ptr<const void>> promise;
     {
-        const std::scoped_lock lock(m_mutex);
+        std::unique_lock lock(m_mutex);
         if (const auto found = m_byKey.find(key); found != m_byKey.end()) {
             ++m_statistics.hits;
             m_entries.splice(m_entries.begin(), m_entries, found->second);
             return found->second->loaded.item;
         }
+        if (const auto found = m_loading.find(key); found != m_loading.end()) {
+            ++m_statistics.hits;
+            const auto awaited = found->second;
+            lock.unlock();
+            return awaited.get();
+        }
         ++m_statistics.misses;
+        m_loading.emplace(key, promise.get_future().share());
     }
-    Loaded loaded = load();
-    auto item = loaded.item;
-    const std::scoped_lock lock(m_mutex);
-    if (m_byKey.contains(key))
+    try {
+        Loaded loaded = load();
+        auto item = loaded.item;
+        keep(key, std::move(loaded));
+        promise.set_value(item);
         return item;
+    } catch (...) {
+        const std::scoped_lock lock(m_mutex);
+        m_loading.erase(key);
+        promise.set_exception(std::current_exception());
+        throw;
+    }
+}
+
+void MediaCache::keep(const Key& key, Loaded loaded)
+{
+    const std::scoped_lock lock(m_mutex);
+    m_loading.erase(key);
     m_statistics.bytes += loaded.bytes;
     m_entries.push_front({key, std::move(loaded)});
     m_byKey.emplace(key, m_entries.begin());
     shrink();
-    return item;
 }
 
 void MediaCache::drop(MediaId id)

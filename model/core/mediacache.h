@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <future>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -30,8 +31,8 @@ private:
 };
 
 /// Keeps recently used frames and textures within a budget of bytes, least recently used dropped first. What
-/// is still held elsewhere stays alive there. Safe from any thread; two threads that miss the same item both
-/// load it.
+/// is still held elsewhere stays alive there. Safe from any thread; of several threads that miss the same
+/// item one loads it and the others wait for it.
 class MediaCache
 {
 public:
@@ -56,7 +57,8 @@ public:
     /// The cache that everything uses unless told otherwise.
     static const std::shared_ptr<MediaCache>& shared();
 
-    /// Item `index` of a source, from the cache or by `load`, which runs without a lock and may throw.
+    /// Item `index` of a source, from the cache or by `load`, which runs without a lock and may throw (what
+    /// it throws reaches all who wait). `load` must not ask for the same item.
     std::shared_ptr<const void> get(MediaId id, std::int64_t index, const std::function<Loaded()>& load);
     /// Forgets all items of a source.
     void drop(MediaId id);
@@ -80,11 +82,13 @@ private:
         Loaded loaded;
     };
 
+    void keep(const Key& key, Loaded loaded);
     void shrink();
 
     mutable std::mutex m_mutex;
     std::list<Entry> m_entries; ///< most recently used first
     std::unordered_map<Key, std::list<Entry>::iterator, KeyHash> m_byKey;
+    std::unordered_map<Key, std::shared_future<std::shared_ptr<const void>>, KeyHash> m_loading;
     Statistics m_statistics;
 };
 

@@ -77,8 +77,6 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), d(std::make_unique<Privat
         d->view = new VtkView(this);
         d->view->setObjectName(QStringLiteral("viewportSurface"));
         d->scene.attachTo(d->view->renderWindow());
-        constexpr int samples = 4;
-        d->view->renderWindow()->SetMultiSamples(samples);
         connect(d->view, &VtkView::rendered, this, &Viewport::rendered);
         d->surface = d->view;
     } else {

@@ -14,6 +14,7 @@
 #include <QScopedValueRollback>
 #include <QScreen>
 #include <QTimer>
+#include <chrono>
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkGenericRenderWindowInteractor.h>
@@ -26,6 +27,11 @@
 namespace quadrille::widgets {
 
 namespace {
+
+/// Of the window's own framebuffer, per pixel.
+constexpr int samples = 4;
+/// A processor draws pictures that follow each other faster than this without smoothing their edges.
+constexpr std::chrono::milliseconds restTime{200};
 
 QSurfaceFormat viewFormat()
 {
@@ -96,10 +102,11 @@ struct VtkView::Private
     QPointer<QOpenGLContext> boundContext;
     QSurface* surface = nullptr;
     QHash<int, QTimer*> timers;
+    QTimer rest; ///< runs while pictures follow each other
     bool glReady = false;
     bool painting = false;
     bool renderNeeded = true;
-    bool software = false;
+    bool software = false; ///< a processor draws in place of a graphics card
 };
 
 void VtkView::setDefaultFormat()
@@ -133,6 +140,14 @@ VtkView::VtkView(QWidget* parent) : QOpenGLWidget(parent), d(std::make_unique<Pr
 
     d->window->SetOwnContext(0);
     d->window->SetReadyForRendering(false);
+    d->window->SetMultiSamples(samples);
+    d->rest.setSingleShot(true);
+    d->rest.setInterval(restTime);
+    connect(&d->rest, &QTimer::timeout, this, [this] {
+        d->window->SetMultiSamples(samples);
+        d->renderNeeded = true;
+        update();
+    });
     d->window->SetFrameBlitModeToNoBlit();
     for (const unsigned long id :
          {vtkCommand::WindowMakeCurrentEvent, vtkCommand::WindowIsCurrentEvent, vtkCommand::WindowFrameEvent,
@@ -172,13 +187,12 @@ vtkRenderWindowInteractor* VtkView::interactor() const
 
 void VtkView::scheduleRender()
 {
+    if (d->software) {
+        d->window->SetMultiSamples(0);
+        d->rest.start();
+    }
     d->renderNeeded = true;
     update();
-}
-
-bool VtkView::isSoftwareRendered() const
-{
-    return d->software;
 }
 
 bool VtkView::renderApart(const std::function<void(vtkRenderWindow*)>& draw)
@@ -192,6 +206,7 @@ bool VtkView::renderApart(const std::function<void(vtkRenderWindow*)>& draw)
         state->Reset();
         state->Push();
         state->vtkglDepthFunc(GL_LEQUAL);
+        d->window->SetMultiSamples(samples);
         draw(d->window);
         state->Pop();
     }

@@ -28,10 +28,10 @@ public:
 
     vtkRenderWindow* renderWindow() const;
     vtkRenderWindowInteractor* interactor() const;
-    /// Asks for a redraw; any number of calls before the next paint cost one frame.
+    /// Asks for a redraw; any number of calls before the next paint cost one frame. Where there is no
+    /// graphics card, edges are smoothed only once no further redraw was asked for during a fifth of a
+    /// second.
     void scheduleRender();
-    /// Whether pictures come from the processor instead of a graphics card; known after the first paint.
-    bool isSoftwareRendered() const;
     /// Runs VTK drawing that is not the widget's own picture (a snapshot) with the context current, and
     /// draws the widget anew afterwards. Does nothing and returns false before the widget was first shown.
     bool renderApart(const std::function<void(vtkRenderWindow*)>& draw);

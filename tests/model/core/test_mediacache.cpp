@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/mediacache.h"
 
+#include <atomic>
+#include <future>
 #include <gtest/gtest.h>
+#include <latch>
+#include <thread>
+#include <vector>
 
 using namespace quadrille;
 
@@ -69,4 +74,58 @@ TEST(MediaCache, AFailedLoadLeavesNothing)
     const MediaId id;
     EXPECT_THROW(cache.get(id, 0, []() -> MediaCache::Loaded { throw 1; }), int);
     EXPECT_EQ(cache.statistics().items, 0U);
+}
+
+TEST(MediaCache, ThreadsThatMissTheSameItemWaitForOneLoad)
+{
+    constexpr int threads = 4;
+    MediaCache cache;
+    const MediaId id;
+    std::atomic<int> loads = 0;
+    std::promise<void> release;
+    std::promise<void> begun;
+    const auto load = [&] {
+        ++loads;
+        begun.set_value();
+        release.get_future().wait();
+        return item(5);
+    };
+    std::vector<std::future<int>> values;
+    values.push_back(std::async(std::launch::async, [&] { return valueOf(cache.get(id, 0, load)); }));
+    begun.get_future().wait();
+    std::latch asked(threads);
+    for (int t = 0; t < threads; ++t) {
+        values.push_back(std::async(std::launch::async, [&] {
+            asked.count_down();
+            return valueOf(cache.get(id, 0, load));
+        }));
+    }
+    asked.wait();
+    release.set_value();
+    for (auto& value : values)
+        EXPECT_EQ(value.get(), 5);
+    EXPECT_EQ(loads, 1);
+}
+
+TEST(MediaCache, AFailedLoadReachesAllWhoWaitAndIsTriedAgain)
+{
+    MediaCache cache;
+    const MediaId id;
+    std::promise<void> release;
+    std::promise<void> begun;
+    auto first = std::async(std::launch::async, [&] {
+        return cache.get(id, 0, [&]() -> MediaCache::Loaded {
+            begun.set_value();
+            release.get_future().wait();
+            throw 1;
+        });
+    });
+    begun.get_future().wait();
+    auto second = std::async(std::launch::async, [&] { return cache.get(id, 0, [] { return item(2); }); });
+    while (cache.statistics().hits == 0)
+        std::this_thread::yield();
+    release.set_value();
+    EXPECT_THROW(first.get(), int);
+    EXPECT_THROW(second.get(), int);
+    EXPECT_EQ(valueOf(cache.get(id, 0, [] { return item(3); })), 3);
 }
