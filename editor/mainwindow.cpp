@@ -13,6 +13,7 @@
 #include "editor/errors/errortext.h"
 #include "editor/errors/issuespanel.h"
 #include "editor/exporting/exportflow.h"
+#include "editor/exporting/pictureflow.h"
 #include "editor/help/helpviewer.h"
 #include "editor/importing/importflow.h"
 #include "editor/language/retranslate.h"
@@ -113,7 +114,8 @@ void MainWindow::makeCentre()
     m_message = new QLabel;
     m_message->setObjectName(QStringLiteral("message"));
     statusBar()->addWidget(m_message, 1);
-    statusBar()->addPermanentWidget(new StatusJobs(m_context.jobs));
+    m_jobs = new StatusJobs(m_context.jobs);
+    statusBar()->addPermanentWidget(m_jobs);
 }
 
 QDockWidget* MainWindow::addDock(const char* name, std::function<QString()> title, QWidget* content,
@@ -183,9 +185,10 @@ void MainWindow::connectAll()
     connect(m_import, &ImportFlow::imported, this,
             [this](const QStringList& names) { m_context.selection.selectSequences(names.mid(0, 1)); });
     connect(m_export, &ExportFlow::exported, this, [this](const QStringList& files) {
-        m_message->setText(tr("Exported to %1").arg(files.value(0)));
-        m_message->setToolTip(files.mid(0, 20).join(QLatin1Char('\n')));
+        showMessage(tr("Exported to %1").arg(files.value(0)), files);
     });
+    connect(&m_sequences->pictures(), &PictureFlow::saved, this,
+            [this](const QStringList& files) { showMessage(tr("Saved to %1").arg(files.value(0)), files); });
     connect(m_import, &ImportFlow::failed, this, [this](const Error& error) {
         m_context.issues.add(error);
         showProblem(describe(error).oneLine());
@@ -203,8 +206,10 @@ void MainWindow::connectAll()
                                            << 20U);
     });
     connect(m_files, &ProjectFiles::failed, this, &MainWindow::showProblem);
-    connect(&m_context.jobs, &JobRunner::failed, this,
-            [this](Job*, const Error& error) { showProblem(describe(error).oneLine()); });
+    connect(&m_context.jobs, &JobRunner::failed, this, [this](Job*, const Error& error) {
+        m_context.issues.add(error);
+        showProblem(describe(error).oneLine());
+    });
     connect(m_welcome, &WelcomePage::actionAsked, this,
             [this](const QString& id) { m_context.actions.action(id)->trigger(); });
     connect(m_welcome, &WelcomePage::projectAsked, this, [this](const QString& file) { open({file}); });
@@ -239,6 +244,12 @@ void MainWindow::showHelp()
     viewer->showPage(helpPageOf(focusWidget()));
     viewer->show();
     viewer->raise();
+}
+
+void MainWindow::showMessage(const QString& message, const QStringList& files)
+{
+    m_message->setText(message);
+    m_message->setToolTip(files.mid(0, 20).join(QLatin1Char('\n')));
 }
 
 void MainWindow::showProblem(const QString& message)

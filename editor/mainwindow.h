@@ -18,6 +18,7 @@ class ProjectFiles;
 class RelinkFlow;
 class SequencesWorkspace;
 class SessionKeeper;
+class StatusJobs;
 class WelcomePage;
 
 namespace widgets {
@@ -61,6 +62,7 @@ private:
     void showHelp();
     void showPalette();
     void openProjects(QStringList& files);
+    void showMessage(const QString& message, const QStringList& files);
     void showProblem(const QString& message);
 
     EditorContext m_context;
@@ -75,6 +77,7 @@ private:
     QList<QDockWidget*> m_docks;
     QDockWidget* m_issuesDock = nullptr;
     QLabel* m_message = nullptr;
+    StatusJobs* m_jobs = nullptr;
     SessionKeeper* m_session = nullptr;
     widgets::ActionPalette* m_palette = nullptr;
 };

@@ -3,6 +3,7 @@
 // The actions of the window.
 #include "editor/application/projectfiles.h"
 #include "editor/application/recentmenu.h"
+#include "editor/docks/statusjobs.h"
 #include "editor/mainwindow.h"
 #include "editor/preferences/aboutdialog.h"
 #include "editor/preferences/preferencesdialog.h"
@@ -52,6 +53,13 @@ void MainWindow::makeActions()
                  "settings",
                  {QKeySequence(Qt::CTRL | Qt::Key_Comma)}},
                 [this] { (new PreferencesDialog(m_context, this))->open(); });
+    actions.add({"view.jobs",
+                 [] { return tr("View"); },
+                 [] { return tr("&Running jobs"); },
+                 [] { return tr("Lists what is being worked on, each with a button that cancels it"); },
+                 "stop",
+                 {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_J)}},
+                [this] { m_jobs->showJobs(); });
     const auto help = [] { return tr("Help"); };
     actions.add({"help.palette",
                  help,

@@ -32,6 +32,7 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
                                                        "view.ghosts",
                                                        "view.measure",
                                                        "view.copy",
+                                                       "view.savePicture",
                                                        "",
                                                        "view.sideBySide",
                                                        "view.overlay",
@@ -45,7 +46,8 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
                                                        "theme.system",
                                                        "theme.light",
                                                        "theme.dark",
-                                                       ""});
+                                                       "",
+                                                       "view.jobs"});
     view->addActions(docks);
     addMenu([] { return tr("&Playback"); },
             {"play.toggle", "", "play.previous", "play.next", "play.first", "play.last", "", "play.backwards",

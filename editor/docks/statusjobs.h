@@ -11,10 +11,12 @@ class QToolButton;
 
 namespace quadrille {
 
+class JobListModel;
 class JobRunner;
+class JobsPopup;
 
-/// The status bar's corner: the job that runs longest with its progress and a button to cancel it, how many
-/// more there are, and how much memory frames and textures take.
+/// The status bar's corner: the job that runs longest with its progress, the time it still takes and a button
+/// to cancel, how many more there are (a click lists them all), and how much memory frames and textures take.
 class StatusJobs : public QWidget
 {
     Q_OBJECT
@@ -22,12 +24,19 @@ class StatusJobs : public QWidget
 public:
     explicit StatusJobs(JobRunner& jobs, QWidget* parent = nullptr);
 
-private:
-    void refresh();
+    /// Lists all running jobs, each with its own button to cancel it.
+    void showJobs();
 
-    JobRunner& m_jobs;
-    QLabel* m_name;
+private:
+    void refreshJobs();
+    void refreshCache();
+
+    JobRunner& m_runner;
+    JobListModel* m_jobs;
+    JobsPopup* m_popup;
+    QToolButton* m_name;
     QProgressBar* m_progress;
+    QLabel* m_timeLeft;
     QToolButton* m_cancel;
     QLabel* m_cache;
     QTimer* m_timer;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/pictures/pictures.h"
 
+#include <cstring>
 #include <utility>
 
 namespace quadrille {
@@ -25,6 +26,18 @@ QImage toQImage(std::shared_ptr<const Image> image)
 QImage toQImage(Image image)
 {
     return toQImage(std::make_shared<const Image>(std::move(image)));
+}
+
+Image toImage(const QImage& picture)
+{
+    if (picture.isNull())
+        return {};
+    const QImage source = picture.convertToFormat(QImage::Format_RGBA8888);
+    Image image(source.width(), source.height());
+    const auto bytesPerRow = static_cast<std::size_t>(source.width()) * 4;
+    for (int y = 0; y < source.height(); ++y)
+        std::memcpy(image.pixel(0, y), source.constScanLine(y), bytesPerRow);
+    return image;
 }
 
 } // namespace quadrille

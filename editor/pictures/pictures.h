@@ -13,5 +13,7 @@ namespace quadrille {
 QImage toQImage(std::shared_ptr<const Image> image);
 /// \overload taking the pixels over.
 QImage toQImage(Image image);
+/// The same pixels for the model, opaque where Qt's have no alpha; empty for null.
+Image toImage(const QImage& picture);
 
 } // namespace quadrille

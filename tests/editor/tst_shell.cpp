@@ -4,6 +4,7 @@
 #include "editor/application/autosave.h"
 #include "editor/application/session.h"
 #include "editor/commands/projectedits.h"
+#include "editor/exporting/pictureflow.h"
 #include "editor/playback/player.h"
 #include "editor/playback/sequencestage.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
@@ -14,12 +15,15 @@
 
 #include <QComboBox>
 #include <QKeySequenceEdit>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
 #include <QTabWidget>
+#include <QToolButton>
 #include <QTreeWidget>
+#include <thread>
 
 namespace quadrille {
 
@@ -97,6 +101,53 @@ private slots:
         QTest::keyClick(field, Qt::Key_Return);
         QVERIFY(!field->isVisible());
         QVERIFY(context().document.sequence("walk")->range == (FrameRange{FrameIndex(2), FrameIndex(5)}));
+    }
+
+    void runningJobsAreListedAndCancelledOneByOne()
+    {
+        const auto untilCancelled = [](const Progress& progress) {
+            while (true) {
+                progress.report(0.5);
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            }
+        };
+        JobRunner& jobs = context().jobs;
+        QTRY_VERIFY(jobs.jobs().empty());
+        const QPointer<Job> first = jobs.start({.name = "First"}, untilCancelled, [] {});
+        const QPointer<Job> second = jobs.start({.name = "Second"}, untilCancelled, [] {});
+        auto* shown = test::find<QToolButton>("jobName");
+        QTRY_VERIFY(shown->isVisible());
+        QVERIFY(shown->text().startsWith("First"));
+        QTest::mouseClick(shown, Qt::LeftButton);
+        auto* popup = test::find<QFrame>("jobsPopup");
+        QTRY_VERIFY(popup->isVisible());
+        QVERIFY(m_window->screen()->geometry().contains(popup->geometry()));
+        const auto cancels = popup->findChildren<QToolButton*>("jobRowCancel");
+        QCOMPARE(cancels.size(), 2);
+        QTest::mouseClick(cancels[1], Qt::LeftButton);
+        QTRY_VERIFY(second.isNull());
+        QVERIFY(!first.isNull());
+        QVERIFY(popup->isVisible());
+        QTest::keyClick(cancels[0], Qt::Key_Space);
+        QTRY_VERIFY(first.isNull());
+        QTRY_VERIFY(!popup->isVisible());
+        QVERIFY(!shown->isVisible());
+    }
+
+    void thePictureIsSaved()
+    {
+        openSaved();
+        const QString file = m_folder->filePath("view.png");
+        m_window->sequences().pictures().save(file);
+        auto* message = test::find<QLabel>("message");
+        QTRY_COMPARE(message->text(), QString("Saved to %1").arg(file));
+        const QImage picture(file);
+        const auto& viewport = m_window->sequences().viewport();
+        QCOMPARE(picture.size(), viewport.size() * viewport.devicePixelRatioF());
+        QVERIFY(picture.pixelColor(picture.rect().center()) != picture.pixelColor(0, 0));
+
+        m_window->sequences().pictures().save(m_folder->filePath("walk_1.obj/view.png"));
+        QTRY_COMPARE(context().issues.count(IssueLog::Severity::Error), 1);
     }
 
     void preferencesApplyAtOnce()

@@ -10,8 +10,6 @@
 #include "widgets/viewport/viewport.h"
 
 #include <QActionGroup>
-#include <QClipboard>
-#include <QGuiApplication>
 
 namespace quadrille {
 
@@ -84,13 +82,6 @@ void SequencesWorkspace::makeViewActions()
             [measure = actions.action("view.measure")](Tool tool) {
                 measure->setChecked(tool == Tool::Measure);
             });
-    actions.add({"view.copy",
-                 view,
-                 [] { return tr("Copy the &picture"); },
-                 [] { return tr("Puts the view as it is now onto the clipboard"); },
-                 "copy",
-                 {Qt::CTRL | Qt::SHIFT | Qt::Key_C}},
-                [this] { QGuiApplication::clipboard()->setImage(m_viewport->snapshot()); });
     makeCameraActions();
     makeComparingActions();
 }

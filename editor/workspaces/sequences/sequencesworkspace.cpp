@@ -4,6 +4,7 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/errors/errortext.h"
+#include "editor/exporting/pictureflow.h"
 #include "editor/language/retranslate.h"
 #include "editor/playback/player.h"
 #include "editor/playback/sequencestage.h"
@@ -31,6 +32,7 @@ SequencesWorkspace::SequencesWorkspace(EditorContext& context, QWidget* parent)
     , m_sequenceTimeline(new SequenceTimeline(*m_timeline, context.document, context.media, this))
     , m_contacts(new ContactProposal(context, this))
     , m_message(new widgets::MessageStrip)
+    , m_pictures(new PictureFlow(context, *m_viewport, this))
 {
     setObjectName(QStringLiteral("sequencesWorkspace"));
     m_viewport->setObjectName(QStringLiteral("viewport"));

@@ -9,6 +9,7 @@
 namespace quadrille {
 
 class ContactProposal;
+class PictureFlow;
 class Player;
 class SequenceStage;
 class SequenceTimeline;
@@ -32,6 +33,7 @@ public:
     Player& player() { return *m_player; }
     SequenceStage& stage() { return *m_stage; }
     widgets::Viewport& viewport() { return *m_viewport; }
+    PictureFlow& pictures() { return *m_pictures; }
     /// Plays the next sequence that is shown as soon as it is ready.
     void playWhenReady() { m_playsWhenReady = true; }
 
@@ -62,6 +64,7 @@ private:
     SequenceTimeline* m_sequenceTimeline;
     ContactProposal* m_contacts;
     widgets::MessageStrip* m_message;
+    PictureFlow* m_pictures;
     ViewTools* m_tools = nullptr;
     bool m_playsWhenReady = false;
 };

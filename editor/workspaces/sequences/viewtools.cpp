@@ -39,7 +39,7 @@ ViewTools::ViewTools(ActionRegistry& actions, QWidget* parent) : QToolBar(parent
     m_comparing +=
         {actions.action(QStringLiteral("view.sideBySide")), actions.action(QStringLiteral("view.overlay"))};
     addTools(actions, {"", "view.follow", "view.frame", "view.frameAll", "view.front", "view.side",
-                       "view.top", "", "view.measure", "view.copy"});
+                       "view.top", "", "view.measure", "view.savePicture"});
     setComparing(false);
     retranslates(this, [this] { retranslate(); });
 }

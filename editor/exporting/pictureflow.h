@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+class QWidget;
+
+namespace quadrille {
+
+struct EditorContext;
+
+namespace widgets {
+class Viewport;
+}
+
+/// Takes the viewport's picture as it is: onto the clipboard, or into a file.
+class PictureFlow : public QObject
+{
+    Q_OBJECT
+public:
+    PictureFlow(EditorContext& context, widgets::Viewport& viewport, QWidget* window);
+
+    /// Draws the picture and writes it in a job. \param file  PNG, JPEG or TIFF by its ending.
+    void save(const QString& file);
+
+signals:
+    void saved(const QStringList& files);
+
+private:
+    void copy();
+    void askAndSave();
+
+    EditorContext& m_context;
+    widgets::Viewport& m_viewport;
+    QWidget* m_window;
+    QString m_folder; ///< of the picture saved last
+};
+
+} // namespace quadrille
