@@ -1112,6 +1112,21 @@
     </message>
 </context>
 <context>
+    <name>quadrille::JobsPopup</name>
+    <message>
+        <source>Running jobs</source>
+        <translation>Tâches en cours</translation>
+    </message>
+    <message>
+        <source>stopping…</source>
+        <translation>arrêt…</translation>
+    </message>
+    <message>
+        <source>Cancel “%1”</source>
+        <translation>Annuler « %1 »</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::MainWindow</name>
     <message>
         <source>Project</source>
@@ -1225,6 +1240,22 @@
         <source>&amp;About Quadrille</source>
         <translation>À &amp;propos de Quadrille</translation>
     </message>
+    <message>
+        <source>Saved to %1</source>
+        <translation>Enregistré dans %1</translation>
+    </message>
+    <message>
+        <source>&amp;Running jobs</source>
+        <translation>Tâches en &amp;cours</translation>
+    </message>
+    <message>
+        <source>Lists what is being worked on, each with a button that cancels it</source>
+        <translation>Liste les travaux en cours, chacun avec un bouton qui l’annule</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Texture</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::Menus</name>
@@ -1326,6 +1357,41 @@
     <message>
         <source>Full turns of the camera over the clip; negative ones go the other way round</source>
         <translation>Tours complets de la caméra au cours du clip&#x202f;; un nombre négatif inverse le sens</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PictureFlow</name>
+    <message>
+        <source>View</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;picture</source>
+        <translation>Copier l’&amp;image</translation>
+    </message>
+    <message>
+        <source>Puts the view as it is now onto the clipboard</source>
+        <translation>Met la vue telle qu’elle est dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>Save the pict&amp;ure…</source>
+        <translation>Enregistrer l’i&amp;mage…</translation>
+    </message>
+    <message>
+        <source>Writes the view as it is now into a picture file</source>
+        <translation>Écrit la vue telle qu’elle est dans un fichier image</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Enregistrer l’image</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.tif *.tiff)</source>
+        <translation>Images (*.png *.jpg *.jpeg *.tif *.tiff)</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Enregistrement de %1</translation>
     </message>
 </context>
 <context>
@@ -2094,14 +2160,6 @@
         <translation>Fantôme&amp;s</translation>
     </message>
     <message>
-        <source>Copy the &amp;picture</source>
-        <translation>Copier l’&amp;image</translation>
-    </message>
-    <message>
-        <source>Puts the view as it is now onto the clipboard</source>
-        <translation>Place la vue telle qu’elle est dans le presse-papiers</translation>
-    </message>
-    <message>
         <source>Fra&amp;me the selection</source>
         <translation>Cadrer la sélection</translation>
     </message>
@@ -2213,6 +2271,14 @@
     <message>
         <source>Memory that frames and textures take, and may take</source>
         <translation>Mémoire que les images et les textures occupent, et peuvent occuper</translation>
+    </message>
+    <message>
+        <source>List the running jobs</source>
+        <translation>Lister les tâches en cours</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
     </message>
 </context>
 <context>
@@ -2338,6 +2404,121 @@
     <message>
         <source>Pictures (*.png *.jpg *.jpeg *.tif *.tiff)</source>
         <translation>Images (*.png *.jpg *.jpeg *.tif *.tiff)</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TexturePanel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>u %1  v %2</source>
+        <translation>u %1  v %2</translation>
+    </message>
+    <message>
+        <source>%1 · pixel %2, %3</source>
+        <translation>%1 · pixel %2, %3</translation>
+    </message>
+    <message>
+        <source>UV edges</source>
+        <translation>Arêtes UV</translation>
+    </message>
+    <message>
+        <source>Draw the edges of the mesh over its texture</source>
+        <translation>Dessiner les arêtes du maillage sur sa texture</translation>
+    </message>
+    <message>
+        <source>1:1</source>
+        <translation>1:1</translation>
+    </message>
+    <message>
+        <source>One pixel of the texture for each pixel of the screen (0)</source>
+        <translation>Un pixel de la texture par pixel de l’écran (0)</translation>
+    </message>
+    <message>
+        <source>Actual size</source>
+        <translation>Taille réelle</translation>
+    </message>
+    <message>
+        <source>Fit into the view (F)</source>
+        <translation>Ajuster à la vue (F)</translation>
+    </message>
+    <message>
+        <source>Fit into the view</source>
+        <translation>Ajuster à la vue</translation>
+    </message>
+    <message>
+        <source>Material whose texture is shown</source>
+        <translation>Matériau dont la texture est montrée</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>Choose textures</source>
+        <translation>Choisir des textures</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Texture</translation>
+    </message>
+    <message>
+        <source>Drawing the UV edges of “%1”</source>
+        <translation>Dessin des arêtes UV de « %1 »</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>image %1</translation>
+    </message>
+    <message>
+        <source>all frames</source>
+        <translation>toutes les images</translation>
+    </message>
+    <message>
+        <source>Inside the sequence’s file</source>
+        <translation>Dans le fichier de la séquence</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels · %3</source>
+        <translation>%1 × %2 pixels · %3</translation>
+    </message>
+    <message>
+        <source>The texture of the selected sequence is shown here.</source>
+        <translation>La texture de la séquence sélectionnée est montrée ici.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be shown.</source>
+        <translation>« %1 » ne peut pas être montrée.</translation>
+    </message>
+    <message>
+        <source>Opening “%1”…</source>
+        <translation>Ouverture de « %1 »…</translation>
+    </message>
+    <message>
+        <source>The material “%1” has no texture.</source>
+        <translation>Le matériau « %1 » n’a pas de texture.</translation>
+    </message>
+    <message>
+        <source>“%1” has no texture. Choose a picture for all frames, or a folder with one for each.</source>
+        <translation>« %1 » n’a pas de texture. Choisissez une image pour toutes les images de la séquence, ou un dossier avec une pour chacune.</translation>
+    </message>
+    <message>
+        <source>“%1” has no texture, and its mesh has no texture coordinates (UVs) to put one on. Choose a character whose mesh has them in the properties.</source>
+        <translation>« %1 » n’a pas de texture, et son maillage n’a pas de coordonnées de texture (UV) pour en recevoir une. Choisissez dans les propriétés un personnage dont le maillage en a.</translation>
+    </message>
+    <message>
+        <source>The mesh has no texture coordinates (UVs), so it is shown in clay.</source>
+        <translation>Le maillage n’a pas de coordonnées de texture (UV), il est donc montré en argile.</translation>
+    </message>
+    <message>
+        <source>Choose a character whose mesh has them in the properties.</source>
+        <translation>Choisissez dans les propriétés un personnage dont le maillage en a.</translation>
     </message>
 </context>
 <context>

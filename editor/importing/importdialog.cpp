@@ -19,6 +19,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
@@ -250,7 +251,7 @@ void ImportDialog::showTake()
         m_last->setRange(static_cast<int>(range.first.value), last);
         m_first->setValue(static_cast<int>(range.first.value));
         m_last->setValue(static_cast<int>(range.last.value));
-        m_height->setText(tr("%1 m high").arg(m_plan.heightOf(planned->take), 0, 'f', 2));
+        m_height->setText(tr("%1 m high").arg(QLocale().toString(m_plan.heightOf(planned->take), 'f', 2)));
     } else {
         m_height->clear();
     }
@@ -283,7 +284,8 @@ void ImportDialog::showProblems()
     }
     const double height = m_plan.heightOf(planned->take);
     if (height < 0.3 || height > 3.5) {
-        m_strip->show(Kind::Warning, tr("The figure would be %1 m high.").arg(height, 0, 'g', 3),
+        m_strip->show(Kind::Warning,
+                      tr("The figure would be %1 m high.").arg(QLocale().toString(height, 'g', 3)),
                       tr("Choose the unit and the up axis of the file."));
     }
     QStringList notes;

@@ -59,7 +59,7 @@ private:
         int aheadLeft = 0;
         std::int64_t lastWish = 0;     ///< wishes are numbered in their order
         std::int64_t lastAnswered = 0; ///< an answer to an earlier wish comes too late
-        std::size_t frameBytes = 0; ///< of the frame loaded last, with its textures
+        std::size_t frameBytes = 0;    ///< of the frame loaded last, with its textures
     };
     struct Task
     {

@@ -14,12 +14,14 @@
 #include "widgets/viewport/viewport.h"
 
 #include <QComboBox>
+#include <QFile>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -81,6 +83,25 @@ private slots:
                 owners[text] = action->objectName();
             }
         }
+    }
+
+    void theHelpNamesEveryShortcut()
+    {
+        QFile page(":/help/en/keyboard.md");
+        QVERIFY(page.open(QIODevice::ReadOnly));
+        QString text = QString::fromUtf8(page.readAll());
+        for (const auto& [sign, key] : {std::pair{"←", "Left"}, {"→", "Right"}})
+            text.replace(sign, key);
+        QStringList missing;
+        for (const QAction* action : context().actions.actions()) {
+            for (const QKeySequence& keys : action->shortcuts()) {
+                const QRegularExpression word("(^|[ |,])" + QRegularExpression::escape(keys.toString()) +
+                                              "($|[ |,])");
+                if (!text.contains(word))
+                    missing += keys.toString() + ": " + action->objectName();
+            }
+        }
+        QCOMPARE(missing.join('\n'), QString());
     }
 
     void thePaletteFindsAndRunsActions()

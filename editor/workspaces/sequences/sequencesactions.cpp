@@ -106,7 +106,8 @@ void SequencesWorkspace::makeCameraActions()
         "view.front", [] { return tr("From the f&ront"); }, "viewfront", Qt::Key_1,
         widgets::StandardView::Front);
     look(
-        "view.side", [] { return tr("From the &side"); }, "viewside", Qt::Key_3, widgets::StandardView::Left);
+        "view.side", [] { return tr("From the &side"); }, "viewside", Qt::Key_3,
+        widgets::StandardView::Right);
     look(
         "view.top", [] { return tr("From a&bove"); }, "viewtop", Qt::Key_7, widgets::StandardView::Top);
 }
