@@ -159,12 +159,13 @@ private slots:
     {
         openSaved();
         const QString file = m_folder->filePath("view.png");
+        const auto& viewport = m_window->sequences().viewport();
+        const QSize size = viewport.size() * viewport.devicePixelRatioF();
         m_window->sequences().pictures().save(file);
         auto* message = test::find<QLabel>("message");
         QTRY_COMPARE(message->text(), QString("Saved to %1").arg(file));
         const QImage picture(file);
-        const auto& viewport = m_window->sequences().viewport();
-        QCOMPARE(picture.size(), viewport.size() * viewport.devicePixelRatioF());
+        QCOMPARE(picture.size(), size);
         QVERIFY(picture.pixelColor(picture.rect().center()) != picture.pixelColor(0, 0));
 
         m_window->sequences().pictures().save(m_folder->filePath("walk_1.obj/view.png"));
