@@ -140,6 +140,26 @@
     </message>
 </context>
 <context>
+    <name>quadrille::LostMediaTable</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 and %n more</numerusform>
+            <numerusform>%1 and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::MainWindow</name>
+    <message numerus="yes">
+        <source>%n file(s) were relinked</source>
+        <translation>
+            <numerusform>%n file were relinked</numerusform>
+            <numerusform>%n files were relinked</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::ProjectEdits</name>
     <message numerus="yes">
         <source>Remove %n characters</source>
@@ -208,6 +228,47 @@
         <translation>
             <numerusform>%n frame, %1 s</numerusform>
             <numerusform>%n frames, %1 s</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::RelinkDialog</name>
+    <message numerus="yes">
+        <source>%n more were found from there.</source>
+        <translation>
+            <numerusform>%n more were found from there.</numerusform>
+            <numerusform>%n more were found from there.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) are not where the project says. Search the folder where they are now.</source>
+        <translation>
+            <numerusform>%n file are not where the project says. Search the folder where they are now.</numerusform>
+            <numerusform>%n files are not where the project says. Search the folder where they are now.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n missing file(s) were found. The project changes only when you apply this.</source>
+        <translation>
+            <numerusform>%1 of %n missing file were found. The project changes only when you apply this.</numerusform>
+            <numerusform>%1 of %n missing files were found. The project changes only when you apply this.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Relink %n file(s)</source>
+        <translation>
+            <numerusform>Relink %n file</numerusform>
+            <numerusform>Relink %n files</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::RelinkFlow</name>
+    <message numerus="yes">
+        <source>%n file(s) of the project are missing. They may have been moved or renamed.</source>
+        <translation>
+            <numerusform>%n file of the project are missing. They may have been moved or renamed.</numerusform>
+            <numerusform>%n files of the project are missing. They may have been moved or renamed.</numerusform>
         </translation>
     </message>
 </context>

@@ -35,10 +35,6 @@
         <translation>Ce fichier ou ce dossier n’existe pas.</translation>
     </message>
     <message>
-        <source>Check the path, or find the file with Relink.</source>
-        <translation>Vérifiez le chemin, ou retrouvez le fichier avec Relier.</translation>
-    </message>
-    <message>
         <source>You do not have permission to use this file.</source>
         <translation>Vous n’avez pas le droit d’utiliser ce fichier.</translation>
     </message>
@@ -263,10 +259,6 @@
         <translation>«&#xa0;{what}&#xa0;» utilise un fichier absent&#xa0;: {path}.</translation>
     </message>
     <message>
-        <source>Put it back, or relink it.</source>
-        <translation>Remettez-le en place, ou reliez-le.</translation>
-    </message>
-    <message>
         <source>The project has no target “{what}”.</source>
         <translation>Le projet n’a pas de cible «&#xa0;{what}&#xa0;».</translation>
     </message>
@@ -373,6 +365,14 @@
     <message>
         <source>Faces and texture coordinates are those of {path}.</source>
         <translation>Les faces et les coordonnées de texture sont celles de {path}.</translation>
+    </message>
+    <message>
+        <source>Check the path, or use “Find missing files” in the editor.</source>
+        <translation>Vérifiez le chemin, ou utilisez « Trouver les fichiers manquants » dans l’éditeur.</translation>
+    </message>
+    <message>
+        <source>Put it back, or use “Find missing files” in the editor.</source>
+        <translation>Remettez-le en place, ou utilisez « Trouver les fichiers manquants » dans l’éditeur.</translation>
     </message>
 </context>
 <context>
@@ -1127,6 +1127,113 @@
     </message>
 </context>
 <context>
+    <name>quadrille::LostMediaTable</name>
+    <message>
+        <source>%1, mesh</source>
+        <translation>%1, maillage</translation>
+    </message>
+    <message>
+        <source>%1, texture</source>
+        <translation>%1, texture</translation>
+    </message>
+    <message>
+        <source>%1, joint angles</source>
+        <translation>%1, angles des articulations</translation>
+    </message>
+    <message>
+        <source>%1, frames</source>
+        <translation>%1, images</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Used by</source>
+        <translation>Utilisé par</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Was in</source>
+        <translation>Était dans</translation>
+    </message>
+    <message>
+        <source>Is in</source>
+        <translation>Est dans</translation>
+    </message>
+    <message>
+        <source>Files that are missing</source>
+        <translation>Fichiers manquants</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>manquant</translation>
+    </message>
+    <message>
+        <source>chosen, but different content</source>
+        <translation>choisi, mais de contenu différent</translation>
+    </message>
+    <message>
+        <source>found, but different content</source>
+        <translation>trouvé, mais de contenu différent</translation>
+    </message>
+    <message>
+        <source>chosen by hand</source>
+        <translation>choisi à la main</translation>
+    </message>
+    <message>
+        <source>found by name</source>
+        <translation>trouvé par son nom</translation>
+    </message>
+    <message>
+        <source>found by content</source>
+        <translation>trouvé par son contenu</translation>
+    </message>
+    <message>
+        <source>found by name and content</source>
+        <translation>trouvé par son nom et son contenu</translation>
+    </message>
+    <message>
+        <source>Not found yet. Search a folder, or choose it by hand.</source>
+        <translation>Pas encore trouvé. Cherchez dans un dossier, ou choisissez-le à la main.</translation>
+    </message>
+    <message>
+        <source>The content is not the one that the project used. Tick it only if you want to use it all the same.</source>
+        <translation>Le contenu n’est pas celui que le projet utilisait. Ne le cochez que si vous voulez l’utiliser quand même.</translation>
+    </message>
+    <message>
+        <source>Several have this name; the one whose folders are most alike was taken. Choose another by hand if it is the wrong one.</source>
+        <translation>Plusieurs portent ce nom ; celui dont les dossiers se ressemblent le plus a été pris. Choisissez-en un autre à la main si ce n’est pas le bon.</translation>
+    </message>
+    <message>
+        <source>The content was never noted, so it cannot be compared.</source>
+        <translation>Le contenu n’a jamais été noté, il ne peut donc pas être comparé.</translation>
+    </message>
+    <message>
+        <source>The name is another, but the content is the one that the project used.</source>
+        <translation>Le nom est différent, mais le contenu est celui que le projet utilisait.</translation>
+    </message>
+    <message>
+        <source>Name and content are those that the project used.</source>
+        <translation>Le nom et le contenu sont ceux que le projet utilisait.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 et %n autre</numerusform>
+            <numerusform>%1 et %n autres</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>; </source>
+        <comment>between users of a file</comment>
+        <translation> ; </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::MainWindow</name>
     <message>
         <source>Project</source>
@@ -1255,6 +1362,13 @@
     <message>
         <source>Texture</source>
         <translation>Texture</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) were relinked</source>
+        <translation>
+            <numerusform>%n fichier a été relié</numerusform>
+            <numerusform>%n fichiers ont été reliés</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1793,6 +1907,171 @@
     <message>
         <source>Ask again later</source>
         <translation>Demander plus tard</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::RelinkDialog</name>
+    <message>
+        <source>Looking for what is missing</source>
+        <translation>Recherche de ce qui manque</translation>
+    </message>
+    <message>
+        <source>Folder to search</source>
+        <translation>Dossier où chercher</translation>
+    </message>
+    <message>
+        <source>Searching “%1”</source>
+        <translation>Recherche dans « %1 »</translation>
+    </message>
+    <message>
+        <source>Nothing of what is missing is in “%1”.</source>
+        <translation>Rien de ce qui manque ne se trouve dans « %1 ».</translation>
+    </message>
+    <message>
+        <source>Search another folder, or choose one file by hand.</source>
+        <translation>Cherchez dans un autre dossier, ou choisissez un fichier à la main.</translation>
+    </message>
+    <message>
+        <source>Where is “%1”?</source>
+        <translation>Où est « %1 » ?</translation>
+    </message>
+    <message>
+        <source>Files of this kind (*%1);;All files (*)</source>
+        <translation>Fichiers de ce type (*%1);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Comparing “%1”</source>
+        <translation>Comparaison de « %1 »</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more were found from there.</source>
+        <translation>
+            <numerusform>%n autre a été trouvé à partir de là.</numerusform>
+            <numerusform>%n autres ont été trouvés à partir de là.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Choose another folder.</source>
+        <translation>Choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Nothing is missing: all files are where the project says.</source>
+        <translation>Rien ne manque : tous les fichiers sont là où le projet le dit.</translation>
+    </message>
+    <message>
+        <source>Looking for what is missing…</source>
+        <translation>Recherche de ce qui manque…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) are not where the project says. Search the folder where they are now.</source>
+        <translation>
+            <numerusform>%n fichier n’est pas là où le projet le dit. Cherchez dans le dossier où il se trouve maintenant.</numerusform>
+            <numerusform>%n fichiers ne sont pas là où le projet le dit. Cherchez dans le dossier où ils se trouvent maintenant.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n missing file(s) were found. The project changes only when you apply this.</source>
+        <translation>
+            <numerusform>%1 sur %n fichier manquant a été trouvé. Le projet ne change que lorsque vous l’appliquez.</numerusform>
+            <numerusform>%1 sur %n fichiers manquants ont été trouvés. Le projet ne change que lorsque vous l’appliquez.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Search</source>
+        <translation>&amp;Chercher</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Arrêter</translation>
+    </message>
+    <message numerus="yes">
+        <source>Relink %n file(s)</source>
+        <translation>
+            <numerusform>Relier %n fichier</numerusform>
+            <numerusform>Relier %n fichiers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Relink</source>
+        <translation>Relier</translation>
+    </message>
+    <message>
+        <source>Find missing files</source>
+        <translation>Trouver les fichiers manquants</translation>
+    </message>
+    <message>
+        <source>Search &amp;in</source>
+        <translation>Chercher &amp;dans</translation>
+    </message>
+    <message>
+        <source>This folder is searched, and all folders in it</source>
+        <translation>Ce dossier est parcouru, avec tous ceux qu’il contient</translation>
+    </message>
+    <message>
+        <source>Choose the folder and search it</source>
+        <translation>Choisir le dossier et y chercher</translation>
+    </message>
+    <message>
+        <source>Look for the missing files by name and by content</source>
+        <translation>Chercher les fichiers manquants par nom et par contenu</translation>
+    </message>
+    <message>
+        <source>Progress of the search</source>
+        <translation>Avancement de la recherche</translation>
+    </message>
+    <message>
+        <source>Choose by &amp;hand…</source>
+        <translation>Choisir à la &amp;main…</translation>
+    </message>
+    <message>
+        <source>Say where the file of this row is; others are looked for from there</source>
+        <translation>Dire où est le fichier de cette ligne ; les autres sont cherchés à partir de là</translation>
+    </message>
+    <message>
+        <source>Use the files that are ticked; one step for undo</source>
+        <translation>Utiliser les fichiers cochés ; une seule étape d’annulation</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::RelinkFlow</name>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Find &amp;missing files…</source>
+        <translation>Trouver les fichiers &amp;manquants…</translation>
+    </message>
+    <message>
+        <source>Look for files that moved, and relink them</source>
+        <translation>Chercher les fichiers déplacés et les relier</translation>
+    </message>
+    <message>
+        <source>Looking for what is missing</source>
+        <translation>Recherche de ce qui manque</translation>
+    </message>
+    <message>
+        <source>Find missing files…</source>
+        <translation>Trouver les fichiers manquants…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) of the project are missing. They may have been moved or renamed.</source>
+        <translation>
+            <numerusform>%n fichier du projet manque. Il a peut-être été déplacé ou renommé.</numerusform>
+            <numerusform>%n fichiers du projet manquent. Ils ont peut-être été déplacés ou renommés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Noting the contents of files</source>
+        <translation>Relevé du contenu des fichiers</translation>
     </message>
 </context>
 <context>
