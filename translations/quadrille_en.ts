@@ -154,7 +154,7 @@
     <message numerus="yes">
         <source>%n file(s) were relinked</source>
         <translation>
-            <numerusform>%n file were relinked</numerusform>
+            <numerusform>%n file was relinked</numerusform>
             <numerusform>%n files were relinked</numerusform>
         </translation>
     </message>
@@ -236,21 +236,21 @@
     <message numerus="yes">
         <source>%n more were found from there.</source>
         <translation>
-            <numerusform>%n more were found from there.</numerusform>
+            <numerusform>%n more was found from there.</numerusform>
             <numerusform>%n more were found from there.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) are not where the project says. Search the folder where they are now.</source>
         <translation>
-            <numerusform>%n file are not where the project says. Search the folder where they are now.</numerusform>
+            <numerusform>%n file is not where the project says. Search the folder where it is now.</numerusform>
             <numerusform>%n files are not where the project says. Search the folder where they are now.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1 of %n missing file(s) were found. The project changes only when you apply this.</source>
         <translation>
-            <numerusform>%1 of %n missing file were found. The project changes only when you apply this.</numerusform>
+            <numerusform>%1 of %n missing file was found. The project changes only when you apply this.</numerusform>
             <numerusform>%1 of %n missing files were found. The project changes only when you apply this.</numerusform>
         </translation>
     </message>
@@ -267,7 +267,7 @@
     <message numerus="yes">
         <source>%n file(s) of the project are missing. They may have been moved or renamed.</source>
         <translation>
-            <numerusform>%n file of the project are missing. They may have been moved or renamed.</numerusform>
+            <numerusform>%n file of the project is missing. It may have been moved or renamed.</numerusform>
             <numerusform>%n files of the project are missing. They may have been moved or renamed.</numerusform>
         </translation>
     </message>
