@@ -1924,10 +1924,6 @@
         <translation>Recherche dans « %1 »</translation>
     </message>
     <message>
-        <source>Nothing of what is missing is in “%1”.</source>
-        <translation>Rien de ce qui manque ne se trouve dans « %1 ».</translation>
-    </message>
-    <message>
         <source>Search another folder, or choose one file by hand.</source>
         <translation>Cherchez dans un autre dossier, ou choisissez un fichier à la main.</translation>
     </message>
@@ -2038,6 +2034,10 @@
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>None of the missing files is in “%1”.</source>
+        <translation>Aucun des fichiers manquants n’est dans « %1 ».</translation>
     </message>
 </context>
 <context>
@@ -2798,6 +2798,10 @@
     <message>
         <source>Choose a character whose mesh has them in the properties.</source>
         <translation>Choisissez dans les propriétés un personnage dont le maillage en a.</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
     </message>
 </context>
 <context>
