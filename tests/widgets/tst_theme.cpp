@@ -4,6 +4,11 @@
 #include "widgets/theme/theme.h"
 
 #include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QRadioButton>
+#include <QSpinBox>
 #include <QTest>
 
 using namespace quadrille::widgets;
@@ -15,6 +20,8 @@ private slots:
     void initTestCase() { Theme::instance().install(); }
     void textAndControlsHaveContrast_data();
     void textAndControlsHaveContrast();
+    void controlsHaveAnOutline_data();
+    void controlsHaveAnOutline();
     void switchingTakesEffectAtOnce();
     void iconsFollowTheTheme();
     void everyIconDrawsSomething();
@@ -50,6 +57,35 @@ void TestTheme::textAndControlsHaveContrast()
     for (const ColorRole mark :
          {ColorRole::Original, ColorRole::Synthetic, ColorRole::Key, ColorRole::Demanded, ColorRole::Error})
         check(ColorRole::OnMark, mark, 4.5);
+}
+
+void TestTheme::controlsHaveAnOutline_data()
+{
+    QTest::addColumn<Theme::Mode>("mode");
+    QTest::newRow("dark") << Theme::Mode::Dark;
+    QTest::newRow("light") << Theme::Mode::Light;
+}
+
+void TestTheme::controlsHaveAnOutline()
+{
+    QFETCH(Theme::Mode, mode);
+    Theme::instance().setMode(mode);
+    QCheckBox check;
+    QRadioButton radio;
+    QLineEdit line;
+    QSpinBox spin;
+    QComboBox combo;
+    for (QWidget* control : std::initializer_list<QWidget*>{&check, &radio, &line, &spin, &combo}) {
+        control->resize(control->sizeHint());
+        const QImage picture = control->grab().toImage();
+        double highest = 1; // on the way in from the left, half way down
+        for (int x = 0; x < std::min(12, picture.width()); ++x) {
+            const QColor pixel = picture.pixelColor(x, picture.height() / 2);
+            highest = std::max(highest, Theme::contrast(pixel, Theme::color(ColorRole::Window)));
+        }
+        QVERIFY2(highest >= 3,
+                 qPrintable(QString("%1: %2").arg(control->metaObject()->className()).arg(highest)));
+    }
 }
 
 void TestTheme::switchingTakesEffectAtOnce()

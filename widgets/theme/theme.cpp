@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/theme/theme.h"
 
+#include "widgets/theme/outlinestyle.h"
 #include "widgets/theme/systemscheme.h"
 
 #include <QApplication>
@@ -10,7 +11,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QStyle>
-#include <QStyleFactory>
 #include <algorithm>
 #include <cmath>
 
@@ -120,7 +120,7 @@ int Theme::animationMilliseconds()
 
 void Theme::install()
 {
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setStyle(new OutlineStyle);
     m_installed = true;
     watchSystem();
     setMode(m_mode);

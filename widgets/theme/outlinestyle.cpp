@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "widgets/theme/outlinestyle.h"
+
+#include "widgets/theme/theme.h"
+
+#include <QStyleFactory>
+#include <QStyleOption>
+
+namespace quadrille::widgets {
+
+OutlineStyle::OutlineStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion")))
+{
+    connect(&Theme::instance(), &Theme::changed, this, [this] { m_outlined.clear(); });
+}
+
+QPalette OutlineStyle::outlined(const QPalette& palette) const
+{
+    constexpr qsizetype manyWidgets = 64;
+    if (m_outlined.size() > manyWidgets)
+        m_outlined.clear();
+    auto found = m_outlined.find(palette.cacheKey());
+    if (found == m_outlined.end()) {
+        constexpr int fusionDarkens = 140; // percent
+        QPalette changed = palette;
+        changed.setColor(QPalette::Window, Theme::color(ColorRole::Line).lighter(fusionDarkens));
+        changed.setColor(QPalette::Disabled, QPalette::Window,
+                         Theme::color(ColorRole::Divider).lighter(fusionDarkens));
+        found = m_outlined.insert(palette.cacheKey(), changed);
+    }
+    return *found;
+}
+
+void OutlineStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                                 const QWidget* widget) const
+{
+    switch (element) {
+    case PE_FrameLineEdit:
+    case PE_IndicatorCheckBox:
+    case PE_IndicatorItemViewItemCheck:
+    case PE_IndicatorRadioButton: {
+        // Items of views have options of another type, which Fusion would not take for a check box's.
+        QStyleOptionButton changed;
+        changed.state = option->state;
+        changed.direction = option->direction;
+        changed.rect = option->rect;
+        changed.fontMetrics = option->fontMetrics;
+        changed.styleObject = option->styleObject;
+        changed.palette = outlined(option->palette);
+        QProxyStyle::drawPrimitive(element, &changed, painter, widget);
+        break;
+    }
+    default:
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+    }
+}
+
+void OutlineStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                                      QPainter* painter, const QWidget* widget) const
+{
+    if (const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
+        control == CC_SpinBox && spin) {
+        QStyleOptionSpinBox changed = *spin;
+        changed.palette = outlined(option->palette);
+        QProxyStyle::drawComplexControl(control, &changed, painter, widget);
+        return;
+    }
+    if (const auto* combo = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+        control == CC_ComboBox && combo) {
+        QStyleOptionComboBox changed = *combo;
+        changed.palette = outlined(option->palette);
+        QProxyStyle::drawComplexControl(control, &changed, painter, widget);
+        return;
+    }
+    QProxyStyle::drawComplexControl(control, option, painter, widget);
+}
+
+int OutlineStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                            QStyleHintReturn* result) const
+{
+    return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0
+                                                       : QProxyStyle::styleHint(hint, option, widget, result);
+}
+
+} // namespace quadrille::widgets
