@@ -2257,6 +2257,11 @@
         <source>None</source>
         <translation>Aucun</translation>
     </message>
+    <message>
+        <source>none</source>
+        <comment>findings</comment>
+        <translation>aucun</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::SequenceStage</name>

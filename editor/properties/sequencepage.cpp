@@ -17,8 +17,20 @@
 #include <QLocale>
 #include <QMenu>
 #include <QPushButton>
+#include <QRegularExpression>
 
 namespace quadrille {
+
+namespace {
+
+/// Lets lines end within long paths and names, or they would widen the dock.
+QString breakable(QString text)
+{
+    static const QRegularExpression joint(QStringLiteral("([/_.])"));
+    return text.replace(joint, QStringLiteral("\\1\u200B"));
+}
+
+} // namespace
 
 SequencePage::SequencePage(EditorContext& context)
     : m_context(context)
@@ -148,7 +160,7 @@ void SequencePage::showMedium(const SequenceEntry& entry)
     m_notes->clear();
     if (!isOpen) {
         const bool hasFailed = medium != nullptr && medium->error;
-        m_length->setText(hasFailed ? describe(*medium->error).oneLine() : tr("opening…"));
+        m_length->setText(hasFailed ? breakable(describe(*medium->error).oneLine()) : tr("opening…"));
         return;
     }
     const auto last = static_cast<int>(medium->whole->frameCount() - 1);
@@ -164,7 +176,7 @@ void SequencePage::showMedium(const SequenceEntry& entry)
     QStringList notes;
     for (const Issue& issue : medium->issues)
         notes += describe(issue).oneLine();
-    m_notes->setText(notes.isEmpty() ? tr("none") : notes.join(QLatin1Char('\n')));
+    m_notes->setText(notes.isEmpty() ? tr("none", "findings") : breakable(notes.join(QLatin1Char('\n'))));
 }
 
 void SequencePage::editRange()
