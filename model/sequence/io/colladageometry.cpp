@@ -189,9 +189,11 @@ private:
                 if (indices[i] >= lowest && indices[i] < input.count)
                     continue;
                 throw Error(ErrorCode::IndexOutOfRange,
-                            m_document.contextOf(element, {{"what", std::string(input.semantic)},
-                                                           {"index", std::to_string(indices[i])},
-                                                           {"count", std::to_string(input.count)}}));
+                            m_document.contextOf(
+                                element, {{"what", input.semantic == "VERTEX" ? std::string("vertex")
+                                                                              : std::string(input.semantic)},
+                                          {"index", std::to_string(indices[i])},
+                                          {"count", std::to_string(input.count)}}));
             }
         }
     }

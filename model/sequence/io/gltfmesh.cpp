@@ -172,6 +172,8 @@ private:
             return;
         }
         const auto first = m_mesh.positions.size();
+        if (!attributes.contains("POSITION"))
+            m_document.fail("a part of a mesh has no positions");
         const auto positions = toVectors(m_document.floats(gltfIndex(attributes, "POSITION"), 3));
         const auto count = static_cast<std::int64_t>(positions.size());
         m_mesh.positions.insert(m_mesh.positions.end(), positions.begin(), positions.end());

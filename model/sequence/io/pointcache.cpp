@@ -143,11 +143,11 @@ std::vector<fs::path> meshesBeside(const fs::path& file)
 [[noreturn]] void throwVertexCount(const fs::path& mesh, const fs::path& file, std::int64_t found,
                                    std::int64_t expected)
 {
-    throw Error(ErrorCode::VertexCountMismatch, {mesh,
-                                                 {},
-                                                 {{"found", std::to_string(found)},
-                                                  {"expected", std::to_string(expected)},
-                                                  {"other", file.filename().string()}}});
+    throw Error(ErrorCode::VertexCountMismatch,
+                {mesh,
+                 {},
+                 {{"found", std::to_string(found)},
+                  {"expected", std::to_string(expected) + " (" + file.filename().string() + ")"}}});
 }
 
 BaseMesh findBaseMesh(const fs::path& file, const PointCacheLayout& layout, const ImportOptions& options,

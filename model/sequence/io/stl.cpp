@@ -125,6 +125,7 @@ MeshFile parseText(std::string_view content, const std::filesystem::path& file)
     Joiner joiner;
     std::array<Vec3f, 3> corners;
     std::size_t count = 0;
+    bool hasEnd = false;
     const char* place = rest.data();
     while (!rest.empty()) {
         place = rest.data();
@@ -145,10 +146,18 @@ MeshFile parseText(std::string_view content, const std::filesystem::path& file)
                 throwSyntax(file, text, place, "a facet has fewer than three corners");
             joiner.add(corners);
             count = 0;
+        } else if (keyword == "endsolid") {
+            hasEnd = true;
         }
     }
     if (count != 0)
         throwSyntax(file, text, place, "the file ends within a facet");
+    if (!hasEnd) {
+        throw Error(ErrorCode::FileTruncated,
+                    {file,
+                     {.line = lineOf(text, place)},
+                     {{"expected", "“endsolid”"}, {"found", std::to_string(content.size()) + " bytes"}}});
+    }
     return joiner.finish(file);
 }
 

@@ -324,5 +324,48 @@ TEST_P(AnyMesh, LeavesOutTrianglesThatNameAVertexTwice)
     EXPECT_TRUE(hasIssue(result.issues, Issue::Code::DuplicateFaces));
 }
 
+TEST_P(AnyMesh, NamesTheFrameOfASeriesThatDiffers)
+{
+    const std::string extension = GetParam().extension;
+    if (extension != ".obj" && extension != ".ply" && extension != ".off" && extension != ".stl")
+        GTEST_SKIP() << "one file holds all frames";
+    RawMesh turned = rawPyramid();
+    std::swap(turned.faces[3][0], turned.faces[3][1]);
+    RawMesh open = rawPyramid();
+    open.faces.pop_back();
+    RawMesh larger = rawPyramid();
+    larger.points.emplace_back(3, 3, 3);
+    larger.faces[0][0] = 6;
+    RawMesh infinite = rawPyramid();
+    infinite.points[2].x() = std::numeric_limits<float>::infinity();
+    const std::vector<std::pair<RawMesh, ErrorCode>> cases{{turned, ErrorCode::TopologyMismatch},
+                                                           {open, ErrorCode::TopologyMismatch},
+                                                           {larger, ErrorCode::VertexCountMismatch},
+                                                           {infinite, ErrorCode::NonFiniteCoordinate}};
+    const auto path = [&](int i) { return "s/f_" + std::to_string(i) + extension; };
+    write(path(1), GetParam().bytes(rawPyramid()));
+    write(path(3), GetParam().bytes(rawPyramid()));
+    const auto check = [&](ErrorCode code) {
+        const auto sequence = openSequences(folder() / "s").sequences.at(0);
+        EXPECT_NO_THROW(sequence.frame(FrameIndex(2)));
+        const auto error = errorOf([&] { sequence.frame(FrameIndex(1)); });
+        EXPECT_EQ(error.code(), code) << error.what();
+        EXPECT_EQ(error.context().place.frame, FrameIndex(1));
+        EXPECT_EQ(error.context().file, folder() / path(2));
+    };
+    for (const auto& [mesh, code] : cases) {
+        write(path(2), GetParam().bytes(mesh));
+        check(code);
+    }
+    write(path(2), "");
+    check(ErrorCode::FileEmpty);
+    write(path(2), GetParam().bytes(rawPyramid()));
+    const auto sequence = openSequences(folder() / "s").sequences.at(0);
+    std::filesystem::remove(folder() / path(2));
+    const auto gone = errorOf([&] { sequence.frame(FrameIndex(1)); });
+    EXPECT_EQ(gone.code(), ErrorCode::FileNotFound);
+    EXPECT_EQ(gone.context().place.frame, FrameIndex(1));
+}
+
 INSTANTIATE_TEST_SUITE_P(Formats, AnyMesh, testing::ValuesIn(rawFormats()),
                          [](const auto& format) { return format.param.name; });

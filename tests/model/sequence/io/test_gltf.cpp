@@ -254,6 +254,8 @@ TEST(Gltf, WrongContentIsRefused)
                   primitive(b)["indices"] = b.integers({0, 1, 6}, "SCALAR", 4);
               }),
               ErrorCode::IndexOutOfRange);
+    EXPECT_EQ(codeOfChange([&](GlbBuilder& b) { primitive(b)["attributes"].erase("POSITION"); }),
+              ErrorCode::FileSyntax);
     EXPECT_EQ(codeOfChange([](GlbBuilder& b) { b.json["skins"][0]["joints"] = {1}; }),
               ErrorCode::IndexOutOfRange);
     EXPECT_EQ(codeOfChange([](GlbBuilder& b) {

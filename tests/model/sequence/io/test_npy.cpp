@@ -138,5 +138,5 @@ TEST_F(Npy, RefusesWhatIsNoArrayOfPositions)
     const auto vertices = errorFor(header("<f4", {2, 4, 3}), values<float>(24));
     EXPECT_EQ(vertices.code(), ErrorCode::VertexCountMismatch);
     EXPECT_EQ(valueOf(vertices, "found"), "3");
-    EXPECT_EQ(valueOf(vertices, "expected"), "4");
+    EXPECT_EQ(valueOf(vertices, "expected"), "4 (take.npy)");
 }

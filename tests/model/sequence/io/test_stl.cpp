@@ -90,6 +90,8 @@ TEST_F(Stl, RefusesWhatIsDamaged)
     EXPECT_EQ(codeOf("solid a\nfacet normal 0 0 1\nvertex 0 0 x\n"), ErrorCode::FileSyntax);
     EXPECT_EQ(codeOf("solid a\nfacet normal 0 0 1\nvertex 0 0 0\n"), ErrorCode::FileSyntax);
     EXPECT_EQ(codeOf("short"), ErrorCode::FileTruncated);
+    const std::string text = textOf(square);
+    EXPECT_EQ(codeOf(text.substr(0, text.find("endsolid"))), ErrorCode::FileTruncated);
     EXPECT_EQ(codeOf(binaryOf(square, 3)), ErrorCode::FileTruncated);
     EXPECT_EQ(codeOf(binaryOf(square, 4000000000U)), ErrorCode::CountTooLarge);
     auto infinite = square;
