@@ -2238,10 +2238,6 @@
         <translation> i/s</translation>
     </message>
     <message>
-        <source>Not metres with y up</source>
-        <translation>Pas en mètres avec y vers le haut</translation>
-    </message>
-    <message>
         <source>Last frame</source>
         <translation>Dernière image</translation>
     </message>
@@ -2261,6 +2257,15 @@
         <source>none</source>
         <comment>findings</comment>
         <translation>aucun</translation>
+    </message>
+    <message>
+        <source>metres, y up</source>
+        <translation>mètres, y en haut</translation>
+    </message>
+    <message>
+        <source>others</source>
+        <comment>axes</comment>
+        <translation>autres</translation>
     </message>
 </context>
 <context>

@@ -8,7 +8,6 @@
 #include "editor/fields/axesfields.h"
 #include "editor/properties/texturefield.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
@@ -16,7 +15,6 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
-#include <QPushButton>
 #include <QRegularExpression>
 
 namespace quadrille {
@@ -40,10 +38,10 @@ SequencePage::SequencePage(EditorContext& context)
     , m_first(new QSpinBox)
     , m_last(new QSpinBox)
     , m_fps(new QDoubleSpinBox)
-    , m_hasAxes(new QCheckBox)
+    , m_hasAxes(new QComboBox)
     , m_axes(new AxesFields)
     , m_texture(new TextureField)
-    , m_jointAngles(new QPushButton)
+    , m_jointAngles(new widgets::ElidedButton)
 {
     makeFields();
     connectFields();
@@ -65,8 +63,9 @@ void SequencePage::makeFields()
     m_fps->setRange(0, 1000); // 0 stands for the project's rate
     m_fps->setDecimals(3);
     m_fps->setKeyboardTracking(false);
-    m_jointAngles->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    m_character->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    for (QComboBox* field : {m_character, m_hasAxes})
+        field->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_hasAxes->addItems({QString(), QString()});
     m_jointAngles->setMenu(new QMenu(m_jointAngles));
 
     addField(
@@ -114,7 +113,7 @@ void SequencePage::connectFields()
     connect(m_fps, &QDoubleSpinBox::valueChanged, this, [this, &document](double fps) {
         setSequenceFps(document, m_name, fps > 0 ? std::optional(fps) : std::nullopt);
     });
-    connect(m_hasAxes, &QCheckBox::toggled, this, &SequencePage::editAxes);
+    connect(m_hasAxes, &QComboBox::currentIndexChanged, this, &SequencePage::editAxes);
     connect(m_axes, &AxesFields::edited, this, &SequencePage::editAxes);
     connect(m_texture, &TextureField::chosen, this, [this, &document](const TextureReference& texture) {
         setSequenceTexture(document, m_name, texture);
@@ -139,7 +138,7 @@ void SequencePage::show(const QString& name)
     if (const CharacterEntry* own = m_context.document.characterOf(entry))
         m_character->setCurrentText(QString::fromStdString(own->name));
     m_fps->setValue(entry.sourceFps.value_or(0));
-    m_hasAxes->setChecked(entry.sourceAxes.has_value());
+    m_hasAxes->setCurrentIndex(entry.sourceAxes.has_value() ? 1 : 0);
     setFieldVisible(m_axes, entry.sourceAxes.has_value());
     m_axes->setAxes(entry.sourceAxes.value_or(CoordinateSystem{}));
     m_texture->setTexture(entry.texture, tr("automatic"));
@@ -192,7 +191,7 @@ void SequencePage::editRange()
 void SequencePage::editAxes()
 {
     setSequenceAxes(m_context.document, m_name,
-                    m_hasAxes->isChecked() ? std::optional(m_axes->axes()) : std::nullopt);
+                    m_hasAxes->currentIndex() == 1 ? std::optional(m_axes->axes()) : std::nullopt);
 }
 
 void SequencePage::chooseJointAngles()
@@ -207,7 +206,8 @@ void SequencePage::retranslate()
 {
     m_fps->setSuffix(tr(" fps"));
     m_fps->setSpecialValueText(tr("automatic"));
-    m_hasAxes->setText(tr("Not metres with y up"));
+    m_hasAxes->setItemText(0, tr("metres, y up"));
+    m_hasAxes->setItemText(1, tr("others", "axes"));
     m_last->setAccessibleName(tr("Last frame"));
     m_first->setAccessibleName(tr("First frame"));
     m_jointAngles->menu()->clear();

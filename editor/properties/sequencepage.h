@@ -4,7 +4,6 @@
 
 #include "editor/properties/propertyform.h"
 
-class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLineEdit;
@@ -48,7 +47,7 @@ private:
     QSpinBox* m_first;
     QSpinBox* m_last;
     QDoubleSpinBox* m_fps;
-    QCheckBox* m_hasAxes;
+    QComboBox* m_hasAxes;
     AxesFields* m_axes;
     TextureField* m_texture;
     QPushButton* m_jointAngles;

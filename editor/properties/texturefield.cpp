@@ -8,9 +8,8 @@
 
 namespace quadrille {
 
-TextureField::TextureField(QWidget* parent) : QPushButton(parent)
+TextureField::TextureField(QWidget* parent) : ElidedButton(parent)
 {
-    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     setMenu(new QMenu(this));
     makeMenu();
 }
@@ -66,7 +65,7 @@ void TextureField::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange)
         makeMenu();
-    QPushButton::changeEvent(event);
+    ElidedButton::changeEvent(event);
 }
 
 } // namespace quadrille

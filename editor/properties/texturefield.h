@@ -3,13 +3,12 @@
 #pragma once
 
 #include "model/project/project.h"
-
-#include <QPushButton>
+#include "widgets/controls/elidedbutton.h"
 
 namespace quadrille {
 
 /// Says which textures a character or sequence has, and lets others be chosen.
-class TextureField : public QPushButton
+class TextureField : public widgets::ElidedButton
 {
     Q_OBJECT
 
