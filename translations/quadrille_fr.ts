@@ -2260,7 +2260,7 @@
     </message>
     <message>
         <source>metres, y up</source>
-        <translation>mètres, y en haut</translation>
+        <translation>m, y en haut</translation>
     </message>
     <message>
         <source>others</source>
