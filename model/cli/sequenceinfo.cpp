@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "model/cli/sequenceinfo.h"
 
+#include "model/core/bounds.h"
 #include "model/project/lengthunit.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <charconv>
 #include <cmath>
-#include <limits>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
 
 namespace quadrille::cli {
 
@@ -58,21 +61,45 @@ Json pointJson(const Vec3f& point)
     return Json::array({plain(point.x()), plain(point.y()), plain(point.z())});
 }
 
+/// Reads every frame, and keeps none.
+Bounds sequenceBounds(const MeshSequence& sequence, const Progress& progress)
+{
+    MediaCache none(0);
+    const auto boundsAt = [&](std::int64_t f) {
+        return boundsOf(sequence.frame(FrameIndex(f), none).positions());
+    };
+    const std::int64_t count = sequence.frameCount();
+    std::atomic<std::int64_t> done = 0;
+    try {
+        return tbb::parallel_reduce(
+            tbb::blocked_range<std::int64_t>(0, count), Bounds(),
+            [&](const tbb::blocked_range<std::int64_t>& frames, Bounds bounds) {
+                for (std::int64_t f = frames.begin(); f < frames.end(); ++f) {
+                    progress.report(done++, count);
+                    bounds.add(boundsAt(f));
+                }
+                return bounds;
+            },
+            [](Bounds a, const Bounds& b) {
+                a.add(b);
+                return a;
+            });
+    } catch (const Error&) {
+        // Which frame is met first depends on the threads: tell of the first that is bad.
+        for (std::int64_t f = 0; f < count; ++f) {
+            progress.report(f, count);
+            boundsAt(f);
+        }
+        throw;
+    }
+}
+
 Json boundsJson(const MeshSequence& sequence, const Progress& progress)
 {
-    Vec3f low = Vec3f::Constant(std::numeric_limits<float>::max());
-    Vec3f high = -low;
-    for (std::int64_t f = 0; f < sequence.frameCount(); ++f) {
-        progress.report(f, sequence.frameCount());
-        const Frame frame = sequence.frame(FrameIndex(f));
-        for (const Vec3f& p : frame.positions()) {
-            low = low.cwiseMin(p);
-            high = high.cwiseMax(p);
-        }
-    }
+    const Bounds bounds = sequenceBounds(sequence, progress);
     Json json = Json::object();
-    json["min"] = pointJson(low);
-    json["max"] = pointJson(high);
+    json["min"] = pointJson(bounds.min.cast<float>());
+    json["max"] = pointJson(bounds.max.cast<float>());
     return json;
 }
 

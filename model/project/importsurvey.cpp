@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/importsurvey.h"
 
+#include "model/core/bounds.h"
 #include "model/sequence/io/registry.h"
 #include "model/sequence/io/sourcefiles.h"
 
@@ -156,14 +157,7 @@ fs::path jointAnglesBeside(const fs::path& source)
 Vec3f sizeOf(const MeshSequence& sequence)
 {
     const Frame frame = sequence.frame(FrameIndex(0));
-    const Positions positions = frame.positions();
-    Vec3f low = positions.front();
-    Vec3f high = low;
-    for (const Vec3f& p : positions) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
-    return high - low;
+    return boundsOf(frame.positions()).size().cast<float>();
 }
 
 std::vector<SurveyedTake> survey(const fs::path& source, const SurveyOptions& options,

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/core/bounds.h"
 #include "model/project/lengthunit.h"
 #include "model/project/sequencesettings.h"
 #include "model/project/stage.h"
 #include "model/sequence/contacts.h"
 
 #include <cmath>
-#include <limits>
 
 namespace quadrille {
 
@@ -49,14 +49,12 @@ Measures measure(const MeshSequence& sequence, const Progress& progress)
     for (std::int64_t f = 0; f < sequence.frameCount(); ++f) {
         progress.report(f, sequence.frameCount());
         const Frame frame = sequence.frame(FrameIndex(f));
-        Vec3f low = Vec3f::Constant(std::numeric_limits<float>::max());
-        Vec3f high = -low;
+        const Bounds bounds = boundsOf(frame.positions());
+        const Vec3f low = bounds.min.cast<float>();
+        const Vec3f high = bounds.max.cast<float>();
         Vec3d sum = Vec3d::Zero();
-        for (const Vec3f& p : frame.positions()) {
-            low = low.cwiseMin(p);
-            high = high.cwiseMax(p);
+        for (const Vec3f& p : frame.positions())
             sum += p.cast<double>();
-        }
         const Vec3f mean = (sum / static_cast<double>(frame.positions().size())).cast<float>();
         measures.bounds.insert(measures.bounds.end(), low.begin(), low.end());
         measures.bounds.insert(measures.bounds.end(), high.begin(), high.end());

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace quadrille {
@@ -63,31 +64,6 @@ double centred(std::span<const Vec3d> points, const Vec3d& axis, const Vec3d& fo
 }
 
 } // namespace
-
-void Bounds::add(const Vec3d& point)
-{
-    min = min.cwiseMin(point);
-    max = max.cwiseMax(point);
-}
-
-void Bounds::add(const Bounds& other)
-{
-    min = min.cwiseMin(other.min);
-    max = max.cwiseMax(other.max);
-}
-
-Bounds boundsOf(Positions positions)
-{
-    if (positions.empty())
-        return {};
-    Vec3f low = positions.front();
-    Vec3f high = low;
-    for (const Vec3f& p : positions) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
-    return {low.cast<double>(), high.cast<double>()};
-}
 
 Vec3d upVector(UpAxis up)
 {

@@ -2,27 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/core/bounds.h"
 #include "model/core/units.h"
 #include "model/sequence/axes.h"
 
-#include <limits>
 #include <span>
 
 namespace quadrille {
-
-/// An axis-aligned box; empty until a point was added.
-struct Bounds
-{
-    Vec3d min = Vec3d::Constant(std::numeric_limits<double>::infinity());
-    Vec3d max = Vec3d::Constant(-std::numeric_limits<double>::infinity());
-
-    void add(const Vec3d& point);
-    void add(const Bounds& other);
-    bool isEmpty() const { return !(min.x() <= max.x()); }
-    Vec3d center() const { return (min + max) / 2; }
-    Vec3d size() const { return max - min; }
-};
-Bounds boundsOf(Positions positions);
 
 /// A pinhole camera in the coordinates of the scene.
 struct Camera

@@ -134,6 +134,17 @@ TEST_F(Cli, InfoReadsAsSentences)
     EXPECT_THAT(text, HasSubstr("x 0.000 … 1.000, y 0.000 … 0.500, z 0.000 … 1.000 m, y up"));
 }
 
+TEST_F(Cli, InfoNamesTheFirstBadFrame)
+{
+    writeObjSeries(folder);
+    const std::string bad = "v nan 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nf 1 3 2\nf 1 4 3\n";
+    for (const char* file : {"frames/up_13.obj", "frames/up_12.obj", "frames/up_11.obj"})
+        folder.write(file, bad);
+    const Outcome outcome = run({"info", "frames"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("up_11.obj"));
+}
+
 TEST_F(Cli, InfoHasItsDocumentedKeys)
 {
     writeObjSeries(folder);
