@@ -137,12 +137,13 @@ TEST_F(Cli, InfoReadsAsSentences)
 TEST_F(Cli, InfoNamesTheFirstBadFrame)
 {
     writeObjSeries(folder);
-    const std::string bad = "v nan 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nf 1 3 2\nf 1 4 3\n";
-    for (const char* file : {"frames/up_13.obj", "frames/up_12.obj", "frames/up_11.obj"})
+    const std::string bad = "v nan 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\n"
+                            "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 3/3 2/2\nf 1/1 4/4 3/3\n";
+    for (const char* file : {"frames/up_12.obj", "frames/up_11.obj", "frames/up_10.obj"})
         folder.write(file, bad);
     const Outcome outcome = run({"info", "frames"});
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_THAT(outcome.err, HasSubstr("up_11.obj"));
+    EXPECT_THAT(outcome.err, HasSubstr("up_10.obj"));
 }
 
 TEST_F(Cli, InfoHasItsDocumentedKeys)
