@@ -37,7 +37,8 @@ def complaints(catalogue, lupdate, arguments):
     with tempfile.TemporaryDirectory() as folder:
         fresh = Path(folder) / catalogue.name
         shutil.copy(catalogue, fresh)
-        subprocess.run([lupdate, "-silent", *arguments, "-ts", fresh], check=True, stderr=subprocess.DEVNULL)
+        subprocess.run([ROOT / "translations/lupdate.py", lupdate, "-silent", *arguments, "-ts", fresh], check=True,
+                       stderr=subprocess.DEVNULL)
         wanted = messages(fresh)
     held = messages(catalogue)
     for context, source, _ in wanted.keys() - held.keys():

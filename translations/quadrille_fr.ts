@@ -108,7 +108,7 @@
     </message>
     <message>
         <source>{format} cannot be read here.</source>
-        <translation>{format} ne peut pas être lu ici.</translation>
+        <translation>{format} : cela ne peut pas être lu ici.</translation>
     </message>
     <message>
         <source>{remedy}</source>
@@ -373,6 +373,474 @@
     <message>
         <source>Put it back, or use “Find missing files” in the editor.</source>
         <translation>Remettez-le en place, ou utilisez « Trouver les fichiers manquants » dans l’éditeur.</translation>
+    </message>
+    <message>
+        <source>another program has the file open for writing</source>
+        <translation>un autre programme a ouvert le fichier en écriture</translation>
+    </message>
+    <message>
+        <source>A picture of floating-point numbers</source>
+        <translation>Une image en nombres à virgule flottante</translation>
+    </message>
+    <message>
+        <source>Save it with 8 or 16 bits a channel.</source>
+        <translation>Enregistrez-la avec 8 ou 16 bits par canal.</translation>
+    </message>
+    <message>
+        <source>Scale it down to 16,384 pixels a side or less.</source>
+        <translation>Réduisez-la à 16 384 pixels de côté au plus.</translation>
+    </message>
+    <message>
+        <source>the shape is not a list of numbers</source>
+        <translation>la forme n’est pas une liste de nombres</translation>
+    </message>
+    <message>
+        <source>it does not begin with \x93NUMPY</source>
+        <translation>il ne commence pas par \x93NUMPY</translation>
+    </message>
+    <message>
+        <source>The project has several characters</source>
+        <translation>Le projet a plusieurs personnages</translation>
+    </message>
+    <message>
+        <source>Name one of them.</source>
+        <translation>Nommez-en un.</translation>
+    </message>
+    <message>
+        <source>Give the character another name.</source>
+        <translation>Donnez un autre nom au personnage.</translation>
+    </message>
+    <message>
+        <source>Leave the mesh out, or name another character.</source>
+        <translation>Omettez le maillage, ou nommez un autre personnage.</translation>
+    </message>
+    <message>
+        <source>Name one texture for each material.</source>
+        <translation>Nommez une texture pour chaque matériau.</translation>
+    </message>
+    <message>
+        <source>Correct the name.</source>
+        <translation>Corrigez le nom.</translation>
+    </message>
+    <message>
+        <source>Data cannot be written in this format</source>
+        <translation>Les données ne peuvent pas être écrites dans ce format</translation>
+    </message>
+    <message>
+        <source>Choose .npy, .csv or .json.</source>
+        <translation>Choisissez .npy, .csv ou .json.</translation>
+    </message>
+    <message>
+        <source>the video file cannot be opened for encoding</source>
+        <translation>le fichier vidéo ne peut pas être ouvert pour l’encodage</translation>
+    </message>
+    <message>
+        <source>the video encoder refuses this size or frame rate</source>
+        <translation>l’encodeur vidéo refuse cette taille ou cette cadence</translation>
+    </message>
+    <message>
+        <source>the encoder has written nothing</source>
+        <translation>l’encodeur n’a rien écrit</translation>
+    </message>
+    <message>
+        <source>Choose at least one.</source>
+        <translation>Choisissez-en au moins une.</translation>
+    </message>
+    <message>
+        <source>The contact sheet would be too large</source>
+        <translation>La planche-contact serait trop grande</translation>
+    </message>
+    <message>
+        <source>Choose fewer sequences or smaller pictures.</source>
+        <translation>Choisissez moins de séquences ou des images plus petites.</translation>
+    </message>
+    <message>
+        <source>Limits of foot contacts must be positive, those for leaving not below those for landing</source>
+        <translation>Les limites des contacts des pieds doivent être positives, celles du départ pas au-dessous de celles de l’arrivée</translation>
+    </message>
+    <message>
+        <source>Correct the limits.</source>
+        <translation>Corrigez les limites.</translation>
+    </message>
+    <message>
+        <source>the header has counts below zero or no frame</source>
+        <translation>l’en-tête a des nombres négatifs ou aucune image</translation>
+    </message>
+    <message>
+        <source>a count expected</source>
+        <translation>un nombre attendu</translation>
+    </message>
+    <message>
+        <source>a joint has at most six channels</source>
+        <translation>une articulation a au plus six canaux</translation>
+    </message>
+    <message>
+        <source>the joints are nested too deep</source>
+        <translation>les articulations sont imbriquées trop profondément</translation>
+    </message>
+    <message>
+        <source>OFFSET, CHANNELS, JOINT, End Site or } expected</source>
+        <translation>OFFSET, CHANNELS, JOINT, End Site ou } attendu</translation>
+    </message>
+    <message>
+        <source>the frame time is not above zero</source>
+        <translation>la durée d’une image n’est pas supérieure à zéro</translation>
+    </message>
+    <message>
+        <source>there is no motion</source>
+        <translation>il n’y a pas de mouvement</translation>
+    </message>
+    <message>
+        <source>elements are nested too deeply</source>
+        <translation>les éléments sont imbriqués trop profondément</translation>
+    </message>
+    <message>
+        <source>a &lt;source&gt; has no &lt;accessor&gt;</source>
+        <translation>une &lt;source&gt; n’a pas d’&lt;accessor&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;vertices&gt; has no positions</source>
+        <translation>&lt;vertices&gt; n’a pas de positions</translation>
+    </message>
+    <message>
+        <source>the offset of an &lt;input&gt; is too large</source>
+        <translation>le décalage d’un &lt;input&gt; est trop grand</translation>
+    </message>
+    <message>
+        <source>the count of &lt;vertex_weights&gt; is not that of its &lt;vcount&gt;</source>
+        <translation>le nombre de &lt;vertex_weights&gt; n’est pas celui de son &lt;vcount&gt;</translation>
+    </message>
+    <message>
+        <source>elements refer to each other in a circle</source>
+        <translation>des éléments se renvoient l’un à l’autre en cercle</translation>
+    </message>
+    <message>
+        <source>positions need three numbers</source>
+        <translation>les positions demandent trois nombres</translation>
+    </message>
+    <message>
+        <source>a list of polygons names no vertices</source>
+        <translation>une liste de polygones ne nomme pas de sommets</translation>
+    </message>
+    <message>
+        <source>a node has a child that is not there</source>
+        <translation>un nœud a un enfant qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>a node has two parents</source>
+        <translation>un nœud a deux parents</translation>
+    </message>
+    <message>
+        <source>the nodes form a circle</source>
+        <translation>les nœuds forment un cercle</translation>
+    </message>
+    <message>
+        <source>the times of an animation do not increase</source>
+        <translation>les instants d’une animation ne sont pas croissants</translation>
+    </message>
+    <message>
+        <source>an animation has a value that is not a finite number</source>
+        <translation>une animation a une valeur qui n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>an animation moves a node that is not there</source>
+        <translation>une animation déplace un nœud qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>an animation channel has no sampler</source>
+        <translation>un canal d’animation n’a pas d’échantillonneur</translation>
+    </message>
+    <message>
+        <source>only glTF 2.0 is known</source>
+        <translation>seul glTF 2.0 est connu</translation>
+    </message>
+    <message>
+        <source>a chunk of the GLB file has the wrong type</source>
+        <translation>un bloc du fichier GLB n’est pas du bon type</translation>
+    </message>
+    <message>
+        <source>the JSON text breaks off or is wrong</source>
+        <translation>le texte JSON est interrompu ou faux</translation>
+    </message>
+    <message>
+        <source>it is not a glTF document</source>
+        <translation>ce n’est pas un document glTF</translation>
+    </message>
+    <message>
+        <source>Export it again without compression or extensions.</source>
+        <translation>Exportez-le de nouveau sans compression ni extensions.</translation>
+    </message>
+    <message>
+        <source>a data URI is not base64</source>
+        <translation>une URI de données n’est pas en base64</translation>
+    </message>
+    <message>
+        <source>an accessor has an unknown component type</source>
+        <translation>un accesseur a un type de composante inconnu</translation>
+    </message>
+    <message>
+        <source>a sparse accessor changes an element that is not there</source>
+        <translation>un accesseur creux modifie un élément qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>an accessor of indices does not hold unsigned integers</source>
+        <translation>un accesseur d’indices ne contient pas d’entiers non signés</translation>
+    </message>
+    <message>
+        <source>there are more than 65,534 materials</source>
+        <translation>il y a plus de 65 534 matériaux</translation>
+    </message>
+    <message>
+        <source>a part of a mesh has no positions</source>
+        <translation>une partie d’un maillage n’a pas de positions</translation>
+    </message>
+    <message>
+        <source>a mesh has a material that is not there</source>
+        <translation>un maillage a un matériau qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>a skin has fewer matrices than joints</source>
+        <translation>une peau a moins de matrices que d’articulations</translation>
+    </message>
+    <message>
+        <source>a skin has a joint that is not there</source>
+        <translation>une peau a une articulation qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>there is no dataset of vertices × 3 × frames</source>
+        <translation>il n’y a pas de jeu de données sommets × 3 × images</translation>
+    </message>
+    <message>
+        <source>Clips are named after the datasets.</source>
+        <translation>Les clips portent le nom des jeux de données.</translation>
+    </message>
+    <message>
+        <source>No joint has rotation channels</source>
+        <translation>Aucune articulation n’a de canaux de rotation</translation>
+    </message>
+    <message>
+        <source>Choose a BVH with joint rotations.</source>
+        <translation>Choisissez un BVH avec des rotations d’articulations.</translation>
+    </message>
+    <message>
+        <source>Give a positive number of frames a second.</source>
+        <translation>Donnez un nombre positif d’images par seconde.</translation>
+    </message>
+    <message>
+        <source>Save it as numpy.ascontiguousarray(a, &apos;float32&apos;).</source>
+        <translation>Enregistrez-le avec numpy.ascontiguousarray(a, &apos;float32&apos;).</translation>
+    </message>
+    <message>
+        <source>Save it as frames × vertices × 3.</source>
+        <translation>Enregistrez-le en images × sommets × 3.</translation>
+    </message>
+    <message>
+        <source>a corner of a face is not VERTEX/UV/NORMAL</source>
+        <translation>un coin d’une face n’est pas SOMMET/UV/NORMALE</translation>
+    </message>
+    <message>
+        <source>a face needs three corners</source>
+        <translation>une face demande trois coins</translation>
+    </message>
+    <message>
+        <source>there are more than 65,536 materials</source>
+        <translation>il y a plus de 65 536 matériaux</translation>
+    </message>
+    <message>
+        <source>Save it as text OFF, PLY or OBJ.</source>
+        <translation>Enregistrez-le en OFF texte, PLY ou OBJ.</translation>
+    </message>
+    <message>
+        <source>the counts of vertices and faces are missing</source>
+        <translation>les nombres de sommets et de faces manquent</translation>
+    </message>
+    <message>
+        <source>the count of faces is missing</source>
+        <translation>le nombre de faces manque</translation>
+    </message>
+    <message>
+        <source>a count is negative</source>
+        <translation>un nombre est négatif</translation>
+    </message>
+    <message>
+        <source>a vertex needs three numbers</source>
+        <translation>un sommet demande trois nombres</translation>
+    </message>
+    <message>
+        <source>a vertex has too few numbers</source>
+        <translation>un sommet a trop peu de nombres</translation>
+    </message>
+    <message>
+        <source>a vertex has no texture coordinates</source>
+        <translation>un sommet n’a pas de coordonnées de texture</translation>
+    </message>
+    <message>
+        <source>a face does not begin with its count of corners</source>
+        <translation>une face ne commence pas par son nombre de coins</translation>
+    </message>
+    <message>
+        <source>a face has too few corners</source>
+        <translation>une face a trop peu de coins</translation>
+    </message>
+    <message>
+        <source>it does not begin with POINTCACHE2</source>
+        <translation>il ne commence pas par POINTCACHE2</translation>
+    </message>
+    <message>
+        <source>faces as triangle strips are not read</source>
+        <translation>les faces en bandes de triangles ne sont pas lues</translation>
+    </message>
+    <message>
+        <source>vertices have no x, y and z</source>
+        <translation>les sommets n’ont pas x, y et z</translation>
+    </message>
+    <message>
+        <source>faces have no vertex_indices</source>
+        <translation>les faces n’ont pas de vertex_indices</translation>
+    </message>
+    <message>
+        <source>it does not begin with “ply”</source>
+        <translation>il ne commence pas par « ply »</translation>
+    </message>
+    <message>
+        <source>the header has no end_header</source>
+        <translation>l’en-tête n’a pas de end_header</translation>
+    </message>
+    <message>
+        <source>the header names no format</source>
+        <translation>l’en-tête ne nomme pas de format</translation>
+    </message>
+    <message>
+        <source>the count of an element is not a number</source>
+        <translation>le nombre d’un élément n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a property comes before any element</source>
+        <translation>une propriété précède tout élément</translation>
+    </message>
+    <message>
+        <source>the length of a list is not an integer</source>
+        <translation>la longueur d’une liste n’est pas un entier</translation>
+    </message>
+    <message>
+        <source>a property has no name</source>
+        <translation>une propriété n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>Export it as OBJ plus PC2 or MDD, or as GLB.</source>
+        <translation>Exportez-le en OBJ avec PC2 ou MDD, ou en GLB.</translation>
+    </message>
+    <message>
+        <source>Open it in its program and export GLB, FBX, or OBJ plus PC2 or MDD.</source>
+        <translation>Ouvrez-le dans son programme et exportez en GLB, en FBX, ou en OBJ avec PC2 ou MDD.</translation>
+    </message>
+    <message>
+        <source>Pose a mesh with it and export that as GLB or FBX; a BVH may be named as the reference joint angles of a sequence.</source>
+        <translation>Animez un maillage avec lui et exportez celui-ci en GLB ou FBX ; un BVH peut être nommé comme angles articulaires de référence d’une séquence.</translation>
+    </message>
+    <message>
+        <source>Open it in Blender and export OBJ plus PC2 or MDD, or GLB.</source>
+        <translation>Ouvrez-le dans Blender et exportez en OBJ avec PC2 ou MDD, ou en GLB.</translation>
+    </message>
+    <message>
+        <source>Draco compressed meshes</source>
+        <translation>Les maillages compressés par Draco</translation>
+    </message>
+    <message>
+        <source>Decode them to OBJ or PLY with draco_decoder.</source>
+        <translation>Décodez-les en OBJ ou PLY avec draco_decoder.</translation>
+    </message>
+    <message>
+        <source>KTX2 texture streams</source>
+        <translation>Les flux de textures KTX2</translation>
+    </message>
+    <message>
+        <source>Decode them to PNG or JPEG with ktx extract.</source>
+        <translation>Décodez-les en PNG ou JPEG avec ktx extract.</translation>
+    </message>
+    <message>
+        <source>Blender files</source>
+        <translation>Les fichiers Blender</translation>
+    </message>
+    <message>
+        <source>Maya files</source>
+        <translation>Les fichiers Maya</translation>
+    </message>
+    <message>
+        <source>Cinema 4D files</source>
+        <translation>Les fichiers Cinema 4D</translation>
+    </message>
+    <message>
+        <source>Houdini files</source>
+        <translation>Les fichiers Houdini</translation>
+    </message>
+    <message>
+        <source>LightWave files</source>
+        <translation>Les fichiers LightWave</translation>
+    </message>
+    <message>
+        <source>ZBrush files</source>
+        <translation>Les fichiers ZBrush</translation>
+    </message>
+    <message>
+        <source>Export the mesh as OBJ.</source>
+        <translation>Exportez le maillage en OBJ.</translation>
+    </message>
+    <message>
+        <source>USD scenes</source>
+        <translation>Les scènes USD</translation>
+    </message>
+    <message>
+        <source>A skeleton without a mesh (BVH)</source>
+        <translation>Un squelette sans maillage (BVH)</translation>
+    </message>
+    <message>
+        <source>A skeleton without a mesh (Acclaim)</source>
+        <translation>Un squelette sans maillage (Acclaim)</translation>
+    </message>
+    <message>
+        <source>Marker data (C3D)</source>
+        <translation>Des données de marqueurs (C3D)</translation>
+    </message>
+    <message>
+        <source>Solve it to a mesh in the capture software and export GLB or FBX.</source>
+        <translation>Résolvez-les en maillage dans le logiciel de capture et exportez en GLB ou FBX.</translation>
+    </message>
+    <message>
+        <source>A point cloud</source>
+        <translation>Un nuage de points</translation>
+    </message>
+    <message>
+        <source>Mesh it and export OBJ or PLY with faces.</source>
+        <translation>Maillez-le et exportez en OBJ ou PLY avec des faces.</translation>
+    </message>
+    <message>
+        <source>A Maya point cache</source>
+        <translation>Un cache de points Maya</translation>
+    </message>
+    <message>
+        <source>Export it as PC2 or MDD.</source>
+        <translation>Exportez-le en PC2 ou MDD.</translation>
+    </message>
+    <message>
+        <source>A compressed archive</source>
+        <translation>Une archive compressée</translation>
+    </message>
+    <message>
+        <source>Unpack it and choose the folder.</source>
+        <translation>Décompressez-la et choisissez le dossier.</translation>
+    </message>
+    <message>
+        <source>a facet has more than three corners</source>
+        <translation>une facette a plus de trois coins</translation>
+    </message>
+    <message>
+        <source>a facet has fewer than three corners</source>
+        <translation>une facette a moins de trois coins</translation>
+    </message>
+    <message>
+        <source>the file ends within a facet</source>
+        <translation>le fichier se termine au milieu d’une facette</translation>
     </message>
 </context>
 <context>

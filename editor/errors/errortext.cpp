@@ -14,8 +14,7 @@ struct Texts
     Q_DECLARE_TR_FUNCTIONS(quadrille::ErrorText)
 };
 
-/// The model marks its sentences with QUADRILLE_MESSAGE; the update target (translations/CMakeLists.txt) has
-/// lupdate read that macro as QT_TR_NOOP, which files them under the name of the namespace.
+/// The model marks its sentences with QUADRILLE_MESSAGE; translations/lupdate.py files them under this context.
 QString translated(const std::string& english)
 {
     return english.empty() ? QString() : QCoreApplication::translate("quadrille", english.c_str());

@@ -4,6 +4,7 @@
 
 #include "model/core/error.h"
 #include "model/core/file.h"
+#include "model/core/message.h"
 
 #include <algorithm>
 #include <charconv>
@@ -89,7 +90,9 @@ namespace {
 {
     if (reason.find("unable to lock file") != std::string::npos) {
         throw Error(ErrorCode::ReadFailed,
-                    {file.path(), {}, {{"reason", "another program has the file open for writing"}}});
+                    {file.path(),
+                     {},
+                     {{"reason", QUADRILLE_MESSAGE("another program has the file open for writing")}}});
     }
     constexpr std::string_view stored = "stored_eof = ";
     if (const auto at = reason.find(stored);

@@ -5,6 +5,7 @@
 #include "model/core/error.h"
 #include "model/core/file.h"
 #include "model/core/imagecheck.h"
+#include "model/core/message.h"
 
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
@@ -51,10 +52,11 @@ Image decodeImage(std::span<const std::byte> encoded, const std::filesystem::pat
     if (decoded.depth() == CV_16U)
         decoded.convertTo(decoded, CV_8U, 1.0 / 257.0);
     if (decoded.depth() != CV_8U) {
-        throw Error(ErrorCode::FormatRefused, {path,
-                                               {},
-                                               {{"format", "A picture of floating-point numbers"},
-                                                {"remedy", "Save it with 8 or 16 bits a channel."}}});
+        throw Error(ErrorCode::FormatRefused,
+                    {path,
+                     {},
+                     {{"format", QUADRILLE_MESSAGE("A picture of floating-point numbers")},
+                      {"remedy", QUADRILLE_MESSAGE("Save it with 8 or 16 bits a channel.")}}});
     }
     Image image(decoded.cols, decoded.rows);
     cv::Mat target(decoded.rows, decoded.cols, CV_8UC4, image.pixels.data());

@@ -3,6 +3,7 @@
 #include "model/core/imagecheck.h"
 
 #include "model/core/error.h"
+#include "model/core/message.h"
 
 #include <cstring>
 #include <string>
@@ -71,8 +72,9 @@ public:
         if (width > pixelsAtMost || height > pixelsAtMost || width * height > size() * pixelsPerByteAtMost)
             fail(ErrorCode::CountTooLarge, {{"count", extent}, {"what", "pixels"}});
         if (width * height > pixelsAtMost)
-            fail(ErrorCode::FormatRefused, {{"format", "A picture of " + extent + " pixels"},
-                                            {"remedy", "Scale it down to 16,384 pixels a side or less."}});
+            fail(ErrorCode::FormatRefused,
+                 {{"format", "A picture of " + extent + " pixels"},
+                  {"remedy", QUADRILLE_MESSAGE("Scale it down to 16,384 pixels a side or less.")}});
     }
 
 private:

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The English sentences of every error and issue, and nothing else: the editor's catalogues translate them.
 #include "model/core/error.h"
-
-// Marks a sentence for the translators' tools; the model itself speaks English.
-#define QUADRILLE_MESSAGE(text) text
+#include "model/core/message.h"
 
 namespace quadrille {
 

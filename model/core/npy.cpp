@@ -3,6 +3,7 @@
 #include "model/core/npy.h"
 
 #include "model/core/error.h"
+#include "model/core/message.h"
 
 #include <charconv>
 
@@ -34,7 +35,7 @@ std::vector<std::int64_t> parseShape(std::string_view text, const std::filesyste
 {
     std::vector<std::int64_t> shape;
     if (!text.starts_with('('))
-        fail(file, "the shape is not a list of numbers");
+        fail(file, QUADRILLE_MESSAGE("the shape is not a list of numbers"));
     for (text.remove_prefix(1);;) {
         text.remove_prefix(std::min(text.find_first_not_of(" ,"), text.size()));
         if (text.starts_with(')'))
@@ -42,7 +43,7 @@ std::vector<std::int64_t> parseShape(std::string_view text, const std::filesyste
         std::int64_t extent = 0;
         const auto parsed = std::from_chars(text.data(), text.data() + text.size(), extent);
         if (parsed.ec != std::errc() || extent < 0)
-            fail(file, "the shape is not a list of numbers");
+            fail(file, QUADRILLE_MESSAGE("the shape is not a list of numbers"));
         shape.push_back(extent);
         text.remove_prefix(static_cast<std::size_t>(parsed.ptr - text.data()));
     }
@@ -53,7 +54,7 @@ std::vector<std::int64_t> parseShape(std::string_view text, const std::filesyste
 NpyHeader parseNpyHeader(std::string_view head, const std::filesystem::path& file)
 {
     if (!head.starts_with(signature))
-        fail(file, "it does not begin with \\x93NUMPY");
+        fail(file, QUADRILLE_MESSAGE("it does not begin with \\x93NUMPY"));
     const auto byte = [&](std::size_t at) {
         return at < head.size() ? static_cast<std::size_t>(static_cast<unsigned char>(head[at])) : 0;
     };

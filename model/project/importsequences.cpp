@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/importsequences.h"
 
+#include "model/core/message.h"
 #include "model/project/opensequence.h"
 #include "model/project/paths.h"
 #include "model/project/validate.h"
@@ -48,20 +49,21 @@ CharacterEntry& characterFor(Project& project, const fs::path& folder, const Imp
     else if (project.characters.size() == 1)
         character = &project.characters.front();
     else if (project.characters.size() > 1)
-        throwBadArgument({}, "The project has several characters", "Name one of them.");
+        throwBadArgument({}, QUADRILLE_MESSAGE("The project has several characters"),
+                         QUADRILLE_MESSAGE("Name one of them."));
     const std::string mesh = request.mesh.empty() ? "" : storedPath(request.mesh, folder);
     if (character == nullptr) {
         CharacterEntry added;
         added.name = request.character.empty() ? characterName(request) : request.character;
         if (const auto problem = problemWithName(added.name))
-            throwBadArgument({}, *problem, "Give the character another name.");
+            throwBadArgument({}, *problem, QUADRILLE_MESSAGE("Give the character another name."));
         added.mesh = mesh;
         project.characters.push_back(std::move(added));
         return project.characters.back();
     }
     if (!mesh.empty() && !character->mesh.empty() && character->mesh != mesh) {
         throwBadArgument(request.mesh, "“" + character->name + "” has another mesh, " + character->mesh,
-                         "Leave the mesh out, or name another character.");
+                         QUADRILLE_MESSAGE("Leave the mesh out, or name another character."));
     }
     if (character->mesh.empty())
         character->mesh = mesh;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/opensequence.h"
 
+#include "model/core/message.h"
 #include "model/project/paths.h"
 #include "model/sequence/io/findtextures.h"
 #include "model/sequence/io/meshfile.h"
@@ -70,7 +71,7 @@ void applyTextures(OpenedSequence& opened, const TextureReference& reference, co
             throwInvalid(source,
                          std::to_string(textures.size()) + " textures for " + std::to_string(materials) +
                              " materials",
-                         "Name one texture for each material.");
+                         QUADRILLE_MESSAGE("Name one texture for each material."));
         opened.sequence.textures = TextureSet::perMaterial(std::move(textures));
         return;
     }
@@ -139,7 +140,7 @@ std::shared_ptr<const OpenedSequence> SequenceOpener::open(const std::string& na
 {
     const SequenceEntry* entry = findSequence(m_project, name);
     if (entry == nullptr)
-        throwInvalid({}, "There is no sequence “" + name + "”", "Correct the name.");
+        throwInvalid({}, "There is no sequence “" + name + "”", QUADRILLE_MESSAGE("Correct the name."));
     Slot& own = slot(name);
     const std::scoped_lock lock(own.mutex);
     if (!own.opened)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/core/file.h"
+#include "model/core/message.h"
 #include "model/core/npy.h"
 #include "model/project/jsontext.h"
 #include "model/project/projectdata.h"
@@ -234,10 +235,11 @@ void writeData(const DataItem& item, const std::filesystem::path& file)
             if (extension == ".csv")
                 return toCsv(data);
             if (extension != ".json")
-                throw Error(ErrorCode::BadArgument, {file,
-                                                     {},
-                                                     {{"reason", "Data cannot be written in this format"},
-                                                      {"remedy", "Choose .npy, .csv or .json."}}});
+                throw Error(ErrorCode::BadArgument,
+                            {file,
+                             {},
+                             {{"reason", QUADRILLE_MESSAGE("Data cannot be written in this format")},
+                              {"remedy", QUADRILLE_MESSAGE("Choose .npy, .csv or .json.")}}});
             Json json = toJson(data);
             json["name"] = item.name;
             return writeJson(json);

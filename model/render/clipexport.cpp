@@ -3,6 +3,7 @@
 #include "model/render/clipexport.h"
 
 #include "model/core/file.h"
+#include "model/core/message.h"
 #include "model/core/stagedfiles.h"
 #include "model/render/clipcamera.h"
 #include "model/render/renderframe.h"
@@ -103,9 +104,9 @@ private:
         };
         try {
             if (!writer.open(temporary.string(), codec, sequence.fps, size))
-                fail("the video file cannot be opened for encoding");
+                fail(QUADRILLE_MESSAGE("the video file cannot be opened for encoding"));
         } catch (const cv::Exception&) {
-            fail("the video encoder refuses this size or frame rate");
+            fail(QUADRILLE_MESSAGE("the video encoder refuses this size or frame rate"));
         }
         cv::Mat encodable;
         drawClip(
@@ -119,7 +120,7 @@ private:
         std::error_code error;
         const auto bytes = fs::file_size(temporary, error);
         if (error || bytes == 0)
-            fail("the encoder has written nothing");
+            fail(QUADRILLE_MESSAGE("the encoder has written nothing"));
     }
 };
 

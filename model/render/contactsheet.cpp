@@ -3,6 +3,7 @@
 #include "model/render/contactsheet.h"
 
 #include "model/core/error.h"
+#include "model/core/message.h"
 #include "model/render/renderframe.h"
 #include "model/render/text.h"
 #include "model/render/thumbnail.h"
@@ -88,10 +89,11 @@ void check(std::span<const MeshSequence> sequences, const ContactSheetLayout& la
         throw Error(ErrorCode::BadArgument, {{}, {}, {{"reason", reason}, {"remedy", remedy}}});
     };
     if (sequences.empty())
-        refuse("A contact sheet needs a sequence", "Choose at least one.");
+        refuse("A contact sheet needs a sequence", QUADRILLE_MESSAGE("Choose at least one."));
     constexpr int largest = 30000;
     if (layout.width > largest || layout.height > largest)
-        refuse("The contact sheet would be too large", "Choose fewer sequences or smaller pictures.");
+        refuse(QUADRILLE_MESSAGE("The contact sheet would be too large"),
+               QUADRILLE_MESSAGE("Choose fewer sequences or smaller pictures."));
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "model/sequence/contacts.h"
 
 #include "model/core/error.h"
+#include "model/core/message.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -251,13 +252,12 @@ void checkOptions(const ContactOptions& o)
                         o.leaveSpeed >= o.landSpeed && o.shortest >= 0 && o.longestGap >= 0 &&
                         o.footShare > 0 && o.footShare < 0.2;
     if (!isGood)
-        throw Error(
-            ErrorCode::BadArgument,
-            {{},
-             {},
-             {{"reason",
-               "Limits of foot contacts must be positive, those for leaving not below those for landing"},
-              {"remedy", "Correct the limits."}}});
+        throw Error(ErrorCode::BadArgument,
+                    {{},
+                     {},
+                     {{"reason", QUADRILLE_MESSAGE("Limits of foot contacts must be positive, those for "
+                                                   "leaving not below those for landing")},
+                      {"remedy", QUADRILLE_MESSAGE("Correct the limits.")}}});
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "model/sequence/meshsequence.h"
 
 #include "model/core/error.h"
+#include "model/core/message.h"
 
 #include <algorithm>
 #include <bit>
@@ -199,7 +200,7 @@ MeshSequence resampled(const MeshSequence& sequence, double fps)
                     {{},
                      {},
                      {{"reason", "A frame rate of " + std::to_string(fps) + " is not possible"},
-                      {"remedy", "Give a positive number of frames a second."}}});
+                      {"remedy", QUADRILLE_MESSAGE("Give a positive number of frames a second.")}}});
     }
     if (fps == sequence.fps)
         return sequence;

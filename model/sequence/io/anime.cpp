@@ -3,6 +3,7 @@
 #include "model/sequence/io/anime.h"
 
 #include "model/core/file.h"
+#include "model/core/message.h"
 #include "model/sequence/io/meshfile.h"
 #include "model/sequence/io/polygons.h"
 
@@ -64,7 +65,9 @@ Header readHeader(const InputFile& file)
     file.read(0, std::as_writable_bytes(std::span(&header, 1)));
     if (header.frames < 1 || header.vertices < 0 || header.triangles < 0) {
         throw Error(ErrorCode::FileSyntax,
-                    {file.path(), {.byte = 0}, {{"reason", "the header has counts below zero or no frame"}}});
+                    {file.path(),
+                     {.byte = 0},
+                     {{"reason", QUADRILLE_MESSAGE("the header has counts below zero or no frame")}}});
     }
     if (header.vertices == 0)
         throw Error(ErrorCode::NoVertices, {file.path(), {}, {}});

@@ -4,6 +4,7 @@
 
 #include "model/core/error.h"
 #include "model/core/file.h"
+#include "model/core/message.h"
 
 #include <algorithm>
 #include <array>
@@ -79,7 +80,7 @@ public:
     {
         const double value = number();
         if (value < 0 || value > 1e12 || value != std::floor(value))
-            fail("a count expected");
+            fail(QUADRILLE_MESSAGE("a count expected"));
         return static_cast<std::int64_t>(value);
     }
     std::size_t remaining() const { return m_text.size() - m_at; }
@@ -133,7 +134,7 @@ void readChannels(Words& words, Bvh& bvh, BvhJoint& joint)
 {
     const std::int64_t count = words.count();
     if (count > 6)
-        words.fail("a joint has at most six channels");
+        words.fail(QUADRILLE_MESSAGE("a joint has at most six channels"));
     joint.firstChannel = bvh.channelCount;
     for (std::int64_t c = 0; c < count; ++c) {
         const auto word = words.next();
@@ -154,7 +155,7 @@ void readHierarchy(Words& words, Bvh& bvh)
         std::string name = words.restOfLine();
         words.expect("{");
         if (open.size() >= deepestJoint)
-            words.fail("the joints are nested too deep");
+            words.fail(QUADRILLE_MESSAGE("the joints are nested too deep"));
         if (isEndSite) {
             open.push_back(-1);
             return;
@@ -180,7 +181,7 @@ void readHierarchy(Words& words, Bvh& bvh)
         } else if ((word == "JOINT" || word == "End") && current >= 0) {
             begin(word == "End");
         } else {
-            words.fail("OFFSET, CHANNELS, JOINT, End Site or } expected");
+            words.fail(QUADRILLE_MESSAGE("OFFSET, CHANNELS, JOINT, End Site or } expected"));
         }
     }
 }
@@ -202,10 +203,10 @@ void readMotion(Words& words, Bvh& bvh)
     words.expect("Time:");
     const double seconds = words.number();
     if (!(seconds > 0))
-        words.fail("the frame time is not above zero");
+        words.fail(QUADRILLE_MESSAGE("the frame time is not above zero"));
     bvh.fps = roundedFps(1.0 / seconds);
     if (bvh.channelCount == 0 || bvh.frameCount == 0)
-        words.fail("there is no motion");
+        words.fail(QUADRILLE_MESSAGE("there is no motion"));
     // Each number takes two characters at least.
     if (static_cast<std::uint64_t>(bvh.frameCount) > (words.remaining() / 2 + 1) / bvh.channelCount) {
         throw Error(ErrorCode::CountTooLarge,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/colladadocument.h"
 
+#include "model/core/message.h"
 #include "model/sequence/io/textscan.h"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ void ColladaDocument::indexElements()
         if (at.first_child()) {
             at = at.first_child();
             if (++depth > deepestNesting)
-                fail(at, "elements are nested too deeply");
+                fail(at, QUADRILLE_MESSAGE("elements are nested too deeply"));
             continue;
         }
         while (at && !at.next_sibling() && at != root()) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/colladageometry.h"
 
+#include "model/core/message.h"
 #include "model/sequence/io/colladadocument.h"
 
 #include <algorithm>
@@ -120,7 +121,7 @@ private:
         const Node source = m_document.find(input, input.attribute("source").value(), "source");
         const Node accessor = source.child("technique_common").child("accessor");
         if (!accessor)
-            m_document.fail(source, "a <source> has no <accessor>");
+            m_document.fail(source, QUADRILLE_MESSAGE("a <source> has no <accessor>"));
         return readAccessor(accessor);
     }
 
@@ -153,7 +154,7 @@ private:
             if (std::string_view(input.attribute("semantic").value()) == "POSITION")
                 return input;
         }
-        m_document.fail(vertices, "<vertices> has no positions");
+        m_document.fail(vertices, QUADRILLE_MESSAGE("<vertices> has no positions"));
     }
 
     std::vector<Input> readInputs(Node element) const
@@ -164,7 +165,7 @@ private:
             const std::string_view semantic = input.attribute("semantic").value();
             const std::int64_t offset = m_document.count(input, "offset", 0);
             if (offset > largestOffset)
-                m_document.fail(input, "the offset of an <input> is too large");
+                m_document.fail(input, QUADRILLE_MESSAGE("the offset of an <input> is too large"));
             const Node values = semantic == "VERTEX" ? positionInput(verticesOf(input)) : input;
             inputs.push_back({semantic, offset, accessorOf(values).count});
         }
@@ -222,7 +223,8 @@ private:
         const auto lengths = readLengths(weights, indices.size(), strideOf(inputs));
         const auto promised = m_document.count(weights, "count", static_cast<std::int64_t>(lengths.size()));
         if (promised != static_cast<std::int64_t>(lengths.size()))
-            m_document.fail(weights, "the count of <vertex_weights> is not that of its <vcount>");
+            m_document.fail(weights,
+                            QUADRILLE_MESSAGE("the count of <vertex_weights> is not that of its <vcount>"));
         checkIndices(weights.child("v"), indices, inputs, -1);
     }
 
@@ -260,7 +262,7 @@ private:
             return;
         constexpr std::size_t longestChain = 2000;
         if (std::find(path.begin(), path.end(), at) != path.end() || path.size() > longestChain)
-            m_document.fail(at, "elements refer to each other in a circle");
+            m_document.fail(at, QUADRILLE_MESSAGE("elements refer to each other in a circle"));
         path.push_back(at);
         for (const Node child : at.children()) {
             const std::string_view name = child.name();
@@ -311,7 +313,7 @@ private:
         const Accessor accessor = accessorOf(input);
         const auto values = m_document.numbers(accessor.array);
         if (accessor.stride < 3)
-            m_document.fail(input, "positions need three numbers");
+            m_document.fail(input, QUADRILLE_MESSAGE("positions need three numbers"));
         std::vector<double> points;
         for (std::int64_t p = 0; p < accessor.count; ++p) {
             for (std::int64_t axis = 0; axis < 3; ++axis) {
@@ -333,7 +335,7 @@ private:
         const auto vertex = std::find_if(inputs.begin(), inputs.end(),
                                          [](const Input& input) { return input.semantic == "VERTEX"; });
         if (vertex == inputs.end())
-            m_document.fail(primitive, "a list of polygons names no vertices");
+            m_document.fail(primitive, QUADRILLE_MESSAGE("a list of polygons names no vertices"));
         const std::int64_t stride = strideOf(inputs);
         for (const Node list : primitive.children("p")) {
             const auto indices = m_document.integers(list);

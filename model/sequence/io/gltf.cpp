@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/gltf.h"
 
+#include "model/core/message.h"
 #include "model/sequence/io/gltfdocument.h"
 #include "model/sequence/io/scenesequences.h"
 
@@ -48,9 +49,9 @@ std::vector<int> parentsOf(const GltfDocument& document)
             continue;
         for (const auto child : children->get<std::vector<std::int64_t>>()) {
             if (child < 0 || child >= static_cast<std::int64_t>(nodes.size()))
-                document.fail("a node has a child that is not there");
+                document.fail(QUADRILLE_MESSAGE("a node has a child that is not there"));
             if (parents[static_cast<std::size_t>(child)] >= 0)
-                document.fail("a node has two parents");
+                document.fail(QUADRILLE_MESSAGE("a node has two parents"));
             parents[static_cast<std::size_t>(child)] = static_cast<int>(n);
         }
     }
@@ -68,7 +69,7 @@ std::vector<int> readNodes(const GltfDocument& document, Scene& scene)
         for (int at = static_cast<int>(n); at >= 0 && nodeOf[static_cast<std::size_t>(at)] < 0;
              at = parents[static_cast<std::size_t>(at)]) {
             if (path.size() == parents.size())
-                document.fail("the nodes form a circle");
+                document.fail(QUADRILLE_MESSAGE("the nodes form a circle"));
             path.push_back(at);
         }
         for (; !path.empty(); path.pop_back()) {

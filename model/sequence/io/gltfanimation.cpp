@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/core/message.h"
 #include "model/sequence/io/gltf.h"
 #include "model/sequence/io/gltfdocument.h"
 
@@ -35,13 +36,13 @@ KeyTrack readTrack(const GltfDocument& document, const Json& sampler, std::size_
     track.times.assign(times.begin(), times.end());
     for (std::size_t k = 0; k < times.size(); ++k) {
         if (!std::isfinite(times[k]) || (k > 0 && !(times[k - 1] < times[k])))
-            document.fail("the times of an animation do not increase");
+            document.fail(QUADRILLE_MESSAGE("the times of an animation do not increase"));
     }
     const std::size_t rows = track.interpolation == KeyInterpolation::CubicSpline ? 3 : 1;
     track.values = document.floats(gltfIndex(sampler, "output"), components,
                                    static_cast<std::int64_t>(times.size() * rows * valuesPerKey));
     if (!std::all_of(track.values.begin(), track.values.end(), [](float v) { return std::isfinite(v); }))
-        document.fail("an animation has a value that is not a finite number");
+        document.fail(QUADRILLE_MESSAGE("an animation has a value that is not a finite number"));
     return track;
 }
 
@@ -68,11 +69,11 @@ SceneClip readClip(const GltfDocument& document, const Json& animation, const st
         if (glNode < 0)
             continue;
         if (glNode >= static_cast<std::int64_t>(nodeOf.size()))
-            document.fail("an animation moves a node that is not there");
+            document.fail(QUADRILLE_MESSAGE("an animation moves a node that is not there"));
         const int node = nodeOf[static_cast<std::size_t>(glNode)];
         const auto sampler = gltfIndex(channel, "sampler");
         if (sampler < 0 || sampler >= static_cast<std::int64_t>(samplers.size()))
-            document.fail("an animation channel has no sampler");
+            document.fail(QUADRILLE_MESSAGE("an animation channel has no sampler"));
         const Json& source = samplers[static_cast<std::size_t>(sampler)];
         NodeTracks& tracks = tracksOfNode[node];
         tracks.node = node;

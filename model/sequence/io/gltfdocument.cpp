@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/gltfdocument.h"
 
+#include "model/core/message.h"
 #include "model/sequence/io/textscan.h"
 #include "model/sequence/io/uri.h"
 
@@ -67,7 +68,7 @@ GltfDocument::GltfDocument(std::filesystem::path path, FileContent content) : m_
     parse(std::move(content));
     const auto asset = m_json.find("asset");
     if (asset == m_json.end() || !asset->is_object() || !asset->value("version", "").starts_with("2."))
-        fail("only glTF 2.0 is known");
+        fail(QUADRILLE_MESSAGE("only glTF 2.0 is known"));
     checkExtensions();
     loadBuffers();
 }
@@ -89,7 +90,7 @@ void GltfDocument::parse(FileContent content)
                 return {};
             const std::uint64_t length = load<std::uint32_t>(bytes.data() + offset);
             if (load<std::uint32_t>(bytes.data() + offset + 4) != type)
-                fail("a chunk of the GLB file has the wrong type");
+                fail(QUADRILLE_MESSAGE("a chunk of the GLB file has the wrong type"));
             offset += 8;
             if (length > bytes.size() - offset) {
                 throw Error(ErrorCode::FileTruncated,
@@ -115,10 +116,10 @@ void GltfDocument::parse(FileContent content)
                     {m_path,
                      {.line = text.data() == file ? std::optional(lineOf(text, at)) : std::nullopt,
                       .byte = at - file},
-                     {{"reason", "the JSON text breaks off or is wrong"}}});
+                     {{"reason", QUADRILLE_MESSAGE("the JSON text breaks off or is wrong")}}});
     }
     if (!m_json.is_object())
-        fail("it is not a glTF document");
+        fail(QUADRILLE_MESSAGE("it is not a glTF document"));
 }
 
 void GltfDocument::checkExtensions() const
@@ -132,7 +133,7 @@ void GltfDocument::checkExtensions() const
                     {m_path,
                      {},
                      {{"format", "glTF with the extension " + name},
-                      {"remedy", "Export it again without compression or extensions."}}});
+                      {"remedy", QUADRILLE_MESSAGE("Export it again without compression or extensions.")}}});
     }
 }
 
@@ -171,7 +172,7 @@ std::optional<std::vector<std::byte>> GltfDocument::dataOfUri(const std::string&
     auto bytes =
         comma == std::string::npos ? std::nullopt : decodeBase64(std::string_view(uri).substr(comma + 8));
     if (!bytes)
-        fail("a data URI is not base64");
+        fail(QUADRILLE_MESSAGE("a data URI is not base64"));
     return bytes;
 }
 
@@ -256,7 +257,7 @@ GltfDocument::Layout GltfDocument::layoutOf(const Json& accessor, std::size_t co
         layout.componentBytes = 4;
         break;
     default:
-        fail("an accessor has an unknown component type");
+        fail(QUADRILLE_MESSAGE("an accessor has an unknown component type"));
     }
     layout.elementBytes = layout.componentBytes * components;
     layout.count = checkedInteger(accessor, "count", 0);
@@ -317,7 +318,7 @@ std::vector<Value> GltfDocument::read(std::int64_t index, std::size_t components
     const SparsePart part = sparsePart(index, *sparse, layout);
     for (std::size_t i = 0; i < part.elements.size(); ++i) {
         if (part.elements[i] >= count)
-            fail("a sparse accessor changes an element that is not there");
+            fail(QUADRILLE_MESSAGE("a sparse accessor changes an element that is not there"));
         decodeElement(part.values.data() + i * layout.elementBytes,
                       values.data() + part.elements[i] * components);
     }
@@ -375,7 +376,7 @@ std::vector<std::uint32_t> GltfDocument::integers(std::int64_t accessor, std::si
 {
     const auto type = gltfIndex(at("accessors", accessor), "componentType");
     if (type != 5121 && type != 5123 && type != 5125)
-        fail("an accessor of indices does not hold unsigned integers");
+        fail(QUADRILLE_MESSAGE("an accessor of indices does not hold unsigned integers"));
     return read<std::uint32_t>(accessor, components, expectedCount,
                                [](const Layout& layout, const std::byte* at) -> std::uint32_t {
                                    switch (layout.componentBytes) {

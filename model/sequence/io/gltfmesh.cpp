@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/core/message.h"
 #include "model/sequence/io/gltf.h"
 #include "model/sequence/io/gltfdocument.h"
 
@@ -64,7 +65,7 @@ public:
     {
         const Json& materials = m_document.list("materials");
         if (materials.size() >= maxMaterials)
-            m_document.fail("there are more than 65,534 materials");
+            m_document.fail(QUADRILLE_MESSAGE("there are more than 65,534 materials"));
         for (std::size_t m = 0; m < materials.size(); ++m) {
             const Json& material = m_document.at("materials", static_cast<std::int64_t>(m));
             SceneMaterial result{material.value("name", "material " + std::to_string(m + 1)), {}};
@@ -173,7 +174,7 @@ private:
         }
         const auto first = m_mesh.positions.size();
         if (!attributes.contains("POSITION"))
-            m_document.fail("a part of a mesh has no positions");
+            m_document.fail(QUADRILLE_MESSAGE("a part of a mesh has no positions"));
         const auto positions = toVectors(m_document.floats(gltfIndex(attributes, "POSITION"), 3));
         const auto count = static_cast<std::int64_t>(positions.size());
         m_mesh.positions.insert(m_mesh.positions.end(), positions.begin(), positions.end());
@@ -192,7 +193,7 @@ private:
     std::uint16_t materialIndex(std::int64_t material) const
     {
         if (material >= static_cast<std::int64_t>(m_document.list("materials").size()))
-            m_document.fail("a mesh has a material that is not there");
+            m_document.fail(QUADRILLE_MESSAGE("a mesh has a material that is not there"));
         // The scene's last material stands for "none".
         return static_cast<std::uint16_t>(material < 0 ? m_scene.materials.size() - 1 : material);
     }
@@ -331,11 +332,11 @@ std::vector<SceneJoint> readSkin(const GltfDocument& document, std::int64_t inde
     if (const auto accessor = gltfIndex(skin, "inverseBindMatrices"); accessor >= 0)
         matrices = document.floats(accessor, 16);
     if (!matrices.empty() && matrices.size() < nodes.size() * 16)
-        document.fail("a skin has fewer matrices than joints");
+        document.fail(QUADRILLE_MESSAGE("a skin has fewer matrices than joints"));
     std::vector<SceneJoint> joints;
     for (std::size_t j = 0; j < nodes.size(); ++j) {
         if (nodes[j] < 0 || nodes[j] >= static_cast<std::int64_t>(nodeOf.size()))
-            document.fail("a skin has a joint that is not there");
+            document.fail(QUADRILLE_MESSAGE("a skin has a joint that is not there"));
         SceneJoint joint;
         joint.node = nodeOf[static_cast<std::size_t>(nodes[j])];
         if (!matrices.empty())

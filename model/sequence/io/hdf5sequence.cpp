@@ -4,6 +4,7 @@
 
 #include "model/core/file.h"
 #include "model/core/hdf5.h"
+#include "model/core/message.h"
 #include "model/sequence/io/meshfile.h"
 #include "model/sequence/io/polygons.h"
 
@@ -235,8 +236,9 @@ ImportResult Hdf5Importer::open(const SourceFiles& source, const ImportOptions& 
     const auto file = std::make_shared<const Hdf5Handle>(openHdf5(path));
     const Content content = listContent(*file);
     if (content.sequences.empty()) {
-        throw Error(ErrorCode::FileSyntax,
-                    {path, {}, {{"reason", "there is no dataset of vertices × 3 × frames"}}});
+        throw Error(
+            ErrorCode::FileSyntax,
+            {path, {}, {{"reason", QUADRILLE_MESSAGE("there is no dataset of vertices × 3 × frames")}}});
     }
     if (!content.faces)
         throw Error(ErrorCode::NoFaces, {path, {}, {}});
@@ -267,10 +269,11 @@ ImportResult Hdf5Importer::open(const SourceFiles& source, const ImportOptions& 
                          fps.value_or(options.fps)));
     }
     if (result.sequences.empty()) {
-        throw Error(ErrorCode::BadArgument, {path,
-                                             {},
-                                             {{"reason", "There is no clip “" + options.clip + "”"},
-                                              {"remedy", "Clips are named after the datasets."}}});
+        throw Error(ErrorCode::BadArgument,
+                    {path,
+                     {},
+                     {{"reason", "There is no clip “" + options.clip + "”"},
+                      {"remedy", QUADRILLE_MESSAGE("Clips are named after the datasets.")}}});
     }
     return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
+#include "model/core/message.h"
 #include "model/sequence/io/bvh.h"
 
 #include <Eigen/Geometry>
@@ -87,10 +88,11 @@ JointAngles jointAngles(const Bvh& bvh, bool excludeRoot)
         result.joints.push_back(joint.name);
     }
     if (turning.empty()) {
-        throw Error(ErrorCode::BadArgument, {{},
-                                             {},
-                                             {{"reason", "No joint has rotation channels"},
-                                              {"remedy", "Choose a BVH with joint rotations."}}});
+        throw Error(ErrorCode::BadArgument,
+                    {{},
+                     {},
+                     {{"reason", QUADRILLE_MESSAGE("No joint has rotation channels")},
+                      {"remedy", QUADRILLE_MESSAGE("Choose a BVH with joint rotations.")}}});
     }
     result.fps = bvh.fps;
     result.frameCount = bvh.frameCount;
@@ -110,7 +112,7 @@ JointAngles resampled(const JointAngles& angles, double fps, std::int64_t first,
                     {{},
                      {},
                      {{"reason", "A frame rate of " + std::to_string(fps) + " is not possible"},
-                      {"remedy", "Give a positive number of frames a second."}}});
+                      {"remedy", QUADRILLE_MESSAGE("Give a positive number of frames a second.")}}});
     }
     const double step = angles.fps / fps;
     const auto end = static_cast<double>(first) + static_cast<double>(frameCount - 1) * step;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/npy.h"
 
+#include "model/core/message.h"
 #include "model/core/npy.h"
 
 #include <algorithm>
@@ -34,16 +35,18 @@ PointCacheLayout readNpyLayout(const InputFile& file)
     const bool isFloat = header.type.size() == 3 && header.type[1] == 'f';
     if (!isFloat || std::string_view("248").find(header.type[2]) == std::string_view::npos) {
         refuse(file, "of type " + (header.type.empty() ? "record" : header.type),
-               "Save it as numpy.ascontiguousarray(a, 'float32').");
+               QUADRILLE_MESSAGE("Save it as numpy.ascontiguousarray(a, 'float32')."));
     }
     if (header.isFortranOrder && header.shape.size() > 1)
-        refuse(file, "in Fortran order", "Save it as numpy.ascontiguousarray(a, 'float32').");
+        refuse(file, "in Fortran order",
+               QUADRILLE_MESSAGE("Save it as numpy.ascontiguousarray(a, 'float32')."));
     const auto& shape = header.shape;
     if (shape.size() < 2 || shape.size() > 3 || shape.back() != 3) {
         std::string text;
         for (const std::int64_t extent : shape)
             text += (text.empty() ? "" : " × ") + std::to_string(extent);
-        refuse(file, "of shape " + (text.empty() ? "()" : text), "Save it as frames × vertices × 3.");
+        refuse(file, "of shape " + (text.empty() ? "()" : text),
+               QUADRILLE_MESSAGE("Save it as frames × vertices × 3."));
     }
     return {.frameCount = shape.size() == 3 ? shape[0] : 1,
             .vertexCount = shape[shape.size() - 2],

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/obj.h"
 
+#include "model/core/message.h"
 #include "model/sequence/io/polygons.h"
 #include "model/sequence/io/textscan.h"
 
@@ -149,11 +150,11 @@ private:
                 }
             }
             if (!atLineEnd() && !isBlank(*m_at) && *m_at != '\\')
-                fail("a corner of a face is not VERTEX/UV/NORMAL");
+                fail(QUADRILLE_MESSAGE("a corner of a face is not VERTEX/UV/NORMAL"));
             m_polygons.add(vertex, uv);
         }
         if (m_polygons.cornerCount() < 3)
-            fail("a face needs three corners");
+            fail(QUADRILLE_MESSAGE("a face needs three corners"));
         m_polygons.end(m_mesh.topology);
         m_lineOfTriangle.resize(m_mesh.topology.triangles.size(), m_line);
     }
@@ -163,7 +164,7 @@ private:
         if (m_mesh.topology.materials.empty() || m_material != m_currentMaterial) {
             const auto [known, isNew] = m_materials.emplace(m_material, m_mesh.topology.materials.size());
             if (isNew && known->second > 0xFFFF)
-                fail("there are more than 65,536 materials");
+                fail(QUADRILLE_MESSAGE("there are more than 65,536 materials"));
             if (isNew)
                 m_mesh.topology.materials.emplace_back(m_material);
             m_currentMaterial = m_material;

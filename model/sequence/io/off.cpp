@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/off.h"
 
+#include "model/core/message.h"
 #include "model/sequence/io/polygons.h"
 #include "model/sequence/io/textscan.h"
 
@@ -73,8 +74,11 @@ private:
 
     [[noreturn]] void refuse(const char* format) const
     {
-        throw Error(ErrorCode::FormatRefused,
-                    {m_file, {}, {{"format", format}, {"remedy", "Save it as text OFF, PLY or OBJ."}}});
+        throw Error(
+            ErrorCode::FormatRefused,
+            {m_file,
+             {},
+             {{"format", format}, {"remedy", QUADRILLE_MESSAGE("Save it as text OFF, PLY or OBJ.")}}});
     }
 
     template <typename Number>
@@ -90,12 +94,13 @@ private:
 
     void readCounts()
     {
-        m_vertexCount = takeNumber<std::int64_t>(m_line, "the counts of vertices and faces are missing");
-        m_faceCount = takeNumber<std::int64_t>(m_line, "the count of faces is missing");
+        m_vertexCount = takeNumber<std::int64_t>(
+            m_line, QUADRILLE_MESSAGE("the counts of vertices and faces are missing"));
+        m_faceCount = takeNumber<std::int64_t>(m_line, QUADRILLE_MESSAGE("the count of faces is missing"));
         if (m_vertexCount == 0)
             throw Error(ErrorCode::NoVertices, {m_file, {}, {}});
         if (m_vertexCount < 0 || m_faceCount < 0)
-            fail("a count is negative");
+            fail(QUADRILLE_MESSAGE("a count is negative"));
         // "0 0 0" and its line end; "3 0 1 2" and its line end.
         checkCount(m_vertexCount, 6, "vertices");
         checkCount(m_faceCount, 8, "faces");
@@ -127,25 +132,27 @@ private:
         auto line = takeElement(at, m_vertexCount, "vertices");
         Vec3f& position = m_mesh.positions.emplace_back();
         for (int axis = 0; axis < 3; ++axis)
-            position[axis] = takeNumber<float>(line, "a vertex needs three numbers");
+            position[axis] = takeNumber<float>(line, QUADRILLE_MESSAGE("a vertex needs three numbers"));
         if (!m_hasUvs)
             return;
         for (int skipped = (m_hasNormals ? 3 : 0) + (m_hasColors ? 4 : 0); skipped > 0; --skipped)
-            takeNumber<float>(line, "a vertex has too few numbers");
-        const float u = takeNumber<float>(line, "a vertex has no texture coordinates");
-        m_mesh.topology.uvs.emplace_back(u, takeNumber<float>(line, "a vertex has no texture coordinates"));
+            takeNumber<float>(line, QUADRILLE_MESSAGE("a vertex has too few numbers"));
+        const float u = takeNumber<float>(line, QUADRILLE_MESSAGE("a vertex has no texture coordinates"));
+        m_mesh.topology.uvs.emplace_back(
+            u, takeNumber<float>(line, QUADRILLE_MESSAGE("a vertex has no texture coordinates")));
     }
 
     void readFace(std::int64_t at)
     {
         auto line = takeElement(at, m_faceCount, "faces");
-        const auto corners =
-            takeNumber<std::int64_t>(line, "a face does not begin with its count of corners");
+        const auto corners = takeNumber<std::int64_t>(
+            line, QUADRILLE_MESSAGE("a face does not begin with its count of corners"));
         if (corners < 3)
-            fail("a face needs three corners");
+            fail(QUADRILLE_MESSAGE("a face needs three corners"));
         m_polygons.begin();
         for (std::int64_t c = 0; c < corners; ++c) {
-            const auto vertex = takeNumber<std::int64_t>(line, "a face has too few corners");
+            const auto vertex =
+                takeNumber<std::int64_t>(line, QUADRILLE_MESSAGE("a face has too few corners"));
             if (vertex < 0 || vertex >= m_vertexCount) {
                 throw Error(ErrorCode::IndexOutOfRange, {m_file,
                                                          {.line = lineOf(m_text, m_place)},

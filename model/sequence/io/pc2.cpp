@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/pc2.h"
 
+#include "model/core/message.h"
+
 #include <cstring>
 
 namespace quadrille {
@@ -46,7 +48,7 @@ PointCacheLayout readPc2Layout(const InputFile& file)
         throw Error(ErrorCode::FileSyntax, {file.path(), {.byte = byte}, {{"reason", std::move(reason)}}});
     };
     if (std::string_view(header.signature, signature.size()) != signature)
-        fail(0, "it does not begin with POINTCACHE2");
+        fail(0, QUADRILLE_MESSAGE("it does not begin with POINTCACHE2"));
     if (header.version != 1)
         fail(12, "version " + std::to_string(header.version) + " instead of 1");
     PointCacheLayout layout{.frameCount = header.samples,

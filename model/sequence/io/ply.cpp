@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/ply.h"
 
+#include "model/core/message.h"
 #include "model/sequence/io/plyvalues.h"
 #include "model/sequence/io/polygons.h"
 
@@ -29,7 +30,8 @@ public:
             if (element.name == "vertex")
                 m_mesh.topology.vertexCount = static_cast<std::uint32_t>(element.count);
             if (element.name == "tristrips")
-                throwSyntax(m_file, m_content, m_content.data(), "faces as triangle strips are not read");
+                throwSyntax(m_file, m_content, m_content.data(),
+                            QUADRILLE_MESSAGE("faces as triangle strips are not read"));
         }
         if (m_mesh.topology.vertexCount == 0)
             throw Error(ErrorCode::NoVertices, {m_file, {}, {}});
@@ -92,7 +94,8 @@ private:
     {
         const PlyVertexColumns columns(element);
         if (std::any_of(columns.axes.begin(), columns.axes.end(), [](int column) { return column < 0; }))
-            throwSyntax(m_file, m_content, m_content.data(), "vertices have no x, y and z");
+            throwSyntax(m_file, m_content, m_content.data(),
+                        QUADRILLE_MESSAGE("vertices have no x, y and z"));
         auto& positions = m_mesh.positions;
         positions.resize(static_cast<std::size_t>(element.count));
         if (columns.hasUvs())
@@ -121,7 +124,8 @@ private:
         const int texcoords = element.find({"texcoord"});
         const int material = element.find({"texnumber"});
         if (corners < 0)
-            throwSyntax(m_file, m_content, m_content.data(), "faces have no vertex_indices");
+            throwSyntax(m_file, m_content, m_content.data(),
+                        QUADRILLE_MESSAGE("faces have no vertex_indices"));
         for (std::int64_t f = 0; f < element.count; ++f) {
             m_corners.clear();
             m_cornerUvs.clear();

@@ -3,6 +3,7 @@
 #include "model/sequence/io/plyheader.h"
 
 #include "model/core/error.h"
+#include "model/core/message.h"
 #include "model/sequence/io/textscan.h"
 
 #include <algorithm>
@@ -50,11 +51,11 @@ public:
     PlyHeader parse()
     {
         if (takeHeaderLine() != "ply")
-            fail("it does not begin with “ply”");
+            fail(QUADRILLE_MESSAGE("it does not begin with “ply”"));
         bool hasFormat = false;
         for (;;) {
             if (m_rest.empty())
-                fail("the header has no end_header");
+                fail(QUADRILLE_MESSAGE("the header has no end_header"));
             std::string_view line = takeHeaderLine();
             const auto keyword = takeWord(line);
             if (keyword == "end_header")
@@ -74,7 +75,7 @@ public:
             }
         }
         if (!hasFormat)
-            fail("the header names no format");
+            fail(QUADRILLE_MESSAGE("the header names no format"));
         m_header.size = m_content.size() - m_rest.size();
         checkCounts();
         return std::move(m_header);
@@ -110,7 +111,7 @@ private:
         element.name = takeWord(line);
         const char* const end = line.data() + line.size();
         if (scanNumber(line.data(), end, element.count) != end || line.empty() || element.count < 0)
-            fail("the count of an element is not a number");
+            fail(QUADRILLE_MESSAGE("the count of an element is not a number"));
     }
 
     PlyType takeType(std::string_view& line) const
@@ -125,18 +126,18 @@ private:
     void parseProperty(std::string_view line)
     {
         if (m_header.elements.empty())
-            fail("a property comes before any element");
+            fail(QUADRILLE_MESSAGE("a property comes before any element"));
         PlyProperty property;
         if (std::string_view rest = line; takeWord(rest) == "list") {
             line = rest;
             property.countType = takeType(line);
             if (*property.countType >= PlyType::Float32)
-                fail("the length of a list is not an integer");
+                fail(QUADRILLE_MESSAGE("the length of a list is not an integer"));
         }
         property.type = takeType(line);
         property.name = line;
         if (property.name.empty())
-            fail("a property has no name");
+            fail(QUADRILLE_MESSAGE("a property has no name"));
         m_header.elements.back().properties.push_back(std::move(property));
     }
 

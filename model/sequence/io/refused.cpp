@@ -4,6 +4,7 @@
 #include "model/sequence/io/refused.h"
 
 #include "model/core/error.h"
+#include "model/core/message.h"
 #include "model/sequence/io/sourcefiles.h"
 
 #include <algorithm>
@@ -23,38 +24,60 @@ struct Refused
 
 using namespace std::string_view_literals;
 
-constexpr auto caches = "Export it as OBJ plus PC2 or MDD, or as GLB."sv;
-constexpr auto scene = "Open it in its program and export GLB, FBX, or OBJ plus PC2 or MDD."sv;
-constexpr auto skeleton =
-    "Pose a mesh with it and export that as GLB or FBX; a BVH may be named as the reference joint angles of a sequence."sv;
+constexpr std::string_view caches = QUADRILLE_MESSAGE("Export it as OBJ plus PC2 or MDD, or as GLB.");
+constexpr std::string_view scene =
+    QUADRILLE_MESSAGE("Open it in its program and export GLB, FBX, or OBJ plus PC2 or MDD.");
+constexpr std::string_view skeleton =
+    QUADRILLE_MESSAGE("Pose a mesh with it and export that as GLB or FBX; a BVH may be named as the "
+                      "reference joint angles of a sequence.");
 
 constexpr std::array refused{
-    Refused{"Alembic", "Open it in Blender and export OBJ plus PC2 or MDD, or GLB.", "Ogawa", {".abc"}},
-    Refused{"Draco compressed meshes", "Decode them to OBJ or PLY with draco_decoder.", "DRACO", {".drc"}},
-    Refused{"KTX2 texture streams",
-            "Decode them to PNG or JPEG with ktx extract.",
+    Refused{"Alembic",
+            QUADRILLE_MESSAGE("Open it in Blender and export OBJ plus PC2 or MDD, or GLB."),
+            "Ogawa",
+            {".abc"}},
+    Refused{QUADRILLE_MESSAGE("Draco compressed meshes"),
+            QUADRILLE_MESSAGE("Decode them to OBJ or PLY with draco_decoder."),
+            "DRACO",
+            {".drc"}},
+    Refused{QUADRILLE_MESSAGE("KTX2 texture streams"),
+            QUADRILLE_MESSAGE("Decode them to PNG or JPEG with ktx extract."),
             "\xABKTX 20\xBB\r\n\x1A\n",
             {".ktx2"}},
-    Refused{"Blender files", scene, "BLENDER", {".blend"}},
-    Refused{"Maya files", scene, "//Maya ASCII", {".ma", ".mb"}},
+    Refused{QUADRILLE_MESSAGE("Blender files"), scene, "BLENDER", {".blend"}},
+    Refused{QUADRILLE_MESSAGE("Maya files"), scene, "//Maya ASCII", {".ma", ".mb"}},
     Refused{"3ds Max files", scene, "", {".max", ".3ds"}},
-    Refused{"Cinema 4D files", scene, "QC4DC4D6", {".c4d"}},
-    Refused{"Houdini files", scene, "", {".hip", ".bgeo"}},
-    Refused{"LightWave files", scene, "", {".lwo", ".lws"}},
-    Refused{"ZBrush files", "Export the mesh as OBJ.", "", {".ztl", ".zpr"}},
-    Refused{"USD scenes", caches, "PXR-USDC", {".usd", ".usdc", ".usdz"}},
-    Refused{"USD scenes", caches, "#usda", {".usda"}},
-    Refused{"A skeleton without a mesh (BVH)", skeleton, "HIERARCHY", {".bvh"}},
-    Refused{"A skeleton without a mesh (Acclaim)", skeleton, "", {".asf", ".amc"}},
-    Refused{"Marker data (C3D)",
-            "Solve it to a mesh in the capture software and export GLB or FBX.",
+    Refused{QUADRILLE_MESSAGE("Cinema 4D files"), scene, "QC4DC4D6", {".c4d"}},
+    Refused{QUADRILLE_MESSAGE("Houdini files"), scene, "", {".hip", ".bgeo"}},
+    Refused{QUADRILLE_MESSAGE("LightWave files"), scene, "", {".lwo", ".lws"}},
+    Refused{QUADRILLE_MESSAGE("ZBrush files"),
+            QUADRILLE_MESSAGE("Export the mesh as OBJ."),
+            "",
+            {".ztl", ".zpr"}},
+    Refused{QUADRILLE_MESSAGE("USD scenes"), caches, "PXR-USDC", {".usd", ".usdc", ".usdz"}},
+    Refused{QUADRILLE_MESSAGE("USD scenes"), caches, "#usda", {".usda"}},
+    Refused{QUADRILLE_MESSAGE("A skeleton without a mesh (BVH)"), skeleton, "HIERARCHY", {".bvh"}},
+    Refused{QUADRILLE_MESSAGE("A skeleton without a mesh (Acclaim)"), skeleton, "", {".asf", ".amc"}},
+    Refused{QUADRILLE_MESSAGE("Marker data (C3D)"),
+            QUADRILLE_MESSAGE("Solve it to a mesh in the capture software and export GLB or FBX."),
             "",
             {".c3d"}},
-    Refused{"A point cloud", "Mesh it and export OBJ or PLY with faces.", "# .PCD", {".pcd", ".las", ".e57"}},
-    Refused{"A Maya point cache", "Export it as PC2 or MDD.", "", {".mc", ".mcx"}},
-    Refused{
-        "A compressed archive", "Unpack it and choose the folder.", "PK\x03\x04", {".zip", ".7z", ".rar"}},
-    Refused{"A compressed archive", "Unpack it and choose the folder.", "\x1F\x8B", {".gz", ".tgz", ".xz"}},
+    Refused{QUADRILLE_MESSAGE("A point cloud"),
+            QUADRILLE_MESSAGE("Mesh it and export OBJ or PLY with faces."),
+            "# .PCD",
+            {".pcd", ".las", ".e57"}},
+    Refused{QUADRILLE_MESSAGE("A Maya point cache"),
+            QUADRILLE_MESSAGE("Export it as PC2 or MDD."),
+            "",
+            {".mc", ".mcx"}},
+    Refused{QUADRILLE_MESSAGE("A compressed archive"),
+            QUADRILLE_MESSAGE("Unpack it and choose the folder."),
+            "PK\x03\x04",
+            {".zip", ".7z", ".rar"}},
+    Refused{QUADRILLE_MESSAGE("A compressed archive"),
+            QUADRILLE_MESSAGE("Unpack it and choose the folder."),
+            "\x1F\x8B",
+            {".gz", ".tgz", ".xz"}},
 };
 
 bool hasExtension(const Refused& entry, std::string_view extension)

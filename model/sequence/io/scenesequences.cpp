@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/scenesequences.h"
 
+#include "model/core/message.h"
 #include "model/sequence/io/meshfile.h"
 #include "model/sequence/io/skinning.h"
 #include "model/sequence/io/weld.h"
@@ -266,7 +267,7 @@ void checkOptions(const Scene& scene, const std::filesystem::path& file, const I
                     {file,
                      {},
                      {{"reason", "A frame rate of " + std::to_string(options.fps) + " is not possible"},
-                      {"remedy", "Give a positive number of frames a second."}}});
+                      {"remedy", QUADRILLE_MESSAGE("Give a positive number of frames a second.")}}});
     }
     if (options.clip.empty())
         return;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/stl.h"
 
+#include "model/core/message.h"
 #include "model/sequence/io/polygons.h"
 #include "model/sequence/io/textscan.h"
 
@@ -133,17 +134,17 @@ MeshFile parseText(std::string_view content, const std::filesystem::path& file)
         const auto keyword = takeWord(line);
         if (keyword == "vertex") {
             if (count == 3)
-                throwSyntax(file, text, place, "a facet has more than three corners");
+                throwSyntax(file, text, place, QUADRILLE_MESSAGE("a facet has more than three corners"));
             for (int axis = 0; axis < 3; ++axis) {
                 const auto word = takeWord(line);
                 const char* const end = word.data() + word.size();
                 if (word.empty() || scanNumber(word.data(), end, corners.at(count)[axis]) != end)
-                    throwSyntax(file, text, place, "a vertex needs three numbers");
+                    throwSyntax(file, text, place, QUADRILLE_MESSAGE("a vertex needs three numbers"));
             }
             ++count;
         } else if (keyword == "endfacet") {
             if (count != 3)
-                throwSyntax(file, text, place, "a facet has fewer than three corners");
+                throwSyntax(file, text, place, QUADRILLE_MESSAGE("a facet has fewer than three corners"));
             joiner.add(corners);
             count = 0;
         } else if (keyword == "endsolid") {
@@ -151,7 +152,7 @@ MeshFile parseText(std::string_view content, const std::filesystem::path& file)
         }
     }
     if (count != 0)
-        throwSyntax(file, text, place, "the file ends within a facet");
+        throwSyntax(file, text, place, QUADRILLE_MESSAGE("the file ends within a facet"));
     if (!hasEnd) {
         throw Error(ErrorCode::FileTruncated,
                     {file,
