@@ -14,7 +14,8 @@ struct Texts
     Q_DECLARE_TR_FUNCTIONS(quadrille::ErrorText)
 };
 
-/// The model marks its sentences with QUADRILLE_MESSAGE; translations/lupdate.py files them under this context.
+/// The model marks its sentences with QUADRILLE_MESSAGE; translations/lupdate.py files them under this
+/// context.
 QString translated(const std::string& english)
 {
     return english.empty() ? QString() : QCoreApplication::translate("quadrille", english.c_str());
