@@ -1364,36 +1364,8 @@
         <translation>Maillages (*.obj *.ply *.off *.stl)</translation>
     </message>
     <message>
-        <source>Folder with one picture per frame</source>
-        <translation>Dossier avec une texture par image</translation>
-    </message>
-    <message>
-        <source>Texture</source>
-        <translation>Texture</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.tif *.tiff)</source>
-        <translation>Images (*.png *.jpg *.jpeg *.tif *.tiff)</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>Choisir…</translation>
-    </message>
-    <message>
-        <source>One picture…</source>
-        <translation>Une seule texture…</translation>
-    </message>
-    <message>
-        <source>A folder with one picture per frame…</source>
-        <translation>Un dossier avec une texture par image…</translation>
-    </message>
-    <message>
-        <source>As found</source>
-        <translation>Comme trouvées</translation>
     </message>
     <message>
         <source>in the files</source>
@@ -1438,6 +1410,10 @@
     <message>
         <source>Last frame</source>
         <translation>Dernière image</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>comme trouvé</translation>
     </message>
 </context>
 <context>

@@ -6,11 +6,11 @@
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
+#include "editor/fields/texturefield.h"
 #include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/pictures/uvedges.h"
 #include "editor/playback/sequencestage.h"
-#include "editor/properties/texturefield.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/icons.h"
 

@@ -6,6 +6,7 @@
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/axesfields.h"
+#include "editor/fields/texturefield.h"
 #include "editor/help/helpviewer.h"
 #include "editor/importing/taketable.h"
 #include "editor/language/retranslate.h"
@@ -20,7 +21,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
-#include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -43,7 +43,7 @@ ImportDialog::ImportDialog(EditorContext& context, FoundSources found, QWidget* 
     , m_fps(new QDoubleSpinBox)
     , m_first(new QSpinBox)
     , m_last(new QSpinBox)
-    , m_texture(new QToolButton)
+    , m_texture(new TextureField)
     , m_import(new QPushButton)
     , m_cancel(new QPushButton)
 {
@@ -106,9 +106,7 @@ QWidget* ImportDialog::makeSettings()
     m_first->setObjectName(QStringLiteral("importFirst"));
     m_last->setObjectName(QStringLiteral("importLast"));
     m_texture->setObjectName(QStringLiteral("importTexture"));
-    m_texture->setPopupMode(QToolButton::InstantPopup);
-    m_texture->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    m_texture->setMenu(new QMenu(m_texture));
+    m_texture->setStartFolder(toQString(m_found.sources.front().parent_path()));
 
     const auto row = [](QWidget* first, QWidget* second) {
         auto* layout = new QHBoxLayout;
@@ -154,6 +152,7 @@ void ImportDialog::connectAll()
     connect(m_fps, &QDoubleSpinBox::valueChanged, this, [this] { readControls(); });
     connect(m_first, &QSpinBox::valueChanged, this, [this] { readControls(); });
     connect(m_last, &QSpinBox::valueChanged, this, [this] { readControls(); });
+    connect(m_texture, &TextureField::chosen, this, &ImportDialog::setTexture);
     connect(m_chooseMesh, &QToolButton::clicked, this, &ImportDialog::chooseMesh);
     connect(m_strip, &widgets::MessageStrip::actionTriggered, this, &ImportDialog::chooseMesh);
     connect(m_cancel, &QPushButton::clicked, this, &QDialog::reject);
@@ -255,6 +254,7 @@ void ImportDialog::showTake()
     } else {
         m_height->clear();
     }
+    m_texture->setTexture(isOpen ? planned->texture : TextureReference(), tr("as found"));
     m_preview->draw(isOpen ? &*planned->take.sequence : nullptr,
                     namesAxes ? CoordinateSystem{} : m_plan.axes);
     showProblems();
@@ -310,21 +310,6 @@ void ImportDialog::chooseMesh()
     survey();
 }
 
-void ImportDialog::chooseTexture(bool isFolder)
-{
-    const QString start = toQString(m_found.sources.front().parent_path());
-    const QString path =
-        isFolder ? QFileDialog::getExistingDirectory(this, tr("Folder with one picture per frame"), start)
-                 : QFileDialog::getOpenFileName(this, tr("Texture"), start,
-                                                tr("Pictures (*.png *.jpg *.jpeg *.tif *.tiff)"));
-    if (path.isEmpty())
-        return;
-    TextureReference texture;
-    texture.kind = isFolder ? TextureReference::Kind::PerFrame : TextureReference::Kind::Single;
-    texture.paths = {path.toStdString()};
-    setTexture(texture);
-}
-
 void ImportDialog::setTexture(const TextureReference& texture)
 {
     if (PlannedTake* planned = current(); planned != nullptr)
@@ -349,12 +334,6 @@ void ImportDialog::retranslate()
     setWindowTitle(tr("Import"));
     m_takes->retranslate();
     m_cancel->setText(tr("Cancel"));
-    m_texture->setText(tr("Choose…"));
-    m_texture->menu()->clear();
-    m_texture->menu()->addAction(tr("One picture…"), this, [this] { chooseTexture(false); });
-    m_texture->menu()->addAction(tr("A folder with one picture per frame…"), this,
-                                 [this] { chooseTexture(true); });
-    m_texture->menu()->addAction(tr("As found"), this, [this] { setTexture({}); });
     m_mesh->setPlaceholderText(tr("in the files"));
     m_chooseMesh->setToolTip(tr("Choose the mesh that gives faces and texture coordinates"));
     m_fps->setSuffix(tr(" fps"));

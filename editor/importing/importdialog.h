@@ -20,6 +20,7 @@ namespace quadrille {
 class AxesFields;
 class TakePreview;
 class TakeTable;
+class TextureField;
 struct EditorContext;
 
 namespace widgets {
@@ -53,7 +54,6 @@ private:
     void showTake();
     void showProblems();
     void chooseMesh();
-    void chooseTexture(bool isFolder);
     void setTexture(const TextureReference& texture);
     void import();
     void retranslate();
@@ -77,7 +77,7 @@ private:
     QDoubleSpinBox* m_fps;
     QSpinBox* m_first;
     QSpinBox* m_last;
-    QToolButton* m_texture;
+    TextureField* m_texture;
     QPushButton* m_import;
     QPushButton* m_cancel;
 };

@@ -4,7 +4,7 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/commands/projectedits.h"
-#include "editor/properties/texturefield.h"
+#include "editor/fields/texturefield.h"
 
 #include <QFileInfo>
 #include <QLineEdit>

@@ -6,7 +6,7 @@
 #include "editor/commands/projectedits.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/axesfields.h"
-#include "editor/properties/texturefield.h"
+#include "editor/fields/texturefield.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 // The texture dock, with a small project of sequences that have textures of each kind, or none.
 #include "editor/commands/projectedits.h"
+#include "editor/fields/texturefield.h"
 #include "editor/playback/player.h"
 #include "editor/playback/sequencestage.h"
-#include "editor/properties/texturefield.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editortest.h"
 #include "widgets/controls/messagestrip.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "editor/properties/texturefield.h"
+#include "editor/fields/texturefield.h"
 
 #include <QEvent>
 #include <QFileDialog>
@@ -47,7 +47,7 @@ void TextureField::makeMenu()
 void TextureField::choose(bool isFolder)
 {
     const QString start = m_texture.paths.empty()
-                              ? QString()
+                              ? m_startFolder
                               : QFileInfo(QString::fromStdString(m_texture.paths.front())).path();
     const QString path =
         isFolder ? QFileDialog::getExistingDirectory(this, tr("Folder with one picture per frame"), start)

@@ -17,6 +17,8 @@ public:
 
     /// \param without what stands there when no textures are named.
     void setTexture(const TextureReference& texture, const QString& without);
+    /// Where looking for pictures begins while none are named.
+    void setStartFolder(const QString& folder) { m_startFolder = folder; }
 
 signals:
     void chosen(const quadrille::TextureReference& texture);
@@ -29,6 +31,7 @@ private:
     void makeMenu();
 
     TextureReference m_texture;
+    QString m_startFolder;
 };
 
 } // namespace quadrille
