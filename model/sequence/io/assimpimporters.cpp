@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/file.h"
+#include "model/sequence/io/assimplog.h"
 #include "model/sequence/io/assimpscene.h"
 #include "model/sequence/io/colladageometry.h"
 #include "model/sequence/io/controlpoints.h"
@@ -19,17 +20,6 @@ namespace {
 
 constexpr double metresPerCentimetre = 0.01;
 
-/// What Assimp says, cut to one readable line: it quotes whole files.
-std::string plainReason(std::string_view text)
-{
-    constexpr std::size_t longest = 160;
-    std::string reason;
-    for (const char c : text.substr(0, longest))
-        reason += c < ' ' || c > '~' ? ' ' : c;
-    reason.erase(reason.find_last_not_of(" .") + 1);
-    return text.size() > longest ? reason + "…" : reason;
-}
-
 const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path& file)
 {
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
@@ -39,8 +29,22 @@ const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path
     // No post-processing: vertices stay in the order of the file's polygon corners.
     const aiScene* scene = importer.ReadFile(file.string(), 0);
     if (!scene)
-        throw Error(ErrorCode::FileSyntax, {file, {}, {{"reason", plainReason(importer.GetErrorString())}}});
+        throw Error(ErrorCode::FileSyntax,
+                    {file, {}, {{"reason", plainAssimpText(importer.GetErrorString())}}});
     return *scene;
+}
+
+/// Says which parts of a file Assimp left out.
+/// \throws Error FileSyntax where nothing is left.
+void reportLosses(const AssimpErrors& errors, const std::filesystem::path& file, Scene& scene)
+{
+    if (!errors.lines().empty() && scene.meshes.empty())
+        throw Error(ErrorCode::FileSyntax, {file, {}, {{"reason", errors.lines().front()}}});
+    for (const std::string& line : errors.lines()) {
+        scene.issues.push_back({Issue::Severity::Warning,
+                                Issue::Code::Other,
+                                {file, {}, {{"text", "A damaged part was left out: " + line + "."}}}});
+    }
 }
 
 double metresPerUnit(const aiScene& source)
@@ -75,10 +79,12 @@ ImportResult FbxImporter::open(const SourceFiles& source, const ImportOptions& o
     const auto geometries = readFbxGeometries(readFile(file).bytes());
     for (const PolygonGeometry& geometry : geometries)
         checkCorners(geometry, file);
+    const AssimpErrors errors;
     Assimp::Importer importer;
     const aiScene& read = readScene(importer, file);
     progress.report(0.5);
     Scene scene = sceneFromAssimp(read, file);
+    reportLosses(errors, file, scene);
     restoreControlPoints(scene, read, geometries);
     scene.coordinates = {UpAxis::Y, metresPerUnit(read)};
     return sequencesFromScene(std::move(scene), file, options, progress.part(0.7, 1.0));

@@ -4,6 +4,7 @@
 #include "model/sequence/io/assimpscene.h"
 #include "model/sequence/io/fbxgeometry.h"
 #include "model/sequence/io/registry.h"
+#include "tests/model/sequence/io/meshbytes.h"
 #include "tests/model/sequence/io/sceneiotest.h"
 
 #include <gmock/gmock.h>
@@ -110,6 +111,37 @@ TEST(Fbx, DamagedFilesAreRefused)
         const auto cut = folder.write("cut.fbx", std::string(whole.text().substr(0, length)));
         EXPECT_EQ(codeOf([&] { openFbx(cut); }), ErrorCode::FileSyntax) << length;
     }
+}
+
+TEST(Fbx, DamagedPartsAreNotLeftOutInSilence)
+{
+    const TemporaryFolder folder;
+    const auto fbxText = [](const RawMesh& mesh) {
+        const auto& formats = rawFormats();
+        const auto isText = [](const RawFormat& f) { return std::string_view(f.name) == "FbxText"; };
+        return std::find_if(formats.begin(), formats.end(), isText)->bytes(mesh);
+    };
+    RawMesh damaged = rawPyramid();
+    damaged.faces[0][1] = 77;
+    const std::string text = fbxText(damaged);
+    EXPECT_EQ(codeOf([&] { openFbx(folder.write("only.fbx", text)); }), ErrorCode::FileSyntax);
+
+    const std::string good = fbxText(rawPyramid());
+    const auto part = [](const std::string& file, const std::string& from, const std::string& to) {
+        const auto at = file.find(from);
+        return file.substr(at, file.find(to) - at);
+    };
+    std::string other = part(text, "\tGeometry: 100", "}\nConnections") + "}\n";
+    for (const auto& [id, newId] : {std::pair{"100,", "300,"}, std::pair{"200,", "400,"}})
+        other.replace(other.find(id), 4, newId);
+    std::string both = good;
+    both.insert(both.find("}\nConnections"), other.substr(0, other.size() - 2));
+    both.insert(both.find("\tC: "), "\tC: \"OO\",400,0\n\tC: \"OO\",300,400\n");
+    const ImportResult result = openFbx(folder.write("both.fbx", both));
+    EXPECT_EQ(result.sequences.at(0).topology->triangles().size(), 8U);
+    EXPECT_TRUE(std::any_of(result.issues.begin(), result.issues.end(), [](const Issue& issue) {
+        return issue.toString().find("left out") != std::string::npos;
+    }));
 }
 
 TEST(Fbx, GeometriesOfDamagedFilesAreLeftOut)
