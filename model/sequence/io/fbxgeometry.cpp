@@ -100,6 +100,8 @@ public:
         if (!fits || !cursor.isGood ||
             length * sizeof(T) > packed.size() * (encoding == 1 ? largestPacking : 1))
             return std::nullopt;
+        if (length == 0)
+            return std::vector<T>();
         std::vector<T> values(length);
         auto bytes = static_cast<uLongf>(length * sizeof(T));
         if (encoding == 0)
