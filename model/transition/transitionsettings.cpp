@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/transition/transitionsettings.h"
+
+#include "model/core/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace quadrille {
+
+namespace {
+
+[[noreturn]] void refuse(std::string reason, std::string remedy)
+{
+    throw Error(
+        ErrorCode::BadArgument,
+        {.file = {}, .place = {}, .values = {{"reason", std::move(reason)}, {"remedy", std::move(remedy)}}});
+}
+
+} // namespace
+
+int TransitionSettings::shortest() const
+{
+    return shortestWindow.value_or(std::max(1, static_cast<int>(std::ceil(fps / 3))));
+}
+
+int TransitionSettings::longest() const
+{
+    return longestWindow.value_or(std::max(shortest(), static_cast<int>(std::floor(2 * fps))));
+}
+
+void checkSettings(const TransitionSettings& settings)
+{
+    if (!(settings.fps > 0 && settings.fps <= TransitionSettings::greatestWindow / 2.0))
+        refuse("The frame rate of transitions is not between 0 and 2047 frames per second",
+               "Give the frame rate of the sequences.");
+    if (settings.shortest() < 1)
+        refuse("The shortest window of a transition has no frame", "Give at least 1 frame.");
+    if (settings.longest() < settings.shortest())
+        refuse("The longest window of a transition (" + std::to_string(settings.longest()) +
+                   " frames) is shorter than the shortest (" + std::to_string(settings.shortest()) + ")",
+               "Give a longest window that is not below the shortest.");
+    if (settings.longest() > TransitionSettings::greatestWindow)
+        refuse("The longest window of a transition has " + std::to_string(settings.longest()) + " frames",
+               "Give at most " + std::to_string(TransitionSettings::greatestWindow) + " frames.");
+    if (settings.slope < TransitionSettings::leastSlope || settings.slope > TransitionSettings::greatestSlope)
+        refuse("The slope of transitions is " + std::to_string(settings.slope), "Give 2, 3, 4 or 5.");
+}
+
+} // namespace quadrille

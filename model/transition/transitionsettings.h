@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+namespace quadrille {
+
+/// What the cost of a warp path is.
+enum class TransitionCost
+{
+    Sum,  ///< sum of the pose distances of its cells (SMCAS eq. 8); favours short windows
+    Mean, ///< sum divided by the number of cells
+};
+
+/// How transitions are sought; the defaults are the paper's (SMCAS §3.3).
+struct TransitionSettings
+{
+    static constexpr int leastSlope = 2;
+    static constexpr int greatestSlope = 5;
+    static constexpr int greatestWindow = 4095;
+
+    double fps = 25; ///< frames per second of all sequences
+    /// l_min, frames: the shortest source or destination window; empty: a third of a second, rounded up.
+    std::optional<int> shortestWindow;
+    /// l_max, frames: the longest window; empty: two seconds, rounded down.
+    std::optional<int> longestWindow;
+    /// Steps in a row in which only one of the two sequences goes on, 2 … 5: more bend time further.
+    int slope = 3;
+    TransitionCost cost = TransitionCost::Sum;
+
+    /// l_min in frames, at least 1.
+    int shortest() const;
+    /// l_max in frames, at least l_min where it is not given.
+    int longest() const;
+    bool operator==(const TransitionSettings&) const = default;
+};
+
+/// \throws Error BadArgument with the setting that cannot be.
+void checkSettings(const TransitionSettings& settings);
+
+} // namespace quadrille

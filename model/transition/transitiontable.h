@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/executor.h"
+#include "model/core/progress.h"
+#include "model/core/table.h"
+#include "model/transition/framelayout.h"
+#include "model/transition/transitionsettings.h"
+
+#include <cstdint>
+#include <limits>
+
+namespace quadrille {
+
+/// The best transition from every frame (row) to every frame (column) of a character. All tables are frames ×
+/// frames. From i to j the source window is [i, i + sourceWindow − 1], the destination window
+/// [j − destinationWindow + 1, j].
+struct TransitionTable
+{
+    /// D: cost of the warp path, in the unit of the pose distances; infinite where no windows fit and on the
+    /// diagonal. Not symmetric.
+    Table<float> cost;
+    /// L: cells of the warp path, which are the frames that the transition lasts; 0 where the cost is
+    /// infinite, as are the two windows.
+    Table<std::uint16_t> length;
+    Table<std::uint16_t> sourceWindow;      ///< lᵢ, frames
+    Table<std::uint16_t> destinationWindow; ///< lⱼ, frames
+
+    static constexpr float none = std::numeric_limits<float>::infinity();
+};
+
+/// Transitions of least cost over all windows and warp paths between all pairs of frames (SMCAS eq. 8,
+/// ALGORITHMS section 3): a path goes from the first cell of the windows to the last by steps (1,1), (1,0)
+/// and (0,1) with at most `slope` equal non-diagonal steps in a row. Ties: the shorter path, then the smaller
+/// lᵢ, then the smaller lⱼ. No transition leaves its two sequences; both may be the same. A sequence of fewer
+/// frames than the shortest window has no transitions.
+/// Sums are exact: distances are rounded to a grid (see CostGrid), at 25 fps of 2⁻³⁹ of the largest of them
+/// (2⁻³² for mean costs), so that results depend on neither threads nor vector width.
+/// \param distances  frames × frames, finite and not negative.
+/// \throws Error BadArgument from checkSettings, Cancelled. Cost: at most O(frames² · l_max²); beside the
+/// tables, 12 bytes × frames × 16 and the distances of l_max + 16 frames for each thread.
+TransitionTable transitionTable(const Table<float>& distances, const FrameLayout& layout,
+                                const TransitionSettings& settings, const Progress& progress = {},
+                                const Executor& executor = localExecutor());
+
+/// Transitions without warp, for comparison (SMCAS Fig. 7, "linear"): both windows have l_min frames and
+/// advance together; the cost is the sum of their distances, or the mean.
+/// \throws Error as transitionTable.
+TransitionTable linearTransitionTable(const Table<float>& distances, const FrameLayout& layout,
+                                      const TransitionSettings& settings, const Progress& progress = {});
+
+} // namespace quadrille
