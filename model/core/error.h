@@ -66,6 +66,9 @@ enum class ErrorCode
     // the machine, and what nobody foresaw
     OutOfMemory,
     Unexpected,
+    // motion
+    CharacterTopologyMismatch,
+    NoUsableTriangles,
 };
 
 /// Where in a file or sequence an error lies; fields that do not apply stay empty.

@@ -122,6 +122,12 @@ ErrorMessage errorMessage(ErrorCode code)
     case ErrorCode::Unexpected:
         return {QUADRILLE_MESSAGE("Something unexpected happened: {reason}."),
                 QUADRILLE_MESSAGE("Save your work and try again; if it happens again, report it.")};
+    case ErrorCode::CharacterTopologyMismatch:
+        return {QUADRILLE_MESSAGE("“{sequence}” has another topology than “{first}”: {what}."),
+                QUADRILLE_MESSAGE("The sequences of a character share one topology; leave this one out.")};
+    case ErrorCode::NoUsableTriangles:
+        return {QUADRILLE_MESSAGE("Every triangle is without area in some frame."),
+                QUADRILLE_MESSAGE("Leave collapsed frames out by the range.")};
     }
     return {"", ""};
 }

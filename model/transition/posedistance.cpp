@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/transition/posedistance.h"
+
+#include "model/core/error.h"
+#include "model/geometry/procrustes.h"
+#include "model/transition/posedistancetile.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+namespace quadrille {
+
+namespace {
+
+void requireValid(const PoseDistanceSettings& settings)
+{
+    if (!(settings.stretchWeight >= 0) || !std::isfinite(settings.stretchWeight))
+        throw Error(ErrorCode::BadArgument,
+                    {.values = {{"reason", "The weight of stretch must not be negative"},
+                                {"remedy", "The paper's weight is 0.01."}}});
+}
+
+/// Looks at every frame once: its centre, and the triangles that have no area in it.
+PoseDistanceInputs survey(const CharacterFrames& character, const PoseDistanceSettings& settings,
+                          const Progress& progress)
+{
+    PoseDistanceInputs inputs{.character = character,
+                              .settings = settings,
+                              .centres =
+                                  std::vector<Vec3d>(static_cast<std::size_t>(character.frameCount()))};
+    const std::span<const Triangle> triangles = character.triangles();
+    using Marks = std::vector<std::uint8_t>;
+    tbb::enumerable_thread_specific<Marks> marksOfThreads(Marks(triangles.size(), 0));
+    std::atomic<std::int64_t> done = 0;
+    tbb::parallel_for(NodeIndex{0}, character.frameCount(), [&](NodeIndex node) {
+        progress.report(done.load(), std::int64_t{character.frameCount()});
+        const Frame frame = character.frame(node);
+        inputs.centres[static_cast<std::size_t>(node)] = centroid(frame.positions());
+        markDegenerate(frame.positions(), triangles, marksOfThreads.local());
+        ++done;
+    });
+    std::vector<Triangle> used;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (std::none_of(marksOfThreads.begin(), marksOfThreads.end(),
+                         [t](const Marks& marks) { return marks[t] != 0; }))
+            used.push_back(triangles[t]);
+    }
+    inputs.corners = cornerSlices(used);
+    inputs.triangleCount = static_cast<std::int64_t>(used.size());
+    return inputs;
+}
+
+/// The upper half of the table in square tiles. Two runs of frames fit 24 MB, and even a small table gives
+/// several cores to do; the size depends on nothing else, and no value depends on it.
+std::vector<PoseDistanceTile> tilesOf(NodeIndex frameCount, std::uint32_t vertexCount)
+{
+    constexpr std::size_t runBytes = std::size_t{12} << 20;
+    const auto fitting = static_cast<NodeIndex>(
+        std::clamp(runBytes / (sizeof(Vec3f) * std::max(vertexCount, 1U)), std::size_t{8}, std::size_t{128}));
+    const NodeIndex size = std::clamp((frameCount + 9) / 10, std::min(NodeIndex{16}, fitting), fitting);
+    std::vector<PoseDistanceTile> tiles;
+    for (NodeIndex row = 0; row < frameCount; row += size) {
+        for (NodeIndex column = row; column < frameCount; column += size)
+            tiles.push_back(
+                {row, std::min(size, frameCount - row), column, std::min(size, frameCount - column)});
+    }
+    return tiles;
+}
+
+void storeTile(const PoseDistanceTile& tile, std::span<const float> values, Table<float>& distances)
+{
+    const Eigen::Map<const Table<float>> pairs(values.data(), tile.rows, tile.columns);
+    for (NodeIndex row = 0; row < tile.rows; ++row) {
+        for (NodeIndex column = 0; column < tile.columns; ++column) {
+            const NodeIndex i = tile.firstRow + row;
+            const NodeIndex j = tile.firstColumn + column;
+            if (i < j)
+                distances(i, j) = distances(j, i) = pairs(row, column);
+        }
+    }
+}
+
+/// θ + w/√2·‖log S‖ of one triangle.
+double triangleDistance(const std::array<Vec3d, 3>& from, const std::array<Vec3d, 3>& to,
+                        double stretchWeight)
+{
+    const auto edges = [](const std::array<Vec3d, 3>& corners) {
+        Eigen::Matrix3d e;
+        e.col(0) = corners[0] - corners[2];
+        e.col(1) = corners[1] - corners[2];
+        e.col(2) = e.col(0).cross(e.col(1)).normalized();
+        return e;
+    };
+    // The in-plane map of the closed form, in orthonormal frames of both triangles.
+    const auto frameOf = [](const Eigen::Matrix3d& e) {
+        Eigen::Matrix3d f;
+        f.col(0) = e.col(0).normalized();
+        f.col(2) = e.col(2);
+        f.col(1) = f.col(2).cross(f.col(0));
+        return f;
+    };
+    const Eigen::Matrix3d a = edges(from);
+    const Eigen::Matrix3d b = edges(to);
+    const Eigen::Matrix3d frameA = frameOf(a);
+    const Eigen::Matrix3d frameB = frameOf(b);
+    const Eigen::Matrix2d planeA = (frameA.transpose() * a).topLeftCorner<2, 2>();
+    const Eigen::Matrix2d planeB = (frameB.transpose() * b).topLeftCorner<2, 2>();
+    const Eigen::Matrix2d m = planeB * planeA.inverse();
+    const double phi = std::atan2(m(1, 0) - m(0, 1), m(0, 0) + m(1, 1));
+    const Eigen::Quaterniond rotation(frameB * Eigen::AngleAxisd(phi, Vec3d::UnitZ()) * frameA.transpose());
+    const double angle = 2 * std::atan2(rotation.vec().norm(), std::abs(rotation.w()));
+    const double plus = std::hypot(m(0, 0) + m(1, 1), m(1, 0) - m(0, 1));
+    const double minus = std::hypot(m(0, 0) - m(1, 1), m(0, 1) + m(1, 0));
+    const double log1 = std::log((plus + minus) / 2);
+    const double log2 = std::log(m.determinant()) - log1;
+    return angle + stretchWeight / std::numbers::sqrt2 * std::hypot(log1, log2);
+}
+
+} // namespace
+
+PoseDistances poseDistances(const CharacterFrames& character, const PoseDistanceSettings& settings,
+                            const Progress& progress, const Executor& executor)
+{
+    requireValid(settings);
+    const NodeIndex frameCount = character.frameCount();
+    PoseDistances result{.layout = character.layout(),
+                         .distances = Table<float>::Zero(frameCount, frameCount)};
+    const PoseDistanceInputs inputs = survey(character, settings, progress.part(0, 0.02));
+    result.trianglesUsed = inputs.triangleCount;
+    result.trianglesLeftOut = static_cast<std::int64_t>(character.triangles().size()) - inputs.triangleCount;
+    if (settings.metric == PoseMetric::Surface && inputs.triangleCount == 0 && frameCount > 0)
+        throw Error(ErrorCode::NoUsableTriangles);
+
+    const std::vector<PoseDistanceTile> tiles = tilesOf(frameCount, character.vertexCount());
+    const auto tileOf = [&](std::int64_t task) -> const PoseDistanceTile& {
+        return tiles[static_cast<std::size_t>(task)];
+    };
+    executor.run(makeTasks<float>(
+                     static_cast<std::int64_t>(tiles.size()),
+                     [&](std::int64_t task, const Progress& own) {
+                         return poseDistanceTile(inputs, tileOf(task), own);
+                     },
+                     [&](std::int64_t task, std::span<const float> values) {
+                         storeTile(tileOf(task), values, result.distances);
+                     }),
+                 progress.part(0.02, 1));
+    return result;
+}
+
+double surfaceDistance(Positions a, Positions b, std::span<const Triangle> triangles, double stretchWeight)
+{
+    if (triangles.empty())
+        return 0;
+    const RigidMotion align = rigidProcrustes(b, a);
+    double sum = 0;
+    for (const Triangle& triangle : triangles) {
+        std::array<Vec3d, 3> from;
+        std::array<Vec3d, 3> to;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            from[corner] = a[triangle[corner].value].cast<double>();
+            to[corner] = align.rotation * b[triangle[corner].value].cast<double>();
+        }
+        sum += triangleDistance(from, to, stretchWeight);
+    }
+    return sum / static_cast<double>(triangles.size());
+}
+
+double euclideanDistance(Positions a, Positions b)
+{
+    const RigidMotion align = rigidProcrustes(b, a);
+    double sum = 0;
+    for (std::size_t v = 0; v < a.size(); ++v)
+        sum += (a[v].cast<double>() - align(b[v].cast<double>())).norm();
+    return sum / static_cast<double>(a.size());
+}
+
+} // namespace quadrille

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/executor.h"
+#include "model/core/table.h"
+#include "model/transition/characterframes.h"
+
+namespace quadrille {
+
+/// How the distance of two poses is measured, rigid motion removed.
+enum class PoseMetric
+{
+    Surface,   ///< mean rotation of the triangles and weighted mean stretch, radians (SMCAS eq. 1–2)
+    Euclidean, ///< mean distance of the vertices, metres (SMCAS Table 1)
+};
+
+struct PoseDistanceSettings
+{
+    PoseMetric metric = PoseMetric::Surface;
+    /// w of SMCAS eq. 2: weight of the stretch against the rotation, at least 0. Surface metric only.
+    double stretchWeight = 0.01;
+
+    bool operator==(const PoseDistanceSettings&) const = default;
+};
+
+/// The distances of all pairs of frames of a character.
+struct PoseDistances
+{
+    FrameLayout layout;
+    /// frames × frames, radians (surface) or metres (Euclidean); exactly symmetric, zeros on the diagonal.
+    Table<float> distances;
+    std::int64_t trianglesUsed = 0;
+    /// Triangles whose area is below 1e-12 of the squared bounding diagonal in some frame.
+    std::int64_t trianglesLeftOut = 0;
+};
+
+/// Distances of all pairs of frames. Memory beside the table and the frames in the media cache does not grow
+/// with the number of frames: at most about 24 MB a core.
+/// \throws Error BadArgument (weight negative or not finite), NoUsableTriangles (surface metric), what
+/// reading frames throws, Cancelled. Cost: O(frames² · (triangles + vertices)). Source: SMCAS section 3.1;
+/// section 1 of the specification of algorithms.
+PoseDistances poseDistances(const CharacterFrames& character, const PoseDistanceSettings& settings = {},
+                            const Progress& progress = {}, const Executor& executor = localExecutor());
+
+/// The surface distance of two poses, radians, in double precision.
+/// \param triangles  those to use, each with an area in both poses; 0 when there are none.
+double surfaceDistance(Positions a, Positions b, std::span<const Triangle> triangles,
+                       double stretchWeight = PoseDistanceSettings().stretchWeight);
+
+/// The mean distance of the vertices of two poses after rigid Procrustes, metres, in double precision.
+/// \pre Both poses have as many vertices, at least one.
+double euclideanDistance(Positions a, Positions b);
+
+} // namespace quadrille

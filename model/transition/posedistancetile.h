@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/geometry/covariances.h"
+#include "model/geometry/triangleframes.h"
+#include "model/transition/posedistance.h"
+
+#include <vector>
+
+namespace quadrille {
+
+/// What all tiles of a table of distances have in common.
+struct PoseDistanceInputs
+{
+    CharacterFrames character;
+    PoseDistanceSettings settings;
+    std::vector<Vec3d> centres;       ///< of every frame, the mean of its vertices
+    std::vector<CornerSlice> corners; ///< of the triangles to use
+    std::int64_t triangleCount = 0;   ///< in `corners`
+};
+
+/// The pairs of two runs of frames.
+struct PoseDistanceTile
+{
+    NodeIndex firstRow = 0;
+    NodeIndex rows = 0;
+    NodeIndex firstColumn = 0;
+    NodeIndex columns = 0;
+};
+
+/// Distances of the pairs of a tile, rows × columns. Where the frame of the row does not come before that of
+/// the column there is 0: the table is symmetric. \throws Error what reading frames throws, Cancelled.
+std::vector<float> poseDistanceTile(const PoseDistanceInputs& inputs, const PoseDistanceTile& tile,
+                                    const Progress& progress);
+
+} // namespace quadrille

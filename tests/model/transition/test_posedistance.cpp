@@ -1,0 +1,364 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/core/error.h"
+#include "model/transition/posedistance.h"
+#include "tests/model/transition/plainposedistance.h"
+#include "tests/model/transition/swayingtube.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <tbb/task_arena.h>
+
+using namespace quadrille;
+using namespace quadrille::testing;
+
+namespace {
+
+using Pose = std::vector<Vec3f>;
+
+/// A topology of some triangles.
+std::shared_ptr<const Topology> topologyOf(std::uint32_t vertices,
+                                           const std::vector<std::array<int, 3>>& faces)
+{
+    TopologyData data{.vertexCount = vertices};
+    for (const auto& [a, b, c] : faces)
+        data.triangles.push_back({VertexIndex(a), VertexIndex(b), VertexIndex(c)});
+    return std::make_shared<Topology>(std::move(data));
+}
+
+MeshSequence sequenceOf(const std::shared_ptr<const Topology>& topology, const std::vector<Pose>& poses,
+                        const std::string& name = "take")
+{
+    std::vector<Vec3f> positions;
+    for (const Pose& pose : poses)
+        positions.insert(positions.end(), pose.begin(), pose.end());
+    return makeSequence(name, topology,
+                        std::make_shared<MemoryFrames>(std::move(positions), topology->vertexCount()), 25);
+}
+
+CharacterFrames characterOf(const MeshSequence& sequence)
+{
+    return CharacterFrames(std::span(&sequence, 1));
+}
+
+/// The only distance of two poses.
+double distanceOf(const std::shared_ptr<const Topology>& topology, const Pose& a, const Pose& b,
+                  const PoseDistanceSettings& settings = {})
+{
+    return poseDistances(characterOf(sequenceOf(topology, {a, b})), settings).distances(0, 1);
+}
+
+std::shared_ptr<const Topology> tetrahedron()
+{
+    return topologyOf(4, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+}
+const Pose corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+Pose moved(const Pose& pose, const Eigen::Affine3d& motion)
+{
+    Pose result;
+    for (const Vec3f& p : pose)
+        result.push_back((motion * p.cast<double>()).cast<float>());
+    return result;
+}
+
+Eigen::Affine3d someMotion()
+{
+    return Eigen::Translation3d(4, -2, 1) * Eigen::AngleAxisd(2.5, Vec3d(1, 2, -1).normalized());
+}
+
+ErrorCode codeOf(const std::function<void()>& call)
+{
+    try {
+        call();
+    } catch (const Error& error) {
+        return error.code();
+    }
+    ADD_FAILURE() << "nothing was thrown";
+    return ErrorCode::Unexpected;
+}
+
+/// Checks every distance of a sequence against the plain references, single pairs too.
+void expectPlainDistances(const MeshSequence& sequence, double relative)
+{
+    const CharacterFrames frames = characterOf(sequence);
+    for (const PoseMetric metric : {PoseMetric::Surface, PoseMetric::Euclidean}) {
+        const PoseDistanceSettings settings{.metric = metric};
+        const Table<float> distances = poseDistances(frames, settings).distances;
+        for (NodeIndex i = 0; i < frames.frameCount(); ++i) {
+            EXPECT_EQ(distances(i, i), 0);
+            for (NodeIndex j = 0; j < i; ++j) {
+                const Frame a = frames.frame(i);
+                const Frame b = frames.frame(j);
+                const double expected =
+                    metric == PoseMetric::Surface
+                        ? plainSurfaceDistance(a.positions(), b.positions(), frames.triangles(), 0.01)
+                        : plainEuclideanDistance(a.positions(), b.positions());
+                EXPECT_NEAR(distances(i, j), expected, relative * expected) << i << ", " << j;
+                EXPECT_EQ(distances(i, j), distances(j, i));
+                const double single = metric == PoseMetric::Surface
+                                          ? surfaceDistance(a.positions(), b.positions(), frames.triangles())
+                                          : euclideanDistance(a.positions(), b.positions());
+                EXPECT_NEAR(single, expected, 1e-9 * expected);
+            }
+        }
+    }
+}
+
+} // namespace
+
+TEST(PoseDistance, AgreesWithThePlainReferenceFarAndNear)
+{
+    const auto topology = tubeTopology(12, 40);
+    expectPlainDistances(swayingTube(topology, 12, 14, 0.4), 1e-5);
+    // Neighbouring frames: a few thousandths of a radian apart.
+    expectPlainDistances(swayingTube(topology, 12, 6, 0.002), 1e-5);
+}
+
+TEST(PoseDistance, AgreesForTrianglesThatTurnAllTheWay)
+{
+    // Triangles without a common vertex, each turned and strained at random: angles up to π, areas times 50.
+    std::mt19937 engine(8);
+    std::normal_distribution<double> normal;
+    std::vector<std::array<int, 3>> faces;
+    for (int t = 0; t < 500; ++t)
+        faces.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    std::vector<Pose> poses(5);
+    for (Pose& pose : poses) {
+        for (int v = 0; v < 1500; ++v)
+            pose.emplace_back(Vec3d(normal(engine), normal(engine), normal(engine)).cast<float>());
+    }
+    expectPlainDistances(sequenceOf(topologyOf(1500, faces), poses), 1e-5);
+}
+
+TEST(PoseDistance, OfARigidMotionIsNothing)
+{
+    const Pose turned = moved(corners, someMotion());
+    EXPECT_NEAR(distanceOf(tetrahedron(), corners, turned), 0, 5e-7); // rounding of the positions
+    EXPECT_NEAR(distanceOf(tetrahedron(), corners, turned, {.metric = PoseMetric::Euclidean}), 0, 5e-7);
+}
+
+TEST(PoseDistance, OfEqualFramesIsExactlyNothing)
+{
+    const MeshSequence tube = swayingTube(tubeTopology(12, 40), 12, 1, 0.4);
+    const Frame frame = tube.frame(FrameIndex(0));
+    const Pose pose(frame.positions().begin(), frame.positions().end());
+    EXPECT_EQ(distanceOf(tube.topology, pose, pose), 0);
+    EXPECT_EQ(distanceOf(tube.topology, pose, pose, {.metric = PoseMetric::Euclidean}), 0);
+}
+
+TEST(PoseDistance, OfUniformScaleIsTheLogarithm)
+{
+    // No rotation; both in-plane stretches are the scale: d = w/√2 · √2·|log scale|.
+    for (const double scale : {1.001, 1.2, 0.5, 20.0}) {
+        const Pose larger = moved(corners, Eigen::Affine3d(Eigen::Scaling(scale)));
+        for (const double weight : {0.01, 1.0}) {
+            const double expected = weight * std::abs(std::log(scale));
+            const double tolerance = 1e-5 * expected + 1e-7 * weight + 3e-8;
+            EXPECT_NEAR(distanceOf(tetrahedron(), corners, larger, {.stretchWeight = weight}), expected,
+                        tolerance);
+        }
+        // Without weight nothing but the angles counts.
+        EXPECT_NEAR(distanceOf(tetrahedron(), corners, larger, {.stretchWeight = 0}), 0, 5e-7);
+    }
+}
+
+TEST(PoseDistance, OfStretchAlongOneAxis)
+{
+    // A square in a plane, twice as long: σ = 2 and 1, no rotation: d = w/√2 · log 2.
+    const auto square = topologyOf(4, {{0, 1, 2}, {0, 2, 3}});
+    const Pose pose{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const Pose longer{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}};
+    EXPECT_NEAR(distanceOf(square, pose, longer), 0.01 / std::numbers::sqrt2 * std::log(2.0), 2e-7);
+}
+
+TEST(PoseDistance, OfABentHingeIsHalfItsAngle)
+{
+    // Two equal wings on an axis, symmetric: bending turns one by +α and one by −α about the axis, and the
+    // best alignment turns neither. Flat to 2·α between the wings: each triangle is rotated by α.
+    const auto hinge = topologyOf(4, {{0, 1, 2}, {1, 0, 3}});
+    for (const double alpha : {1e-3, 0.1, 0.7, 1.2}) {
+        const auto c = static_cast<float>(std::cos(alpha));
+        const auto s = static_cast<float>(std::sin(alpha));
+        const Pose flat{{0, -1, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}};
+        const Pose bent{{0, -1, 0}, {0, 1, 0}, {-c, 0, s}, {c, 0, s}};
+        EXPECT_NEAR(distanceOf(hinge, flat, bent), alpha, 1e-5 * alpha + 1e-7);
+        const double moves = std::hypot(1 - c, s / 2); // the centroid is s/2 higher
+        EXPECT_NEAR(distanceOf(hinge, flat, bent, {.metric = PoseMetric::Euclidean}), (s / 2 + moves) / 2,
+                    2e-7);
+    }
+}
+
+TEST(PoseDistance, DoesNotDependOnRigidMotionOfTheInput)
+{
+    const auto topology = tubeTopology(12, 40);
+    const MeshSequence tube = swayingTube(topology, 12, 5, 0.4);
+    std::vector<Pose> turned;
+    for (int f = 0; f < 5; ++f) {
+        const Frame frame = tube.frame(FrameIndex(f));
+        turned.push_back(moved(Pose(frame.positions().begin(), frame.positions().end()),
+                               Eigen::AngleAxisd(f, Vec3d::UnitX()) * someMotion()));
+    }
+    for (const PoseMetric metric : {PoseMetric::Surface, PoseMetric::Euclidean}) {
+        const Table<float> before = poseDistances(characterOf(tube), {.metric = metric}).distances;
+        const Table<float> after =
+            poseDistances(characterOf(sequenceOf(topology, turned)), {.metric = metric}).distances;
+        // The positions are rounded anew: 2e-7 of some metres against edges of some centimetres.
+        EXPECT_LT((after - before).abs().maxCoeff(), 1e-5F * before.maxCoeff());
+    }
+}
+
+TEST(PoseDistance, DoesNotDependOnTheNumberingOfVertices)
+{
+    const auto topology = tubeTopology(12, 40);
+    const MeshSequence tube = swayingTube(topology, 12, 5, 0.4);
+    std::vector<std::uint32_t> place(topology->vertexCount());
+    std::iota(place.begin(), place.end(), 0U);
+    std::shuffle(place.begin(), place.end(), std::mt19937(4));
+    TopologyData data = topology->data();
+    for (Triangle& triangle : data.triangles) {
+        for (VertexIndex& v : triangle)
+            v = VertexIndex(place[v.value]);
+    }
+    std::vector<Pose> poses;
+    for (int f = 0; f < 5; ++f) {
+        const Frame frame = tube.frame(FrameIndex(f));
+        Pose pose(place.size());
+        for (std::size_t v = 0; v < place.size(); ++v)
+            pose[place[v]] = frame.positions()[v];
+        poses.push_back(pose);
+    }
+    const MeshSequence shuffled = sequenceOf(std::make_shared<Topology>(data), poses);
+    for (const PoseMetric metric : {PoseMetric::Surface, PoseMetric::Euclidean}) {
+        const Table<float> before = poseDistances(characterOf(tube), {.metric = metric}).distances;
+        const Table<float> after = poseDistances(characterOf(shuffled), {.metric = metric}).distances;
+        EXPECT_LT((after - before).abs().maxCoeff(), 1e-6F * before.maxCoeff()); // sums in another order
+    }
+}
+
+TEST(PoseDistance, DoesNotDependOnTilesThreadsAndSequences)
+{
+    // 60 frames make several tiles; the same frames come again among fewer, so in other tiles.
+    const auto topology = tubeTopology(8, 20);
+    const MeshSequence all = swayingTube(topology, 8, 60, 0.1);
+    const MeshSequence head = all.cutTo({FrameIndex(0), FrameIndex(10)});
+    const MeshSequence tail = all.cutTo({FrameIndex(11), FrameIndex(59)});
+    const Table<float> whole = poseDistances(characterOf(all)).distances;
+    const std::vector<MeshSequence> both{head, tail};
+    const PoseDistances parts = poseDistances(CharacterFrames(both));
+    EXPECT_TRUE((parts.distances == whole).all());
+    EXPECT_EQ(parts.layout.sequenceCount(), 2);
+    EXPECT_EQ(parts.layout.firstOf(1), 11);
+    const Table<float> few = poseDistances(characterOf(tail)).distances;
+    EXPECT_TRUE((few == whole.bottomRightCorner(49, 49)).all());
+    tbb::task_arena(1).execute(
+        [&] { EXPECT_TRUE((poseDistances(characterOf(all)).distances == whole).all()); });
+    EXPECT_TRUE((whole == whole.transpose()).all());
+}
+
+TEST(PoseDistance, LeavesOutTrianglesThatLoseTheirAreaInAnyFrame)
+{
+    const auto topology = topologyOf(5, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 1, 4}});
+    Pose first = corners;
+    first.emplace_back(0.5F, -0.5F, 0.2F);
+    Pose collapsed = moved(first, someMotion());
+    collapsed[4] = collapsed[0];
+    const PoseDistances result = poseDistances(characterOf(sequenceOf(topology, {first, first, collapsed})));
+    EXPECT_EQ(result.trianglesUsed, 4);
+    EXPECT_EQ(result.trianglesLeftOut, 1);
+    EXPECT_TRUE(result.distances.isFinite().all());
+    const Frame a(first, {});
+    const auto& triangles = topology->triangles();
+    EXPECT_NEAR(result.distances(0, 2), surfaceDistance(first, collapsed, std::span(triangles).first(4)),
+                1e-6);
+}
+
+TEST(PoseDistance, RefusesACharacterWhoseTrianglesHaveNoArea)
+{
+    const MeshSequence sequence = sequenceOf(tetrahedron(), {corners, Pose(4, Vec3f(1, 2, 3))});
+    EXPECT_EQ(codeOf([&] { poseDistances(characterOf(sequence)); }), ErrorCode::NoUsableTriangles);
+    // The vertices still have distances: those of the corners from their mean.
+    const double expected = (std::sqrt(3.0) / 4 + 3 * std::sqrt(11.0) / 4) / 4;
+    EXPECT_NEAR(poseDistances(characterOf(sequence), {.metric = PoseMetric::Euclidean}).distances(0, 1),
+                expected, 1e-6);
+}
+
+TEST(PoseDistance, OfOneFrameIsOneZero)
+{
+    const PoseDistances result = poseDistances(characterOf(sequenceOf(tetrahedron(), {corners})));
+    ASSERT_EQ(result.distances.size(), 1);
+    EXPECT_EQ(result.distances(0, 0), 0);
+    EXPECT_EQ(result.trianglesUsed, 4);
+    EXPECT_EQ(poseDistances(CharacterFrames({})).distances.size(), 0);
+}
+
+TEST(PoseDistance, RefusesTwoTopologies)
+{
+    const MeshSequence first = sequenceOf(tetrahedron(), {corners}, "walk");
+    const auto expectRefusal = [&](const MeshSequence& other, const std::string& what) {
+        const std::vector<MeshSequence> both{first, other};
+        try {
+            const CharacterFrames frames(both);
+            FAIL() << "was taken";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::CharacterTopologyMismatch);
+            EXPECT_NE(std::string(error.what()).find("“run” has another topology than “walk”: " + what),
+                      std::string::npos)
+                << error.what();
+        }
+    };
+    expectRefusal(sequenceOf(topologyOf(3, {{0, 1, 2}}), {{corners[0], corners[1], corners[2]}}, "run"),
+                  "3 vertices, not 4");
+    expectRefusal(sequenceOf(topologyOf(4, {{0, 1, 2}}), {corners}, "run"), "1 triangles, not 4");
+    expectRefusal(sequenceOf(topologyOf(4, {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}), {corners}, "run"),
+                  "its triangles have other corners");
+    // Equal triangles are one topology, wherever they were read from.
+    const std::vector<MeshSequence> same{first, sequenceOf(tetrahedron(), {corners}, "run")};
+    EXPECT_EQ(CharacterFrames(same).frameCount(), 2);
+}
+
+TEST(PoseDistance, RefusesBadInput)
+{
+    Pose broken = corners;
+    broken[2].y() = std::numeric_limits<float>::quiet_NaN();
+    const MeshSequence sequence = sequenceOf(tetrahedron(), {corners, broken});
+    EXPECT_EQ(codeOf([&] { poseDistances(characterOf(sequence)); }), ErrorCode::NonFiniteCoordinate);
+    const CharacterFrames frames = characterOf(sequenceOf(tetrahedron(), {corners}));
+    for (const double weight :
+         {-0.1, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+        EXPECT_EQ(codeOf([&] { poseDistances(frames, {.stretchWeight = weight}); }), ErrorCode::BadArgument);
+    MeshSequence empty = sequenceOf(tetrahedron(), {corners});
+    empty.range = {};
+    EXPECT_EQ(codeOf([&] { characterOf(empty); }), ErrorCode::BadArgument);
+}
+
+TEST(PoseDistance, CanBeCancelledAtAnyTime)
+{
+    const CharacterFrames frames = characterOf(swayingTube(tubeTopology(8, 20), 8, 60, 0.1));
+    for (const double when : {0.0, 0.01, 0.3, 0.9}) {
+        CancelToken token;
+        const Progress progress(token, [&](double fraction) {
+            if (fraction >= when)
+                token.cancel();
+        });
+        EXPECT_EQ(codeOf([&] { poseDistances(frames, {}, progress); }), ErrorCode::Cancelled);
+    }
+}
+
+TEST(PoseDistance, ReportsItsProgressInSmallSteps)
+{
+    const CharacterFrames frames = characterOf(swayingTube(tubeTopology(8, 20), 8, 60, 0.1));
+    double before = 0;
+    double largest = 0;
+    poseDistances(frames, {}, Progress(CancelToken(), [&](double fraction) {
+                      largest = std::max(largest, fraction - before);
+                      before = fraction;
+                  }));
+    EXPECT_EQ(before, 1);
+    EXPECT_LT(largest, 0.05);
+}
