@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/core/error.h"
+#include "model/graph/detours.h"
+#include "tests/model/graph/randomtransitions.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+using namespace quadrille;
+
+namespace {
+
+/// The cheapest way between two nodes that does not take the edge between them.
+double plainDetour(const Table<double>& weights, NodeIndex from, NodeIndex to)
+{
+    return bellmanFord(weights, from, to)[static_cast<std::size_t>(to)];
+}
+
+struct Case
+{
+    NodeIndex nodes;
+    double density;
+    int levels;
+};
+
+class Detours : public testing::TestWithParam<Case>
+{
+};
+
+} // namespace
+
+// Sizes around those of the tiles (16 columns, 4 rows), bands (32 rows) and rounds (64 nodes).
+INSTANTIATE_TEST_SUITE_P(Sizes, Detours,
+                         testing::Values(Case{1, 1, 0}, Case{2, 1, 0}, Case{5, 0.5, 3}, Case{16, 0.3, 0},
+                                         Case{17, 0.3, 5}, Case{33, 0.1, 0}, Case{63, 0.2, 4},
+                                         Case{64, 0.05, 0}, Case{65, 0.1, 6}, Case{130, 0.03, 3},
+                                         Case{147, 0.5, 0}));
+
+TEST_P(Detours, AreTheCheapestWaysRoundAnEdge)
+{
+    const auto [nodes, density, levels] = GetParam();
+    const Table<double> weights =
+        weightTable(randomDigraph(static_cast<std::uint32_t>(nodes), nodes, density, levels));
+    const Table<double> detours = cheapestDetours(weights);
+    const Table<double> paths = plainPathCosts(weights);
+    ASSERT_EQ(detours.rows(), nodes);
+    ASSERT_EQ(detours.cols(), nodes);
+    // Few sums of numbers up to 1 in another order: 1e-12.
+    constexpr double tolerance = 1e-12;
+    for (NodeIndex i = 0; i < nodes; ++i) {
+        for (NodeIndex j = 0; j < nodes; ++j) {
+            if (i == j)
+                continue;
+            const double shortest = std::min(weights(i, j), detours(i, j));
+            if (paths(i, j) == unreachable) {
+                EXPECT_EQ(shortest, unreachable);
+            } else {
+                EXPECT_NEAR(shortest, paths(i, j), tolerance) << i << " to " << j;
+            }
+            if (nodes > 65)
+                continue;
+            const double detour = plainDetour(weights, i, j);
+            if (detour <= weights(i, j) && detour < unreachable) {
+                EXPECT_NEAR(detours(i, j), detour, tolerance) << i << " to " << j;
+            } else {
+                EXPECT_GE(detours(i, j), std::min(weights(i, j), detour)) << i << " to " << j;
+            }
+        }
+    }
+}
+
+TEST(Detours, OfADiamondAreItsOtherSides)
+{
+    // 0 → 3 directly, or by 1 or 2.
+    Table<double> weights = Table<double>::Constant(4, 4, unreachable);
+    weights(0, 3) = 10;
+    weights(0, 1) = 2;
+    weights(1, 3) = 3;
+    weights(0, 2) = 1;
+    weights(2, 3) = 3;
+    weights(3, 0) = 0.5;
+    const Table<double> detours = cheapestDetours(weights);
+    EXPECT_EQ(detours(0, 3), 4);
+    EXPECT_GT(detours(0, 1), 2) << "no way round: dearer than the edge";
+    EXPECT_EQ(detours(1, 0), 3.5);
+    EXPECT_EQ(detours(1, 2), 4.5);
+    EXPECT_EQ(detours(0, 0), 4.5);
+}
+
+TEST(Detours, DoNotReadTheDiagonal)
+{
+    Table<double> weights = weightTable(randomDigraph(3, 20, 0.3, 0));
+    const Table<double> detours = cheapestDetours(weights);
+    weights.matrix().diagonal().setZero();
+    EXPECT_TRUE((cheapestDetours(weights) == detours).all());
+}
+
+TEST(Detours, OfNoNodesAreNone)
+{
+    EXPECT_EQ(cheapestDetours(Table<double>(0, 0)).size(), 0);
+}
+
+TEST(Detours, DoNotDependOnTheNumberOfThreads)
+{
+    const Table<double> weights = weightTable(randomDigraph(8, 300, 0.1, 0));
+    const Table<double> several = cheapestDetours(weights);
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_TRUE((cheapestDetours(weights) == several).all());
+}
+
+TEST(Detours, StopWhenCancelled)
+{
+    CancelToken token;
+    double reached = 0;
+    const Progress progress(token, [&](double fraction) {
+        reached = fraction;
+        if (fraction > 0.3)
+            token.cancel();
+    });
+    try {
+        cheapestDetours(weightTable(randomDigraph(8, 300, 0.1, 0)), progress);
+        FAIL() << "did not stop";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::Cancelled);
+    }
+    EXPECT_LT(reached, 0.9);
+}
