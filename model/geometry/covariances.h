@@ -19,7 +19,7 @@ struct CentredPose
 
 /// The covariances Σ x·yᵀ of all pairs of two sets of poses, x of a target, y of a source, both centred: rows
 /// 3·t … 3·t+2 and columns 3·s … 3·s+2 hold that of target t and source s, m². Single-precision products over
-/// 128 vertices each, summed in double precision. Exactly symmetric for equal poses.
+/// 32 vertices each, summed in double precision. Exactly symmetric for equal poses.
 /// \pre All poses have the same number of vertices.
 /// \throws Error Cancelled. Cost: O(targets · sources · vertices).
 Eigen::MatrixXd covariances(std::span<const CentredPose> targets, std::span<const CentredPose> sources,

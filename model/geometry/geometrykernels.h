@@ -15,7 +15,9 @@ void fillTriangleFrames(const float* positions, const CornerSlice& corners, Tria
 // A matrix product whose inner tile of sums stays in the registers of AVX2 and AVX-512.
 inline constexpr std::size_t productRows = 6;
 inline constexpr std::size_t productColumns = 16;
-inline constexpr std::size_t productDepth = 128; ///< what is summed in single precision
+inline constexpr std::size_t productDepth = 128; ///< of a panel
+inline constexpr std::size_t singleDepth =
+    32; ///< what is summed in single precision before it is added in double
 
 /// Adds left · rightᵀ to sums. A panel holds productDepth times the productRows (productColumns) values of a
 /// tile.

@@ -29,7 +29,7 @@ void fillTriangleSlice(Positions positions, const CornerSlice& corners, Triangle
         for (TriangleSlice::Row& row : out.quaternion)
             row[t] = 0;
         out.b11[t] = out.b22[t] = 1;
-        out.b12[t] = 0;
+        out.b12[t] = out.logArea[t] = 0;
     }
 }
 

@@ -33,6 +33,7 @@ struct alignas(64) TriangleSlice
     Row b11;
     Row b12;
     Row b22;
+    Row logArea; ///< log(b11·b22), of twice the area in m²
 };
 
 /// Triangles in slices, the last one padded.

@@ -3,45 +3,29 @@
 #include "model/transition/posedistancekernels.h"
 
 #include "model/core/simd.h"
+#include "model/core/simdmath.h"
 
-#include <bit>
+#include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <numbers>
 
 namespace quadrille {
 
 namespace {
 
-/// Natural logarithm of a positive number, 1e-7 of the larger of 1 and the result; log(1) = 0 exactly.
-[[gnu::always_inline]] inline float logarithm(float x)
-{
-    // x = m · 2^e with m in [√½, √2)
-    constexpr std::int32_t rootOfHalf = 0x3F35'04F3;
-    const auto bits = std::bit_cast<std::int32_t>(x);
-    const std::int32_t exponent = (bits - rootOfHalf) >> 23;
-    const float f = std::bit_cast<float>(bits - exponent * (1 << 23)) - 1;
-    float p = 0.087872654911F;
-    p = p * f - 0.1415964701F;
-    p = p * f + 0.14834786839F;
-    p = p * f - 0.16588488532F;
-    p = p * f + 0.1997204971F;
-    p = p * f - 0.25001147678F;
-    p = p * f + 0.3333367061F;
-    p = p * f - 0.49999997133F;
-    return f + f * f * p + static_cast<float>(exponent) * 0.69314718056F;
-}
+constexpr float pi = std::numbers::pi_v<float>;
 
-/// 4·asin(½·√y) / √y for y in [0, 2], within 6e-8.
-[[gnu::always_inline]] inline float angleOverChord(float y)
+/// 2·asin(√u) / √u for u in [0, ½], within 6e-8.
+[[gnu::always_inline]] inline float angleOverSine(float u)
 {
-    float p = 1.0290307852e-5F;
-    p = p * y - 2.3249388561e-5F;
-    p = p * y + 9.3513262654e-5F;
-    p = p * y + 0.00019960033746F;
-    p = p * y + 0.0014082654112F;
-    p = p * y + 0.0093733145791F;
-    p = p * y + 0.083333367883F;
-    return p * y + 2;
+    float p = 0.1685964038F;
+    p = p * u - 0.09522949555F;
+    p = p * u + 0.09575758096F;
+    p = p * u + 0.05109768639F;
+    p = p * u + 0.09012898632F;
+    p = p * u + 0.1499730333F;
+    p = p * u + 0.3333334715F;
+    return p * u + 2;
 }
 
 } // namespace
@@ -66,40 +50,41 @@ void addSurfaceDistances(const TriangleSlice& target, const TriangleSlice* sourc
         float sum = 0;
 #pragma omp simd reduction(+ : sum)
         for (std::size_t t = 0; t < sliceTriangles; ++t) {
-            // B_j·B_i⁻¹ = 1 + U, upper triangular; its parts that hardly differ from 1 keep their precision
+            // B_j·B_i⁻¹ = 1 + U, upper triangular: what hardly differs from 1 keeps its precision.
             const float u11 = (source.b11[t] - target.b11[t]) * inverse11[t];
             const float u22 = (source.b22[t] - target.b22[t]) * inverse22[t];
             const float m12 = ((source.b12[t] - target.b12[t]) - u11 * target.b12[t]) * inverse22[t];
-            // σ₁ + σ₂ and σ₁ − σ₂, and the polar angle φ = atan2(−m12, m11 + m22)
             const float trace = 2 + (u11 + u22);
             const float difference = u11 - u22;
-            const float plusSquared = trace * trace + m12 * m12;
-            const float inversePlus = 1 / std::sqrt(plusSquared);
-            const float minus = std::sqrt(difference * difference + m12 * m12);
-            const float cosine2 = 0.5F + 0.5F * (trace * inversePlus); // of φ/2, squared
-            const float inverseCosine = 1 / std::sqrt(cosine2);
-            const float c = cosine2 * inverseCosine;
-            const float z = -0.5F * (m12 * inversePlus) * inverseCosine;
-            // q = q_Q · q_j · q_z(φ)
-            const float pw = bw[t] * c - bz[t] * z;
-            const float px = bx[t] * c + by[t] * z;
-            const float py = by[t] * c - bx[t] * z;
-            const float pz = bz[t] * c + bw[t] * z;
-            const float qw = rw * pw - rx * px - ry * py - rz * pz;
-            const float qx = rw * px + rx * pw + ry * pz - rz * py;
-            const float qy = rw * py - rx * pz + ry * pw + rz * px;
-            const float qz = rw * pz + rx * py - ry * px + rz * pw;
-            // the chord from q_i to the nearer of ±q
-            const float sign = std::copysign(1.0F, aw[t] * qw + ax[t] * qx + ay[t] * qy + az[t] * qz);
-            const float dw = aw[t] - sign * qw;
-            const float dx = ax[t] - sign * qx;
-            const float dy = ay[t] - sign * qy;
-            const float dz = az[t] - sign * qz;
-            const float chord2 = dw * dw + dx * dx + dy * dy + dz * dz;
-            const float angle = std::sqrt(chord2) * angleOverChord(chord2);
+            const float plus = std::sqrt(trace * trace + m12 * m12);            // σ₁ + σ₂
+            const float minus = std::sqrt(difference * difference + m12 * m12); // σ₁ − σ₂
+            // q = q_Q · q_j and g = q̄_i · q, whose vector part q̄_i · (q − q_i) has as well, and more
+            // precisely
+            const float qw = rw * bw[t] - rx * bx[t] - ry * by[t] - rz * bz[t];
+            const float qx = rw * bx[t] + rx * bw[t] + ry * bz[t] - rz * by[t];
+            const float qy = rw * by[t] - rx * bz[t] + ry * bw[t] + rz * bx[t];
+            const float qz = rw * bz[t] + rx * by[t] - ry * bx[t] + rz * bw[t];
+            const float dw = qw - aw[t];
+            const float dx = qx - ax[t];
+            const float dy = qy - ay[t];
+            const float dz = qz - az[t];
+            const float gw = aw[t] * qw + ax[t] * qx + ay[t] * qy + az[t] * qz;
+            const float gx = aw[t] * dx - ax[t] * dw - ay[t] * dz + az[t] * dy;
+            const float gy = aw[t] * dy + ax[t] * dz - ay[t] * dw - az[t] * dx;
+            const float gz = aw[t] * dz - ax[t] * dy + ay[t] * dx - az[t] * dw;
+            // g·q_z(φ) with φ = atan2(−m12, trace), whose half has cosine and sine along (plus + trace, −m12)
+            const float c = plus + trace;
+            const float inverseNorm = 1 / (c * c + m12 * m12);
+            const float pw = gw * c + gz * m12;
+            const float pz = gz * c - gw * m12;
+            const float sine2 = gx * gx + gy * gy + pz * pz * inverseNorm; // of θ/2, squared
+            const float cosine2 = pw * pw * inverseNorm;
+            const float smaller = std::min(sine2, cosine2);
+            const float part = std::sqrt(smaller) * angleOverSine(smaller);
+            const float angle = sine2 > cosine2 ? pi - part : part;
 
-            const float log1 = logarithm(0.5F * (plusSquared * inversePlus + minus));
-            const float log2 = logarithm((1 + u11) * (1 + u22)) - log1;
+            const float log1 = logarithm(0.5F * (plus + minus));
+            const float log2 = (source.logArea[t] - target.logArea[t]) - log1;
             sum += angle + stretchFactor * std::sqrt(log1 * log1 + log2 * log2);
         }
         sums[s] += double{sum};

@@ -3,6 +3,7 @@
 #include "model/geometry/triangleframes.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
 #include <random>
@@ -53,12 +54,14 @@ TEST(TriangleFrames, GiveTheEdgesBack)
         EXPECT_LT((q * Vec3f(slice->b11[k], 0, 0) - a).norm(), 2e-6F * a.norm()) << t;
         EXPECT_LT((q * Vec3f(slice->b12[k], slice->b22[k], 0) - b).norm(), 2e-6F * b.norm()) << t;
         EXPECT_GT(slice->b22[k], 0);
+        EXPECT_NEAR(slice->logArea[k], std::log(a.cast<double>().cross(b.cast<double>()).norm()), 1e-6) << t;
     }
     for (std::size_t k = corners[2].count; k < sliceTriangles; ++k) {
         EXPECT_EQ(slice->quaternion[0][k], 0);
         EXPECT_EQ(slice->b11[k], 1);
         EXPECT_EQ(slice->b12[k], 0);
         EXPECT_EQ(slice->b22[k], 1);
+        EXPECT_EQ(slice->logArea[k], 0);
     }
 }
 
