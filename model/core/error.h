@@ -69,6 +69,8 @@ enum class ErrorCode
     // motion
     CharacterTopologyMismatch,
     NoUsableTriangles,
+    // transitions
+    NoTransition,
 };
 
 /// Where in a file or sequence an error lies; fields that do not apply stay empty.

@@ -128,6 +128,12 @@ ErrorMessage errorMessage(ErrorCode code)
     case ErrorCode::NoUsableTriangles:
         return {QUADRILLE_MESSAGE("Every triangle is without area in some frame."),
                 QUADRILLE_MESSAGE("Leave collapsed frames out by the range.")};
+    case ErrorCode::NoTransition:
+        return {
+            QUADRILLE_MESSAGE("There is no transition from frame {source} to frame {destination}: it needs "
+                              "{needed} frames from the one on and up to the other; their sequences have "
+                              "{after} and {before}."),
+            QUADRILLE_MESSAGE("Leave earlier, arrive later, or allow shorter windows.")};
     }
     return {"", ""};
 }

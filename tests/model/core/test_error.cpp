@@ -29,7 +29,7 @@ TEST(Error, ValuesThatHoldPlaceholdersAreNotExpandedAgain)
 
 TEST(Error, EveryCodeHasASentence)
 {
-    for (int code = 0; code <= static_cast<int>(ErrorCode::NoUsableTriangles); ++code)
+    for (int code = 0; code <= static_cast<int>(ErrorCode::NoTransition); ++code)
         EXPECT_NE(std::string(errorMessage(static_cast<ErrorCode>(code)).sentence), "") << "code " << code;
     for (int code = 0; code <= static_cast<int>(Issue::Code::Other); ++code)
         EXPECT_NE(std::string(issueMessage(static_cast<Issue::Code>(code)).sentence), "") << "code " << code;

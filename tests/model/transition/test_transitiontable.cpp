@@ -6,11 +6,9 @@
 #include "warpreference.h"
 
 #include <array>
-#include <chrono>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
+#include <limits>
 #include <tbb/task_arena.h>
-#include <thread>
 
 using namespace quadrille;
 
@@ -50,17 +48,6 @@ void expectReference(const Table<float>& distances, const FrameLayout& layout,
         }
     }
     EXPECT_GT(found, 0);
-}
-
-TransitionSettings windows(int shortest, int longest, int slope = 3,
-                           TransitionCost cost = TransitionCost::Sum)
-{
-    TransitionSettings settings;
-    settings.shortestWindow = shortest;
-    settings.longestWindow = longest;
-    settings.slope = slope;
-    settings.cost = cost;
-    return settings;
 }
 
 } // namespace
@@ -111,3 +98,171 @@ INSTANTIATE_TEST_SUITE_P(Slopes, TransitionTables,
                              return (std::get<1>(instance.param) == TransitionCost::Sum ? "Sum" : "Mean") +
                                     std::to_string(std::get<0>(instance.param));
                          });
+
+TEST(TransitionTable, TakesTheCheapestWayByHand)
+{
+    // Two sequences of three frames, windows of two to three frames.
+    Table<float> distances = Table<float>::Constant(6, 6, 4);
+    distances.matrix().diagonal().setZero();
+    const auto set = [&](int i, int j, float d) { distances(i, j) = distances(j, i) = d; };
+    set(0, 3, 1);
+    set(1, 4, 2);
+    set(1, 5, 1);
+    set(2, 5, 1);
+    const FrameLayout layout = layoutOf({3, 3});
+    const TransitionTable table = transitionTable(distances, layout, windows(2, 3));
+    // 0 → 5: (0,3) (1,4) and then (1,5) or (2,5) cost 4 in three cells: the smaller source window wins. From
+    // the destination start 4, (0,4) (1,5) costs 5.
+    EXPECT_EQ(table.cost(0, 5), 4);
+    EXPECT_EQ(table.length(0, 5), 3);
+    EXPECT_EQ(table.sourceWindow(0, 5), 2);
+    EXPECT_EQ(table.destinationWindow(0, 5), 3);
+    // 0 → 4: only the destination window [3, 4] fits; (0,3) (1,4).
+    EXPECT_EQ(table.cost(0, 4), 3);
+    EXPECT_EQ(table.length(0, 4), 2);
+    // 1 → 5: windows [1, 2] and [4, 5] cost 3; (1,3) … would cost more.
+    EXPECT_EQ(table.cost(1, 5), 3);
+    EXPECT_EQ(table.sourceWindow(1, 5), 2);
+    EXPECT_EQ(table.destinationWindow(1, 5), 2);
+    // Nothing fits after the last frame or before the first, nor from a frame to itself.
+    EXPECT_EQ(table.cost(2, 5), TransitionTable::none);
+    EXPECT_EQ(table.cost(0, 3), TransitionTable::none);
+    EXPECT_EQ(table.cost(1, 1), TransitionTable::none);
+    EXPECT_EQ(table.length(2, 5), 0);
+}
+
+TEST(TransitionTable, LimitsStepsInARow)
+{
+    // The source stands still against a destination that runs through cheap cells: one row of zeros.
+    Table<float> distances = Table<float>::Constant(14, 14, 1);
+    for (int j = 4; j < 14; ++j)
+        distances(1, j) = 0;
+    const FrameLayout layout = layoutOf({4, 10});
+    for (const int slope : {2, 3, 4, 5}) {
+        // (0,·) diagonally to (1,·), `slope` steps to the right, diagonally to (2,·): cost 2.
+        TransitionSettings settings = windows(3, 10, slope);
+        const TransitionTable table = transitionTable(distances, layout, settings);
+        EXPECT_EQ(table.cost(0, 13), 2) << slope;
+        EXPECT_EQ(table.length(0, 13), 3) << slope;
+        // With windows that long the path must fill up with dear cells what the slope forbids.
+        settings.shortestWindow = 4;
+        const WarpReference::Best best = *WarpReference(distances, layout, settings).find(0, 13);
+        EXPECT_EQ(transitionTable(distances, layout, settings).cost(0, 13), static_cast<float>(best.sum));
+    }
+}
+
+TEST(TransitionTable, DoesNotDependOnThreadsNorOnTheUnitOfDistances)
+{
+    const Table<float> distances = walkingDistances(150, 7);
+    const FrameLayout layout = layoutOf({70, 5, 75});
+    for (const TransitionCost cost : {TransitionCost::Sum, TransitionCost::Mean}) {
+        TransitionSettings settings;
+        settings.cost = cost;
+        const auto on = [&](int threads, float unit) {
+            tbb::task_arena arena(threads);
+            const Table<float> scaled = distances * unit;
+            return arena.execute([&] { return transitionTable(scaled, layout, settings); });
+        };
+        const TransitionTable one = on(1, 1);
+        for (const TransitionTable& other : {on(4, 1), on(2, 0x1p-20F)}) {
+            EXPECT_TRUE((one.length == other.length).all());
+            EXPECT_TRUE((one.sourceWindow == other.sourceWindow).all());
+            EXPECT_TRUE((one.destinationWindow == other.destinationWindow).all());
+        }
+        EXPECT_TRUE((one.cost == on(3, 1).cost).all());
+        EXPECT_TRUE((one.cost * 0x1p-20F == on(1, 0x1p-20F).cost).all());
+    }
+}
+
+TEST(TransitionTable, HasNothingWhereNothingFits)
+{
+    const TransitionTable empty = transitionTable(Table<float>(), FrameLayout(), {});
+    EXPECT_EQ(empty.cost.size(), 0);
+    const FrameLayout layout = layoutOf({8, 1, 8});
+    const TransitionTable table = transitionTable(randomDistances(17, 1), layout, {});
+    EXPECT_TRUE((table.cost == TransitionTable::none).all());
+    EXPECT_TRUE((table.length == 0).all());
+}
+
+TEST(TransitionTable, LinearTransitionsAdvanceTogether)
+{
+    const Table<float> distances = randomDistances(30, 9);
+    const FrameLayout layout = layoutOf({14, 3, 13});
+    const TransitionTable linear = linearTransitionTable(distances, layout, windows(5, 12));
+    double expected = 0;
+    for (int k = 0; k < 5; ++k)
+        expected += static_cast<double>(distances(3 + k, 21 + k));
+    EXPECT_FLOAT_EQ(linear.cost(3, 25), static_cast<float>(expected));
+    EXPECT_EQ(linear.length(3, 25), 5);
+    EXPECT_EQ(linear.sourceWindow(3, 25), 5);
+    EXPECT_EQ(linear.cost(10, 25), TransitionTable::none);
+    EXPECT_EQ(linear.cost(3, 20), TransitionTable::none);
+    // More freedom never costs more: linear, warped in the same windows, warped in windows of any length.
+    const TransitionTable same = transitionTable(distances, layout, windows(5, 5));
+    const TransitionTable any = transitionTable(distances, layout, windows(5, 12));
+    EXPECT_TRUE((any.cost <= same.cost).all());
+    EXPECT_TRUE((same.cost <= linear.cost).all());
+    EXPECT_TRUE((any.cost.isFinite() == linear.cost.isFinite()).all());
+    const TransitionTable mean =
+        linearTransitionTable(distances, layout, windows(5, 12, 3, TransitionCost::Mean));
+    EXPECT_FLOAT_EQ(mean.cost(3, 25), static_cast<float>(expected / 5));
+}
+
+TEST(TransitionTable, StopsWhenCancelledAndTellsHowFarItIs)
+{
+    const Table<float> distances = walkingDistances(200, 1);
+    const FrameLayout layout = layoutOf({120, 80});
+    for (const TransitionCost cost : {TransitionCost::Sum, TransitionCost::Mean}) {
+        TransitionSettings settings;
+        settings.cost = cost;
+        std::vector<double> fractions;
+        transitionTable(distances, layout, settings,
+                        Progress(CancelToken(), [&](double fraction) { fractions.push_back(fraction); }));
+        EXPECT_GT(fractions.size(), 100U);
+        EXPECT_EQ(fractions.back(), 1);
+        CancelToken token;
+        const Progress stopping(token, [&token](double fraction) {
+            if (fraction > 0.2)
+                token.cancel();
+        });
+        try {
+            transitionTable(distances, layout, settings, stopping);
+            FAIL() << "not cancelled";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::Cancelled);
+        }
+    }
+}
+
+TEST(TransitionSettings, AreThePapersAndFollowTheFrameRate)
+{
+    TransitionSettings settings;
+    EXPECT_EQ(settings.shortest(), 9);
+    EXPECT_EQ(settings.longest(), 50);
+    EXPECT_EQ(settings.slope, 3);
+    settings.fps = 30;
+    EXPECT_EQ(settings.shortest(), 10);
+    EXPECT_EQ(settings.longest(), 60);
+    settings.fps = 29.97;
+    EXPECT_EQ(settings.shortest(), 10);
+    EXPECT_EQ(settings.longest(), 59);
+    settings.fps = 0.3;
+    EXPECT_EQ(settings.shortest(), 1);
+    EXPECT_EQ(settings.longest(), 1);
+}
+
+TEST(TransitionSettings, RefuseWhatCannotBe)
+{
+    const Table<float> distances = randomDistances(20, 1);
+    TransitionSettings badFps;
+    badFps.fps = std::numeric_limits<double>::quiet_NaN();
+    for (const TransitionSettings& settings :
+         {windows(0, 5), windows(6, 5), windows(1, 5000), windows(4, 8, 1), windows(4, 8, 6), badFps}) {
+        try {
+            transitionTable(distances, layoutOf({20}), settings);
+            FAIL() << "not refused";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::BadArgument);
+        }
+    }
+}

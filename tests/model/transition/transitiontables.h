@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/core/table.h"
+#include "model/transition/transitionsettings.h"
 
 #include <cmath>
 #include <random>
@@ -50,6 +51,17 @@ inline Table<float> walkingDistances(int frames, unsigned seed, double period = 
                 (poses[static_cast<std::size_t>(i)] - poses[static_cast<std::size_t>(j)]).square().sum()));
     }
     return distances;
+}
+
+inline TransitionSettings windows(int shortest, int longest, int slope = 3,
+                                  TransitionCost cost = TransitionCost::Sum)
+{
+    TransitionSettings settings;
+    settings.shortestWindow = shortest;
+    settings.longestWindow = longest;
+    settings.slope = slope;
+    settings.cost = cost;
+    return settings;
 }
 
 } // namespace quadrille

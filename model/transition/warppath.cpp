@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/transition/warppath.h"
+
+#include "model/core/error.h"
+#include "model/transition/pathprogramme.h"
+
+#include <algorithm>
+#include <cassert>
+#include <string>
+
+namespace quadrille {
+
+namespace {
+
+[[noreturn]] void refuse(std::string reason, std::string remedy)
+{
+    throw Error(
+        ErrorCode::BadArgument,
+        {.file = {}, .place = {}, .values = {{"reason", std::move(reason)}, {"remedy", std::move(remedy)}}});
+}
+
+} // namespace
+
+WarpPaths::WarpPaths(const Table<float>& distances, FrameLayout layout, const TransitionSettings& settings)
+    : m_distances(distances)
+    , m_layout(std::move(layout))
+    , m_settings((checkSettings(settings), settings))
+    , m_grid(distances.size() == 0 ? 0 : distances.maxCoeff(), settings)
+{
+    assert(distances.rows() == m_layout.frameCount() && distances.cols() == m_layout.frameCount());
+}
+
+int WarpPaths::framesFrom(NodeIndex source) const
+{
+    return m_layout.lastOf(m_layout.sequenceOf(source)) - source + 1;
+}
+
+int WarpPaths::framesTo(NodeIndex destination) const
+{
+    return destination - m_layout.firstOf(m_layout.sequenceOf(destination)) + 1;
+}
+
+std::optional<Transition> WarpPaths::solve(FramePair frames, int rows, int columns, int shortestRows,
+                                           int shortestColumns) const
+{
+    const NodeIndex firstDestination = frames.destination - columns + 1;
+    PathProgramme programme(m_settings.slope, rows, columns);
+    // Means: see improveToLeastMeans. Sums are those where one cell is taken as nothing.
+    double steps = 0;
+    double factor = 1;
+    const auto setKeys = [&] {
+        for (int r = 0; r < rows; ++r) {
+            for (int c = 0; c < columns; ++c) {
+                const double cell = m_grid.stepsOf(m_distances(frames.source + r, firstDestination + c));
+                programme.key(r, c) = (factor * cell - steps) * m_grid.lengthOne + 1;
+            }
+        }
+    };
+    setKeys();
+    PathProgramme::Best best = programme.solve(shortestRows, shortestColumns);
+    if (best.key >= CostGrid::unknown)
+        return std::nullopt;
+    double sum = m_grid.stepsOfKey(best.key);
+    if (m_settings.cost == TransitionCost::Mean) {
+        for (double rest = -1; rest < 0;) {
+            steps = sum;
+            factor = static_cast<double>(best.path.size());
+            setKeys();
+            best = programme.solve(shortestRows, shortestColumns);
+            rest = m_grid.stepsOfKey(best.key);
+            sum = (rest + steps * static_cast<double>(best.path.size())) / factor;
+        }
+    }
+    Transition found{.frames = frames,
+                     .sourceWindow = best.path.back().row + 1,
+                     .destinationWindow = columns - best.path.front().column,
+                     .cost = m_grid.costOf(sum, static_cast<int>(best.path.size()), m_settings.cost),
+                     .path = {}};
+    found.path.reserve(best.path.size());
+    for (const PathProgramme::Cell& cell : best.path)
+        found.path.push_back(
+            {.source = frames.source + cell.row, .destination = firstDestination + cell.column});
+    return found;
+}
+
+std::optional<Transition> WarpPaths::find(FramePair frames) const
+{
+    for (const NodeIndex frame : {frames.source, frames.destination}) {
+        if (frame < 0 || frame >= m_layout.frameCount())
+            refuse("There is no frame " + std::to_string(frame),
+                   "Choose a frame from 0 to " + std::to_string(m_layout.frameCount() - 1) + ".");
+    }
+    const int rows = std::min(m_settings.longest(), framesFrom(frames.source));
+    const int columns = std::min(m_settings.longest(), framesTo(frames.destination));
+    if (frames.source == frames.destination || std::min(rows, columns) < m_settings.shortest())
+        return std::nullopt;
+    return solve(frames, rows, columns, m_settings.shortest(), m_settings.shortest());
+}
+
+Transition WarpPaths::get(FramePair frames) const
+{
+    std::optional<Transition> found = find(frames);
+    if (frames.source == frames.destination)
+        refuse("A transition needs two different frames", "Choose another destination.");
+    if (!found)
+        throw Error(ErrorCode::NoTransition,
+                    {.file = {},
+                     .place = {},
+                     .values = {{"source", std::to_string(frames.source)},
+                                {"destination", std::to_string(frames.destination)},
+                                {"needed", std::to_string(m_settings.shortest())},
+                                {"after", std::to_string(framesFrom(frames.source))},
+                                {"before", std::to_string(framesTo(frames.destination))}}});
+    return *std::move(found);
+}
+
+std::optional<Transition> WarpPaths::between(FramePair frames, int sourceWindow, int destinationWindow) const
+{
+    assert(sourceWindow >= 1 && sourceWindow <= std::min(m_settings.longest(), framesFrom(frames.source)));
+    assert(destinationWindow >= 1 &&
+           destinationWindow <= std::min(m_settings.longest(), framesTo(frames.destination)));
+    return solve(frames, sourceWindow, destinationWindow, sourceWindow, destinationWindow);
+}
+
+std::optional<Transition> WarpPaths::of(const TransitionTable& table, FramePair frames) const
+{
+    const int sourceWindow = table.sourceWindow(frames.source, frames.destination);
+    if (sourceWindow == 0)
+        return std::nullopt;
+    return between(frames, sourceWindow, table.destinationWindow(frames.source, frames.destination));
+}
+
+std::optional<Transition> WarpPaths::linear(FramePair frames) const
+{
+    const int window = m_settings.shortest();
+    if (frames.source == frames.destination || framesFrom(frames.source) < window ||
+        framesTo(frames.destination) < window)
+        return std::nullopt;
+    Transition found{
+        .frames = frames, .sourceWindow = window, .destinationWindow = window, .cost = 0, .path = {}};
+    double sum = 0;
+    for (int k = 0; k < window; ++k) {
+        found.path.push_back(
+            {.source = frames.source + k, .destination = frames.destination - window + 1 + k});
+        sum += static_cast<double>(m_distances(found.path.back().source, found.path.back().destination));
+    }
+    found.cost = static_cast<float>(m_settings.cost == TransitionCost::Mean ? sum / window : sum);
+    return found;
+}
+
+} // namespace quadrille
