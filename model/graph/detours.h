@@ -16,7 +16,15 @@ namespace quadrille {
 /// \param weights  nodes × nodes, each ≥ 0 or infinite where there is no edge; the diagonal is not read.
 /// \return nodes × nodes, infinite where there is none; the diagonal is the cheapest walk back to the node.
 /// \throws Error Cancelled.
-/// Cost: O(nodes³), a blocked Floyd–Warshall run on all cores; their number does not matter to the result.
+/// Cost: that of the cheaper of the two below.
 Table<double> cheapestDetours(const Table<double>& weights, const Progress& progress = {});
+
+/// The same by a blocked Floyd–Warshall run: O(nodes³) whatever the weights. The result does not depend on
+/// the number of cores.
+Table<double> denseDetours(const Table<double>& weights, const Progress& progress = {});
+
+/// The same by relaxing edges in the order of nodes until nothing changes: O(nodes · edges) for each time
+/// that a cheapest walk goes back in that order. The result does not depend on the number of cores.
+Table<double> sparseDetours(const Table<double>& weights, const Progress& progress = {});
 
 } // namespace quadrille

@@ -23,6 +23,31 @@ struct Candidate
     bool isDoubtful = false; ///< ties with another walk that may need this very edge
 };
 
+/// Takes out the edges that are no cheaper than leaving later along the source's sequence, arriving earlier
+/// in the destination's and playing on, or both: most of them, at the price of one pass. Each goes for an
+/// edge that leaves later or arrives earlier, so that never two go for each other.
+void removeDominated(Table<double>& weights, const FrameLayout& layout, double alpha)
+{
+    tbb::parallel_for(0, layout.sequenceCount(), [&](int source) {
+        // Of the frame after i, then of i: the cheapest edge to each frame, with what is played around it.
+        std::vector<double> cheapest(static_cast<std::size_t>(layout.frameCount()), unreachable);
+        for (NodeIndex i = layout.lastOf(source); i >= layout.firstOf(source); --i) {
+            for (int target = 0; target < layout.sequenceCount(); ++target) {
+                double before = unreachable;
+                for (NodeIndex j = layout.firstOf(target); j <= layout.lastOf(target); ++j) {
+                    double& here = cheapest[static_cast<std::size_t>(j)];
+                    const double other = std::min(here, before) + alpha;
+                    double& weight = weights(i, j);
+                    here = i == j ? unreachable : std::min(other, weight);
+                    if (other <= weight)
+                        weight = unreachable;
+                    before = here;
+                }
+            }
+        }
+    });
+}
+
 /// Edges of one frame that are on a shortest path, or may be.
 std::vector<Candidate> candidatesFrom(NodeIndex i, const TransitionCosts& costs, const Table<double>& weights,
                                       const Table<double>& detours)
@@ -128,7 +153,8 @@ Digraph withoutReplaceable(const Digraph& graph, const std::vector<std::size_t>&
 
 EssentialGraph essentialGraph(const TransitionCosts& costs, double alpha, const Progress& progress)
 {
-    const Table<double> weights = completeWeights(costs, alpha);
+    Table<double> weights = completeWeights(costs, alpha);
+    removeDominated(weights, costs.layout(), alpha);
     EssentialGraph essential{.pathCosts = cheapestDetours(weights, progress.part(0, 0.9))};
     Table<double>& detours = essential.pathCosts;
     const NodeIndex frames = costs.layout().frameCount();

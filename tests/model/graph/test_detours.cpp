@@ -24,25 +24,35 @@ struct Case
     int levels;
 };
 
-class Detours : public testing::TestWithParam<Case>
+using Search = Table<double> (*)(const Table<double>&, const Progress&);
+
+class Detours : public testing::TestWithParam<std::tuple<Case, Search>>
 {
 };
 
-} // namespace
+class DetourSearch : public testing::TestWithParam<Search>
+{
+};
 
-// Sizes around those of the tiles (16 columns, 4 rows), bands (32 rows) and rounds (64 nodes).
-INSTANTIATE_TEST_SUITE_P(Sizes, Detours,
-                         testing::Values(Case{1, 1, 0}, Case{2, 1, 0}, Case{5, 0.5, 3}, Case{16, 0.3, 0},
-                                         Case{17, 0.3, 5}, Case{33, 0.1, 0}, Case{63, 0.2, 4},
-                                         Case{64, 0.05, 0}, Case{65, 0.1, 6}, Case{130, 0.03, 3},
-                                         Case{147, 0.5, 0}));
+const auto searches = testing::Values(&denseDetours, &sparseDetours, &cheapestDetours);
+
+// Sizes around those of tiles (16 columns, 4 rows), bands and lanes (32 rows) and rounds (64 nodes).
+INSTANTIATE_TEST_SUITE_P(
+    Sizes, Detours,
+    testing::Combine(testing::Values(Case{1, 1, 0}, Case{2, 1, 0}, Case{5, 0.5, 3}, Case{16, 0.3, 0},
+                                     Case{17, 0.3, 5}, Case{33, 0.1, 0}, Case{63, 0.2, 4}, Case{64, 0.05, 0},
+                                     Case{65, 0.1, 6}, Case{130, 0.03, 3}, Case{147, 0.5, 0}),
+                     searches));
+INSTANTIATE_TEST_SUITE_P(Searches, DetourSearch, searches);
+
+} // namespace
 
 TEST_P(Detours, AreTheCheapestWaysRoundAnEdge)
 {
-    const auto [nodes, density, levels] = GetParam();
+    const auto [nodes, density, levels] = std::get<Case>(GetParam());
     const Table<double> weights =
         weightTable(randomDigraph(static_cast<std::uint32_t>(nodes), nodes, density, levels));
-    const Table<double> detours = cheapestDetours(weights);
+    const Table<double> detours = std::get<Search>(GetParam())(weights, {});
     const Table<double> paths = plainPathCosts(weights);
     ASSERT_EQ(detours.rows(), nodes);
     ASSERT_EQ(detours.cols(), nodes);
@@ -70,7 +80,7 @@ TEST_P(Detours, AreTheCheapestWaysRoundAnEdge)
     }
 }
 
-TEST(Detours, OfADiamondAreItsOtherSides)
+TEST_P(DetourSearch, OfADiamondAreItsOtherSides)
 {
     // 0 → 3 directly, or by 1 or 2.
     Table<double> weights = Table<double>::Constant(4, 4, unreachable);
@@ -80,7 +90,7 @@ TEST(Detours, OfADiamondAreItsOtherSides)
     weights(0, 2) = 1;
     weights(2, 3) = 3;
     weights(3, 0) = 0.5;
-    const Table<double> detours = cheapestDetours(weights);
+    const Table<double> detours = GetParam()(weights, {});
     EXPECT_EQ(detours(0, 3), 4);
     EXPECT_GT(detours(0, 1), 2) << "no way round: dearer than the edge";
     EXPECT_EQ(detours(1, 0), 3.5);
@@ -88,28 +98,28 @@ TEST(Detours, OfADiamondAreItsOtherSides)
     EXPECT_EQ(detours(0, 0), 4.5);
 }
 
-TEST(Detours, DoNotReadTheDiagonal)
+TEST_P(DetourSearch, DoNotReadTheDiagonal)
 {
     Table<double> weights = weightTable(randomDigraph(3, 20, 0.3, 0));
-    const Table<double> detours = cheapestDetours(weights);
+    const Table<double> detours = GetParam()(weights, {});
     weights.matrix().diagonal().setZero();
-    EXPECT_TRUE((cheapestDetours(weights) == detours).all());
+    EXPECT_TRUE((GetParam()(weights, {}) == detours).all());
 }
 
-TEST(Detours, OfNoNodesAreNone)
+TEST_P(DetourSearch, OfNoNodesAreNone)
 {
-    EXPECT_EQ(cheapestDetours(Table<double>(0, 0)).size(), 0);
+    EXPECT_EQ(GetParam()(Table<double>(0, 0), {}).size(), 0);
 }
 
-TEST(Detours, DoNotDependOnTheNumberOfThreads)
+TEST_P(DetourSearch, DoNotDependOnTheNumberOfThreads)
 {
     const Table<double> weights = weightTable(randomDigraph(8, 300, 0.1, 0));
-    const Table<double> several = cheapestDetours(weights);
+    const Table<double> several = GetParam()(weights, {});
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    EXPECT_TRUE((cheapestDetours(weights) == several).all());
+    EXPECT_TRUE((GetParam()(weights, {}) == several).all());
 }
 
-TEST(Detours, StopWhenCancelled)
+TEST_P(DetourSearch, StopWhenCancelled)
 {
     CancelToken token;
     double reached = 0;
@@ -119,7 +129,7 @@ TEST(Detours, StopWhenCancelled)
             token.cancel();
     });
     try {
-        cheapestDetours(weightTable(randomDigraph(8, 300, 0.1, 0)), progress);
+        GetParam()(weightTable(randomDigraph(8, 300, 0.1, 0)), progress);
         FAIL() << "did not stop";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::Cancelled);
