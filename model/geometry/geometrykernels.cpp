@@ -10,13 +10,14 @@
 
 namespace quadrille {
 
-QUADRILLE_SIMD_CLONES
-void fillTriangleFrames(const float* positions, const CornerSlice& corners, TriangleSlice& out)
+namespace {
+
+using Edges = std::array<std::array<double, sliceTriangles>, 3>;
+
+/// v1−v3 and v2−v3, which lie scattered, in rows.
+[[gnu::always_inline]] inline void gatherEdges(const float* positions, const CornerSlice& corners, Edges& a,
+                                               Edges& b)
 {
-    // First the edges v1−v3 and v2−v3, which lie scattered; then loops without a jump.
-    using Edge = std::array<std::array<double, sliceTriangles>, 3>;
-    Edge a;
-    Edge b;
     for (std::size_t t = 0; t < sliceTriangles; ++t) {
         const float* p1 = positions + std::size_t{3} * corners.vertices[0][t];
         const float* p2 = positions + std::size_t{3} * corners.vertices[1][t];
@@ -26,68 +27,88 @@ void fillTriangleFrames(const float* positions, const CornerSlice& corners, Tria
             b[axis][t] = double{p2[axis]} - p3[axis];
         }
     }
+}
+
+struct Vector
+{
+    double x;
+    double y;
+    double z;
+};
+
+[[gnu::always_inline]] inline Vector cross(const Vector& a, const Vector& b)
+{
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+struct Quaternion
+{
+    double w;
+    double x;
+    double y;
+    double z;
+};
+
+/// Of the rotation with columns x, y, z; of the quaternion's components the largest is found first. Written
+/// so that no jump remains.
+[[gnu::always_inline]] inline Quaternion quaternionOf(const Vector& x, const Vector& y, const Vector& z)
+{
+    // Four times the products of the components with w, then with another one where that is larger.
+    const double x4 = 1 + x.x - y.y - z.z;
+    const double y4 = 1 - x.x + y.y - z.z;
+    const double z4 = 1 - x.x - y.y + z.z;
+    double largest = 1 + x.x + y.y + z.z;
+    Quaternion q{largest, y.z - z.y, z.x - x.z, x.y - y.x};
+    const bool byX = x4 > largest;
+    largest = byX ? x4 : largest;
+    q.w = byX ? y.z - z.y : q.w;
+    q.x = byX ? x4 : q.x;
+    q.y = byX ? x.y + y.x : q.y;
+    q.z = byX ? z.x + x.z : q.z;
+    const bool byY = y4 > largest;
+    largest = byY ? y4 : largest;
+    q.w = byY ? z.x - x.z : q.w;
+    q.x = byY ? x.y + y.x : q.x;
+    q.y = byY ? y4 : q.y;
+    q.z = byY ? y.z + z.y : q.z;
+    const bool byZ = z4 > largest;
+    largest = byZ ? z4 : largest;
+    q.w = byZ ? x.y - y.x : q.w;
+    q.x = byZ ? z.x + x.z : q.x;
+    q.y = byZ ? y.z + z.y : q.y;
+    q.z = byZ ? z4 : q.z;
+    const double scale = 0.5 / std::sqrt(largest);
+    return {q.w * scale, q.x * scale, q.y * scale, q.z * scale};
+}
+
+} // namespace
+
+QUADRILLE_SIMD_CLONES
+void fillTriangleFrames(const float* positions, const CornerSlice& corners, TriangleSlice& out)
+{
+    Edges first;
+    Edges second;
+    gatherEdges(positions, corners, first, second);
 #pragma omp simd
     for (std::size_t t = 0; t < sliceTriangles; ++t) {
-        const double ax = a[0][t];
-        const double ay = a[1][t];
-        const double az = a[2][t];
-        const double bx = b[0][t];
-        const double by = b[1][t];
-        const double bz = b[2][t];
-        const double nx = ay * bz - az * by;
-        const double ny = az * bx - ax * bz;
-        const double nz = ax * by - ay * bx;
-        const double length = std::sqrt(ax * ax + ay * ay + az * az);
-        const double area = std::sqrt(nx * nx + ny * ny + nz * nz); // of the parallelogram
+        const Vector a{first[0][t], first[1][t], first[2][t]};
+        const Vector b{second[0][t], second[1][t], second[2][t]};
+        const Vector n = cross(a, b);
+        const double length = std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
+        const double area = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z); // of the parallelogram
         const double inverseLength = 1 / length;
         const double inverseArea = 1 / area;
-        // columns of the frame: x along a, z the normal, y = z × x
-        const double xx = ax * inverseLength;
-        const double xy = ay * inverseLength;
-        const double xz = az * inverseLength;
-        const double zx = nx * inverseArea;
-        const double zy = ny * inverseArea;
-        const double zz = nz * inverseArea;
-        const double yx = zy * xz - zz * xy;
-        const double yy = zz * xx - zx * xz;
-        const double yz = zx * xy - zy * xx;
+        const Vector x{a.x * inverseLength, a.y * inverseLength, a.z * inverseLength};
+        const Vector z{n.x * inverseArea, n.y * inverseArea, n.z * inverseArea};
         out.b11[t] = static_cast<float>(length);
-        out.b12[t] = static_cast<float>(xx * bx + xy * by + xz * bz);
+        out.b12[t] = static_cast<float>(x.x * b.x + x.y * b.y + x.z * b.z);
         out.b22[t] = static_cast<float>(area * inverseLength);
-
-        // Four times the products of the components of the quaternion with its largest one.
-        const double x4 = 1 + xx - yy - zz;
-        const double y4 = 1 - xx + yy - zz;
-        const double z4 = 1 - xx - yy + zz;
-        double largest = 1 + xx + yy + zz;
-        double qw = largest;
-        double qx = yz - zy;
-        double qy = zx - xz;
-        double qz = xy - yx;
-        const bool byX = x4 > largest;
-        largest = byX ? x4 : largest;
-        qw = byX ? yz - zy : qw;
-        qx = byX ? x4 : qx;
-        qy = byX ? xy + yx : qy;
-        qz = byX ? zx + xz : qz;
-        const bool byY = y4 > largest;
-        largest = byY ? y4 : largest;
-        qw = byY ? zx - xz : qw;
-        qx = byY ? xy + yx : qx;
-        qy = byY ? y4 : qy;
-        qz = byY ? yz + zy : qz;
-        const bool byZ = z4 > largest;
-        largest = byZ ? z4 : largest;
-        qw = byZ ? xy - yx : qw;
-        qx = byZ ? zx + xz : qx;
-        qy = byZ ? yz + zy : qy;
-        qz = byZ ? z4 : qz;
-        const double scale = 0.5 / std::sqrt(largest);
-        out.quaternion[0][t] = static_cast<float>(qw * scale);
-        out.quaternion[1][t] = static_cast<float>(qx * scale);
-        out.quaternion[2][t] = static_cast<float>(qy * scale);
-        out.quaternion[3][t] = static_cast<float>(qz * scale);
         out.logArea[t] = logarithm(static_cast<float>(area));
+        const Quaternion q = quaternionOf(x, cross(z, x), z);
+        out.quaternion[0][t] = static_cast<float>(q.w);
+        out.quaternion[1][t] = static_cast<float>(q.x);
+        out.quaternion[2][t] = static_cast<float>(q.y);
+        out.quaternion[3][t] = static_cast<float>(q.z);
     }
 }
 

@@ -28,6 +28,47 @@ constexpr float pi = std::numbers::pi_v<float>;
     return p * u + 2;
 }
 
+/// Passed by value: by reference, loops that use it do not vectorise (g++ 12).
+struct Quaternion
+{
+    float w;
+    float x;
+    float y;
+    float z;
+};
+
+[[gnu::always_inline]] inline Quaternion product(Quaternion a, Quaternion b)
+{
+    return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+            a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
+}
+
+[[gnu::always_inline]] inline Quaternion quaternionOf(const TriangleSlice& slice, std::size_t t)
+{
+    return {slice.quaternion[0][t], slice.quaternion[1][t], slice.quaternion[2][t], slice.quaternion[3][t]};
+}
+
+/// The rotation from q_i to q · q_z(φ), φ = atan2(−m12, trace), in [0, π].
+/// \param plus  √(trace² + m12²).
+[[gnu::always_inline]] inline float rotationAngle(Quaternion qi, Quaternion q, float trace, float m12,
+                                                  float plus)
+{
+    // g = q̄_i · q, whose vector part q̄_i · (q − q_i) has as well, and more precisely
+    const float gw = qi.w * q.w + qi.x * q.x + qi.y * q.y + qi.z * q.z;
+    const Quaternion g =
+        product({qi.w, -qi.x, -qi.y, -qi.z}, {q.w - qi.w, q.x - qi.x, q.y - qi.y, q.z - qi.z});
+    // The half of φ has its cosine and sine along (plus + trace, −m12).
+    const float c = plus + trace;
+    const float inverseNorm = 1 / (c * c + m12 * m12);
+    const float pw = gw * c + g.z * m12;
+    const float pz = g.z * c - gw * m12;
+    const float sine2 = g.x * g.x + g.y * g.y + pz * pz * inverseNorm; // of half the angle, squared
+    const float cosine2 = pw * pw * inverseNorm;
+    const float smaller = std::min(sine2, cosine2);
+    const float part = std::sqrt(smaller) * angleOverSine(smaller);
+    return sine2 > cosine2 ? pi - part : part;
+}
+
 } // namespace
 
 QUADRILLE_SIMD_CLONES
@@ -42,11 +83,9 @@ void addSurfaceDistances(const TriangleSlice& target, const TriangleSlice* sourc
         inverse22[t] = 1 / target.b22[t];
     }
     const float stretchFactor = stretchWeight * 0.70710678F;
-    const auto& [aw, ax, ay, az] = target.quaternion;
     for (std::size_t s = 0; s < count; ++s) {
         const TriangleSlice& source = sources[s];
-        const auto& [bw, bx, by, bz] = source.quaternion;
-        const auto [rw, rx, ry, rz] = rotations[s];
+        const Quaternion turn{rotations[s][0], rotations[s][1], rotations[s][2], rotations[s][3]};
         float sum = 0;
 #pragma omp simd reduction(+ : sum)
         for (std::size_t t = 0; t < sliceTriangles; ++t) {
@@ -58,31 +97,8 @@ void addSurfaceDistances(const TriangleSlice& target, const TriangleSlice* sourc
             const float difference = u11 - u22;
             const float plus = std::sqrt(trace * trace + m12 * m12);            // σ₁ + σ₂
             const float minus = std::sqrt(difference * difference + m12 * m12); // σ₁ − σ₂
-            // q = q_Q · q_j and g = q̄_i · q, whose vector part q̄_i · (q − q_i) has as well, and more
-            // precisely
-            const float qw = rw * bw[t] - rx * bx[t] - ry * by[t] - rz * bz[t];
-            const float qx = rw * bx[t] + rx * bw[t] + ry * bz[t] - rz * by[t];
-            const float qy = rw * by[t] - rx * bz[t] + ry * bw[t] + rz * bx[t];
-            const float qz = rw * bz[t] + rx * by[t] - ry * bx[t] + rz * bw[t];
-            const float dw = qw - aw[t];
-            const float dx = qx - ax[t];
-            const float dy = qy - ay[t];
-            const float dz = qz - az[t];
-            const float gw = aw[t] * qw + ax[t] * qx + ay[t] * qy + az[t] * qz;
-            const float gx = aw[t] * dx - ax[t] * dw - ay[t] * dz + az[t] * dy;
-            const float gy = aw[t] * dy + ax[t] * dz - ay[t] * dw - az[t] * dx;
-            const float gz = aw[t] * dz - ax[t] * dy + ay[t] * dx - az[t] * dw;
-            // g·q_z(φ) with φ = atan2(−m12, trace), whose half has cosine and sine along (plus + trace, −m12)
-            const float c = plus + trace;
-            const float inverseNorm = 1 / (c * c + m12 * m12);
-            const float pw = gw * c + gz * m12;
-            const float pz = gz * c - gw * m12;
-            const float sine2 = gx * gx + gy * gy + pz * pz * inverseNorm; // of θ/2, squared
-            const float cosine2 = pw * pw * inverseNorm;
-            const float smaller = std::min(sine2, cosine2);
-            const float part = std::sqrt(smaller) * angleOverSine(smaller);
-            const float angle = sine2 > cosine2 ? pi - part : part;
-
+            const float angle = rotationAngle(quaternionOf(target, t), product(turn, quaternionOf(source, t)),
+                                              trace, m12, plus);
             const float log1 = logarithm(0.5F * (plus + minus));
             const float log2 = (source.logArea[t] - target.logArea[t]) - log1;
             sum += angle + stretchFactor * std::sqrt(log1 * log1 + log2 * log2);
@@ -95,10 +111,13 @@ QUADRILLE_SIMD_CLONES
 void addEuclideanDistances(const VertexSlice& target, const VertexSlice* sources, const RotationF* rotations,
                            std::size_t count, double* sums)
 {
-    const auto& [ax, ay, az] = target.coordinates;
+    const auto& a = target.coordinates;
     for (std::size_t s = 0; s < count; ++s) {
-        const auto& [bx, by, bz] = sources[s].coordinates;
-        const auto [w, x, y, z] = rotations[s];
+        const auto& b = sources[s].coordinates;
+        const float w = rotations[s][0];
+        const float x = rotations[s][1];
+        const float y = rotations[s][2];
+        const float z = rotations[s][3];
         const float r11 = 1 - 2 * (y * y + z * z);
         const float r12 = 2 * (x * y - w * z);
         const float r13 = 2 * (x * z + w * y);
@@ -111,9 +130,9 @@ void addEuclideanDistances(const VertexSlice& target, const VertexSlice* sources
         float sum = 0;
 #pragma omp simd reduction(+ : sum)
         for (std::size_t v = 0; v < sliceVertices; ++v) {
-            const float dx = ax[v] - (r11 * bx[v] + r12 * by[v] + r13 * bz[v]);
-            const float dy = ay[v] - (r21 * bx[v] + r22 * by[v] + r23 * bz[v]);
-            const float dz = az[v] - (r31 * bx[v] + r32 * by[v] + r33 * bz[v]);
+            const float dx = a[0][v] - (r11 * b[0][v] + r12 * b[1][v] + r13 * b[2][v]);
+            const float dy = a[1][v] - (r21 * b[0][v] + r22 * b[1][v] + r23 * b[2][v]);
+            const float dz = a[2][v] - (r31 * b[0][v] + r32 * b[1][v] + r33 * b[2][v]);
             sum += std::sqrt(dx * dx + dy * dy + dz * dz);
         }
         sums[s] += double{sum};

@@ -136,6 +136,25 @@ TEST(PoseDistance, AgreesForTrianglesThatTurnAllTheWay)
     expectPlainDistances(sequenceOf(topologyOf(1500, faces), poses), 1e-5);
 }
 
+TEST(PoseDistance, AgreesForTrianglesThatNearlyVanish)
+{
+    // Needles of all directions that just count become wide, and the other way round.
+    const std::vector<std::array<int, 3>> faces{{0, 1, 2}, {3, 1, 0}, {2, 4, 0}, {0, 5, 1}, {6, 2, 0}};
+    const Pose thin{{0, 0, 0},           {1, 0, 0},      {0, 1, 0},        {0.5F, 1e-11F, 0},
+                    {0, 1e-11F, 1e-11F}, {1, 1e-11F, 0}, {1e-11F, 0.3F, 0}};
+    const Pose wide{{0, 0, 0},     {1, 0.1F, 0},  {0, 1, 0.2F},       {0.5F, -1, 0.1F},
+                    {-1, 0, 0.5F}, {1, -0.5F, 0}, {-0.7F, 0.3F, 0.4F}};
+    const auto topology = topologyOf(7, faces);
+    const auto& triangles = topology->triangles();
+    const double expected = plainSurfaceDistance(thin, wide, triangles, 0.01);
+    EXPECT_NEAR(surfaceDistance(thin, wide, triangles), expected, 1e-6 * expected);
+    for (const auto& poses : {std::vector<Pose>{thin, wide}, std::vector<Pose>{wide, thin}}) {
+        const PoseDistances result = poseDistances(characterOf(sequenceOf(topology, poses)));
+        EXPECT_EQ(result.trianglesLeftOut, 0);
+        EXPECT_NEAR(result.distances(0, 1), expected, 1e-5 * expected);
+    }
+}
+
 TEST(PoseDistance, OfARigidMotionIsNothing)
 {
     const Pose turned = moved(corners, someMotion());
