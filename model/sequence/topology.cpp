@@ -66,7 +66,12 @@ public:
             item = m_parents[item] = m_parents[m_parents[item]];
         return item;
     }
-    void join(std::uint32_t a, std::uint32_t b) { m_parents[root(std::max(a, b))] = root(std::min(a, b)); }
+    /// The root of a set is its least item.
+    void join(std::uint32_t a, std::uint32_t b)
+    {
+        const auto [low, high] = std::minmax({root(a), root(b)});
+        m_parents[high] = low;
+    }
 
 private:
     std::vector<std::uint32_t> m_parents;

@@ -47,6 +47,20 @@ TEST(Topology, TetrahedronIsClosed)
     EXPECT_EQ(topology.halfEdges().mesh.n_halfedges(), 12U);
 }
 
+// Sets of vertices meet by vertices that are not the first of their sets.
+TEST(Topology, LabelsEveryUsedVertexInAnyOrderOfTriangles)
+{
+    TopologyData data;
+    data.vertexCount = 6;
+    const auto triangle = [](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        return Triangle{VertexIndex(a), VertexIndex(b), VertexIndex(c)};
+    };
+    data.triangles = {triangle(1, 4, 5), triangle(0, 2, 4), triangle(2, 3, 5)};
+    const Topology topology(data);
+    EXPECT_EQ(topology.statistics().components, 1);
+    EXPECT_EQ(topology.components(), std::vector<std::int32_t>(6, 0));
+}
+
 TEST(Topology, CountsBoundariesAndComponents)
 {
     // Two triangles that share an edge, one apart, one vertex unused.

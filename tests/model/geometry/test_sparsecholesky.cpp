@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/geometry/sparsecholesky.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+#include <random>
+#include <set>
+
+namespace quadrille {
+namespace {
+
+struct Problem
+{
+    std::vector<std::array<int, 2>> edges;
+    Eigen::MatrixXd matrix;
+};
+
+/// Diagonally dominant with entries at random places; the edges in random order and direction.
+Problem randomProblem(int size, int edgeCount, unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<int> row(0, size - 1);
+    std::uniform_real_distribution<double> real(-1, 1);
+    Problem problem;
+    problem.matrix = Eigen::MatrixXd::Zero(size, size);
+    std::set<std::pair<int, int>> seen;
+    for (int e = 0; e < edgeCount; ++e) {
+        const int a = row(random);
+        const int b = row(random);
+        if (a == b || !seen.insert({std::min(a, b), std::max(a, b)}).second)
+            continue;
+        problem.edges.push_back({a, b});
+        const double value = real(random);
+        problem.matrix(a, b) = problem.matrix(b, a) = value;
+        problem.matrix(a, a) += std::abs(value);
+        problem.matrix(b, b) += std::abs(value);
+    }
+    problem.matrix.diagonal().array() += 0.1;
+    return problem;
+}
+
+/// Solves for columns, by the factorisation under test.
+Eigen::MatrixXd solved(const Problem& problem, const Eigen::MatrixXd& right)
+{
+    const int size = static_cast<int>(problem.matrix.rows());
+    const CholeskyPattern pattern(size, problem.edges);
+    std::vector<double> values;
+    values.resize(static_cast<std::size_t>(size));
+    for (int r = 0; r < size; ++r)
+        values[static_cast<std::size_t>(pattern.rowOf(r))] = problem.matrix(r, r);
+    for (const auto& [a, b] : problem.edges)
+        values.push_back(problem.matrix(a, b));
+    CholeskyFactor factor;
+    factor.factorise(pattern, values);
+    std::vector<double> x(static_cast<std::size_t>(size + 1) * 4, 7.0);
+    for (int r = 0; r < size; ++r) {
+        for (int c = 0; c < 4; ++c)
+            x[static_cast<std::size_t>(4 * pattern.rowOf(r) + c)] = right(r, c);
+    }
+    factor.solve(x);
+    Eigen::MatrixXd out(size, 4);
+    for (int r = 0; r < size; ++r) {
+        for (int c = 0; c < 4; ++c)
+            out(r, c) = x[static_cast<std::size_t>(4 * pattern.rowOf(r) + c)];
+    }
+    EXPECT_EQ(x.back(), 7.0);
+    return out;
+}
+
+TEST(SparseCholesky, SolvesByHand)
+{
+    // [4 2; 2 5]: x = (1, 2) from the right side (8, 12).
+    Problem problem;
+    problem.edges = {{1, 0}};
+    problem.matrix.resize(2, 2);
+    problem.matrix << 4, 2, 2, 5;
+    Eigen::MatrixXd right(2, 4);
+    right << 8, 4, 0, 2, 12, 2, 0, 5;
+    const Eigen::MatrixXd x = solved(problem, right);
+    Eigen::MatrixXd expected(2, 4);
+    expected << 1, 1, 0, 0, 2, 0, 0, 1;
+    EXPECT_LT((x - expected).norm(), 1e-14);
+}
+
+TEST(SparseCholesky, AgreesWithADenseSolver)
+{
+    // From unconnected rows over sparse to nearly dense.
+    for (const auto& [size, edgeCount] :
+         {std::pair{1, 0}, {9, 0}, {40, 30}, {60, 120}, {200, 300}, {150, 2000}, {30, 2000}}) {
+        for (unsigned seed = 1; seed <= 4; ++seed) {
+            const Problem problem = randomProblem(size, edgeCount, seed);
+            const Eigen::MatrixXd right = Eigen::MatrixXd::Random(size, 4);
+            const Eigen::MatrixXd expected = problem.matrix.llt().solve(right);
+            EXPECT_LT((solved(problem, right) - expected).norm() / expected.norm(), 1e-12)
+                << size << ", " << edgeCount << ", " << seed;
+        }
+    }
+}
+
+TEST(SparseCholesky, AgreesOnAGrid)
+{
+    Problem problem;
+    const int side = 17;
+    problem.matrix = Eigen::MatrixXd::Zero(side * side, side * side);
+    const auto link = [&](int a, int b) {
+        problem.edges.push_back({a, b});
+        problem.matrix(a, b) = problem.matrix(b, a) = -1;
+        problem.matrix(a, a) += 1;
+        problem.matrix(b, b) += 1;
+    };
+    for (int r = 0; r < side; ++r) {
+        for (int c = 0; c < side; ++c) {
+            if (c + 1 < side)
+                link(r * side + c, r * side + c + 1);
+            if (r + 1 < side)
+                link(r * side + c, r * side + c + side);
+        }
+    }
+    problem.matrix(0, 0) += 1;
+    const Eigen::MatrixXd right = Eigen::MatrixXd::Random(side * side, 4);
+    const Eigen::MatrixXd expected = problem.matrix.llt().solve(right);
+    EXPECT_LT((solved(problem, right) - expected).norm() / expected.norm(), 1e-12);
+}
+
+// Rounding may leave nothing of a pivot that is zero in theory.
+TEST(SparseCholesky, EndsOnSingularMatrices)
+{
+    Problem problem;
+    problem.edges = {{0, 1}};
+    problem.matrix.resize(2, 2);
+    problem.matrix << 1, -1, -1, 1;
+    EXPECT_TRUE(solved(problem, Eigen::MatrixXd::Zero(2, 4)).allFinite());
+}
+
+} // namespace
+} // namespace quadrille
