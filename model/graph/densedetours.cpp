@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 //
-// Floyd–Warshall in rounds of `pivots` nodes. The table holds only walks with a node between; a walk of any
-// kind is the smaller of weight and table. A node is never a pivot for its own row or column (its entry with
-// itself counts as infinite), so that no edge passes as its own detour. Each round
+// Floyd–Warshall in rounds of `pivots` junctions. The table holds only walks with a node between; a walk of
+// any kind is the smaller of weight and table. A node is never a pivot for its own row or column (its entry
+// with itself counts as infinite), so that no edge passes as its own detour. Each round
 //   1. closes the square of the pivots,
 //   2. extends it to the pivots' rows: from a pivot, through pivots and earlier nodes, to any node,
 //   3. joins, for every pair, the walk to the first pivot with the pivot's row.
@@ -115,8 +115,9 @@ void close(PivotSquare& square, Index depth)
 class DetourSearch
 {
 public:
-    DetourSearch(const Table<double>& weights, Table<double>& detours)
+    DetourSearch(const Table<double>& weights, std::span<const NodeIndex> junctions, Table<double>& detours)
         : m_weights(weights)
+        , m_junctions(junctions)
         , m_detours(detours)
         , m_count(weights.rows())
         , m_right(static_cast<std::size_t>((m_count + tileColumns) * pivots))
@@ -126,13 +127,15 @@ public:
 
     void run(const Progress& progress)
     {
-        const Index rounds = (m_count + pivots - 1) / pivots;
+        const Index rounds = (std::ssize(m_junctions) + pivots - 1) / pivots;
         const Index bands = (m_count + bandRows - 1) / bandRows;
         const Index tiles = (m_count + tileColumns - 1) / tileColumns;
         std::atomic<Index> done = 0;
         for (Index round = 0; round < rounds; ++round) {
-            m_first = round * pivots;
-            m_depth = std::min(pivots, m_count - m_first);
+            const Index first = round * pivots;
+            m_depth = std::min(pivots, std::ssize(m_junctions) - first);
+            m_pivots =
+                m_junctions.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(m_depth));
             closePivots();
             tbb::parallel_for(tbb::blocked_range<Index>(0, tiles, 4),
                               [&](const auto& range) { extendPivotRows(range.begin(), range.end()); });
@@ -145,19 +148,21 @@ public:
 
 private:
     double walk(Index i, Index j) const { return i == j ? none : std::min(m_weights(i, j), m_detours(i, j)); }
+    Index pivot(Index k) const { return m_pivots[static_cast<std::size_t>(k)]; }
     double* row(Index i) { return i < m_count ? &m_detours(i, 0) : m_unusedRow.data(); }
 
     void closePivots()
     {
         for (Index i = 0; i < m_depth; ++i) {
             for (Index j = 0; j < m_depth; ++j) {
-                m_square.walks[i][j] = walk(m_first + i, m_first + j);
-                m_square.detours[i][j] = m_detours(m_first + i, m_first + j);
+                m_square.walks[i][j] = walk(pivot(i), pivot(j));
+                m_square.detours[i][j] = m_detours(pivot(i), pivot(j));
             }
         }
         close(m_square, m_depth);
         for (Index i = 0; i < m_depth; ++i)
-            std::copy_n(m_square.detours[i], m_depth, row(m_first + i) + m_first);
+            for (Index j = 0; j < m_depth; ++j)
+                m_detours(pivot(i), pivot(j)) = m_square.detours[i][j];
         for (Index i = 0; i < pivots; ++i)
             for (Index k = 0; k < m_depth; ++k)
                 m_left[(i / tileRows * m_depth + k) * tileRows + i % tileRows] =
@@ -172,7 +177,7 @@ private:
         double* const right = &m_right[static_cast<std::size_t>(first * m_depth)];
         std::array<double*, pivots> rows{};
         for (Index i = 0; i < pivots; ++i)
-            rows[static_cast<std::size_t>(i)] = row(i < m_depth ? m_first + i : m_count);
+            rows[static_cast<std::size_t>(i)] = row(i < m_depth ? pivot(i) : m_count);
         packPivotRows(first, end, right);
         lowerRows(rows.data(), (m_depth + tileRows - 1) / tileRows, first, end, m_left.data(), right,
                   m_depth);
@@ -182,9 +187,9 @@ private:
     void packPivotRows(Index first, Index end, double* right) const
     {
         for (Index tile = first; tile < end; tile += tileColumns)
-            for (Index k = m_first; k < m_first + m_depth; ++k)
+            for (Index k = 0; k < m_depth; ++k)
                 for (Index j = tile; j < tile + tileColumns; ++j)
-                    *right++ = j < end ? walk(k, j) : none;
+                    *right++ = j < end ? walk(pivot(k), j) : none;
     }
 
     /// Every pair from the rows of one band.
@@ -197,7 +202,7 @@ private:
             rows[static_cast<std::size_t>(r)] = row(i);
             double* const target = left.data() + r / tileRows * m_depth * tileRows + r % tileRows;
             for (Index k = 0; k < m_depth; ++k)
-                target[k * tileRows] = i < m_count ? walk(i, m_first + k) : none;
+                target[k * tileRows] = i < m_count ? walk(i, pivot(k)) : none;
         }
         const Index rowCount = std::min(bandRows, m_count - firstRow);
         lowerRows(rows.data(), (rowCount + tileRows - 1) / tileRows, 0, m_count, left.data(), m_right.data(),
@@ -205,10 +210,11 @@ private:
     }
 
     const Table<double>& m_weights;
+    std::span<const NodeIndex> m_junctions;
     Table<double>& m_detours;
     Index m_count;
-    Index m_first = 0; ///< of this round's pivots
-    Index m_depth = 0; ///< pivots of this round
+    std::span<const NodeIndex> m_pivots; ///< junctions of this round
+    Index m_depth = 0;                   ///< their number
     PivotSquare m_square{};
     std::array<double, pivots * pivots> m_left{}; ///< walks between pivots, in groups of four rows
     std::vector<double> m_right;                  ///< walks from pivots to all nodes, in tiles
@@ -217,13 +223,13 @@ private:
 
 } // namespace
 
-Table<double> denseDetours(const Table<double>& weights, const Progress& progress)
+void lowerDetoursDensely(const Table<double>& weights, std::span<const NodeIndex> junctions,
+                         Table<double>& detours, const Progress& progress)
 {
     assert(weights.rows() == weights.cols());
-    Table<double> detours = Table<double>::Constant(weights.rows(), weights.cols(), none);
+    assert(detours.rows() == weights.rows() && detours.cols() == weights.cols());
     if (weights.size() > 0)
-        std::make_unique<DetourSearch>(weights, detours)->run(progress);
-    return detours;
+        std::make_unique<DetourSearch>(weights, junctions, detours)->run(progress);
 }
 
 } // namespace quadrille

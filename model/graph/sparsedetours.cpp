@@ -126,9 +126,13 @@ void relaxBlock(const Table<double>& weights, const Incoming& edges, Index first
 {
     Block block(weights.rows());
     const Index end = std::min(first + lanes, weights.rows());
-    for (Index i = first; i < end; ++i)
-        for (Index j = 0; j < weights.cols(); ++j)
-            block.walks[static_cast<std::size_t>(j * lanes + i - first)] = i == j ? none : weights(i, j);
+    for (Index i = first; i < end; ++i) {
+        for (Index j = 0; j < weights.cols(); ++j) {
+            const auto position = static_cast<std::size_t>(j * lanes + i - first);
+            block.detours[position] = detours(i, j);
+            block.walks[position] = i == j ? none : std::min(weights(i, j), detours(i, j));
+        }
+    }
     do
         report();
     while (sweep(edges, first, block));
@@ -139,18 +143,17 @@ void relaxBlock(const Table<double>& weights, const Incoming& edges, Index first
 
 } // namespace
 
-Table<double> sparseDetours(const Table<double>& weights, const Progress& progress)
+void lowerDetoursSparsely(const Table<double>& weights, Table<double>& detours, const Progress& progress)
 {
     assert(weights.rows() == weights.cols());
+    assert(detours.rows() == weights.rows() && detours.cols() == weights.cols());
     const Incoming edges = incomingEdges(weights);
-    Table<double> detours(weights.rows(), weights.cols());
     const Index blocks = (weights.rows() + lanes - 1) / lanes;
     std::atomic<Index> done = 0;
     tbb::parallel_for(Index{0}, blocks, [&](Index block) {
         relaxBlock(weights, edges, block * lanes, detours, [&] { progress.report(done, blocks); });
         progress.report(++done, blocks);
     });
-    return detours;
 }
 
 } // namespace quadrille

@@ -5,6 +5,7 @@
 #include "tests/model/graph/randomtransitions.h"
 
 #include <gtest/gtest.h>
+#include <numeric>
 #include <tbb/global_control.h>
 
 using namespace quadrille;
@@ -33,6 +34,22 @@ class Detours : public testing::TestWithParam<std::tuple<Case, Search>>
 class DetourSearch : public testing::TestWithParam<Search>
 {
 };
+
+Table<double> denseDetours(const Table<double>& weights, const Progress& progress)
+{
+    Table<double> detours = Table<double>::Constant(weights.rows(), weights.cols(), unreachable);
+    std::vector<NodeIndex> all(static_cast<std::size_t>(weights.rows()));
+    std::iota(all.begin(), all.end(), 0);
+    lowerDetoursDensely(weights, all, detours, progress);
+    return detours;
+}
+
+Table<double> sparseDetours(const Table<double>& weights, const Progress& progress)
+{
+    Table<double> detours = Table<double>::Constant(weights.rows(), weights.cols(), unreachable);
+    lowerDetoursSparsely(weights, detours, progress);
+    return detours;
+}
 
 const auto searches = testing::Values(&denseDetours, &sparseDetours, &cheapestDetours);
 
@@ -135,4 +152,31 @@ TEST_P(DetourSearch, StopWhenCancelled)
         EXPECT_EQ(error.code(), ErrorCode::Cancelled);
     }
     EXPECT_LT(reached, 0.9);
+}
+
+/// A chain of nodes, cut at every second one, where each part is known.
+TEST(LowerDetours, JoinKnownPartsAtJunctions)
+{
+    constexpr NodeIndex nodes = 201;
+    Table<double> weights = Table<double>::Constant(nodes, nodes, unreachable);
+    Table<double> known = weights;
+    std::vector<NodeIndex> junctions;
+    for (NodeIndex i = 0; i + 1 < nodes; ++i) {
+        weights(i, i + 1) = 1;
+        if (i + 2 < nodes)
+            known(i, i + 2) = 2;
+        if (i % 2 == 0)
+            junctions.push_back(i);
+    }
+    Table<double> dense = known;
+    lowerDetoursDensely(weights, junctions, dense);
+    Table<double> sparse = known;
+    lowerDetoursSparsely(weights, sparse);
+    for (NodeIndex i = 0; i < nodes; ++i) {
+        for (NodeIndex j = 0; j < nodes; ++j) {
+            const double expected = j >= i + 2 ? j - i : unreachable;
+            EXPECT_EQ(dense(i, j), expected) << i << " to " << j;
+            EXPECT_EQ(sparse(i, j), expected) << i << " to " << j;
+        }
+    }
 }
