@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <string>
 
 namespace quadrille {
@@ -42,35 +43,28 @@ int WarpPaths::framesTo(NodeIndex destination) const
 }
 
 std::optional<Transition> WarpPaths::solve(FramePair frames, int rows, int columns, int shortestRows,
-                                           int shortestColumns) const
+                                           int shortestColumns, Mean guess) const
 {
     const NodeIndex firstDestination = frames.destination - columns + 1;
     PathProgramme programme(m_settings.slope, rows, columns);
-    // Means: see improveToLeastMeans. Sums are those where one cell is taken as nothing.
-    double steps = 0;
-    double factor = 1;
-    const auto setKeys = [&] {
+    const bool mean = m_settings.cost == TransitionCost::Mean;
+    PathProgramme::Best best;
+    double sum = 0;
+    // For means, see improveToLeastMeans; without a guess the first path is the one of the least sum.
+    for (double rest = -1; rest != 0;) {
         for (int r = 0; r < rows; ++r) {
             for (int c = 0; c < columns; ++c) {
                 const double cell = m_grid.stepsOf(m_distances(frames.source + r, firstDestination + c));
-                programme.key(r, c) = (factor * cell - steps) * m_grid.lengthOne + 1;
+                programme.key(r, c) = (guess.length * cell - guess.steps) * m_grid.lengthOne + 1;
             }
         }
-    };
-    setKeys();
-    PathProgramme::Best best = programme.solve(shortestRows, shortestColumns);
-    if (best.key >= CostGrid::unknown)
-        return std::nullopt;
-    double sum = m_grid.stepsOfKey(best.key);
-    if (m_settings.cost == TransitionCost::Mean) {
-        for (double rest = -1; rest < 0;) {
-            steps = sum;
-            factor = static_cast<double>(best.path.size());
-            setKeys();
-            best = programme.solve(shortestRows, shortestColumns);
-            rest = m_grid.stepsOfKey(best.key);
-            sum = (rest + steps * static_cast<double>(best.path.size())) / factor;
-        }
+        best = programme.solve(shortestRows, shortestColumns);
+        if (best.key >= CostGrid::unknown)
+            return std::nullopt;
+        const auto length = static_cast<double>(best.path.size());
+        rest = mean ? m_grid.stepsOfKey(best.key) : 0;
+        sum = mean ? (rest + guess.steps * length) / guess.length : m_grid.stepsOfKey(best.key);
+        guess = {.steps = sum, .length = length};
     }
     Transition found{.frames = frames,
                      .sourceWindow = best.path.back().row + 1,
@@ -95,7 +89,7 @@ std::optional<Transition> WarpPaths::find(FramePair frames) const
     const int columns = std::min(m_settings.longest(), framesTo(frames.destination));
     if (frames.source == frames.destination || std::min(rows, columns) < m_settings.shortest())
         return std::nullopt;
-    return solve(frames, rows, columns, m_settings.shortest(), m_settings.shortest());
+    return solve(frames, rows, columns, m_settings.shortest(), m_settings.shortest(), {});
 }
 
 Transition WarpPaths::get(FramePair frames) const
@@ -120,7 +114,7 @@ std::optional<Transition> WarpPaths::between(FramePair frames, int sourceWindow,
     assert(sourceWindow >= 1 && sourceWindow <= std::min(m_settings.longest(), framesFrom(frames.source)));
     assert(destinationWindow >= 1 &&
            destinationWindow <= std::min(m_settings.longest(), framesTo(frames.destination)));
-    return solve(frames, sourceWindow, destinationWindow, sourceWindow, destinationWindow);
+    return solve(frames, sourceWindow, destinationWindow, sourceWindow, destinationWindow, {});
 }
 
 std::optional<Transition> WarpPaths::of(const TransitionTable& table, FramePair frames) const
@@ -128,7 +122,14 @@ std::optional<Transition> WarpPaths::of(const TransitionTable& table, FramePair 
     const int sourceWindow = table.sourceWindow(frames.source, frames.destination);
     if (sourceWindow == 0)
         return std::nullopt;
-    return between(frames, sourceWindow, table.destinationWindow(frames.source, frames.destination));
+    const int destinationWindow = table.destinationWindow(frames.source, frames.destination);
+    Mean guess;
+    if (m_settings.cost == TransitionCost::Mean) {
+        guess.length = table.length(frames.source, frames.destination);
+        guess.steps = std::round(static_cast<double>(table.cost(frames.source, frames.destination)) *
+                                 guess.length / m_grid.unit);
+    }
+    return solve(frames, sourceWindow, destinationWindow, sourceWindow, destinationWindow, guess);
 }
 
 std::optional<Transition> WarpPaths::linear(FramePair frames) const

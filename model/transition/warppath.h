@@ -62,8 +62,14 @@ public:
 private:
     int framesFrom(NodeIndex source) const;
     int framesTo(NodeIndex destination) const;
+    /// A mean cost that is not far off, in steps of the grid.
+    struct Mean
+    {
+        double steps = 0;
+        double length = 1;
+    };
     std::optional<Transition> solve(FramePair frames, int rows, int columns, int shortestRows,
-                                    int shortestColumns) const;
+                                    int shortestColumns, Mean guess) const;
 
     const Table<float>& m_distances;
     FrameLayout m_layout;

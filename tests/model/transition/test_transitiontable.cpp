@@ -91,6 +91,29 @@ TEST_P(TransitionTables, AllowWindowsOfOneFrameAndOfOneLength)
     expectReference(randomDistances(6, 6), layoutOf({6}), with(1, 1));
 }
 
+TEST_P(TransitionTables, EqualBruteForceWhereLongWindowsWin)
+{
+    // Few dear cells among cheap ones: paths go far round the dear ones.
+    const Table<float> distances = randomDistances(64, 7, 8).pow(6);
+    const FrameLayout layout = layoutOf({31, 33});
+    const TransitionSettings settings = with(3, 22);
+    const TransitionTable table = transitionTable(distances, layout, settings);
+    WarpReference reference(distances, layout, settings);
+    int longWindows = 0;
+    for (NodeIndex i = 0; i < 29; i += 4) {
+        for (NodeIndex j = 34; j < 64; j += 5) {
+            const WarpReference::Best best = reference.find(i, j).value();
+            const bool mean = settings.cost == TransitionCost::Mean;
+            EXPECT_FLOAT_EQ(table.cost(i, j), static_cast<float>(mean ? best.sum / best.length : best.sum));
+            EXPECT_EQ(table.length(i, j), best.length);
+            EXPECT_EQ(table.sourceWindow(i, j), best.sourceWindow);
+            EXPECT_EQ(table.destinationWindow(i, j), best.destinationWindow);
+            longWindows += best.sourceWindow + best.destinationWindow >= 10 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(longWindows, 3);
+}
+
 INSTANTIATE_TEST_SUITE_P(Slopes, TransitionTables,
                          testing::Combine(testing::Values(2, 3, 4, 5),
                                           testing::Values(TransitionCost::Sum, TransitionCost::Mean)),
