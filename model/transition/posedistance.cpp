@@ -56,8 +56,19 @@ PoseDistanceInputs survey(const CharacterFrames& character, const PoseDistanceSe
     return inputs;
 }
 
+/// Two whole numbers with their bits in turn: what is near in both is near in this (Morton 1966).
+std::uint64_t interleaved(std::uint32_t a, std::uint32_t b)
+{
+    std::uint64_t result = 0;
+    for (int bit = 0; bit < 32; ++bit)
+        result |=
+            (std::uint64_t{a >> bit & 1U} << (2 * bit + 1)) | (std::uint64_t{b >> bit & 1U} << (2 * bit));
+    return result;
+}
+
 /// The upper half of the table in square tiles. Two runs of frames fit 24 MB, and even a small table gives
-/// several cores to do; the size depends on nothing else, and no value depends on it.
+/// several cores to do; the size depends on nothing else, and no value depends on it. Tiles that follow each
+/// other share frames, so that few are read again where the media cache does not hold all.
 std::vector<PoseDistanceTile> tilesOf(NodeIndex frameCount, std::uint32_t vertexCount)
 {
     constexpr std::size_t runBytes = std::size_t{12} << 20;
@@ -70,6 +81,12 @@ std::vector<PoseDistanceTile> tilesOf(NodeIndex frameCount, std::uint32_t vertex
             tiles.push_back(
                 {row, std::min(size, frameCount - row), column, std::min(size, frameCount - column)});
     }
+    const auto key = [size](const PoseDistanceTile& tile) {
+        return interleaved(static_cast<std::uint32_t>(tile.firstRow / size),
+                           static_cast<std::uint32_t>(tile.firstColumn / size));
+    };
+    std::sort(tiles.begin(), tiles.end(),
+              [&key](const PoseDistanceTile& a, const PoseDistanceTile& b) { return key(a) < key(b); });
     return tiles;
 }
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
@@ -278,6 +279,38 @@ TEST(PoseDistance, DoesNotDependOnTilesThreadsAndSequences)
     tbb::task_arena(1).execute(
         [&] { EXPECT_TRUE((poseDistances(characterOf(all)).distances == whole).all()); });
     EXPECT_TRUE((whole == whole.transpose()).all());
+}
+
+TEST(PoseDistance, SeldomReadsFramesAgainThatTheCacheDoesNotHold)
+{
+    /// Counts how often a frame is read.
+    class CountedFrames : public FrameSource
+    {
+    public:
+        explicit CountedFrames(MeshSequence sequence) : m_sequence(std::move(sequence)) {}
+        std::int64_t frameCount() const override { return m_sequence.frameCount(); }
+        std::uint32_t vertexCount() const override { return m_sequence.topology->vertexCount(); }
+        void read(FrameIndex frame, MutablePositions out) const override
+        {
+            ++reads;
+            m_sequence.source->read(frame, out);
+        }
+        mutable std::atomic<int> reads = 0;
+
+    private:
+        MeshSequence m_sequence;
+    };
+    const auto topology = tubeTopology(6, 6);
+    const auto source = std::make_shared<CountedFrames>(swayingTube(topology, 6, 1600, 0.01));
+    MediaCache& cache = *MediaCache::shared();
+    const std::size_t budget = cache.statistics().budget;
+    cache.setBudget(800 * topology->vertexCount() * sizeof(Vec3f)); // half of the frames
+    tbb::task_arena(1).execute(
+        [&] { poseDistances(characterOf(makeSequence("take", topology, source, 25))); });
+    cache.setBudget(budget);
+    // All frames once to look at them; then 91 tiles of 128 frames, each with a run of frames of its own if
+    // it came row by row.
+    EXPECT_LT(source->reads, 1600 + 91 * 128 * 6 / 10);
 }
 
 TEST(PoseDistance, LeavesOutTrianglesThatLoseTheirAreaInAnyFrame)
