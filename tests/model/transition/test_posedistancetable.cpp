@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "tests/model/transition/posedistancetest.h"
+#include "tests/model/transition/swayingtube.h"
+
+#include <atomic>
+#include <limits>
+#include <tbb/task_arena.h>
+
+using namespace quadrille;
+using namespace quadrille::testing;
+
+TEST(PoseDistances, DoesNotDependOnTilesThreadsAndSequences)
+{
+    // 60 frames make several tiles; the same frames come again among fewer, so in other tiles.
+    const auto topology = tubeTopology(8, 20);
+    const MeshSequence all = swayingTube(topology, 8, 60, 0.1);
+    const MeshSequence head = all.cutTo({FrameIndex(0), FrameIndex(10)});
+    const MeshSequence tail = all.cutTo({FrameIndex(11), FrameIndex(59)});
+    const Table<float> whole = poseDistances(characterOf(all)).distances;
+    const std::vector<MeshSequence> both{head, tail};
+    const PoseDistances parts = poseDistances(CharacterFrames(both));
+    EXPECT_TRUE((parts.distances == whole).all());
+    EXPECT_EQ(parts.layout.sequenceCount(), 2);
+    EXPECT_EQ(parts.layout.firstOf(1), 11);
+    const Table<float> few = poseDistances(characterOf(tail)).distances;
+    EXPECT_TRUE((few == whole.bottomRightCorner(49, 49)).all());
+    tbb::task_arena(1).execute(
+        [&] { EXPECT_TRUE((poseDistances(characterOf(all)).distances == whole).all()); });
+    EXPECT_TRUE((whole == whole.transpose()).all());
+}
+
+TEST(PoseDistances, SeldomReadsFramesAgainThatTheCacheDoesNotHold)
+{
+    /// Counts how often a frame is read.
+    class CountedFrames : public FrameSource
+    {
+    public:
+        explicit CountedFrames(MeshSequence sequence) : m_sequence(std::move(sequence)) {}
+        std::int64_t frameCount() const override { return m_sequence.frameCount(); }
+        std::uint32_t vertexCount() const override { return m_sequence.topology->vertexCount(); }
+        void read(FrameIndex frame, MutablePositions out) const override
+        {
+            ++reads;
+            m_sequence.source->read(frame, out);
+        }
+        mutable std::atomic<int> reads = 0;
+
+    private:
+        MeshSequence m_sequence;
+    };
+    const auto topology = tubeTopology(6, 6);
+    const auto source = std::make_shared<CountedFrames>(swayingTube(topology, 6, 1600, 0.01));
+    MediaCache& cache = *MediaCache::shared();
+    const std::size_t budget = cache.statistics().budget;
+    cache.setBudget(800 * topology->vertexCount() * sizeof(Vec3f)); // half of the frames
+    tbb::task_arena(1).execute(
+        [&] { poseDistances(characterOf(makeSequence("take", topology, source, 25))); });
+    cache.setBudget(budget);
+    // All frames once to look at them; then 91 tiles of 128 frames, each with a run of frames of its own if
+    // it came row by row.
+    EXPECT_LT(source->reads, 1600 + 91 * 128 * 6 / 10);
+}
+
+TEST(PoseDistances, LeavesOutTrianglesThatLoseTheirAreaInAnyFrame)
+{
+    const auto topology = topologyOf(5, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 1, 4}});
+    Pose first = corners;
+    first.emplace_back(0.5F, -0.5F, 0.2F);
+    Pose collapsed = moved(first, someMotion());
+    collapsed[4] = collapsed[0];
+    const PoseDistances result = poseDistances(characterOf(sequenceOf(topology, {first, first, collapsed})));
+    EXPECT_EQ(result.trianglesUsed, 4);
+    EXPECT_EQ(result.trianglesLeftOut, 1);
+    EXPECT_TRUE(result.distances.isFinite().all());
+    const Frame a(first, {});
+    const auto& triangles = topology->triangles();
+    EXPECT_NEAR(result.distances(0, 2), surfaceDistance(first, collapsed, std::span(triangles).first(4)),
+                1e-6);
+}
+
+TEST(PoseDistances, RefusesACharacterWhoseTrianglesHaveNoArea)
+{
+    const MeshSequence sequence = sequenceOf(tetrahedron(), {corners, Pose(4, Vec3f(1, 2, 3))});
+    EXPECT_EQ(codeOf([&] { poseDistances(characterOf(sequence)); }), ErrorCode::NoUsableTriangles);
+    // The vertices still have distances: those of the corners from their mean.
+    const double expected = (std::sqrt(3.0) / 4 + 3 * std::sqrt(11.0) / 4) / 4;
+    EXPECT_NEAR(poseDistances(characterOf(sequence), {.metric = PoseMetric::Euclidean}).distances(0, 1),
+                expected, 1e-6);
+}
+
+TEST(PoseDistances, OfOneFrameIsOneZero)
+{
+    const PoseDistances result = poseDistances(characterOf(sequenceOf(tetrahedron(), {corners})));
+    ASSERT_EQ(result.distances.size(), 1);
+    EXPECT_EQ(result.distances(0, 0), 0);
+    EXPECT_EQ(result.trianglesUsed, 4);
+    EXPECT_EQ(poseDistances(CharacterFrames({})).distances.size(), 0);
+}
+
+TEST(PoseDistances, RefusesTwoTopologies)
+{
+    const MeshSequence first = sequenceOf(tetrahedron(), {corners}, "walk");
+    const auto expectRefusal = [&](const MeshSequence& other, const std::string& what) {
+        const std::vector<MeshSequence> both{first, other};
+        try {
+            const CharacterFrames frames(both);
+            FAIL() << "was taken";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::CharacterTopologyMismatch);
+            EXPECT_NE(std::string(error.what()).find("“run” has another topology than “walk”: " + what),
+                      std::string::npos)
+                << error.what();
+        }
+    };
+    expectRefusal(sequenceOf(topologyOf(3, {{0, 1, 2}}), {{corners[0], corners[1], corners[2]}}, "run"),
+                  "3 vertices, not 4");
+    expectRefusal(sequenceOf(topologyOf(4, {{0, 1, 2}}), {corners}, "run"), "1 triangles, not 4");
+    expectRefusal(sequenceOf(topologyOf(4, {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}), {corners}, "run"),
+                  "its triangles have other corners");
+    // Equal triangles are one topology, wherever they were read from.
+    const std::vector<MeshSequence> same{first, sequenceOf(tetrahedron(), {corners}, "run")};
+    EXPECT_EQ(CharacterFrames(same).frameCount(), 2);
+}
+
+TEST(PoseDistances, RefusesBadInput)
+{
+    Pose broken = corners;
+    broken[2].y() = std::numeric_limits<float>::quiet_NaN();
+    const MeshSequence sequence = sequenceOf(tetrahedron(), {corners, broken});
+    EXPECT_EQ(codeOf([&] { poseDistances(characterOf(sequence)); }), ErrorCode::NonFiniteCoordinate);
+    const CharacterFrames frames = characterOf(sequenceOf(tetrahedron(), {corners}));
+    for (const double weight :
+         {-0.1, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+        EXPECT_EQ(codeOf([&] { poseDistances(frames, {.stretchWeight = weight}); }), ErrorCode::BadArgument);
+    MeshSequence empty = sequenceOf(tetrahedron(), {corners});
+    empty.range = {};
+    EXPECT_EQ(codeOf([&] { characterOf(empty); }), ErrorCode::BadArgument);
+}
+
+TEST(PoseDistances, CanBeCancelledAtAnyTime)
+{
+    const CharacterFrames frames = characterOf(swayingTube(tubeTopology(8, 20), 8, 60, 0.1));
+    for (const double when : {0.0, 0.01, 0.3, 0.9}) {
+        CancelToken token;
+        const Progress progress(token, [&](double fraction) {
+            if (fraction >= when)
+                token.cancel();
+        });
+        EXPECT_EQ(codeOf([&] { poseDistances(frames, {}, progress); }), ErrorCode::Cancelled);
+    }
+}
+
+TEST(PoseDistances, ReportsItsProgressInSmallSteps)
+{
+    const CharacterFrames frames = characterOf(swayingTube(tubeTopology(8, 20), 8, 60, 0.1));
+    double before = 0;
+    double largest = 0;
+    poseDistances(frames, {}, Progress(CancelToken(), [&](double fraction) {
+                      largest = std::max(largest, fraction - before);
+                      before = fraction;
+                  }));
+    EXPECT_EQ(before, 1);
+    EXPECT_LT(largest, 0.05);
+}
