@@ -22,6 +22,7 @@ struct Block
     const double* minima; ///< least key of each column
     double* bounds;       ///< see setBounds
     int start;
+    int end;       ///< of the destination frames that windows may reach
     int width;     ///< columns that a window of the first lane may have
     int first = 0; ///< columns, from the start of each lane, from which paths may go on
     int last = -1;
@@ -44,16 +45,13 @@ struct Block
 
 /// What the sum of a path to destination frame x must not exceed, so that going on is worth while: the
 /// greatest, over the frames j from x on, of the best sum known for j less the least that the columns up to j
-/// add.
+/// add. \param last  the last frame whose best sum is new.
 template <int Slope>
-[[gnu::always_inline]] inline void setBounds(const Block<Slope>& block)
+[[gnu::always_inline]] inline void setBounds(const Block<Slope>& block, int last)
 {
-    const int end = std::min(block.search.columns, block.start + windowLanes - 1 + block.search.longest);
     const int begin = block.start + block.search.shortest - 1;
-    for (int x = block.start + windowLanes + block.search.longest - 1; x >= end; --x)
-        block.bounds[x] = -1;
-    double bound = -1;
-    for (int x = end - 1; x >= block.start; --x) {
+    double bound = last + 1 < block.end ? block.bounds[last + 1] - block.minima[last + 1] : -1;
+    for (int x = last; x >= block.start; --x) {
         if (x >= begin)
             bound = std::max(bound, block.best.key[static_cast<std::size_t>(x)]);
         block.bounds[x] = bound;
@@ -63,9 +61,9 @@ template <int Slope>
 
 /// Takes the sums of the windows that end in this row where they are better than what is known.
 template <int Slope>
-[[gnu::always_inline]] inline bool takeBest(const Block<Slope>& block, int row)
+[[gnu::always_inline]] inline void takeBest(const Block<Slope>& block, int row)
 {
-    bool changed = false;
+    int lastChanged = -1;
     const auto sourceWindow = static_cast<std::uint16_t>(row + 1);
     for (int c = std::max(block.first, block.search.shortest - 1); c <= block.last; ++c) {
         const double* sums = block.cellAt(c);
@@ -81,10 +79,11 @@ template <int Slope>
             known[l] = sums[l];
             knownSource[l] = sourceWindow;
             knownDestination[l] = static_cast<std::uint16_t>(c + 1);
-            changed = true;
+            lastChanged = std::max(lastChanged, block.start + c + l);
         }
     }
-    return changed;
+    if (lastChanged >= 0)
+        setBounds(block, lastChanged);
 }
 
 /// One row of the dynamic programme, over the columns that the row before reached and as far as it goes on.
@@ -128,11 +127,12 @@ template <int Slope>
 template <int Slope>
 [[gnu::always_inline]] inline void searchBlock(Block<Slope> block)
 {
-    setBounds(block);
+    std::fill_n(block.bounds + block.end, windowLanes, -1.0);
+    setBounds(block, block.end - 1);
     for (int row = 0; row < block.search.rows && (row == 0 || block.first <= block.last); ++row) {
         advance(block, row);
-        if (row + 1 >= block.search.shortest && takeBest(block, row))
-            setBounds(block);
+        if (row + 1 >= block.search.shortest)
+            takeBest(block, row);
         trim(block);
     }
     for (int c = block.first; c <= block.last; ++c)
@@ -159,6 +159,7 @@ template <int Slope>
                             .minima = minima,
                             .bounds = scratch.bounds.data(),
                             .start = start,
+                            .end = std::min(search.columns, start + windowLanes - 1 + search.longest),
                             .width = std::min(search.longest, search.columns - start)});
 }
 
