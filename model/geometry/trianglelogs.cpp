@@ -12,7 +12,6 @@
 #define QUADRILLE_VECTOR_MATH noexcept __attribute__((simd("notinbranch")))
 extern "C" {
 double atan2(double, double) QUADRILLE_VECTOR_MATH;
-double cos(double) QUADRILLE_VECTOR_MATH;
 double exp(double) QUADRILLE_VECTOR_MATH;
 double log(double) QUADRILLE_VECTOR_MATH;
 double sin(double) QUADRILLE_VECTOR_MATH;
@@ -137,8 +136,10 @@ QUADRILLE_SIMD_CLONES void deformBlocks(const PoseFrames& source, const Triangle
             const double e2x = s11 * a12[i] + s12 * a22[i];
             const double e2y = s12 * a12[i] + s22 * a22[i];
             // q = exp(λ·log R) · q_source
-            const double rw = cos(lambda * halfAngle[i]);
-            const double sine = sin(lambda * halfAngle[i]);
+            // One sine serves both functions (of at most 180 degrees); a pair of calls would not vectorise.
+            const double halved = sin(0.5 * lambda * halfAngle[i]);
+            const double rw = 1 - 2 * halved * halved;
+            const double sine = 2 * halved * std::sqrt(1 - halved * halved);
             const double rx = sine * axisX[i];
             const double ry = sine * axisY[i];
             const double rz = sine * axisZ[i];
