@@ -96,7 +96,7 @@ PoissonSystem::Numbering::Numbering(const Topology& topology) : rows(topology.ve
     }
 }
 
-PoissonSystem::PoissonSystem(std::shared_ptr<const Topology> topology)
+PoissonSystem::PoissonSystem(const std::shared_ptr<const Topology>& topology)
     : PoissonSystem(topology, Numbering(*topology))
 {
 }

@@ -25,7 +25,7 @@ class PoissonSystem
 {
 public:
     /// Cost: one symbolic factorisation.
-    explicit PoissonSystem(std::shared_ptr<const Topology> topology);
+    explicit PoissonSystem(const std::shared_ptr<const Topology>& topology);
 
     /// Two triangles at one edge.
     using DualEdge = std::array<int, 2>;

@@ -53,8 +53,8 @@ QUADRILLE_INLINE void factorisePanel(const Front& front, const double* diagonal)
 /// Subtracts the outer products of the panel's columns from the trailing columns, four at once.
 QUADRILLE_INLINE void updateTrailing(const Front& front)
 {
-    for (int j = front.columns; j < front.rows; j += 4) {
-        const int count = std::min(4, front.rows - j);
+    for (std::ptrdiff_t j = front.columns; j < front.rows; j += 4) {
+        const std::ptrdiff_t count = front.rows - j;
         for (std::ptrdiff_t r = j / 8 * 8; r < front.stride; r += 8) {
             Eight sum0{};
             Eight sum1{};

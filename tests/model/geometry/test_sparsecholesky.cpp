@@ -53,16 +53,19 @@ Eigen::MatrixXd solved(const Problem& problem, const Eigen::MatrixXd& right)
         values.push_back(problem.matrix(a, b));
     CholeskyFactor factor;
     factor.factorise(pattern, values);
-    std::vector<double> x(static_cast<std::size_t>(size + 1) * 4, 7.0);
+    const auto place = [&pattern](int r, int c) {
+        return static_cast<std::size_t>(pattern.rowOf(r)) * 4 + static_cast<std::size_t>(c);
+    };
+    std::vector<double> x((static_cast<std::size_t>(size) + 1) * 4, 7.0);
     for (int r = 0; r < size; ++r) {
         for (int c = 0; c < 4; ++c)
-            x[static_cast<std::size_t>(4 * pattern.rowOf(r) + c)] = right(r, c);
+            x[place(r, c)] = right(r, c);
     }
     factor.solve(x);
     Eigen::MatrixXd out(size, 4);
     for (int r = 0; r < size; ++r) {
         for (int c = 0; c < 4; ++c)
-            out(r, c) = x[static_cast<std::size_t>(4 * pattern.rowOf(r) + c)];
+            out(r, c) = x[place(r, c)];
     }
     EXPECT_EQ(x.back(), 7.0);
     return out;
@@ -101,16 +104,16 @@ TEST(SparseCholesky, AgreesWithADenseSolver)
 TEST(SparseCholesky, AgreesOnAGrid)
 {
     Problem problem;
-    const int side = 17;
+    const Eigen::Index side = 17;
     problem.matrix = Eigen::MatrixXd::Zero(side * side, side * side);
-    const auto link = [&](int a, int b) {
-        problem.edges.push_back({a, b});
+    const auto link = [&](Eigen::Index a, Eigen::Index b) {
+        problem.edges.push_back({static_cast<int>(a), static_cast<int>(b)});
         problem.matrix(a, b) = problem.matrix(b, a) = -1;
         problem.matrix(a, a) += 1;
         problem.matrix(b, b) += 1;
     };
-    for (int r = 0; r < side; ++r) {
-        for (int c = 0; c < side; ++c) {
+    for (Eigen::Index r = 0; r < side; ++r) {
+        for (Eigen::Index c = 0; c < side; ++c) {
             if (c + 1 < side)
                 link(r * side + c, r * side + c + 1);
             if (r + 1 < side)

@@ -67,10 +67,13 @@ TEST(PoseFrames, HoldTheEdges)
 TEST(PoseFrames, NameTrianglesWithoutArea)
 {
     Soup soup(70);
-    soup.positions[3 * 5 + 1] = soup.positions[3 * 5]; // two corners in one
-    soup.positions[3 * 66] = (soup.positions[3 * 66 + 1] + soup.positions[3 * 66 + 2]) / 2; // in one line
+    const auto corner = [&soup](std::size_t triangle, std::size_t c) -> Vec3f& {
+        return soup.positions[3 * triangle + c];
+    };
+    corner(5, 1) = corner(5, 0);                         // two corners in one
+    corner(66, 0) = (corner(66, 1) + corner(66, 2)) / 2; // all in one line
     for (std::size_t c = 0; c < 3; ++c)
-        soup.positions[3 * 69 + c] = Vec3f(1, 1, 1); // in one point
+        corner(69, c) = Vec3f(1, 1, 1); // all in one point
     const PoseFrames frames = poseFrames(soup.triangles, soup.positions);
     EXPECT_EQ(frames.degenerate, (std::vector<int>{5, 66, 69}));
     EXPECT_EQ(frames.b11[5], 1);

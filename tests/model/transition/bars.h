@@ -69,6 +69,7 @@ inline std::vector<Vec3f> moved(const std::vector<Vec3f>& positions,
                                 const std::function<Vec3d(const Vec3d&)>& move)
 {
     std::vector<Vec3f> out;
+    out.reserve(positions.size());
     for (const Vec3f& position : positions)
         out.push_back(move(position.cast<double>()).cast<float>());
     return out;

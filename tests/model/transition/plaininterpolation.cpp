@@ -93,9 +93,9 @@ Points deformed(const Topology& topology, const Points& rest, const Points& othe
     }
     Eigen::SparseMatrix<double> G(3 * triangleCount, vertexCount);
     G.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SparseMatrix<double> GtD = G.transpose() * areas.asDiagonal();
-    Eigen::SparseMatrix<double> system = GtD * G;
-    const Eigen::MatrixX3d right = GtD * gradients;
+    const Eigen::SparseMatrix<double> divergence = G.transpose() * areas.asDiagonal();
+    Eigen::SparseMatrix<double> system = divergence * G;
+    const Eigen::MatrixX3d right = divergence * gradients;
     // A spring to the origin on one vertex of each component pins it: the solution without it is not changed.
     std::vector<bool> pinned(static_cast<std::size_t>(topology.statistics().components), false);
     for (Eigen::Index v = 0; v < vertexCount; ++v) {
