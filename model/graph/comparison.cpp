@@ -9,14 +9,26 @@
 namespace quadrille {
 namespace {
 
-/// \param whole  the statistics of the graph as it is.
-GraphStatistics atEdgeCount(std::int64_t edgeCount, const Digraph& graph, const GraphStatistics& whole,
-                            const Progress& progress)
+struct Measured
 {
-    if (whole.edges <= edgeCount)
+    Digraph graph;
+    Table<double> pathCosts;
+};
+
+/// The graph with no more than some edges.
+Measured withEdges(std::int64_t edgeCount, Measured whole, const Progress& progress)
+{
+    if (std::ssize(whole.graph.edges()) <= edgeCount)
         return whole;
-    const Digraph rest = thinned(graph, edgeCount);
-    return graphStatistics(rest, shortestPathCosts(rest, progress));
+    Measured rest{.graph = thinned(whole.graph, edgeCount)};
+    rest.pathCosts = shortestPathCosts(rest.graph, progress);
+    return rest;
+}
+
+/// Forgets the costs of pairs that the other table has no path for.
+Table<double> overPairsOf(const Table<double>& other, const Table<double>& pathCosts)
+{
+    return (other < unreachable).select(pathCosts, unreachable);
 }
 
 } // namespace
@@ -25,14 +37,24 @@ GraphComparison compareGraphs(const TransitionCosts& costs, std::span<const Fram
                               const Progress& progress)
 {
     GraphComparison comparison{.alpha = alpha};
-    const EssentialGraph essential = essentialGraph(costs, alpha, progress.part(0, 0.33));
+    EssentialGraph complete = essentialGraph(costs, alpha, progress.part(0, 0.33));
+    Measured essential{std::move(complete.graph), std::move(complete.pathCosts)};
     comparison.essential = graphStatistics(essential.graph, essential.pathCosts);
-    const Digraph motion = motionGraph(costs, minima, alpha);
-    comparison.motion = graphStatistics(motion, shortestPathCosts(motion, progress.part(0.33, 0.66)));
+    Measured motion{.graph = motionGraph(costs, minima, alpha)};
+    motion.pathCosts = shortestPathCosts(motion.graph, progress.part(0.33, 0.66));
+    comparison.motion = graphStatistics(motion.graph, motion.pathCosts);
+
     const std::int64_t edges = std::min(comparison.essential.edges, comparison.motion.edges);
-    const Progress last = progress.part(0.66, 1);
-    comparison.essentialAtEqualDensity = atEdgeCount(edges, essential.graph, comparison.essential, last);
-    comparison.motionAtEqualDensity = atEdgeCount(edges, motion, comparison.motion, last);
+    essential = withEdges(edges, std::move(essential), progress.part(0.66, 1));
+    motion = withEdges(edges, std::move(motion), progress.part(0.66, 1));
+    comparison.essentialAtEqualDensity = graphStatistics(essential.graph, essential.pathCosts);
+    comparison.motionAtEqualDensity = graphStatistics(motion.graph, motion.pathCosts);
+    const PathCostSummary ofEssential =
+        summarizePathCosts(overPairsOf(motion.pathCosts, essential.pathCosts));
+    const PathCostSummary ofMotion = summarizePathCosts(overPairsOf(essential.pathCosts, motion.pathCosts));
+    comparison.commonPairs = ofMotion.reachablePairs;
+    comparison.essentialMeanOverCommonPairs = ofEssential.mean;
+    comparison.motionMeanOverCommonPairs = ofMotion.mean;
     progress.report(1);
     return comparison;
 }

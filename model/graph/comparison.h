@@ -27,9 +27,14 @@ struct GraphComparison
     GraphStatistics essential;
     GraphStatistics motion;
     /// Both with as many edges as the one that has fewer: the other lost its heaviest transitions
-    /// (`thinned`).
+    /// (`thinned`), and often the way to many frames with them.
     GraphStatistics essentialAtEqualDensity;
     GraphStatistics motionAtEqualDensity;
+    /// Pairs of different frames with a path in both graphs at equal density, and the mean costs over these
+    /// alone; 0 where there are none.
+    std::int64_t commonPairs = 0;
+    double essentialMeanOverCommonPairs = 0;
+    double motionMeanOverCommonPairs = 0;
 };
 
 /// \param minima  the transitions of the motion graph, see costMinima.

@@ -12,6 +12,28 @@ namespace {
 
 const RandomTransitions takes{.seed = 21, .counts = {40, 30, 25}, .missing = 0.1, .shortest = 4};
 
+void expectMeansOverCommonPairs(const GraphComparison& comparison, const Table<double>& essential,
+                                const Table<double>& motion)
+{
+    double ofEssential = 0;
+    double ofMotion = 0;
+    std::int64_t pairs = 0;
+    for (Eigen::Index i = 0; i < motion.rows(); ++i) {
+        for (Eigen::Index j = 0; j < motion.cols(); ++j) {
+            if (i == j || essential(i, j) == unreachable || motion(i, j) == unreachable)
+                continue;
+            ofEssential += essential(i, j);
+            ofMotion += motion(i, j);
+            ++pairs;
+        }
+    }
+    ASSERT_GT(pairs, 0);
+    const auto count = static_cast<double>(pairs);
+    EXPECT_EQ(comparison.commonPairs, pairs);
+    EXPECT_NEAR(comparison.essentialMeanOverCommonPairs, ofEssential / count, 1e-12); // another order
+    EXPECT_NEAR(comparison.motionMeanOverCommonPairs, ofMotion / count, 1e-12);
+}
+
 } // namespace
 
 TEST(CompareGraphs, TellsWhatEachGraphIs)
@@ -40,6 +62,10 @@ TEST(CompareGraphs, BringsBothToOneDensity)
         EXPECT_EQ(comparison.essentialAtEqualDensity.edges, comparison.motionAtEqualDensity.edges);
         EXPECT_EQ(comparison.essentialAtEqualDensity.edges,
                   std::min(comparison.essential.edges, comparison.motion.edges));
+        const Digraph essential = thinned(essentialGraph(costs, alpha).graph, comparison.motion.edges);
+        const Digraph motion = thinned(motionGraph(costs, minima, alpha), comparison.essential.edges);
+        expectMeansOverCommonPairs(comparison, plainPathCosts(weightTable(essential)),
+                                   plainPathCosts(weightTable(motion)));
         essentialLost |= comparison.essentialAtEqualDensity.edges < comparison.essential.edges;
         motionLost |= comparison.motionAtEqualDensity.edges < comparison.motion.edges;
     }

@@ -80,7 +80,7 @@ TEST(CompleteWeights, LeaveOutWhatIsDearerThanPlayingOn)
     const FrameLayout layout(std::array<std::int64_t, 2>{5, 1});
     Table<float> cost = Table<float>::Constant(6, 6, 0.25F);
     const Table<std::uint16_t> length = Table<std::uint16_t>::Constant(6, 6, 1);
-    cost(0, 4) = 2.5F;
+    cost(0, 4) = 0.8F;
     const TransitionCosts costs(cost, length, 1, layout);
     const Table<double> weights = completeWeights(costs, 0.25); // a transition weighs 0.5
     EXPECT_EQ(weights(0, 1), 0.25) << "original";
