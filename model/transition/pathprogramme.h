@@ -46,12 +46,24 @@ private:
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(m_columns) +
                static_cast<std::size_t>(column);
     }
-    Value& value(int row, int column, int state)
+    /// A state of a cell that a path goes on from.
+    struct Origin
     {
-        return m_values[at(row, column) * static_cast<std::size_t>(m_states) +
-                        static_cast<std::size_t>(state)];
+        Value value;
+        int state;
+    };
+    /// The best of the states of a cell that each kind of step may follow.
+    struct Origins
+    {
+        Origin diagonal; ///< any state
+        Origin down;     ///< not after a step down
+        Origin right;    ///< not after a step to the right
+    };
+    std::size_t firstStateAt(int row, int column) const
+    {
+        return at(row, column) * static_cast<std::size_t>(m_states);
     }
-    void take(int row, int column, int state, int fromRow, int fromColumn, int fromState);
+    void setOrigins(int row, int column);
     void fillCell(int row, int column, int lastStart);
     Best trace(int row, int state);
 
@@ -62,8 +74,9 @@ private:
     int m_rows;
     int m_columns;
     std::vector<double> m_keys;
-    std::vector<Value> m_values;
+    std::vector<Value> m_values;      ///< of each state of each cell
     std::vector<std::uint8_t> m_from; ///< state before each state; startState at the start
+    std::vector<Origins> m_origins;   ///< of each cell
 };
 
 } // namespace quadrille
