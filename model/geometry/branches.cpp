@@ -3,6 +3,7 @@
 #include "model/geometry/trianglelogs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -20,28 +21,40 @@ Vec3d axisOf(const TriangleLogs& logs, std::size_t m)
     return {logs.axisX[m], logs.axisY[m], logs.axisZ[m]};
 }
 
-/// Of two rotations that turn by at most 180 degrees: the cosine of half the angle between them, negative
-/// where the short way from one to the other leads over 180 degrees.
-double likeness(const TriangleLogs& logs, std::size_t a, std::size_t b)
+/// The rotations as unit quaternions w, x, y, z with w ≥ 0, side by side.
+using Quaternions = std::vector<std::array<double, 4>>;
+
+Quaternions quaternionsOf(const TriangleLogs& logs)
 {
-    const double sines = std::sqrt(
-        std::max(0.0, (1 - logs.cosine[a] * logs.cosine[a]) * (1 - logs.cosine[b] * logs.cosine[b])));
-    return logs.cosine[a] * logs.cosine[b] + sines * axisOf(logs, a).dot(axisOf(logs, b));
+    Quaternions quaternions(logs.size());
+    for (std::size_t m = 0; m < quaternions.size(); ++m) {
+        const double cosine = logs.cosine[m];
+        const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+        quaternions[m] = {cosine, sine * logs.axisX[m], sine * logs.axisY[m], sine * logs.axisZ[m]};
+    }
+    return quaternions;
 }
 
-bool allFit(const PoissonSystem& system, const TriangleLogs& logs)
+/// Of two rotations the cosine of half the angle between them, negative where the short way from one to the
+/// other leads over 180 degrees.
+double likeness(const std::array<double, 4>& a, const std::array<double, 4>& b)
 {
-    // Two turns of less than 90 degrees always fit.
-    const double cosineOf45 = std::numbers::sqrt2 / 2;
-    const auto turnsFar = [&](double cosine) { return cosine < cosineOf45; };
-    if (std::none_of(logs.cosine.begin(), logs.cosine.end(), turnsFar))
-        return true;
-    return std::none_of(
-        system.dualEdges().begin(), system.dualEdges().end(), [&](const PoissonSystem::DualEdge& edge) {
-            const std::size_t a = at(edge[0]);
-            const std::size_t b = at(edge[1]);
-            return (turnsFar(logs.cosine[a]) || turnsFar(logs.cosine[b])) && likeness(logs, a, b) < 0;
-        });
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+}
+
+bool allFit(const PoissonSystem& system, const Quaternions& turns)
+{
+    return std::none_of(system.dualEdges().begin(), system.dualEdges().end(),
+                        [&](const PoissonSystem::DualEdge& edge) {
+                            return likeness(turns[at(edge[0])], turns[at(edge[1])]) < 0;
+                        });
+}
+
+/// Whether all rotations turn by less than 90 degrees; then any two fit.
+bool allTurnLittle(const TriangleLogs& logs)
+{
+    return std::none_of(logs.cosine.begin(), logs.cosine.end(),
+                        [](double cosine) { return cosine < std::numbers::sqrt2 / 2; });
 }
 
 /// Of the two ways round to a rotation the one nearest to the turn of a neighbour.
@@ -92,7 +105,7 @@ public:
     }
 
 private:
-    static constexpr int bucketCount = 256;
+    static constexpr int bucketCount = 16;
     std::vector<std::vector<Step>> m_buckets{bucketCount};
     std::size_t m_first = bucketCount;
 };
@@ -101,7 +114,10 @@ private:
 
 void chooseBranches(const PoissonSystem& system, TriangleLogs& logs)
 {
-    if (allFit(system, logs))
+    if (allTurnLittle(logs))
+        return;
+    const Quaternions turns = quaternionsOf(logs);
+    if (allFit(system, turns))
         return;
     std::vector<bool> done(logs.size(), false);
     Frontier frontier;
@@ -110,7 +126,7 @@ void chooseBranches(const PoissonSystem& system, TriangleLogs& logs)
         for (int n = system.neighbourStarts()[at(m)]; n < system.neighbourStarts()[at(m) + 1]; ++n) {
             const int neighbour = system.neighbours()[at(n)];
             if (!done[at(neighbour)])
-                frontier.push({m, neighbour}, std::abs(likeness(logs, at(m), at(neighbour))));
+                frontier.push({m, neighbour}, std::abs(likeness(turns[at(m)], turns[at(neighbour)])));
         }
     };
     const auto growFrom = [&](int seed) {
