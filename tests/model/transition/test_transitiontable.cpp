@@ -197,6 +197,30 @@ TEST(TransitionTable, DoesNotDependOnThreadsNorOnTheUnitOfDistances)
     }
 }
 
+TEST(TransitionTable, ComesFromSmallTasksInAnyOrder)
+{
+    class Backwards : public Executor
+    {
+    public:
+        void run(const TaskSet& tasks, const Progress& progress) const override
+        {
+            for (std::int64_t task = tasks.count - 1; task >= 0; --task) {
+                const TaskSet::Result result = tasks.compute(task, progress.part(0, 0));
+                // Sixteen source frames of 150 entries of twelve bytes.
+                EXPECT_LE(result.size(), 16U * 150 * 12);
+                tasks.store(task, result);
+            }
+        }
+    };
+    const Table<float> distances = walkingDistances(150, 8);
+    const FrameLayout layout = layoutOf({33, 1, 116});
+    const TransitionTable table = transitionTable(distances, layout, {});
+    const TransitionTable backwards = transitionTable(distances, layout, {}, {}, Backwards());
+    EXPECT_TRUE((table.cost == backwards.cost).all());
+    EXPECT_TRUE((table.length == backwards.length).all());
+    EXPECT_TRUE((table.destinationWindow == backwards.destinationWindow).all());
+}
+
 TEST(TransitionTable, HasNothingWhereNothingFits)
 {
     const TransitionTable empty = transitionTable(Table<float>(), FrameLayout(), {});
