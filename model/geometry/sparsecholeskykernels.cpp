@@ -10,7 +10,7 @@ namespace quadrille {
 
 namespace {
 
-using Eight = double __attribute__((vector_size(64), aligned(8), may_alias));
+// Four numbers fit the registers of AVX2; wider vectors would lie in memory there.
 using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
 
 #define QUADRILLE_INLINE __attribute__((always_inline)) inline
@@ -37,17 +37,22 @@ QUADRILLE_INLINE void factorisePanel(const Front& front, const double* diagonal)
         double* const column = front.panel + k * front.stride;
         const double pivot = std::max(column[k], 1e-13 * diagonal[k]);
         const double inverse = 1.0 / std::sqrt(pivot);
-        const int from = k / 8 * 8;
-        for (int r = from; r < front.stride; r += 8)
-            *reinterpret_cast<Eight*>(column + r) *= inverse;
+        for (int r = k / 4 * 4; r < front.stride; r += 4)
+            *reinterpret_cast<Four*>(column + r) *= inverse;
         for (int j = k + 1; j < front.columns; ++j) {
             double* const other = front.panel + j * front.stride;
             const double factor = column[j];
-            for (int r = j / 8 * 8; r < front.stride; r += 8)
-                *reinterpret_cast<Eight*>(other + r) -= *reinterpret_cast<const Eight*>(column + r) * factor;
+            for (int r = j / 4 * 4; r < front.stride; r += 4)
+                *reinterpret_cast<Four*>(other + r) -= *reinterpret_cast<const Four*>(column + r) * factor;
         }
         column[k] = inverse;
     }
+}
+
+QUADRILLE_INLINE void subtract(double* out, const Four& upper, const Four& lower)
+{
+    *reinterpret_cast<Four*>(out) -= upper;
+    *reinterpret_cast<Four*>(out + 4) -= lower;
 }
 
 /// Subtracts the outer products of the panel's columns from the trailing columns, four at once.
@@ -56,26 +61,35 @@ QUADRILLE_INLINE void updateTrailing(const Front& front)
     for (std::ptrdiff_t j = front.columns; j < front.rows; j += 4) {
         const std::ptrdiff_t count = front.rows - j;
         for (std::ptrdiff_t r = j / 8 * 8; r < front.stride; r += 8) {
-            Eight sum0{};
-            Eight sum1{};
-            Eight sum2{};
-            Eight sum3{};
+            Four upper0{};
+            Four upper1{};
+            Four upper2{};
+            Four upper3{};
+            Four lower0{};
+            Four lower1{};
+            Four lower2{};
+            Four lower3{};
             const double* column = front.panel;
             for (int k = 0; k < front.columns; ++k, column += front.stride) {
-                const Eight rows = *reinterpret_cast<const Eight*>(column + r);
-                sum0 += rows * column[j];
-                sum1 += rows * column[j + 1];
-                sum2 += rows * column[j + 2];
-                sum3 += rows * column[j + 3];
+                const Four upper = *reinterpret_cast<const Four*>(column + r);
+                const Four lower = *reinterpret_cast<const Four*>(column + r + 4);
+                upper0 += upper * column[j];
+                lower0 += lower * column[j];
+                upper1 += upper * column[j + 1];
+                lower1 += lower * column[j + 1];
+                upper2 += upper * column[j + 2];
+                lower2 += lower * column[j + 2];
+                upper3 += upper * column[j + 3];
+                lower3 += lower * column[j + 3];
             }
             double* const out = front.trailing + (j - front.columns) * front.stride + r;
-            *reinterpret_cast<Eight*>(out) -= sum0;
+            subtract(out, upper0, lower0);
             if (count > 1)
-                *reinterpret_cast<Eight*>(out + front.stride) -= sum1;
+                subtract(out + front.stride, upper1, lower1);
             if (count > 2)
-                *reinterpret_cast<Eight*>(out + 2 * front.stride) -= sum2;
+                subtract(out + 2 * front.stride, upper2, lower2);
             if (count > 3)
-                *reinterpret_cast<Eight*>(out + 3 * front.stride) -= sum3;
+                subtract(out + 3 * front.stride, upper3, lower3);
         }
     }
 }

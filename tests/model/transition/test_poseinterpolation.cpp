@@ -284,6 +284,25 @@ TEST(PoseInterpolation, BearsTrianglesWithoutArea)
     EXPECT_LT(largestDistance(at(poses, 0.5, source.size()), smooth), 0.08);
 }
 
+// A spike without area at the end of a bar that is wound up by 150 degrees.
+TEST(PoseInterpolation, TurnsTrianglesWithoutAreaWithTheirNeighbours)
+{
+    const Bar bar = makeBar(161, 2, 8.0F, 0.3F);
+    TopologyData data = bar.topology->data();
+    const std::uint32_t foot = 160 * 8;
+    const std::uint32_t tip = data.vertexCount++;
+    data.triangles.push_back({VertexIndex(foot), VertexIndex(foot + 1), VertexIndex(tip)});
+    Pose source = bar.positions;
+    source.push_back(4.0F * source[foot] - 3.0F * source[foot + 1]);
+    const Pose target = moved(source, [](const Vec3d& p) -> Vec3d {
+        const Eigen::AngleAxisd turn(150 * pi / 180 * std::clamp((p.x() - 5.5) / 2.0, 0.0, 1.0),
+                                     Vec3d::UnitX());
+        return turn * p;
+    });
+    const Pose half = at(between(std::make_shared<const Topology>(data), source, target), 0.5, source.size());
+    EXPECT_NEAR((half[tip] - half[foot]).norm(), (source[tip] - source[foot]).norm(), 0.02);
+}
+
 TEST(PoseInterpolation, OfOnePointIsThatPoint)
 {
     const Bar bar = makeBar(5, 1, 1.0F, 0.2F);
