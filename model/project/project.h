@@ -6,6 +6,8 @@
 #include "model/project/problem.h"
 #include "model/sequence/axes.h"
 #include "model/sequence/meshsequence.h"
+#include "model/transition/posedistancesettings.h"
+#include "model/transition/transitionsettings.h"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -82,6 +84,26 @@ struct SequenceEntry
     bool operator==(const SequenceEntry&) const = default;
 };
 
+/// How the poses of one character are compared, and which transitions its graphs hold.
+struct GraphEntry
+{
+    std::string character; ///< may be left out in a file with one character
+    PoseDistanceSettings pose;
+    /// Rate and windows are those of `durations` at the project's rate, see transitionSettings.
+    TransitionCost cost = TransitionCost::Sum;
+    int slope = TransitionSettings().slope;
+    /// Shortest and longest window of a transition, seconds; a third of a second and two when empty.
+    std::optional<std::pair<double, double>> durations;
+    double alpha = 0.01;                    ///< weight of a frame's time against the cost (SMCAS §4.1)
+    std::optional<double> greatestDistance; ///< d_max, in the unit of the pose distances; the largest of all
+    UnknownKeys unknown;
+
+    bool operator==(const GraphEntry&) const = default;
+};
+
+/// What the transitions of a graph are sought with at a rate, frames per second.
+TransitionSettings transitionSettings(const GraphEntry& entry, double fps);
+
 struct ExportEntry
 {
     std::string name;
@@ -109,6 +131,7 @@ struct Project
     ProjectSettings settings;
     std::vector<CharacterEntry> characters;
     std::vector<SequenceEntry> sequences;
+    std::vector<GraphEntry> graphs; ///< the section “graph”; one for each character at most
     std::vector<ExportEntry> exports;
     /// Sections and keys that this version does not know.
     UnknownKeys unknown;

@@ -272,6 +272,52 @@ SequenceEntry readSequence(const Json& json, const std::string& pointer, const P
     return sequence;
 }
 
+/// One of some words; what is given otherwise is a problem and leaves the default.
+template <typename Value>
+void readWord(const ObjectReader& reader, std::string_view key, Value& value,
+              std::initializer_list<std::pair<const char*, Value>> words)
+{
+    if (reader.find(key) == nullptr)
+        return;
+    const std::string given = reader.text(key);
+    std::string known;
+    for (const auto& [word, meant] : words) {
+        if (given == word) {
+            value = meant;
+            return;
+        }
+        known += (known.empty() ? "\"" : " or \"") + std::string(word) + "\"";
+    }
+    if (reader.find(key)->is_string())
+        reader.wrongType(key, known);
+}
+
+GraphEntry readGraph(const Json& json, const std::string& pointer, ProjectProblems& problems)
+{
+    const ObjectReader reader(json, pointer, problems);
+    GraphEntry graph;
+    graph.character = reader.text("character");
+    readWord(reader, "metric", graph.pose.metric,
+             {{"surface", PoseMetric::Surface}, {"euclidean", PoseMetric::Euclidean}});
+    graph.pose.stretchWeight = reader.number("stretch_weight").value_or(graph.pose.stretchWeight);
+    readWord(reader, "cost", graph.cost, {{"sum", TransitionCost::Sum}, {"mean", TransitionCost::Mean}});
+    if (const auto slope = reader.number("slope")) {
+        graph.slope = static_cast<int>(*slope);
+        if (*slope != graph.slope)
+            reader.wrongType("slope", "a whole number");
+    }
+    if (const Json* value = reader.find("durations")) {
+        if (value->is_array() && value->size() == 2 && (*value)[0].is_number() && (*value)[1].is_number())
+            graph.durations = {(*value)[0].get<double>(), (*value)[1].get<double>()};
+        else
+            reader.wrongType("durations", "two numbers of seconds, [shortest, longest]");
+    }
+    graph.alpha = reader.number("alpha").value_or(graph.alpha);
+    graph.greatestDistance = reader.number("d_max");
+    graph.unknown = reader.unknown(projectkeys::graph);
+    return graph;
+}
+
 ExportEntry readExport(const Json& json, const std::string& pointer, const ProjectSettings& settings,
                        ProjectProblems& problems)
 {
@@ -307,6 +353,14 @@ Project projectFromJson(const Json& document, ProjectProblems& problems)
     reader.each("sequences", [&](const Json& json, const std::string& pointer) {
         project.sequences.push_back(readSequence(json, pointer, project.settings, problems));
     });
+    // One character's may stand without a list.
+    if (const Json* graph = reader.find("graph"); graph != nullptr && graph->is_object()) {
+        project.graphs.push_back(readGraph(*graph, "/graph", problems));
+    } else {
+        reader.each("graph", [&](const Json& json, const std::string& pointer) {
+            project.graphs.push_back(readGraph(json, pointer, problems));
+        });
+    }
     reader.each("exports", [&](const Json& json, const std::string& pointer) {
         project.exports.push_back(readExport(json, pointer, project.settings, problems));
     });

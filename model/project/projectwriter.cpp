@@ -126,6 +126,41 @@ Json sequenceToJson(const SequenceEntry& sequence)
     return json;
 }
 
+Json graphToJson(const GraphEntry& graph)
+{
+    const GraphEntry usual;
+    Json json = Json::object();
+    addText(json, "character", graph.character);
+    if (graph.pose.metric == PoseMetric::Euclidean)
+        json["metric"] = "euclidean";
+    if (graph.pose.stretchWeight != usual.pose.stretchWeight)
+        json["stretch_weight"] = graph.pose.stretchWeight;
+    if (graph.cost == TransitionCost::Mean)
+        json["cost"] = "mean";
+    if (graph.slope != usual.slope)
+        json["slope"] = graph.slope;
+    if (graph.durations)
+        json["durations"] = Json::array({graph.durations->first, graph.durations->second});
+    json["alpha"] = graph.alpha;
+    if (graph.greatestDistance)
+        json["d_max"] = *graph.greatestDistance;
+    addUnknown(json, graph.unknown);
+    return json;
+}
+
+void addGraphs(Json& json, const std::vector<GraphEntry>& graphs)
+{
+    if (graphs.empty())
+        return;
+    if (graphs.size() == 1 && graphs.front().character.empty()) {
+        json["graph"] = graphToJson(graphs.front());
+        return;
+    }
+    json["graph"] = Json::array();
+    for (const GraphEntry& graph : graphs)
+        json["graph"].push_back(graphToJson(graph));
+}
+
 Json exportToJson(const ExportEntry& entry)
 {
     Json json = Json::object();
@@ -160,6 +195,7 @@ Json projectToJson(const Project& project)
     json["sequences"] = Json::array();
     for (const SequenceEntry& sequence : project.sequences)
         json["sequences"].push_back(sequenceToJson(sequence));
+    addGraphs(json, project.graphs);
     json["exports"] = Json::array();
     for (const ExportEntry& entry : project.exports)
         json["exports"].push_back(exportToJson(entry));

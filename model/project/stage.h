@@ -60,6 +60,8 @@ struct StageMaking
 std::vector<ResultStage> makeStages(const StageMaking& making);
 
 std::vector<ResultStage> makeSequenceStages(const StageMaking& making);
+/// Pose distances, transitions and graphs of the characters that the section “graph” names.
+std::vector<ResultStage> makeGraphStages(const StageMaking& making);
 std::vector<ResultStage> makeExportStages(const StageMaking& making);
 /// One picture of the project's sequences, contact-sheet.png among the results.
 std::vector<ResultStage> makeSheetStages(const StageMaking& making);

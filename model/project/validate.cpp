@@ -54,6 +54,7 @@ public:
         for (std::size_t i = 0; i < m_project.sequences.size(); ++i)
             checkSequence(m_project.sequences[i], "/sequences/" + std::to_string(i));
         checkCycles();
+        checkGraphs();
         for (std::size_t i = 0; i < m_project.exports.size(); ++i)
             checkExport(m_project.exports[i], "/exports/" + std::to_string(i));
         return std::move(m_problems);
@@ -114,6 +115,41 @@ private:
     {
         checkPath(character.mesh, pointer + "/mesh");
         checkTexture(character.texture, pointer);
+    }
+
+    void checkGraph(const GraphEntry& graph, const std::string& pointer)
+    {
+        const auto known = namesOf(m_project.characters);
+        if (graph.character.empty() && known.size() > 1)
+            invalid(pointer, "“character” is missing here", "The project has several characters.");
+        else if (!graph.character.empty() &&
+                 std::find(known.begin(), known.end(), graph.character) == known.end())
+            invalid(pointer + "/character", "There is no character " + quoted(graph.character),
+                    meantOr(graph.character, known, "Add it under “characters”."));
+        if (!(graph.pose.stretchWeight >= 0))
+            invalid(pointer + "/stretch_weight", "The weight of the stretch is below zero");
+        if (graph.slope < TransitionSettings::leastSlope || graph.slope > TransitionSettings::greatestSlope)
+            invalid(pointer + "/slope", "The slope must be 2, 3, 4 or 5");
+        if (graph.durations &&
+            (!(graph.durations->first > 0) || !(graph.durations->second >= graph.durations->first)))
+            invalid(pointer + "/durations", "Durations must be [shortest, longest] in seconds, above zero");
+        if (!(graph.alpha >= 0))
+            invalid(pointer + "/alpha", "Alpha is below zero", "Write 0.01, or more to favour short walks.");
+        if (graph.greatestDistance && !(*graph.greatestDistance > 0))
+            invalid(pointer + "/d_max", "The largest pose distance must be above zero",
+                    "Leave it out to take the largest of the character.");
+    }
+
+    void checkGraphs()
+    {
+        std::set<std::string> seen;
+        for (std::size_t i = 0; i < m_project.graphs.size(); ++i) {
+            const GraphEntry& graph = m_project.graphs[i];
+            const std::string pointer = "/graph/" + std::to_string(i);
+            checkGraph(graph, m_project.graphs.size() == 1 && graph.character.empty() ? "/graph" : pointer);
+            if (!seen.insert(graph.character).second)
+                invalid(pointer, "There are two graphs of one character here", "Leave one of them out.");
+        }
     }
 
     void checkSequence(const SequenceEntry& sequence, const std::string& pointer)

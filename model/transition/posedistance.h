@@ -5,24 +5,9 @@
 #include "model/core/executor.h"
 #include "model/core/table.h"
 #include "model/transition/characterframes.h"
+#include "model/transition/posedistancesettings.h"
 
 namespace quadrille {
-
-/// How the distance of two poses is measured, rigid motion removed.
-enum class PoseMetric
-{
-    Surface,   ///< mean rotation of the triangles and weighted mean stretch, radians (SMCAS eq. 1–2)
-    Euclidean, ///< mean distance of the vertices, metres (SMCAS Table 1)
-};
-
-struct PoseDistanceSettings
-{
-    PoseMetric metric = PoseMetric::Surface;
-    /// w of SMCAS eq. 2: weight of the stretch against the rotation, at least 0. Surface metric only.
-    double stretchWeight = 0.01;
-
-    bool operator==(const PoseDistanceSettings&) const = default;
-};
 
 /// The distances of all pairs of frames of a character.
 struct PoseDistances

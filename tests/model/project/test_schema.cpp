@@ -84,6 +84,7 @@ TEST(Schema, KnowsTheKeysThatTheCodeKnows)
     EXPECT_EQ(propertiesOf(definitions["settings"]), keysOf(projectkeys::settings));
     EXPECT_EQ(propertiesOf(definitions["character"]), keysOf(projectkeys::character));
     EXPECT_EQ(propertiesOf(definitions["sequence"]), keysOf(projectkeys::sequence));
+    EXPECT_EQ(propertiesOf(definitions["graph"]), keysOf(projectkeys::graph));
     EXPECT_EQ(propertiesOf(definitions["export"]), keysOf(projectkeys::exportEntry));
     EXPECT_EQ(propertiesOf(definitions["picture"]), keysOf(projectkeys::picture));
     EXPECT_EQ(propertiesOf(definitions["view"]), keysOf(projectkeys::view));
@@ -101,6 +102,7 @@ TEST(Schema, TheCodeWritesItsKeysInTheirOrder)
     EXPECT_EQ(written(json["sequences"][0]), listOf(projectkeys::sequence));
     EXPECT_EQ(written(json["sequences"][0]["labels"][0]), listOf(projectkeys::label));
     EXPECT_EQ(written(json["sequences"][0]["contacts"][0]), listOf(projectkeys::contact));
+    EXPECT_EQ(written(json["graph"][0]), listOf(projectkeys::graph));
     EXPECT_EQ(written(json["exports"][0]), listOf(projectkeys::exportEntry));
     EXPECT_EQ(written(json["exports"][0]["picture"]), listOf(projectkeys::picture));
     EXPECT_EQ(written(json["exports"][0]["picture"]["view"]), listOf(projectkeys::view));

@@ -43,6 +43,31 @@ TEST(Validate, TheCharacterMayBeLeftOutOnlyWhereThereIsOne)
     EXPECT_THAT(onlyProblem(project), HasSubstr("Did you mean “dancer”?"));
 }
 
+TEST(Validate, GraphsAreChecked)
+{
+    const auto problemOf = [](auto change) {
+        Project project;
+        project.characters = {characterOf("a", "a.obj")};
+        project.graphs.resize(1);
+        change(project.graphs[0]);
+        return onlyProblem(project);
+    };
+    EXPECT_THAT(problemOf([](GraphEntry& g) { g.alpha = -0.01; }), HasSubstr("/graph/alpha"));
+    EXPECT_THAT(problemOf([](GraphEntry& g) { g.alpha = std::nan(""); }), HasSubstr("/graph/alpha"));
+    EXPECT_THAT(problemOf([](GraphEntry& g) { g.slope = 6; }), HasSubstr("/graph/slope"));
+    EXPECT_THAT(problemOf([](GraphEntry& g) { g.durations = {2, 1}; }), HasSubstr("/graph/durations"));
+    EXPECT_THAT(problemOf([](GraphEntry& g) { g.durations = {0, 1}; }), HasSubstr("/graph/durations"));
+    EXPECT_THAT(problemOf([](GraphEntry& g) { g.greatestDistance = 0; }), HasSubstr("/graph/d_max"));
+    EXPECT_THAT(problemOf([](GraphEntry& g) { g.pose.stretchWeight = -1; }),
+                HasSubstr("/graph/stretch_weight"));
+    EXPECT_THAT(problemOf([](GraphEntry& g) { g.character = "b"; }), HasSubstr("no character “b”"));
+    Project project = fullProject();
+    project.graphs.push_back(project.graphs[0]);
+    EXPECT_THAT(onlyProblem(project), HasSubstr("two graphs of one character"));
+    project.graphs[1].character.clear();
+    EXPECT_THAT(onlyProblem(project), HasSubstr("“character” is missing"));
+}
+
 TEST(Validate, CyclesOfClipsAreRefused)
 {
     Project project;

@@ -96,6 +96,15 @@ inline Project fullProject()
     SequenceEntry again = sequenceOf("again", "clip:sequences/talk");
     again.character = "liam";
     project.sequences = {talk, again};
+    GraphEntry graph;
+    graph.character = "liam";
+    graph.pose = {PoseMetric::Euclidean, 0.02};
+    graph.cost = TransitionCost::Mean;
+    graph.slope = 4;
+    graph.durations = {0.5, 1.5};
+    graph.alpha = 0.05;
+    graph.greatestDistance = 0.75;
+    project.graphs = {graph};
     ExportEntry entry;
     entry.name = "talk-ply";
     entry.what = "sequences/talk";

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace quadrille {
+
+/// How the distance of two poses is measured, rigid motion removed.
+enum class PoseMetric
+{
+    Surface,   ///< mean rotation of the triangles and weighted mean stretch, radians (SMCAS eq. 1–2)
+    Euclidean, ///< mean distance of the vertices, metres (SMCAS Table 1)
+};
+
+struct PoseDistanceSettings
+{
+    PoseMetric metric = PoseMetric::Surface;
+    /// w of SMCAS eq. 2: weight of the stretch against the rotation, at least 0. Surface metric only.
+    double stretchWeight = 0.01;
+
+    bool operator==(const PoseDistanceSettings&) const = default;
+};
+
+} // namespace quadrille
