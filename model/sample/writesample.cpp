@@ -152,6 +152,8 @@ fs::path writeSample(const fs::path& folder, const SampleOptions& options, const
         project.sequences.push_back(
             writeTake(character, character.takes[static_cast<std::size_t>(t)], folder, part));
     }
+    project.graphs.resize(1);
+    project.graphs[0].character = project.characters[0].name;
     project.exports = sampleExports();
     const fs::path truth = folder / "groundtruth";
     writeAtomically(truth / "skeleton.json", skeletonJson(character).dump() + "\n");
