@@ -842,6 +842,30 @@
         <source>the file ends within a facet</source>
         <translation>le fichier se termine au milieu d’une facette</translation>
     </message>
+    <message>
+        <source>“{sequence}” has another topology than “{first}”: {what}.</source>
+        <translation>« {sequence} » a une autre topologie que « {first} » : {what}.</translation>
+    </message>
+    <message>
+        <source>The sequences of a character share one topology; leave this one out.</source>
+        <translation>Les séquences d’un personnage partagent une topologie ; excluez celle-ci.</translation>
+    </message>
+    <message>
+        <source>Every triangle is without area in some frame.</source>
+        <translation>Chaque triangle est sans aire dans une image.</translation>
+    </message>
+    <message>
+        <source>Leave collapsed frames out by the range.</source>
+        <translation>Excluez par la plage les images où le maillage s’effondre.</translation>
+    </message>
+    <message>
+        <source>There is no transition from frame {source} to frame {destination}: it needs {needed} frames from the one on and up to the other; their sequences have {after} and {before}.</source>
+        <translation>Il n’y a pas de transition de l’image {source} à l’image {destination} : il faut {needed} images à partir de l’une et jusqu’à l’autre ; leurs séquences en ont {after} et {before}.</translation>
+    </message>
+    <message>
+        <source>Leave earlier, arrive later, or allow shorter windows.</source>
+        <translation>Partez plus tôt, arrivez plus tard, ou permettez des fenêtres plus courtes.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AboutDialog</name>
