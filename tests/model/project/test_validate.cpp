@@ -127,6 +127,6 @@ TEST(ClosestWord, FindsSlipsAndNothingFarFetched)
     using projectkeys::closestWord;
     EXPECT_EQ(closestWord("sorce", projectkeys::sequence), "source");
     EXPECT_EQ(closestWord("Source-FPS", projectkeys::sequence), "source_fps");
-    EXPECT_EQ(closestWord("graph", projectkeys::document), std::nullopt);
+    EXPECT_EQ(closestWord("animations", projectkeys::document), std::nullopt);
     EXPECT_EQ(closestWord("colour", projectkeys::texture), std::nullopt);
 }
