@@ -101,6 +101,7 @@ FrameLayout layoutOf(const Result& distances)
 void addLayout(Result& result, const PoseDistances& distances)
 {
     std::vector<std::int64_t> lengths;
+    lengths.reserve(static_cast<std::size_t>(distances.layout.sequenceCount()));
     for (int s = 0; s < distances.layout.sequenceCount(); ++s)
         lengths.push_back(distances.layout.countOf(s));
     result.arrays.push_back(columnOf("sequence-lengths", "frame", std::move(lengths)));
