@@ -5,6 +5,7 @@
 #include "model/core/error.h"
 #include "model/geometry/covariances.h"
 #include "model/geometry/procrustes.h"
+#include "model/transition/pairtiles.h"
 #include "model/transition/posedistancekernels.h"
 
 #include <algorithm>
@@ -15,30 +16,18 @@ namespace quadrille {
 
 namespace {
 
-/// Frames that follow each other.
-struct Run
-{
-    NodeIndex first;
-    NodeIndex count;
-};
-
-struct Tile
-{
-    Run rows;
-    Run columns;
-};
-
-/// Poses and accelerations of a run.
+/// Poses and accelerations of frames that follow each other.
 struct LoadedRun
 {
     std::vector<Frame> frames;
     std::vector<CentredPose> poses;
     std::vector<std::vector<Vec3f>> accelerations;
 
-    LoadedRun(const CharacterFrames& character, Run run, double fps, const Progress& progress)
+    LoadedRun(const CharacterFrames& character, NodeIndex first, NodeIndex count, double fps,
+              const Progress& progress)
     {
-        for (NodeIndex node = run.first; node < run.first + run.count; ++node) {
-            progress.report(std::int64_t{node - run.first}, std::int64_t{run.count});
+        for (NodeIndex node = first; node < first + count; ++node) {
+            progress.report(std::int64_t{node - first}, std::int64_t{count});
             frames.push_back(character.frame(node));
             const Positions positions = frames.back().positions();
             poses.push_back({.positions = positions, .centre = centroid(positions)});
@@ -47,19 +36,12 @@ struct LoadedRun
     }
 };
 
-/// The upper half of the table in square tiles of two runs that fit 24 MB.
-std::vector<Tile> tilesOf(NodeIndex frameCount, std::uint32_t vertexCount)
+/// Frames along a tile: two runs of them fit 24 MB.
+NodeIndex tileSize(std::uint32_t vertexCount)
 {
     constexpr std::size_t runBytes = std::size_t{12} << 20;
-    const auto size = static_cast<NodeIndex>(std::clamp(
-        runBytes / (2 * sizeof(Vec3f) * std::max(vertexCount, 1U)), std::size_t{4}, std::size_t{48}));
-    const auto runAt = [&](NodeIndex first) { return Run{first, std::min(size, frameCount - first)}; };
-    std::vector<Tile> tiles;
-    for (NodeIndex row = 0; row < frameCount; row += size) {
-        for (NodeIndex column = row; column < frameCount; column += size)
-            tiles.push_back({.rows = runAt(row), .columns = runAt(column)});
-    }
-    return tiles;
+    return static_cast<NodeIndex>(std::clamp(runBytes / (2 * sizeof(Vec3f) * std::max(vertexCount, 1U)),
+                                             std::size_t{4}, std::size_t{48}));
 }
 
 void fillSlice(const std::vector<Vec3f>& accelerations, std::size_t slice, VertexSlice& out)
@@ -91,11 +73,11 @@ std::vector<RotationF> rotationsOf(const LoadedRun& rows, const LoadedRun& colum
 }
 
 /// rows × columns.
-std::vector<float> differencesOf(const CharacterFrames& character, const Tile& tile, double fps,
+std::vector<float> differencesOf(const CharacterFrames& character, const PairTile& tile, double fps,
                                  const Progress& progress)
 {
-    const LoadedRun rows(character, tile.rows, fps, progress.part(0, 0.1));
-    const LoadedRun columns(character, tile.columns, fps, progress.part(0.1, 0.2));
+    const LoadedRun rows(character, tile.firstRow, tile.rows, fps, progress.part(0, 0.1));
+    const LoadedRun columns(character, tile.firstColumn, tile.columns, fps, progress.part(0.1, 0.2));
     const std::vector<RotationF> rotations = rotationsOf(rows, columns, progress.part(0.2, 0.4));
     const std::size_t width = columns.poses.size();
     std::vector<double> sums(rotations.size(), 0.0);
@@ -118,19 +100,6 @@ std::vector<float> differencesOf(const CharacterFrames& character, const Tile& t
         return static_cast<float>(sum / static_cast<double>(vertexCount));
     });
     return means;
-}
-
-void store(const Tile& tile, std::span<const float> values, Table<float>& differences)
-{
-    const Eigen::Map<const Table<float>> pairs(values.data(), tile.rows.count, tile.columns.count);
-    for (NodeIndex r = 0; r < tile.rows.count; ++r) {
-        for (NodeIndex c = 0; c < tile.columns.count; ++c) {
-            const NodeIndex i = tile.rows.first + r;
-            const NodeIndex j = tile.columns.first + c;
-            if (i < j)
-                differences(i, j) = differences(j, i) = pairs(r, c);
-        }
-    }
 }
 
 } // namespace
@@ -163,8 +132,8 @@ Table<float> accelerationDifferences(const CharacterFrames& character, double fp
                                 {"remedy", "Give the frame rate of the sequences."}}});
     const NodeIndex frameCount = character.frameCount();
     Table<float> differences = Table<float>::Zero(frameCount, frameCount);
-    const std::vector<Tile> tiles = tilesOf(frameCount, character.vertexCount());
-    const auto tileOf = [&tiles](std::int64_t task) -> const Tile& {
+    const std::vector<PairTile> tiles = pairTiles(frameCount, tileSize(character.vertexCount()));
+    const auto tileOf = [&tiles](std::int64_t task) -> const PairTile& {
         return tiles[static_cast<std::size_t>(task)];
     };
     executor.run(makeTasks<float>(
@@ -173,7 +142,7 @@ Table<float> accelerationDifferences(const CharacterFrames& character, double fp
                          return differencesOf(character, tileOf(task), fps, own);
                      },
                      [&](std::int64_t task, std::span<const float> values) {
-                         store(tileOf(task), values, differences);
+                         storeSymmetric(tileOf(task), values, differences);
                      }),
                  progress);
     return differences;

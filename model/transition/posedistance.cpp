@@ -56,51 +56,14 @@ PoseDistanceInputs survey(const CharacterFrames& character, const PoseDistanceSe
     return inputs;
 }
 
-/// Two whole numbers with their bits in turn: what is near in both is near in this (Morton 1966).
-std::uint64_t interleaved(std::uint32_t a, std::uint32_t b)
-{
-    std::uint64_t result = 0;
-    for (int bit = 0; bit < 32; ++bit)
-        result |=
-            (std::uint64_t{a >> bit & 1U} << (2 * bit + 1)) | (std::uint64_t{b >> bit & 1U} << (2 * bit));
-    return result;
-}
-
-/// The upper half of the table in square tiles. Two runs of frames fit 24 MB, and even a small table gives
-/// several cores to do; the size depends on nothing else, and no value depends on it. Tiles that follow each
-/// other share frames, so that few are read again where the media cache does not hold all.
-std::vector<PoseDistanceTile> tilesOf(NodeIndex frameCount, std::uint32_t vertexCount)
+/// Frames along a tile: two runs of frames fit 24 MB, and even a small table gives several cores to do. It
+/// depends on nothing else, and no value depends on it.
+NodeIndex tileSize(NodeIndex frameCount, std::uint32_t vertexCount)
 {
     constexpr std::size_t runBytes = std::size_t{12} << 20;
     const auto fitting = static_cast<NodeIndex>(
         std::clamp(runBytes / (sizeof(Vec3f) * std::max(vertexCount, 1U)), std::size_t{8}, std::size_t{128}));
-    const NodeIndex size = std::clamp((frameCount + 9) / 10, std::min(NodeIndex{16}, fitting), fitting);
-    std::vector<PoseDistanceTile> tiles;
-    for (NodeIndex row = 0; row < frameCount; row += size) {
-        for (NodeIndex column = row; column < frameCount; column += size)
-            tiles.push_back(
-                {row, std::min(size, frameCount - row), column, std::min(size, frameCount - column)});
-    }
-    const auto key = [size](const PoseDistanceTile& tile) {
-        return interleaved(static_cast<std::uint32_t>(tile.firstRow / size),
-                           static_cast<std::uint32_t>(tile.firstColumn / size));
-    };
-    std::sort(tiles.begin(), tiles.end(),
-              [&key](const PoseDistanceTile& a, const PoseDistanceTile& b) { return key(a) < key(b); });
-    return tiles;
-}
-
-void storeTile(const PoseDistanceTile& tile, std::span<const float> values, Table<float>& distances)
-{
-    const Eigen::Map<const Table<float>> pairs(values.data(), tile.rows, tile.columns);
-    for (NodeIndex row = 0; row < tile.rows; ++row) {
-        for (NodeIndex column = 0; column < tile.columns; ++column) {
-            const NodeIndex i = tile.firstRow + row;
-            const NodeIndex j = tile.firstColumn + column;
-            if (i < j)
-                distances(i, j) = distances(j, i) = pairs(row, column);
-        }
-    }
+    return std::clamp((frameCount + 9) / 10, std::min(NodeIndex{16}, fitting), fitting);
 }
 
 /// θ + w/√2·‖log S‖ of one triangle.
@@ -154,8 +117,8 @@ PoseDistances poseDistances(const CharacterFrames& character, const PoseDistance
     if (settings.metric == PoseMetric::Surface && inputs.triangleCount == 0 && frameCount > 0)
         throw Error(ErrorCode::NoUsableTriangles);
 
-    const std::vector<PoseDistanceTile> tiles = tilesOf(frameCount, character.vertexCount());
-    const auto tileOf = [&](std::int64_t task) -> const PoseDistanceTile& {
+    const std::vector<PairTile> tiles = pairTiles(frameCount, tileSize(frameCount, character.vertexCount()));
+    const auto tileOf = [&](std::int64_t task) -> const PairTile& {
         return tiles[static_cast<std::size_t>(task)];
     };
     executor.run(makeTasks<float>(
@@ -164,7 +127,7 @@ PoseDistances poseDistances(const CharacterFrames& character, const PoseDistance
                          return poseDistanceTile(inputs, tileOf(task), own);
                      },
                      [&](std::int64_t task, std::span<const float> values) {
-                         storeTile(tileOf(task), values, result.distances);
+                         storeSymmetric(tileOf(task), values, result.distances);
                      }),
                  progress.part(0.02, 1));
     return result;

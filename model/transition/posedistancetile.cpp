@@ -32,15 +32,15 @@ FrameRun loadRun(const PoseDistanceInputs& inputs, NodeIndex first, NodeIndex co
 }
 
 /// Where the columns of a row begin that lie above the diagonal, from the tile's first column.
-std::size_t firstAbove(const PoseDistanceTile& tile, std::size_t row)
+std::size_t firstAbove(const PairTile& tile, std::size_t row)
 {
     const NodeIndex next = tile.firstRow + static_cast<NodeIndex>(row) + 1;
     return static_cast<std::size_t>(std::clamp(next - tile.firstColumn, NodeIndex{0}, tile.columns));
 }
 
 /// The rotations that turn the frames of columns onto those of rows, rows × columns.
-std::vector<RotationF> rotationsOf(const FrameRun& rows, const FrameRun& columns,
-                                   const PoseDistanceTile& tile, const Progress& progress)
+std::vector<RotationF> rotationsOf(const FrameRun& rows, const FrameRun& columns, const PairTile& tile,
+                                   const Progress& progress)
 {
     const Eigen::MatrixXd all = covariances(rows.poses, columns.poses, progress.part(0, 0.7));
     std::vector<RotationF> rotations(rows.size() * columns.size());
@@ -74,7 +74,7 @@ void fillVertexSlice(const CentredPose& pose, std::size_t slice, VertexSlice& ou
 /// \param fill  (const CentredPose&, slice number, Slice& out)
 /// \param add  (const Slice& row, const Slice* columns, const RotationF*, count, double* sums)
 template <typename Slice, typename Fill, typename Add>
-std::vector<double> sumSlices(const FrameRun& rows, const FrameRun& columns, const PoseDistanceTile& tile,
+std::vector<double> sumSlices(const FrameRun& rows, const FrameRun& columns, const PairTile& tile,
                               const std::vector<RotationF>& rotations, std::size_t sliceCount,
                               const Progress& progress, const Fill& fill, const Add& add)
 {
@@ -100,7 +100,7 @@ std::vector<double> sumSlices(const FrameRun& rows, const FrameRun& columns, con
 
 } // namespace
 
-std::vector<float> poseDistanceTile(const PoseDistanceInputs& inputs, const PoseDistanceTile& tile,
+std::vector<float> poseDistanceTile(const PoseDistanceInputs& inputs, const PairTile& tile,
                                     const Progress& progress)
 {
     const FrameRun rows = loadRun(inputs, tile.firstRow, tile.rows, progress.part(0, 0.03));

@@ -4,6 +4,7 @@
 
 #include "model/geometry/covariances.h"
 #include "model/geometry/triangleframes.h"
+#include "model/transition/pairtiles.h"
 #include "model/transition/posedistance.h"
 
 #include <vector>
@@ -20,18 +21,9 @@ struct PoseDistanceInputs
     std::int64_t triangleCount = 0;   ///< in `corners`
 };
 
-/// The pairs of two runs of frames.
-struct PoseDistanceTile
-{
-    NodeIndex firstRow = 0;
-    NodeIndex rows = 0;
-    NodeIndex firstColumn = 0;
-    NodeIndex columns = 0;
-};
-
 /// Distances of the pairs of a tile, rows × columns. Where the frame of the row does not come before that of
 /// the column there is 0: the table is symmetric. \throws Error what reading frames throws, Cancelled.
-std::vector<float> poseDistanceTile(const PoseDistanceInputs& inputs, const PoseDistanceTile& tile,
+std::vector<float> poseDistanceTile(const PoseDistanceInputs& inputs, const PairTile& tile,
                                     const Progress& progress);
 
 } // namespace quadrille
