@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/sequence/meshsequence.h"
+#include "model/transition/characterframes.h"
+
+#include <vector>
+
+namespace quadrille {
+
+/// Where the pose of a frame comes from: a captured frame, or a point between two.
+struct FrameOrigin
+{
+    NodeIndex source = 0;
+    NodeIndex destination = 0; ///< equal to source for captured poses
+    double lambda = 0;         ///< weight of the destination, 0 … 1
+    bool mirrored = false;     ///< left and right exchanged
+
+    bool isCaptured() const { return source == destination; }
+    /// The captured frame that it is nearer to; its texture and its labels are those of the frame.
+    NodeIndex nearest() const { return lambda < 0.5 ? source : destination; }
+    bool operator==(const FrameOrigin&) const = default;
+};
+
+/// A mesh sequence that was made from captured ones, with the origin of each of its frames: a plain value,
+/// whatever made it.
+struct Clip
+{
+    std::shared_ptr<const Topology> topology;
+    double fps = 25;
+    std::vector<Vec3f> positions;     ///< frames × vertices, metres
+    std::vector<FrameOrigin> origins; ///< of each frame
+
+    std::int64_t frameCount() const { return static_cast<std::int64_t>(origins.size()); }
+    Positions frame(std::int64_t frame) const;
+    MutablePositions frame(std::int64_t frame);
+};
+
+/// The clip as a sequence, which takes each frame's texture, labels and contacts from its origin: contacts
+/// are those that both origins have (left and right exchanged where it is mirrored), labels those of the
+/// nearer one. \param character  the frames that the origins count.
+MeshSequence toSequence(std::string name, Clip clip, const CharacterFrames& character);
+
+} // namespace quadrille

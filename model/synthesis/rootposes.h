@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/executor.h"
+#include "model/core/progress.h"
+#include "model/core/table.h"
+#include "model/synthesis/ground.h"
+#include "model/transition/characterframes.h"
+
+#include <vector>
+
+namespace quadrille {
+
+/// Where the frames of a character stand, and how they are turned against each other.
+struct RootPoses
+{
+    UpAxis up = UpAxis::Y;
+    std::vector<Vec3d> centres; ///< mean of the vertices of each frame, metres
+    /// frames × frames, radians in (−π, π]: the angle about the up axis by which the pose of the column turns
+    /// to lie nearest to that of the row, centres together (the function Align of SMCAS Alg. 1).
+    Table<float> turns;
+};
+
+/// \throws Error what reading frames throws, Cancelled.
+/// Cost: O(frames² · vertices); beside the table at most about 24 MB for each core.
+RootPoses rootPoses(const CharacterFrames& character, UpAxis up, const Progress& progress = {},
+                    const Executor& executor = localExecutor());
+
+/// The angle about the up axis by which a pose turns to lie nearest to a target, centres together.
+/// \pre Both poses have as many vertices. \return radians in (−π, π]; 0 where every angle is as good.
+double groundAlignment(Positions moved, Positions target, const Ground& ground);
+
+} // namespace quadrille
