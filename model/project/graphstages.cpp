@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/graph/comparison.h"
 #include "model/graph/shortestpath.h"
-#include "model/project/sequencesettings.h"
-#include "model/project/stage.h"
+#include "model/project/characterstages.h"
 #include "model/transition/posedistance.h"
 #include "model/transition/transitiontable.h"
 
@@ -14,88 +13,6 @@
 namespace quadrille {
 
 namespace {
-
-using Opener = std::shared_ptr<SequenceOpener>;
-
-constexpr auto poseDistanceName = "pose-distance";
-
-/// The sequences of one character, in project order, and what their stages have in common.
-struct CharacterWork
-{
-    Opener opener;
-    GraphEntry graph;
-    std::string character;
-    std::string prefix; ///< of the stages' names
-    std::vector<std::string> sequences;
-    std::string settings; ///< of all sequences
-
-    CharacterFrames open(const Progress& progress) const
-    {
-        std::vector<MeshSequence> opened;
-        for (std::size_t i = 0; i < sequences.size(); ++i) {
-            progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(sequences.size()));
-            opened.push_back(opener->open(sequences[i], progress)->sequence);
-        }
-        return CharacterFrames(opened);
-    }
-    ResultStage stage(const std::string& name) const
-    {
-        ResultStage stage;
-        stage.name = prefix + "/" + name;
-        stage.character = character;
-        return stage;
-    }
-};
-
-CharacterWork workOf(const Opener& opener, const GraphEntry& graph)
-{
-    const Project& project = opener->project();
-    CharacterWork work{.opener = opener, .graph = graph, .character = graph.character};
-    if (work.character.empty() && !project.characters.empty())
-        work.character = project.characters.front().name;
-    work.prefix = project.characters.size() > 1 ? "graph/" + work.character : "graph";
-    for (const SequenceEntry& entry : project.sequences) {
-        const CharacterEntry* own = characterOf(project, entry);
-        if ((own ? own->name : "") != work.character)
-            continue;
-        work.sequences.push_back(entry.name);
-        work.settings += sequenceSettings(project, entry);
-    }
-    return work;
-}
-
-template <typename Value>
-DataArray matrixOf(std::string name, std::string description, std::string unit, const Table<Value>& table)
-{
-    DataArray array;
-    array.name = std::move(name);
-    array.description = std::move(description);
-    array.unit = std::move(unit);
-    array.shape = {table.rows(), table.cols()};
-    array.values = std::vector<float>(table.data(), table.data() + table.size());
-    return array;
-}
-
-const DataArray& arrayOf(const Result& result, const std::string& name)
-{
-    const auto found = std::find_if(result.arrays.begin(), result.arrays.end(),
-                                    [&](const DataArray& array) { return array.name == name; });
-    assert(found != result.arrays.end());
-    return *found;
-}
-
-template <typename Value>
-Table<Value> tableOf(const DataArray& array)
-{
-    const auto& values = std::get<std::vector<float>>(array.values);
-    return Eigen::Map<const Table<float>>(values.data(), array.shape[0], array.shape[1])
-        .template cast<Value>();
-}
-
-FrameLayout layoutOf(const Result& distances)
-{
-    return FrameLayout(std::get<std::vector<std::int64_t>>(arrayOf(distances, "sequence-lengths").values));
-}
 
 /// What the stages that follow need to know of the frames.
 void addLayout(Result& result, const PoseDistances& distances)
@@ -118,14 +35,7 @@ ResultStage distanceStage(const CharacterWork& work, const std::string& name, Po
         work.settings + nlohmann::json({settings.metric == PoseMetric::Surface ? "surface" : "euclidean",
                                         settings.stretchWeight})
                             .dump();
-    stage.files = [work](const Progress& progress) {
-        std::vector<std::filesystem::path> files;
-        for (const std::string& sequence : work.sequences) {
-            const auto opened = work.opener->open(sequence, progress);
-            files.insert(files.end(), opened->files.begin(), opened->files.end());
-        }
-        return files;
-    };
+    stage.files = [work](const Progress& progress) { return work.files(progress); };
     stage.compute = [work, name, settings](const StageContext&, const Progress& progress) {
         const bool isSurface = settings.metric == PoseMetric::Surface;
         const CharacterFrames frames = work.open(progress.part(0, 0.05));
@@ -136,7 +46,7 @@ ResultStage distanceStage(const CharacterWork& work, const std::string& name, Po
                      isSurface ? "Surface distance between the poses of all frames, rigid motion removed."
                                : "Mean distance of the vertices between all frames, rigid motion removed.",
                      isSurface ? "rad" : "m", distances.distances)};
-        if (name == poseDistanceName)
+        if (name == graphstage::poseDistance)
             addLayout(result, distances);
         return result;
     };
@@ -146,7 +56,7 @@ ResultStage distanceStage(const CharacterWork& work, const std::string& name, Po
 ResultStage transitionStage(const CharacterWork& work, const ResultStage& distances)
 {
     const TransitionSettings settings = transitionSettings(work.graph, work.opener->project().settings.fps);
-    ResultStage stage = work.stage("transitions");
+    ResultStage stage = work.stage(graphstage::transitions);
     stage.settings = nlohmann::json({settings.shortest(), settings.longest(), settings.slope,
                                      settings.cost == TransitionCost::Sum ? "sum" : "mean"})
                          .dump();
@@ -252,20 +162,10 @@ private:
     std::vector<std::int64_t> m_components;
 };
 
-/// What the graphs are made of, from the results of the two stages before.
-TransitionCosts costsOf(const GraphEntry& graph, const Result& distances, const Result& transitions)
-{
-    const Table<float> poses = tableOf<float>(distances.arrays.front());
-    const Table<float> lengths = tableOf<float>(arrayOf(transitions, "transition-length"));
-    const double greatest = graph.greatestDistance.value_or(poses.size() > 0 ? poses.maxCoeff() : 0.0F);
-    return {tableOf<float>(arrayOf(transitions, "transition-cost")),
-            lengths.isFinite().select(lengths, 0.0F).cast<std::uint16_t>(), greatest, layoutOf(distances)};
-}
-
 ResultStage graphStage(const CharacterWork& work, const ResultStage& distances,
                        const ResultStage& transitions)
 {
-    ResultStage stage = work.stage("graphs");
+    ResultStage stage = work.stage(graphstage::graphs);
     stage.settings = nlohmann::json({work.graph.alpha, work.graph.greatestDistance.value_or(0)}).dump();
     stage.inputs = {distances.name, transitions.name};
     stage.compute = [graph = work.graph, inputs = stage.inputs](const StageContext& context,
@@ -309,13 +209,14 @@ std::vector<ResultStage> makeGraphStages(const StageMaking& making)
 {
     std::vector<ResultStage> stages;
     for (const GraphEntry& graph : making.opener->project().graphs) {
-        const CharacterWork work = workOf(making.opener, graph);
+        const CharacterWork work = characterWork(making.opener, graph);
         if (work.sequences.empty())
             continue;
-        const ResultStage distances = distanceStage(work, poseDistanceName, graph.pose);
+        const ResultStage distances = distanceStage(work, graphstage::poseDistance, graph.pose);
         const ResultStage transitions = transitionStage(work, distances);
         stages.push_back(distances);
-        stages.push_back(distanceStage(work, "euclidean-distance", {.metric = PoseMetric::Euclidean}));
+        stages.push_back(
+            distanceStage(work, graphstage::euclideanDistance, {.metric = PoseMetric::Euclidean}));
         stages.push_back(transitions);
         stages.push_back(graphStage(work, distances, transitions));
     }

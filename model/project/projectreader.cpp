@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/lengthunit.h"
+#include "model/project/objectreader.h"
 #include "model/project/pictureoptions.h"
 #include "model/project/projectjson.h"
 #include "model/project/projectkeys.h"
@@ -11,161 +11,6 @@
 namespace quadrille {
 
 namespace {
-
-using Keys = std::span<const std::string_view>;
-
-/// Reads the members of one object, each with a type check.
-class ObjectReader
-{
-public:
-    ObjectReader(const Json& json, std::string pointer, ProjectProblems& problems)
-        : m_json(json), m_pointer(std::move(pointer)), m_problems(problems)
-    {
-        if (!json.is_object())
-            invalid(m_pointer, "An object in braces is expected here");
-    }
-
-    const Json* find(std::string_view key) const
-    {
-        if (!m_json.is_object())
-            return nullptr;
-        const auto found = m_json.find(std::string(key));
-        return found == m_json.end() ? nullptr : &*found;
-    }
-    std::string pointer(std::string_view key) const { return m_pointer + "/" + escapePointer(key); }
-    void invalid(const std::string& pointer, std::string reason, std::string remedy = {}) const
-    {
-        m_problems.push_back(invalidAt(pointer, std::move(reason), std::move(remedy)));
-    }
-    void wrongType(std::string_view key, const std::string& expected) const
-    {
-        invalid(pointer(key), "“" + std::string(key) + "” must be " + expected);
-    }
-
-    std::string text(std::string_view key) const
-    {
-        const Json* value = find(key);
-        if (value == nullptr)
-            return {};
-        if (value->is_string())
-            return value->get<std::string>();
-        wrongType(key, "text in quotes");
-        return {};
-    }
-    std::string requiredText(std::string_view key) const
-    {
-        if (m_json.is_object() && find(key) == nullptr)
-            invalid(pointer(key), "“" + std::string(key) + "” is missing here");
-        return text(key);
-    }
-    std::optional<double> number(std::string_view key) const
-    {
-        const Json* value = find(key);
-        if (value == nullptr)
-            return std::nullopt;
-        if (value->is_number())
-            return value->get<double>();
-        wrongType(key, "a number");
-        return std::nullopt;
-    }
-    bool truth(std::string_view key, bool otherwise) const
-    {
-        const Json* value = find(key);
-        if (value == nullptr)
-            return otherwise;
-        if (value->is_boolean())
-            return value->get<bool>();
-        wrongType(key, "true or false");
-        return otherwise;
-    }
-    std::optional<FrameRange> range(std::string_view key) const
-    {
-        const Json* value = find(key);
-        if (value == nullptr)
-            return std::nullopt;
-        const auto isFrame = [](const Json& item) {
-            return item.is_number_integer() && item.get<double>() >= 0 && item.get<double>() < 1e15;
-        };
-        if (value->is_array() && value->size() == 2 && isFrame((*value)[0]) && isFrame((*value)[1]))
-            return FrameRange{FrameIndex((*value)[0].get<std::int64_t>()),
-                              FrameIndex((*value)[1].get<std::int64_t>())};
-        wrongType(key, "two frame numbers, [first, last]");
-        return std::nullopt;
-    }
-    std::optional<UpAxis> upAxis(std::string_view key) const
-    {
-        if (find(key) == nullptr)
-            return std::nullopt;
-        const auto axis = upAxisFromString(text(key));
-        if (!axis && find(key)->is_string())
-            wrongType(key, "\"x\", \"y\" or \"z\"");
-        return axis;
-    }
-    std::optional<double> unit(std::string_view key) const
-    {
-        const Json* value = find(key);
-        if (value == nullptr)
-            return std::nullopt;
-        if (value->is_number() && value->get<double>() > 0 && std::isfinite(value->get<double>()))
-            return value->get<double>();
-        if (value->is_string()) {
-            if (const auto metres = metresPerUnit(value->get<std::string>()))
-                return metres;
-        }
-        wrongType(key, "\"m\", \"cm\", \"mm\", \"km\", \"in\", \"ft\" or the metres that one unit has");
-        return std::nullopt;
-    }
-    /// Both keys are optional; what is not given is as in `otherwise`.
-    std::optional<CoordinateSystem> axes(std::string_view upKey, std::string_view unitKey,
-                                         const CoordinateSystem& otherwise) const
-    {
-        const auto up = upAxis(upKey);
-        const auto metres = unit(unitKey);
-        if (!up && !metres)
-            return std::nullopt;
-        return CoordinateSystem{up.value_or(otherwise.up), metres.value_or(otherwise.metresPerUnit)};
-    }
-
-    /// Calls `read(item, pointer)` for each item of an array member.
-    template <typename Read>
-    void each(std::string_view key, const Read& read) const
-    {
-        const Json* value = find(key);
-        if (value == nullptr)
-            return;
-        if (!value->is_array()) {
-            wrongType(key, "a list in brackets");
-            return;
-        }
-        for (std::size_t i = 0; i < value->size(); ++i)
-            read((*value)[i], pointer(key) + "/" + std::to_string(i));
-    }
-
-    /// The members that are not among the known keys; null when there are none.
-    UnknownKeys unknown(Keys known) const
-    {
-        UnknownKeys rest;
-        if (!m_json.is_object())
-            return rest;
-        for (const auto& [key, value] : m_json.items()) {
-            if (std::find(known.begin(), known.end(), key) != known.end())
-                continue;
-            rest[key] = value;
-            if (const auto meant = projectkeys::closestWord(key, known); meant && find(*meant) == nullptr) {
-                auto warning = warningAt(pointer(key), "The key “" + key + "” is not known and has no effect",
-                                         "Did you mean “" + *meant + "”?");
-                warning.atKey = true;
-                m_problems.push_back(std::move(warning));
-            }
-        }
-        return rest;
-    }
-
-private:
-    const Json& m_json;
-    std::string m_pointer;
-    ProjectProblems& m_problems;
-};
 
 ProjectSettings readSettings(const ObjectReader& reader)
 {
@@ -232,7 +77,7 @@ CharacterEntry readCharacter(const Json& json, const std::string& pointer, Proje
 /// Spans of one list. Unknown keys go, with the span that they belong to, into `unknownOfSpans[list]`.
 template <typename Span>
 std::vector<Span> readSpans(const ObjectReader& owner, const char* list, std::string Span::*text,
-                            const char* textKey, Keys known, UnknownKeys& unknownOfSpans,
+                            const char* textKey, ObjectReader::Keys known, UnknownKeys& unknownOfSpans,
                             ProjectProblems& problems)
 {
     std::vector<Span> spans;
@@ -272,46 +117,18 @@ SequenceEntry readSequence(const Json& json, const std::string& pointer, const P
     return sequence;
 }
 
-/// One of some words; what is given otherwise is a problem and leaves the default.
-template <typename Value>
-void readWord(const ObjectReader& reader, std::string_view key, Value& value,
-              std::initializer_list<std::pair<const char*, Value>> words)
-{
-    if (reader.find(key) == nullptr)
-        return;
-    const std::string given = reader.text(key);
-    std::string known;
-    for (const auto& [word, meant] : words) {
-        if (given == word) {
-            value = meant;
-            return;
-        }
-        known += (known.empty() ? "\"" : " or \"") + std::string(word) + "\"";
-    }
-    if (reader.find(key)->is_string())
-        reader.wrongType(key, known);
-}
-
 GraphEntry readGraph(const Json& json, const std::string& pointer, ProjectProblems& problems)
 {
     const ObjectReader reader(json, pointer, problems);
     GraphEntry graph;
     graph.character = reader.text("character");
-    readWord(reader, "metric", graph.pose.metric,
-             {{"surface", PoseMetric::Surface}, {"euclidean", PoseMetric::Euclidean}});
+    reader.word("metric", graph.pose.metric,
+                {{"surface", PoseMetric::Surface}, {"euclidean", PoseMetric::Euclidean}});
     graph.pose.stretchWeight = reader.number("stretch_weight").value_or(graph.pose.stretchWeight);
-    readWord(reader, "cost", graph.cost, {{"sum", TransitionCost::Sum}, {"mean", TransitionCost::Mean}});
-    if (const auto slope = reader.number("slope")) {
-        graph.slope = static_cast<int>(*slope);
-        if (*slope != graph.slope)
-            reader.wrongType("slope", "a whole number");
-    }
-    if (const Json* value = reader.find("durations")) {
-        if (value->is_array() && value->size() == 2 && (*value)[0].is_number() && (*value)[1].is_number())
-            graph.durations = {(*value)[0].get<double>(), (*value)[1].get<double>()};
-        else
-            reader.wrongType("durations", "two numbers of seconds, [shortest, longest]");
-    }
+    reader.word("cost", graph.cost, {{"sum", TransitionCost::Sum}, {"mean", TransitionCost::Mean}});
+    graph.slope = static_cast<int>(reader.wholeNumber("slope").value_or(graph.slope));
+    if (const auto seconds = reader.numbers("durations", 2, "two numbers of seconds, [shortest, longest]"))
+        graph.durations = {seconds->at(0), seconds->at(1)};
     graph.alpha = reader.number("alpha").value_or(graph.alpha);
     graph.greatestDistance = reader.number("d_max");
     graph.unknown = reader.unknown(projectkeys::graph);

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/characterstages.h"
+
+#include "model/project/sequencesettings.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace quadrille {
+
+CharacterFrames CharacterWork::open(const Progress& progress) const
+{
+    std::vector<MeshSequence> opened;
+    for (std::size_t i = 0; i < sequences.size(); ++i) {
+        progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(sequences.size()));
+        opened.push_back(opener->open(sequences[i], progress)->sequence);
+    }
+    return CharacterFrames(opened);
+}
+
+ResultStage CharacterWork::stage(const std::string& name) const
+{
+    ResultStage stage;
+    stage.name = stageName(name);
+    stage.character = character;
+    return stage;
+}
+
+std::vector<std::filesystem::path> CharacterWork::files(const Progress& progress) const
+{
+    std::vector<std::filesystem::path> all;
+    for (const std::string& sequence : sequences) {
+        const auto opened = opener->open(sequence, progress);
+        all.insert(all.end(), opened->files.begin(), opened->files.end());
+    }
+    return all;
+}
+
+CharacterWork characterWork(const std::shared_ptr<SequenceOpener>& opener, const GraphEntry& graph)
+{
+    const Project& project = opener->project();
+    CharacterWork work{.opener = opener, .graph = graph, .character = graph.character};
+    if (work.character.empty() && !project.characters.empty())
+        work.character = project.characters.front().name;
+    work.prefix = project.characters.size() > 1 ? "graph/" + work.character : "graph";
+    for (const SequenceEntry& entry : project.sequences) {
+        const CharacterEntry* own = characterOf(project, entry);
+        if ((own ? own->name : "") != work.character)
+            continue;
+        work.sequences.push_back(entry.name);
+        work.settings += sequenceSettings(project, entry);
+    }
+    return work;
+}
+
+const DataArray& arrayOf(const Result& result, const std::string& name)
+{
+    const auto found = std::find_if(result.arrays.begin(), result.arrays.end(),
+                                    [&](const DataArray& array) { return array.name == name; });
+    assert(found != result.arrays.end());
+    return *found;
+}
+
+FrameLayout layoutOf(const Result& distances)
+{
+    return FrameLayout(std::get<std::vector<std::int64_t>>(arrayOf(distances, "sequence-lengths").values));
+}
+
+TransitionCosts costsOf(const GraphEntry& graph, const Result& distances, const Result& transitions)
+{
+    const Table<float> poses = tableOf<float>(distances.arrays.front());
+    const Table<float> lengths = tableOf<float>(arrayOf(transitions, "transition-length"));
+    const double greatest = graph.greatestDistance.value_or(poses.size() > 0 ? poses.maxCoeff() : 0.0F);
+    return {tableOf<float>(arrayOf(transitions, "transition-cost")),
+            lengths.isFinite().select(lengths, 0.0F).cast<std::uint16_t>(), greatest, layoutOf(distances)};
+}
+
+} // namespace quadrille

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/jsontext.h"
+#include "model/project/problem.h"
+#include "model/project/project.h"
+
+#include <initializer_list>
+#include <span>
+#include <utility>
+
+namespace quadrille {
+
+/// Reads the members of one object of a project file, each with a type check. Values of a wrong type are left
+/// out and reported.
+class ObjectReader
+{
+public:
+    using Keys = std::span<const std::string_view>;
+
+    ObjectReader(const Json& json, std::string pointer, ProjectProblems& problems);
+
+    /// A member; null where there is none.
+    const Json* find(std::string_view key) const;
+    const std::string& pointer() const { return m_pointer; }
+    std::string pointer(std::string_view key) const;
+    ProjectProblems& problems() const { return m_problems; }
+    void invalid(const std::string& pointer, std::string reason, std::string remedy = {}) const;
+    /// \param expected  "a number"
+    void wrongType(std::string_view key, const std::string& expected) const;
+    void missing(std::string_view key) const;
+
+    std::string text(std::string_view key) const;
+    std::string requiredText(std::string_view key) const;
+    std::optional<double> number(std::string_view key) const;
+    std::optional<std::int64_t> wholeNumber(std::string_view key) const;
+    bool truth(std::string_view key, bool otherwise) const;
+    /// [first, last]
+    std::optional<FrameRange> range(std::string_view key) const;
+    /// As many numbers as `count`; any number of them where it is zero. \param expected  for the problem.
+    std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count,
+                                               const std::string& expected) const;
+    std::optional<UpAxis> upAxis(std::string_view key) const;
+    std::optional<double> unit(std::string_view key) const;
+    /// Both keys are optional; what is not given is as in `otherwise`.
+    std::optional<CoordinateSystem> axes(std::string_view upKey, std::string_view unitKey,
+                                         const CoordinateSystem& otherwise) const;
+
+    /// Calls `read(item, pointer)` for each item of an array member.
+    template <typename Read>
+    void each(std::string_view key, const Read& read) const
+    {
+        const Json* value = find(key);
+        if (value == nullptr)
+            return;
+        if (!value->is_array()) {
+            wrongType(key, "a list in brackets");
+            return;
+        }
+        for (std::size_t i = 0; i < value->size(); ++i)
+            read((*value)[i], pointer(key) + "/" + std::to_string(i));
+    }
+
+    /// One of some words; what is given otherwise is a problem and leaves the value as it is.
+    template <typename Value>
+    void word(std::string_view key, Value& value,
+              std::initializer_list<std::pair<const char*, Value>> words) const
+    {
+        if (find(key) == nullptr)
+            return;
+        const std::string given = text(key);
+        std::string known;
+        for (const auto& [word, meant] : words) {
+            if (given == word) {
+                value = meant;
+                return;
+            }
+            known += (known.empty() ? "\"" : " or \"") + std::string(word) + "\"";
+        }
+        if (find(key)->is_string())
+            wrongType(key, known);
+    }
+
+    /// The members that are not among the known keys; null when there are none. Those that look misspelt are
+    /// reported as warnings.
+    UnknownKeys unknown(Keys known) const;
+
+private:
+    const Json& m_json;
+    std::string m_pointer;
+    ProjectProblems& m_problems;
+};
+
+} // namespace quadrille
