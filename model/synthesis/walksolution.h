@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/synthesis/constraints.h"
+#include "model/synthesis/ground.h"
+
+namespace quadrille {
+
+/// What a walk costs, in parts (ALGORITHMS section 6).
+struct WalkCost
+{
+    double deviation = 0; ///< sum of the squared distances from the path over all output frames, m²
+    double edges = 0;     ///< sum of edge weights, and α for each frame that actions left out
+    double timing = 0;    ///< β · sum of the timing errors
+
+    /// What is minimised: without a path, μ is 1.
+    double total(double mu) const { return deviation + mu * edges + timing; }
+    bool operator==(const WalkCost&) const = default;
+};
+
+/// A key, and when it is met.
+struct KeyTime
+{
+    double wanted = 0;         ///< output frames from the start
+    std::int64_t obtained = 0; ///< output frame
+    bool operator==(const KeyTime&) const = default;
+};
+
+/// A walk that meets constraints.
+struct WalkSolution
+{
+    Walk walk;
+    GroundMotion start; ///< places the first frame of the walk as captured
+    WalkCost cost;
+    double totalCost = 0;         ///< cost.total, with the μ that counted
+    std::int64_t frameCount = 0;  ///< output frames
+    std::vector<KeyTime> keys;    ///< as in the constraints
+    double meanDeviation = 0;     ///< from the path over all output frames, metres
+    double greatestDeviation = 0; ///< metres
+    double pathLength = 0;        ///< metres of the path
+    /// Output frames of each action, from its first captured frame to its last, and of each path span.
+    std::vector<FrameRange> actions;
+    std::vector<FrameRange> spans;
+    std::int64_t expansions = 0; ///< until this walk was found; when a search ends, of the whole search
+    bool optimal = false;        ///< it is proven that no walk costs less
+
+    bool operator==(const WalkSolution&) const = default;
+};
+
+} // namespace quadrille
