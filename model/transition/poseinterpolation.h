@@ -7,20 +7,13 @@
 #include "model/geometry/poseframes.h"
 #include "model/geometry/procrustes.h"
 #include "model/geometry/trianglelogs.h"
+#include "model/transition/interpolationmethod.h"
 
 #include <memory>
 #include <span>
 #include <vector>
 
 namespace quadrille {
-
-/// How poses between two poses come about.
-enum class InterpolationMethod
-{
-    Poisson, ///< rotations and stretches of the triangles geodesically, SMCAS eq. 3–7
-    Slerp,   ///< rotations as above, stretches linearly, IA4D eq. 1–2
-    Linear,  ///< vertices on straight lines, for comparison: limbs shrink
-};
 
 /// A pose made ready for interpolation from or towards it: frames of its triangles and its factorised Poisson
 /// system. Immutable; shared between the pairs that use it.
