@@ -111,8 +111,9 @@ Digraph motionGraph(const TransitionCosts& costs, std::span<const FramePair> min
     for (int sequence = 0; sequence < layout.sequenceCount(); ++sequence) {
         for (NodeIndex i = layout.firstOf(sequence); i <= layout.lastOf(sequence); ++i) {
             const auto addMinima = [&](NodeIndex end) {
-                for (; minimum != minima.end() && minimum->from == i && minimum->to < end; ++minimum)
-                    edges.push_back({i, minimum->to, costs.weight(i, minimum->to, alpha)});
+                for (; minimum != minima.end() && minimum->source == i && minimum->destination < end;
+                     ++minimum)
+                    edges.push_back({i, minimum->destination, costs.weight(i, minimum->destination, alpha)});
             };
             addMinima(i + 1);
             if (i < layout.lastOf(sequence)) {

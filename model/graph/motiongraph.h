@@ -4,6 +4,7 @@
 
 #include "model/core/progress.h"
 #include "model/graph/transitioncosts.h"
+#include "model/transition/framepair.h"
 
 namespace quadrille {
 
@@ -14,14 +15,6 @@ enum class CostSmoothing
     None,
     Mean3, ///< 3×3
     Mean5, ///< 5×5
-};
-
-/// Between two frames, in the order of `from`, then `to`.
-struct FramePair
-{
-    NodeIndex from = 0;
-    NodeIndex to = 0;
-    bool operator==(const FramePair&) const = default;
 };
 
 /// The transitions of a motion graph (Kovar et al. 2002, as compared in SMCAS §4.1): for every ordered pair

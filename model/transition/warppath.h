@@ -5,6 +5,7 @@
 #include "model/core/table.h"
 #include "model/transition/costgrid.h"
 #include "model/transition/framelayout.h"
+#include "model/transition/framepair.h"
 #include "model/transition/transitionsettings.h"
 #include "model/transition/transitiontable.h"
 
@@ -12,14 +13,6 @@
 #include <vector>
 
 namespace quadrille {
-
-/// A source frame and a destination frame: a cell of a warp path, or the two ends of a transition.
-struct FramePair
-{
-    NodeIndex source = 0;
-    NodeIndex destination = 0;
-    bool operator==(const FramePair&) const = default;
-};
 
 /// A transition with its warp path.
 struct Transition
