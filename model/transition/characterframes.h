@@ -20,6 +20,7 @@ public:
     explicit CharacterFrames(std::span<const MeshSequence> sequences);
 
     const FrameLayout& layout() const { return m_layout; }
+    std::span<const MeshSequence> sequences() const { return m_sequences; }
     NodeIndex frameCount() const { return m_layout.frameCount(); }
     std::uint32_t vertexCount() const;
     /// Empty without sequences.

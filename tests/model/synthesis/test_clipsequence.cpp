@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "tests/model/synthesis/cliptest.h"
+
+#include <gtest/gtest.h>
+
+using namespace quadrille;
+using namespace quadrille::testing;
+
+namespace {
+
+/// Frames 0 … 19 and 20 … 39 of a character.
+std::vector<MeshSequence> twoTakes()
+{
+    std::vector<MeshSequence> takes = threeTakes();
+    takes.pop_back();
+    const auto frames = [](int first, int last) { return FrameRange{FrameIndex(first), FrameIndex(last)}; };
+    takes[0].labels = {{"walk", frames(0, 19)}, {"wave", frames(2, 3)}};
+    takes[1].labels = {{"run", frames(0, 19)}};
+    takes[0].contacts = {{"left", frames(0, 5)}, {"right", frames(5, 9)}};
+    takes[1].contacts = {{"left", frames(3, 4)}, {"toe", frames(0, 19)}};
+    return takes;
+}
+
+Clip clipOf(const std::vector<MeshSequence>& takes, const std::vector<FrameOrigin>& origins)
+{
+    return {.topology = takes[0].topology,
+            .fps = 25,
+            .positions =
+                std::vector<Vec3f>(origins.size() * takes[0].topology->vertexCount(), Vec3f(1, 2, 3)),
+            .origins = origins};
+}
+
+const std::vector<FrameOrigin> someOrigins{{1, 1}, {2, 2}, {3, 23, 0.4}, {4, 24, 0.5}, {25, 25}, {1, 1}};
+
+std::vector<std::string> filesOf(const TextureSet& set)
+{
+    std::vector<std::string> files;
+    for (const Texture& texture : set.textures())
+        files.push_back(texture.file.string());
+    return files;
+}
+
+std::vector<Texture> texturesNamed(const std::string& name, int count)
+{
+    std::vector<Texture> textures;
+    for (int i = 0; i < count; ++i)
+        textures.push_back({name + std::to_string(i), nullptr});
+    return textures;
+}
+
+FrameRange frames(int first, int last)
+{
+    return {FrameIndex(first), FrameIndex(last)};
+}
+
+} // namespace
+
+TEST(ClipSequence, HasTheFramesOfTheClip)
+{
+    const std::vector<MeshSequence> takes = twoTakes();
+    const Clip clip = clipOf(takes, someOrigins);
+    const MeshSequence sequence = toSequence("mix", clip, CharacterFrames(takes));
+    EXPECT_EQ(sequence.name, "mix");
+    EXPECT_EQ(sequence.frameCount(), 6);
+    EXPECT_EQ(sequence.fps, 25);
+    EXPECT_EQ(loadFrames(sequence), clip.positions);
+    EXPECT_EQ(sequence.textures.kind(), TextureSet::Kind::None);
+}
+
+TEST(ClipSequence, HasTheLabelsOfTheNearerFrame)
+{
+    const std::vector<MeshSequence> takes = twoTakes();
+    const MeshSequence sequence = toSequence("mix", clipOf(takes, someOrigins), CharacterFrames(takes));
+    EXPECT_EQ(
+        sequence.labels,
+        (std::vector<LabelSpan>{
+            {"walk", frames(0, 2)}, {"wave", frames(1, 2)}, {"run", frames(3, 4)}, {"walk", frames(5, 5)}}));
+}
+
+TEST(ClipSequence, StandsWhereBothOriginsStand)
+{
+    const std::vector<MeshSequence> takes = twoTakes();
+    Clip clip = clipOf(takes, someOrigins);
+    EXPECT_EQ(
+        toSequence("mix", clip, CharacterFrames(takes)).contacts,
+        (std::vector<ContactSpan>{{"left", frames(0, 3)}, {"toe", frames(4, 4)}, {"left", frames(5, 5)}}));
+    for (FrameOrigin& origin : clip.origins)
+        origin.mirrored = true;
+    EXPECT_EQ(
+        toSequence("mix", clip, CharacterFrames(takes)).contacts,
+        (std::vector<ContactSpan>{{"right", frames(0, 3)}, {"toe", frames(4, 4)}, {"right", frames(5, 5)}}));
+}
+
+TEST(ClipSequence, SharesOneTexture)
+{
+    std::vector<MeshSequence> takes = twoTakes();
+    for (MeshSequence& take : takes)
+        take.textures = TextureSet::single({"skin.png", nullptr});
+    const MeshSequence sequence = toSequence("mix", clipOf(takes, someOrigins), CharacterFrames(takes));
+    EXPECT_EQ(sequence.textures.kind(), TextureSet::Kind::Single);
+    EXPECT_EQ(filesOf(sequence.textures), std::vector<std::string>{"skin.png"});
+}
+
+TEST(ClipSequence, SharesTexturesOfMaterials)
+{
+    std::vector<MeshSequence> takes = twoTakes();
+    for (MeshSequence& take : takes)
+        take.textures = TextureSet::perMaterial(texturesNamed("m", 2));
+    const MeshSequence sequence = toSequence("mix", clipOf(takes, someOrigins), CharacterFrames(takes));
+    EXPECT_EQ(sequence.textures.kind(), TextureSet::Kind::PerMaterial);
+    EXPECT_EQ(filesOf(sequence.textures), (std::vector<std::string>{"m0", "m1"}));
+}
+
+TEST(ClipSequence, TakesTheTextureOfTheNearerFrame)
+{
+    std::vector<MeshSequence> takes = twoTakes();
+    takes[0].textures = TextureSet::perFrame(texturesNamed("a", 22));
+    takes[0].range = frames(2, 19);
+    takes[1].textures = TextureSet::single({"b", nullptr});
+    // The first take has lost two frames: frames 18 … 37 are those of the second.
+    const MeshSequence sequence = toSequence("mix", clipOf(takes, someOrigins), CharacterFrames(takes));
+    EXPECT_EQ(sequence.textures.kind(), TextureSet::Kind::PerFrame);
+    EXPECT_EQ(filesOf(sequence.textures), (std::vector<std::string>{"a3", "a4", "a5", "b", "b", "a3"}));
+    EXPECT_EQ(sequence.textures.indexFor(FrameIndex(3)), 3);
+    takes[1].textures = {};
+    const MeshSequence without = toSequence("mix", clipOf(takes, someOrigins), CharacterFrames(takes));
+    EXPECT_EQ(without.textures.indexFor(FrameIndex(2)), 2);
+    EXPECT_EQ(without.textures.indexFor(FrameIndex(3)), -1);
+}
