@@ -37,6 +37,26 @@ std::vector<std::filesystem::path> CharacterWork::files(const Progress& progress
     return all;
 }
 
+std::vector<GraphEntry> graphsOf(const Project& project)
+{
+    std::vector<GraphEntry> graphs = project.graphs;
+    const auto add = [&](const std::string& character) {
+        const bool isThere = std::any_of(graphs.begin(), graphs.end(), [&](const GraphEntry& graph) {
+            return graph.character == character || (graph.character.empty() && project.characters.size() < 2);
+        });
+        if (!isThere)
+            graphs.emplace_back().character = character;
+    };
+    for (const EvaluationEntry& evaluation : project.evaluations) {
+        if (!evaluation.character.empty() || project.characters.empty())
+            add(evaluation.character);
+        else
+            for (const CharacterEntry& character : project.characters)
+                add(character.name);
+    }
+    return graphs;
+}
+
 CharacterWork characterWork(const std::shared_ptr<SequenceOpener>& opener, const GraphEntry& graph)
 {
     const Project& project = opener->project();

@@ -38,6 +38,9 @@ inline constexpr auto transitions = "transitions";
 inline constexpr auto graphs = "graphs";
 } // namespace graphstage
 
+/// The section “graph”, and the usual settings for characters that only other sections are about.
+std::vector<GraphEntry> graphsOf(const Project& project);
+
 CharacterWork characterWork(const std::shared_ptr<SequenceOpener>& opener, const GraphEntry& graph);
 
 /// A square or other table as data.

@@ -3,6 +3,7 @@
 #include "model/graph/comparison.h"
 #include "model/graph/shortestpath.h"
 #include "model/project/characterstages.h"
+#include "model/project/graphtables.h"
 #include "model/transition/posedistance.h"
 #include "model/transition/transitiontable.h"
 
@@ -94,98 +95,37 @@ ResultStage transitionStage(const CharacterWork& work, const ResultStage& distan
     return stage;
 }
 
-DataTable edgeTable(const char* name, const char* description, const Digraph& graph,
-                    const TransitionCosts& costs)
-{
-    std::vector<std::int64_t> from;
-    std::vector<std::int64_t> to;
-    std::vector<double> weight;
-    std::vector<std::string> kind;
-    std::vector<double> cost;
-    std::vector<std::int64_t> length;
-    for (const Edge& edge : graph.edges()) {
-        const bool isOriginal = edge.kind == EdgeKind::Original;
-        from.push_back(edge.from);
-        to.push_back(edge.to);
-        weight.push_back(edge.weight);
-        kind.emplace_back(isOriginal ? "original" : "transition");
-        cost.push_back(isOriginal ? 0.0 : static_cast<double>(costs.cost()(edge.from, edge.to)));
-        length.push_back(isOriginal ? 1 : costs.length()(edge.from, edge.to));
-    }
-    return {name,
-            description,
-            {columnOf("i", "", std::move(from)), columnOf("j", "", std::move(to)),
-             columnOf("weight", "", std::move(weight)), columnOf("kind", "", std::move(kind)),
-             columnOf("cost", "", std::move(cost)), columnOf("length", "frame", std::move(length))}};
-}
-
-/// Rows of statistics, column by column.
-class StatisticsTable
-{
-public:
-    void add(const std::string& graph, double alpha, const GraphStatistics& statistics)
-    {
-        m_graph.push_back(graph);
-        m_alpha.push_back(alpha);
-        m_nodes.push_back(statistics.nodes);
-        m_edges.push_back(statistics.edges);
-        m_transitions.push_back(statistics.transitions);
-        m_density.push_back(statistics.density);
-        m_mean.push_back(statistics.pathCosts.mean);
-        m_deviation.push_back(statistics.pathCosts.standardDeviation);
-        m_unreachable.push_back(statistics.pathCosts.unreachablePairs);
-        m_components.push_back(static_cast<std::int64_t>(statistics.connectivity.components.size()));
-    }
-    DataTable table(std::string name, std::string description) &&
-    {
-        return {std::move(name),
-                std::move(description),
-                {columnOf("graph", "", std::move(m_graph)), columnOf("alpha", "", std::move(m_alpha)),
-                 columnOf("nodes", "", std::move(m_nodes)), columnOf("edges", "", std::move(m_edges)),
-                 columnOf("transitions", "", std::move(m_transitions)),
-                 columnOf("density", "", std::move(m_density)), columnOf("mean-cost", "", std::move(m_mean)),
-                 columnOf("cost-deviation", "", std::move(m_deviation)),
-                 columnOf("unreachable-pairs", "", std::move(m_unreachable)),
-                 columnOf("components", "", std::move(m_components))}};
-    }
-
-private:
-    std::vector<std::string> m_graph;
-    std::vector<double> m_alpha;
-    std::vector<std::int64_t> m_nodes;
-    std::vector<std::int64_t> m_edges;
-    std::vector<std::int64_t> m_transitions;
-    std::vector<double> m_density;
-    std::vector<double> m_mean;
-    std::vector<double> m_deviation;
-    std::vector<std::int64_t> m_unreachable;
-    std::vector<std::int64_t> m_components;
-};
-
 ResultStage graphStage(const CharacterWork& work, const ResultStage& distances,
                        const ResultStage& transitions)
 {
     ResultStage stage = work.stage(graphstage::graphs);
-    stage.settings = nlohmann::json({work.graph.alpha, work.graph.greatestDistance.value_or(0)}).dump();
+    stage.settings =
+        nlohmann::json({work.graph.alpha, work.graph.greatestDistance.value_or(0), work.sequences}).dump();
     stage.inputs = {distances.name, transitions.name};
-    stage.compute = [graph = work.graph, inputs = stage.inputs](const StageContext& context,
-                                                                const Progress& progress) {
+    stage.compute = [graph = work.graph, sequences = work.sequences,
+                     inputs = stage.inputs](const StageContext& context, const Progress& progress) {
         const TransitionCosts costs =
             costsOf(graph, context.resultOf(inputs[0]), context.resultOf(inputs[1]));
         const auto minima = costMinima(costs, CostSmoothing::None, progress.part(0, 0.05));
         const Digraph motion = motionGraph(costs, minima, graph.alpha);
         const EssentialGraph essential = essentialGraph(costs, graph.alpha, progress.part(0.05, 0.6));
-        StatisticsTable statistics;
-        statistics.add("essential", graph.alpha, graphStatistics(essential.graph, essential.pathCosts));
-        statistics.add("motion", graph.alpha,
-                       graphStatistics(motion, shortestPathCosts(motion, progress.part(0.6, 1))));
+        const GraphStatistics ofEssential = graphStatistics(essential.graph, essential.pathCosts);
+        const GraphStatistics ofMotion =
+            graphStatistics(motion, shortestPathCosts(motion, progress.part(0.6, 1)));
+        TableBuilder statistics = statisticsTable("graph-statistics", "Both graphs at the project's alpha.");
+        addStatistics(statistics, "essential", graph.alpha, ofEssential);
+        addStatistics(statistics, "motion", graph.alpha, ofMotion);
+        TableBuilder components = componentTable("graph-components");
+        addComponents(components, "essential", graph.alpha, ofEssential.connectivity, costs.layout(),
+                      sequences);
+        addComponents(components, "motion", graph.alpha, ofMotion.connectivity, costs.layout(), sequences);
         Result result;
-        result.tables = {
-            edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.", motion,
-                      costs),
-            edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.",
-                      essential.graph, costs),
-            std::move(statistics).table("graph-statistics", "Both graphs at the project's alpha.")};
+        result.tables = {edgeTable("motion-graph-edges",
+                                   "The motion graph: local minima of the transition cost.", motion, costs),
+                         edgeTable("essential-graph-edges",
+                                   "The Essential graph: all edges on shortest paths.", essential.graph,
+                                   costs),
+                         std::move(statistics).table(), std::move(components).table()};
         return result;
     };
     return stage;
@@ -208,7 +148,7 @@ TransitionSettings transitionSettings(const GraphEntry& entry, double fps)
 std::vector<ResultStage> makeGraphStages(const StageMaking& making)
 {
     std::vector<ResultStage> stages;
-    for (const GraphEntry& graph : making.opener->project().graphs) {
+    for (const GraphEntry& graph : graphsOf(making.opener->project())) {
         const CharacterWork work = characterWork(making.opener, graph);
         if (work.sequences.empty())
             continue;

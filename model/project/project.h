@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/core/error.h"
+#include "model/project/evaluationentry.h"
 #include "model/project/problem.h"
 #include "model/sequence/axes.h"
 #include "model/sequence/meshsequence.h"
@@ -132,6 +133,7 @@ struct Project
     std::vector<CharacterEntry> characters;
     std::vector<SequenceEntry> sequences;
     std::vector<GraphEntry> graphs; ///< the section “graph”; one for each character at most
+    std::vector<EvaluationEntry> evaluations;
     std::vector<ExportEntry> exports;
     /// Sections and keys that this version does not know.
     UnknownKeys unknown;

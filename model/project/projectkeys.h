@@ -11,8 +11,8 @@
 namespace quadrille::projectkeys {
 
 // The keys of each object of the project file, in the order in which they are written.
-inline constexpr std::array<std::string_view, 7> document{"format",    "version", "settings", "characters",
-                                                          "sequences", "graph",   "exports"};
+inline constexpr std::array<std::string_view, 8> document{"format",    "version", "settings",    "characters",
+                                                          "sequences", "graph",   "evaluations", "exports"};
 inline constexpr std::array<std::string_view, 4> settings{"fps", "up_axis", "unit", "cache_megabytes"};
 inline constexpr std::array<std::string_view, 4> character{"name", "mesh", "texture", "notes"};
 inline constexpr std::array<std::string_view, 12> sequence{
@@ -20,6 +20,7 @@ inline constexpr std::array<std::string_view, 12> sequence{
     "source_up_axis", "source_unit", "texture", "labels", "contacts", "joint_angles"};
 inline constexpr std::array<std::string_view, 8> graph{"character", "metric",    "stretch_weight", "cost",
                                                        "slope",     "durations", "alpha",          "d_max"};
+inline constexpr std::array<std::string_view, 3> evaluation{"table", "character", "alphas"};
 inline constexpr std::array<std::string_view, 10> exportEntry{
     "name", "what", "path", "format", "range", "fps", "up_axis", "unit", "textures", "picture"};
 inline constexpr std::array<std::string_view, 8> picture{"width", "height", "shading",     "background",

@@ -135,6 +135,22 @@ GraphEntry readGraph(const Json& json, const std::string& pointer, ProjectProble
     return graph;
 }
 
+/// "fig7" or {"table": "fig7", …}.
+EvaluationEntry readEvaluation(const Json& json, const std::string& pointer, ProjectProblems& problems)
+{
+    EvaluationEntry evaluation;
+    if (json.is_string()) {
+        evaluation.table = json.get<std::string>();
+        return evaluation;
+    }
+    const ObjectReader reader(json, pointer, problems);
+    evaluation.table = reader.requiredText("table");
+    evaluation.character = reader.text("character");
+    evaluation.alphas = reader.numbers("alphas", 0, "a list of numbers").value_or(std::vector<double>{});
+    evaluation.unknown = reader.unknown(projectkeys::evaluation);
+    return evaluation;
+}
+
 ExportEntry readExport(const Json& json, const std::string& pointer, const ProjectSettings& settings,
                        ProjectProblems& problems)
 {
@@ -178,6 +194,9 @@ Project projectFromJson(const Json& document, ProjectProblems& problems)
             project.graphs.push_back(readGraph(json, pointer, problems));
         });
     }
+    reader.each("evaluations", [&](const Json& json, const std::string& pointer) {
+        project.evaluations.push_back(readEvaluation(json, pointer, problems));
+    });
     reader.each("exports", [&](const Json& json, const std::string& pointer) {
         project.exports.push_back(readExport(json, pointer, project.settings, problems));
     });

@@ -161,6 +161,18 @@ void addGraphs(Json& json, const std::vector<GraphEntry>& graphs)
         json["graph"].push_back(graphToJson(graph));
 }
 
+/// The name of the table alone where nothing else is given.
+Json evaluationToJson(const EvaluationEntry& evaluation)
+{
+    Json json = Json::object();
+    json["table"] = evaluation.table;
+    addText(json, "character", evaluation.character);
+    if (!evaluation.alphas.empty())
+        json["alphas"] = evaluation.alphas;
+    addUnknown(json, evaluation.unknown);
+    return json.size() == 1 ? json["table"] : json;
+}
+
 Json exportToJson(const ExportEntry& entry)
 {
     Json json = Json::object();
@@ -196,6 +208,8 @@ Json projectToJson(const Project& project)
     for (const SequenceEntry& sequence : project.sequences)
         json["sequences"].push_back(sequenceToJson(sequence));
     addGraphs(json, project.graphs);
+    for (const EvaluationEntry& evaluation : project.evaluations)
+        json["evaluations"].push_back(evaluationToJson(evaluation));
     json["exports"] = Json::array();
     for (const ExportEntry& entry : project.exports)
         json["exports"].push_back(exportToJson(entry));

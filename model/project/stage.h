@@ -60,8 +60,11 @@ struct StageMaking
 std::vector<ResultStage> makeStages(const StageMaking& making);
 
 std::vector<ResultStage> makeSequenceStages(const StageMaking& making);
-/// Pose distances, transitions and graphs of the characters that the section “graph” names.
+/// Pose distances, transitions and graphs of the characters that the section “graph” names, or that others
+/// need them for.
 std::vector<ResultStage> makeGraphStages(const StageMaking& making);
+/// The papers' tables that the section “evaluations” names.
+std::vector<ResultStage> makeEvaluationStages(const StageMaking& making);
 std::vector<ResultStage> makeExportStages(const StageMaking& making);
 /// One picture of the project's sequences, contact-sheet.png among the results.
 std::vector<ResultStage> makeSheetStages(const StageMaking& making);

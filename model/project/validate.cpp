@@ -29,6 +29,14 @@ std::string meantOr(const std::string& name, const std::vector<std::string>& kno
     return meant ? "Did you mean " + quoted(*meant) + "?" : std::move(remedy);
 }
 
+std::string listed(const std::vector<std::string>& names)
+{
+    std::string list;
+    for (const std::string& name : names)
+        list.append(list.empty() ? "" : ", ").append(quoted(name));
+    return list;
+}
+
 template <typename Entry>
 std::vector<std::string> namesOf(const std::vector<Entry>& entries)
 {
@@ -55,6 +63,7 @@ public:
             checkSequence(m_project.sequences[i], "/sequences/" + std::to_string(i));
         checkCycles();
         checkGraphs();
+        checkEvaluations();
         for (std::size_t i = 0; i < m_project.exports.size(); ++i)
             checkExport(m_project.exports[i], "/exports/" + std::to_string(i));
         return std::move(m_problems);
@@ -149,6 +158,35 @@ private:
             checkGraph(graph, m_project.graphs.size() == 1 && graph.character.empty() ? "/graph" : pointer);
             if (!seen.insert(graph.character).second)
                 invalid(pointer, "There are two graphs of one character here", "Leave one of them out.");
+        }
+    }
+
+    void checkEvaluation(const EvaluationEntry& evaluation, const std::string& pointer)
+    {
+        const std::vector<std::string> tables(evaluationTables.begin(), evaluationTables.end());
+        if (std::find(tables.begin(), tables.end(), evaluation.table) == tables.end())
+            invalid(pointer + "/table", "There is no table " + quoted(evaluation.table),
+                    meantOr(evaluation.table, tables, "Write one of " + listed(tables) + "."));
+        const auto known = namesOf(m_project.characters);
+        if (!evaluation.character.empty() &&
+            std::find(known.begin(), known.end(), evaluation.character) == known.end())
+            invalid(pointer + "/character", "There is no character " + quoted(evaluation.character),
+                    meantOr(evaluation.character, known, "Add it under “characters”."));
+        if (std::any_of(evaluation.alphas.begin(), evaluation.alphas.end(),
+                        [](double alpha) { return !(alpha >= 0); }))
+            invalid(pointer + "/alphas", "Alpha is below zero", "Write 0.01, or more to favour short walks.");
+    }
+
+    void checkEvaluations()
+    {
+        std::set<std::pair<std::string, std::string>> seen;
+        for (std::size_t i = 0; i < m_project.evaluations.size(); ++i) {
+            const EvaluationEntry& evaluation = m_project.evaluations[i];
+            const std::string pointer = "/evaluations/" + std::to_string(i);
+            checkEvaluation(evaluation, pointer);
+            if (!seen.insert({evaluation.table, evaluation.character}).second)
+                invalid(pointer, "The table " + quoted(evaluation.table) + " is here twice",
+                        "Leave one of them out.");
         }
     }
 

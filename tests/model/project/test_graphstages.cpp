@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/graph/comparison.h"
-#include "model/project/projectdata.h"
-#include "model/project/rebuild.h"
 #include "model/transition/posedistance.h"
 #include "model/transition/transitiontable.h"
-#include "tests/model/project/testproject.h"
+#include "tests/model/project/stripproject.h"
 
-#include <cmath>
+#include <algorithm>
 #include <gmock/gmock.h>
 
 using namespace quadrille;
@@ -16,77 +14,11 @@ using ::testing::UnorderedElementsAre;
 
 namespace {
 
-/// A strip of eight triangles that bends to and fro.
-std::string bentStrip(double angle)
-{
-    std::string text;
-    double x = 0;
-    double y = 0;
-    double direction = 0;
-    for (int row = 0; row < 5; ++row) {
-        for (const int z : {0, 1})
-            text += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
-        x += std::cos(direction);
-        y += std::sin(direction);
-        direction += angle;
-    }
-    for (int row = 1; row < 8; row += 2) {
-        const auto corner = [&](int i) { return std::to_string(row + i) + " "; };
-        text += "f " + corner(0) + corner(1) + corner(3) + "\nf " + corner(0) + corner(3) + corner(2) + "\n";
-    }
-    return text;
-}
-
-class GraphStages : public ::testing::Test
+class GraphStages : public StripProject
 {
 protected:
-    GraphStages()
-    {
-        for (int f = 0; f < 14; ++f)
-            folder.write("slow/f_" + std::to_string(f) + ".obj", bentStrip(0.3 * std::sin(0.35 * f)));
-        for (int f = 0; f < 9; ++f)
-            folder.write("quick/f_" + std::to_string(f) + ".obj", bentStrip(0.35 * std::sin(0.7 * f + 0.1)));
-        project.settings.fps = 6; // windows of 2 to 12 frames
-        project.sequences = {sequenceOf("slow", "slow"), sequenceOf("quick", "quick")};
-        project.graphs.resize(1);
-    }
-    RebuildReport run() { return rebuild(project, folder / "p.quadrille", {.targets = {"graph"}}); }
-    DataItem item(const std::string& name)
-    {
-        for (const DataItem& found : projectData(project, folder / "p.quadrille")) {
-            if (found.name == name)
-                return found;
-        }
-        ADD_FAILURE() << "no data " << name;
-        return {};
-    }
-    Table<float> matrix(const std::string& name)
-    {
-        const DataItem found = item(name);
-        const auto& array = std::get<DataArray>(found.content);
-        const auto& values = std::get<std::vector<float>>(array.values);
-        return Eigen::Map<const Table<float>>(values.data(), array.shape[0], array.shape[1]);
-    }
-    std::vector<std::string> computed(const RebuildReport& report)
-    {
-        std::vector<std::string> names;
-        for (const StageReport& stage : report.stages) {
-            EXPECT_NE(stage.state, StageState::Failed) << stage.error->what();
-            if (stage.state == StageState::Computed)
-                names.push_back(stage.stage);
-        }
-        return names;
-    }
-    CharacterFrames frames()
-    {
-        SequenceOpener opener(project, folder.path());
-        const std::vector<MeshSequence> sequences{opener.open("slow", {})->sequence,
-                                                  opener.open("quick", {})->sequence};
-        return CharacterFrames(sequences);
-    }
-
-    TemporaryFolder folder;
-    Project project;
+    GraphStages() { project.graphs.resize(1); }
+    RebuildReport run() { return StripProject::run("graph"); }
 };
 
 } // namespace
@@ -108,15 +40,38 @@ TEST_F(GraphStages, HoldWhatTheFunctionsCompute)
     const TransitionCosts costs(transitions.cost, transitions.length, poses.distances.maxCoeff(),
                                 poses.layout);
     const Digraph essential = essentialGraph(costs, 0.01).graph;
-    const DataItem found = item("essential-graph-edges");
-    const auto& table = std::get<DataTable>(found.content);
-    const auto& from = std::get<std::vector<std::int64_t>>(table.columns[0].values);
-    const auto& weights = std::get<std::vector<double>>(table.columns[2].values);
+    const auto from = column<std::int64_t>("essential-graph-edges", "i");
+    const auto weights = column<double>("essential-graph-edges", "weight");
     ASSERT_EQ(from.size(), essential.edges().size());
     for (std::size_t e = 0; e < from.size(); ++e) {
         EXPECT_EQ(from[e], essential.edges()[e].from);
         EXPECT_EQ(weights[e], essential.edges()[e].weight);
     }
+}
+
+TEST_F(GraphStages, NameTheFramesThatNoWalkReachesOrLeaves)
+{
+    run();
+    // Windows have two frames: no transition arrives at the first frame of a sequence, or leaves the last.
+    using Texts = std::vector<std::string>;
+    const Texts graphs = column<std::string>("graph-components", "graph");
+    const auto essential = std::count(graphs.begin(), graphs.end(), "essential");
+    ASSERT_EQ(essential, 6);
+    const auto firstSix = [](auto values) {
+        values.resize(6);
+        return values;
+    };
+    EXPECT_EQ(firstSix(column<std::string>("graph-components", "sequence")),
+              (Texts{"slow", "slow", "slow", "quick", "quick", "quick"}));
+    using Numbers = std::vector<std::int64_t>;
+    EXPECT_EQ(firstSix(column<std::int64_t>("graph-components", "first")), (Numbers{0, 1, 13, 0, 1, 8}));
+    EXPECT_EQ(firstSix(column<std::int64_t>("graph-components", "last")), (Numbers{0, 12, 13, 0, 7, 8}));
+    EXPECT_EQ(firstSix(column<std::int64_t>("graph-components", "component")),
+              (Numbers{-1, 0, -1, -1, 0, -1}));
+    EXPECT_EQ(firstSix(column<std::string>("graph-components", "reachable")),
+              (Texts{"no", "yes", "yes", "no", "yes", "yes"}));
+    EXPECT_EQ(firstSix(column<std::string>("graph-components", "returns")),
+              (Texts{"yes", "yes", "no", "yes", "yes", "no"}));
 }
 
 TEST_F(GraphStages, OnlyWhatASettingReachesIsComputedAgain)

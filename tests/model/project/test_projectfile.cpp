@@ -94,6 +94,7 @@ TEST(ProjectFile, UnknownKeysAreKeptEverywhere)
     "contacts": [ { "foot": "left", "frames": [0, 1], "sure": 0.5 } ] } ],
   "exports": [ { "name": "e", "what": "sequences/s", "path": "e.obj", "mood": "front",
     "picture": { "width": 64, "lens": "wide" } } ],
+  "evaluations": [ "fig7", { "table": "fig9", "mood": "calm" } ],
   "graph": { "alpha": 3.0 }, "body_parts": [])");
     const Project project = loadProject(folder.write("p.quadrille", text));
     saveProject(project, folder / "q.quadrille");
@@ -108,6 +109,7 @@ TEST(ProjectFile, UnknownKeysAreKeptEverywhere)
     EXPECT_EQ(saved["exports"][0]["mood"], "front");
     EXPECT_EQ(saved["exports"][0]["picture"]["lens"], "wide");
     EXPECT_EQ(saved["graph"], Json::parse(R"({"alpha":3.0})"));
+    EXPECT_EQ(saved["evaluations"], Json::parse(R"(["fig7",{"table":"fig9","mood":"calm"}])"));
     EXPECT_EQ(saved["body_parts"], Json::array());
     EXPECT_EQ(loadProject(folder / "q.quadrille"), project);
 }
@@ -147,6 +149,8 @@ TEST(ProjectFile, SemanticErrorsNameLineAndColumn)
          5, 15, "two entries with the name “s”"},
         {R"(  "exports": [ { "name": "e", "what": "sequences/no", "path": "e.obj" } ])", 4, 39,
          "no sequence “no”"},
+        {R"(  "evaluations": [ "fig9", "fig8" ])", 4, 28, "no table “fig8”"},
+        {R"(  "evaluations": [ { "table": "fig8" } ])", 4, 31, "no table “fig8”"},
         {R"(  "exports": [ { "name": "e", "what": 5, "path": "e.obj" } ])", 4, 39, "text in quotes"},
     };
     for (const Case& wrong : cases) {

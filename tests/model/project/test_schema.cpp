@@ -85,6 +85,7 @@ TEST(Schema, KnowsTheKeysThatTheCodeKnows)
     EXPECT_EQ(propertiesOf(definitions["character"]), keysOf(projectkeys::character));
     EXPECT_EQ(propertiesOf(definitions["sequence"]), keysOf(projectkeys::sequence));
     EXPECT_EQ(propertiesOf(definitions["graph"]), keysOf(projectkeys::graph));
+    EXPECT_EQ(propertiesOf(definitions["evaluation"]), keysOf(projectkeys::evaluation));
     EXPECT_EQ(propertiesOf(definitions["export"]), keysOf(projectkeys::exportEntry));
     EXPECT_EQ(propertiesOf(definitions["picture"]), keysOf(projectkeys::picture));
     EXPECT_EQ(propertiesOf(definitions["view"]), keysOf(projectkeys::view));
@@ -103,6 +104,7 @@ TEST(Schema, TheCodeWritesItsKeysInTheirOrder)
     EXPECT_EQ(written(json["sequences"][0]["labels"][0]), listOf(projectkeys::label));
     EXPECT_EQ(written(json["sequences"][0]["contacts"][0]), listOf(projectkeys::contact));
     EXPECT_EQ(written(json["graph"][0]), listOf(projectkeys::graph));
+    EXPECT_EQ(written(json["evaluations"][0]), listOf(projectkeys::evaluation));
     EXPECT_EQ(written(json["exports"][0]), listOf(projectkeys::exportEntry));
     EXPECT_EQ(written(json["exports"][0]["picture"]), listOf(projectkeys::picture));
     EXPECT_EQ(written(json["exports"][0]["picture"]["view"]), listOf(projectkeys::view));
@@ -138,6 +140,13 @@ TEST(Schema, AgreesWithTheReaderOnHandWrittenFiles)
         {R"(, "sequences": [{"name": "s"}])", false},
         {R"(, "sequences": {})", false},
         {R"(, "exports": [{"name": "e", "what": "sequences/s", "path": "e.obj", "textures": "no"}])", false},
+        {R"(, "evaluations": ["fig7", {"table": "fig9", "alphas": [0, 0.1], "mine": true}])", true},
+        {R"(, "evaluations": ["fig8"])", false},
+        {R"(, "evaluations": "fig7")", false},
+        {R"(, "evaluations": [{"alphas": [0.1]}])", false},
+        {R"(, "evaluations": [{"table": "fig9", "alphas": [-0.1]}])", false},
+        {R"(, "evaluations": [{"table": "fig9", "alphas": 0.1}])", false},
+        {R"(, "evaluations": [7])", false},
         {picture(R"({"camera": "fixed", "view": {"eye": [0, 1, 4]}, "mine": 1})"), true},
         {picture(R"({"camera": "drone"})"), false},
         {picture(R"({"width": 0})"), false},

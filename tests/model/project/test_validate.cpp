@@ -68,6 +68,26 @@ TEST(Validate, GraphsAreChecked)
     EXPECT_THAT(onlyProblem(project), HasSubstr("“character” is missing"));
 }
 
+TEST(Validate, EvaluationsAreChecked)
+{
+    Project project = fullProject();
+    project.evaluations[0].table = "fig77";
+    EXPECT_THAT(onlyProblem(project), AllOf(HasSubstr("/evaluations/0"), HasSubstr("Did you mean “fig7”?")));
+    project.evaluations[0].table = "scatter";
+    EXPECT_THAT(onlyProblem(project), HasSubstr("Write one of “fig7”, “fig9”"));
+    project = fullProject();
+    project.evaluations[0].alphas = {0.1, -0.1};
+    EXPECT_THAT(onlyProblem(project), HasSubstr("/evaluations/0/alphas"));
+    project = fullProject();
+    project.evaluations[0].character = "lima";
+    EXPECT_THAT(onlyProblem(project), HasSubstr("Did you mean “liam”?"));
+    project = fullProject();
+    project.evaluations.push_back(project.evaluations[0]);
+    EXPECT_THAT(onlyProblem(project), HasSubstr("here twice"));
+    project.evaluations[1].character.clear();
+    EXPECT_TRUE(validate(project).empty());
+}
+
 TEST(Validate, CyclesOfClipsAreRefused)
 {
     Project project;

@@ -105,6 +105,11 @@ inline Project fullProject()
     graph.alpha = 0.05;
     graph.greatestDistance = 0.75;
     project.graphs = {graph};
+    EvaluationEntry evaluation;
+    evaluation.table = "fig9";
+    evaluation.character = "liam";
+    evaluation.alphas = {0.01, 0.1};
+    project.evaluations = {evaluation};
     ExportEntry entry;
     entry.name = "talk-ply";
     entry.what = "sequences/talk";

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/projectdata.h"
+#include "model/project/rebuild.h"
+#include "model/transition/characterframes.h"
+#include "tests/model/project/testproject.h"
+
+#include <cmath>
+
+namespace quadrille::test {
+
+/// A strip of eight triangles that bends to and fro.
+inline std::string bentStrip(double angle)
+{
+    std::string text;
+    double x = 0;
+    double y = 0;
+    double direction = 0;
+    for (int row = 0; row < 5; ++row) {
+        for (const int z : {0, 1})
+            text += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+        x += std::cos(direction);
+        y += std::sin(direction);
+        direction += angle;
+    }
+    for (int row = 1; row < 8; row += 2) {
+        const auto corner = [&](int i) { return std::to_string(row + i) + " "; };
+        text += "f " + corner(0) + corner(1) + corner(3) + "\nf " + corner(0) + corner(3) + corner(2) + "\n";
+    }
+    return text;
+}
+
+/// A project of two short sequences of the strip, and what its stages computed.
+class StripProject : public ::testing::Test
+{
+protected:
+    StripProject()
+    {
+        for (int f = 0; f < 14; ++f)
+            folder.write("slow/f_" + std::to_string(f) + ".obj", bentStrip(0.3 * std::sin(0.35 * f)));
+        for (int f = 0; f < 9; ++f)
+            folder.write("quick/f_" + std::to_string(f) + ".obj", bentStrip(0.35 * std::sin(0.7 * f + 0.1)));
+        project.settings.fps = 6; // windows of 2 to 12 frames
+        project.sequences = {sequenceOf("slow", "slow"), sequenceOf("quick", "quick")};
+    }
+    RebuildReport run(const std::string& target)
+    {
+        return rebuild(project, folder / "p.quadrille", {.targets = {target}});
+    }
+    DataItem item(const std::string& name)
+    {
+        for (const DataItem& found : projectData(project, folder / "p.quadrille")) {
+            if (found.name == name)
+                return found;
+        }
+        ADD_FAILURE() << "no data " << name;
+        return {};
+    }
+    DataTable table(const std::string& name) { return std::get<DataTable>(item(name).content); }
+    template <typename Value>
+    std::vector<Value> column(const std::string& table, const std::string& name)
+    {
+        for (const DataArray& column : this->table(table).columns) {
+            if (column.name == name)
+                return std::get<std::vector<Value>>(column.values);
+        }
+        ADD_FAILURE() << "no column " << name;
+        return {};
+    }
+    Table<float> matrix(const std::string& name)
+    {
+        const DataItem found = item(name);
+        const auto& array = std::get<DataArray>(found.content);
+        const auto& values = std::get<std::vector<float>>(array.values);
+        return Eigen::Map<const Table<float>>(values.data(), array.shape[0], array.shape[1]);
+    }
+    std::vector<std::string> computed(const RebuildReport& report)
+    {
+        std::vector<std::string> names;
+        for (const StageReport& stage : report.stages) {
+            EXPECT_NE(stage.state, StageState::Failed) << stage.error->what();
+            if (stage.state == StageState::Computed)
+                names.push_back(stage.stage);
+        }
+        return names;
+    }
+    CharacterFrames frames()
+    {
+        SequenceOpener opener(project, folder.path());
+        const std::vector<MeshSequence> sequences{opener.open("slow", {})->sequence,
+                                                  opener.open("quick", {})->sequence};
+        return CharacterFrames(sequences);
+    }
+
+    TemporaryFolder folder;
+    Project project;
+};
+
+} // namespace quadrille::test

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/graph/comparison.h"
+#include "model/transition/acceleration.h"
+#include "model/transition/posedistance.h"
+#include "model/transition/transitioncomparison.h"
+#include "tests/model/project/stripproject.h"
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+using namespace quadrille;
+using namespace quadrille::test;
+using ::testing::ElementsAre;
+using ::testing::UnorderedElementsAre;
+
+namespace {
+
+class EvaluationStages : public StripProject
+{
+protected:
+    void evaluate(std::initializer_list<const char*> tables)
+    {
+        for (const char* table : tables)
+            project.evaluations.emplace_back().table = table;
+    }
+    RebuildReport run() { return StripProject::run("evaluations"); }
+};
+
+} // namespace
+
+TEST_F(EvaluationStages, Fig7HoldsTheComparisonOfTransitions)
+{
+    evaluate({"fig7"});
+    run();
+    const CharacterFrames character = frames();
+    const PoseDistances poses = poseDistances(character);
+    const TransitionComparison expected =
+        compareTransitions(poses.distances, poses.layout, {.fps = 6}, accelerationDifferences(character, 6));
+    const auto surface = column<double>("evaluation/fig7", "surface");
+    const auto deviation = column<double>("evaluation/fig7", "acceleration-deviation");
+    ASSERT_EQ(surface.size(), 9U);
+    for (std::size_t row = 0; row < surface.size(); ++row) {
+        EXPECT_EQ(surface[row], expected.variants[row].surface.mean);
+        EXPECT_EQ(deviation[row], expected.variants[row].acceleration.deviation);
+    }
+    EXPECT_THAT(
+        column<std::string>("evaluation/fig7", "transition"),
+        ElementsAre("linear", "dtw", "dtw", "dtw", "dtw", "dtw+vls", "dtw+vls", "dtw+vls", "dtw+vls"));
+    EXPECT_THAT(column<std::int64_t>("evaluation/fig7", "slope"), ElementsAre(0, 2, 3, 4, 5, 2, 3, 4, 5));
+    EXPECT_THAT(column<std::int64_t>("evaluation/fig7-scale", "pairs"), ElementsAre(expected.pairs));
+}
+
+TEST_F(EvaluationStages, Fig9HasARowForEachGraphAndAlpha)
+{
+    evaluate({"fig9"});
+    project.evaluations[0].alphas = {0.02, 0.5};
+    run();
+    const PoseDistances poses = poseDistances(frames());
+    const TransitionTable transitions = transitionTable(poses.distances, poses.layout, {.fps = 6});
+    const TransitionCosts costs(transitions.cost, transitions.length, poses.distances.maxCoeff(),
+                                poses.layout);
+    const auto expected = sweepAlpha(costs, costMinima(costs), project.evaluations[0].alphas);
+    EXPECT_THAT(column<std::string>("evaluation/fig9", "graph"),
+                ElementsAre("motion", "essential", "motion", "essential"));
+    EXPECT_THAT(column<double>("evaluation/fig9", "alpha"), ElementsAre(0.02, 0.02, 0.5, 0.5));
+    EXPECT_THAT(column<double>("evaluation/fig9", "mean-cost"),
+                ElementsAre(expected[0].motion.pathCosts.mean, expected[0].essential.pathCosts.mean,
+                            expected[1].motion.pathCosts.mean, expected[1].essential.pathCosts.mean));
+    EXPECT_THAT(column<double>("evaluation/fig9-equal-density", "common-mean-cost"),
+                ElementsAre(expected[0].motionMeanOverCommonPairs, expected[0].essentialMeanOverCommonPairs,
+                            expected[1].motionMeanOverCommonPairs, expected[1].essentialMeanOverCommonPairs));
+    const auto last = column<std::int64_t>("evaluation/fig9-components", "last");
+    EXPECT_EQ(*std::max_element(last.begin(), last.end()), 13);
+}
+
+TEST_F(EvaluationStages, TakeTheSettingsOfTheGraphWhereItHasSome)
+{
+    evaluate({"fig9"});
+    EXPECT_THAT(computed(run()),
+                UnorderedElementsAre("graph/pose-distance", "graph/transitions", "evaluations/fig9"));
+    project.graphs.resize(1);
+    EXPECT_TRUE(computed(run()).empty());
+    project.graphs[0].alpha = 0.5; // not of those that are compared
+    EXPECT_TRUE(computed(run()).empty());
+    project.graphs[0].slope = 2;
+    EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/transitions", "evaluations/fig9"));
+    project.evaluations[0].alphas = {0.01};
+    EXPECT_THAT(computed(run()), UnorderedElementsAre("evaluations/fig9"));
+}
+
+TEST_F(EvaluationStages, AreMadeForEachCharacterThatTheyAreAbout)
+{
+    project.characters = {characterOf("a", ""), characterOf("b", "")};
+    project.sequences[0].character = "a";
+    project.sequences[1].character = "b";
+    evaluate({"fig9", "fig9"});
+    project.evaluations[1].character = "b";
+    project.evaluations[1].alphas = {0.7};
+    EXPECT_THAT(computed(run()),
+                UnorderedElementsAre("graph/a/pose-distance", "graph/a/transitions", "graph/b/pose-distance",
+                                     "graph/b/transitions", "evaluations/fig9/a", "evaluations/fig9/b"));
+    project.evaluations.erase(project.evaluations.begin());
+    EXPECT_THAT(column<double>("evaluation/fig9", "alpha"), ElementsAre(0.7, 0.7));
+}
