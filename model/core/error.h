@@ -71,6 +71,13 @@ enum class ErrorCode
     NoUsableTriangles,
     // transitions
     NoTransition,
+    // post-processing of clips
+    LoopTooShort,
+    LoopCutTooShort,
+    TimeCurveNotMonotone,
+    NoSymmetry,
+    SymmetryMapWrong,
+    NoFeet,
 };
 
 /// Where in a file or sequence an error lies; fields that do not apply stay empty.

@@ -134,6 +134,27 @@ ErrorMessage errorMessage(ErrorCode code)
                               "{needed} frames from the one on and up to the other; their sequences have "
                               "{after} and {before}."),
             QUADRILLE_MESSAGE("Leave earlier, arrive later, or allow shorter windows.")};
+    case ErrorCode::LoopTooShort:
+        return {QUADRILLE_MESSAGE("The clip has {frames} frames; a loop needs at least {needed}."),
+                QUADRILLE_MESSAGE("Take a longer clip, or allow shorter transitions.")};
+    case ErrorCode::LoopCutTooShort:
+        return {QUADRILLE_MESSAGE("A loop needs to cut at least {needed} frames from each end of the clip, to "
+                                  "blend them; {given} are allowed."),
+                QUADRILLE_MESSAGE("Allow more to be cut, or shorter transitions.")};
+    case ErrorCode::TimeCurveNotMonotone:
+        return {QUADRILLE_MESSAGE("The curve of times goes back at its point {point}."),
+                QUADRILLE_MESSAGE("Output times must rise, and clip times must not fall.")};
+    case ErrorCode::NoSymmetry:
+        return {QUADRILLE_MESSAGE("No left–right symmetry of the mesh was found: {share} % of its vertices have "
+                                  "a counterpart on the other side."),
+                QUADRILLE_MESSAGE("Give a symmetry map, or an upright pose to find it in.")};
+    case ErrorCode::SymmetryMapWrong:
+        return {QUADRILLE_MESSAGE("The symmetry map does not fit the mesh: {reason}."),
+                QUADRILLE_MESSAGE("Give for each vertex the index of its counterpart, or its own.")};
+    case ErrorCode::NoFeet:
+        return {QUADRILLE_MESSAGE("No feet were found to stand on."),
+                QUADRILLE_MESSAGE("Contacts can be corrected where legs hang apart from the body; leave this "
+                                  "step out.")};
     }
     return {"", ""};
 }

@@ -36,6 +36,21 @@ GroundMotion GroundMotion::taking(const Vec2d& from, const Vec2d& to, double tur
     return {turn, to - Eigen::Rotation2Dd(turn) * from};
 }
 
+GroundMotion partOf(const GroundMotion& motion, double share)
+{
+    // Exponential map: a turn by θ at an even pace shifts by V(θ)·u, u the shift seen from the moving figure.
+    const auto shiftOfTurn = [](double turn) {
+        const double cosine = std::abs(turn) < 1e-4 ? turn / 2 : (1 - std::cos(turn)) / turn;
+        const double sine = std::abs(turn) < 1e-4 ? 1 - turn * turn / 6 : std::sin(turn) / turn;
+        Eigen::Matrix2d matrix;
+        matrix << sine, -cosine, cosine, sine;
+        return matrix;
+    };
+    const double turn = wrappedAngle(motion.turn);
+    const Vec2d pace = shiftOfTurn(turn).inverse() * motion.shift;
+    return {share * turn, shiftOfTurn(share * turn) * (share * pace)};
+}
+
 double wrappedAngle(double angle)
 {
     const double wrapped = std::remainder(angle, 2 * std::numbers::pi);

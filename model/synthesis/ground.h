@@ -45,9 +45,15 @@ struct GroundMotion
     GroundMotion inverse() const;
     RigidMotion inSpace(const Ground& ground) const;
 
+    bool operator==(const GroundMotion&) const = default;
+
     /// The motion that turns by an angle and takes a point to another.
     static GroundMotion taking(const Vec2d& from, const Vec2d& to, double turn);
 };
+
+/// A share of a motion along a straight line, or a circle where it turns; shares add up. The turn counts as
+/// the one in (−π, π] that means the same.
+GroundMotion partOf(const GroundMotion& motion, double share);
 
 /// The angle in (−π, π] that means the same, radians.
 double wrappedAngle(double angle);

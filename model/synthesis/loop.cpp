@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/synthesis/loop.h"
+
+#include "model/core/error.h"
+#include "model/core/message.h"
+#include "model/synthesis/frameorigins.h"
+#include "model/synthesis/transitionmotion.h"
+#include "model/transition/posedistance.h"
+#include "model/transition/poseinterpolation.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+namespace quadrille {
+
+namespace {
+
+/// The frames of a clip near its two ends that a closure may use: 0 … early, and late … the last.
+struct Ends
+{
+    NodeIndex early = 0;
+    NodeIndex late = 0;
+    NodeIndex last = 0;
+
+    // As a character of two sequences: the beginning, then the end.
+    NodeIndex nodeOfLate(NodeIndex frame) const { return early + 1 + frame - late; }
+    NodeIndex frameOfLate(NodeIndex node) const { return node - early - 1 + late; }
+};
+
+NodeIndex framesOf(const std::optional<Seconds>& cut, const Clip& clip, int shortest)
+{
+    const auto count = static_cast<double>(clip.frameCount());
+    if (!cut)
+        return static_cast<NodeIndex>(std::max(count / 3, shortest - 1.0));
+    if (!(cut->value >= 0) || !std::isfinite(cut->value))
+        throw Error(ErrorCode::BadArgument,
+                    {{},
+                     {},
+                     {{"reason", QUADRILLE_MESSAGE("A loop can only cut a time that is not negative")},
+                      {"remedy", QUADRILLE_MESSAGE("Give a number of seconds, 0 or more.")}}});
+    const double frames = std::floor(cut->value * clip.fps + 1e-6);
+    if (frames < shortest - 1)
+        throw Error(ErrorCode::LoopCutTooShort, {{},
+                                                 {},
+                                                 {{"given", std::to_string(static_cast<int>(frames))},
+                                                  {"needed", std::to_string(shortest - 1)}}});
+    return static_cast<NodeIndex>(std::min(frames, count - 1));
+}
+
+Ends endsOf(const Clip& clip, const LoopSettings& settings, const TransitionSettings& transitions)
+{
+    const int shortest = transitions.shortest();
+    if (clip.frameCount() < 2 * std::int64_t{shortest})
+        throw Error(ErrorCode::LoopTooShort, {{},
+                                              {},
+                                              {{"frames", std::to_string(clip.frameCount())},
+                                               {"needed", std::to_string(2 * shortest)}}});
+    const auto last = static_cast<NodeIndex>(clip.frameCount() - 1);
+    return {.early = framesOf(settings.cutStart, clip, shortest),
+            .late = last - framesOf(settings.cutEnd, clip, shortest),
+            .last = last};
+}
+
+MeshSequence part(const Clip& clip, NodeIndex first, NodeIndex last)
+{
+    const auto vertices = static_cast<std::ptrdiff_t>(clip.topology->vertexCount());
+    std::vector<Vec3f> positions(clip.positions.begin() + first * vertices,
+                                 clip.positions.begin() + (last + 1) * vertices);
+    return makeSequence({}, clip.topology,
+                        std::make_shared<MemoryFrames>(std::move(positions), clip.topology->vertexCount()),
+                        clip.fps);
+}
+
+/// The pair of nodes of the best closure; nothing where there is none.
+std::optional<FramePair> bestClosure(const TransitionTable& table, const Ends& ends, TransitionCost cost)
+{
+    struct Candidate
+    {
+        FramePair nodes;
+        float cost;
+        int length;  ///< of the transition, frames
+        int period;  ///< of the cycle, frames
+    };
+    std::vector<Candidate> candidates;
+    for (NodeIndex frame = ends.late; frame <= ends.last; ++frame) {
+        const NodeIndex row = ends.nodeOfLate(frame);
+        for (NodeIndex column = 0; column <= std::min(ends.early, frame - 1); ++column) {
+            if (!std::isfinite(table.cost(row, column)))
+                continue;
+            const int length = table.length(row, column);
+            candidates.push_back({{row, column}, table.cost(row, column), length, frame - column + length - 1});
+        }
+    }
+    if (candidates.empty())
+        return {};
+    const float least = std::ranges::min(candidates, {}, &Candidate::cost).cost;
+    // Poses that differ by rounding only are at some 1e-5 from each other.
+    constexpr float rounding = 1e-4F;
+    const auto isAsGood = [&](const Candidate& c) {
+        const auto cells = static_cast<float>(cost == TransitionCost::Sum ? c.length : 1);
+        return c.cost <= 1.05F * least + rounding * cells;
+    };
+    std::erase_if(candidates, [&](const Candidate& c) { return !isAsGood(c); });
+    return std::ranges::max_element(candidates, {}, &Candidate::period)->nodes;
+}
+
+[[noreturn]] void refuseWithoutPath(const Ends& ends, int shortest)
+{
+    throw Error(ErrorCode::NoTransition, {{},
+                                          {},
+                                          {{"source", std::to_string(ends.last)},
+                                           {"destination", "0"},
+                                           {"needed", std::to_string(shortest)},
+                                           {"after", std::to_string(ends.last - ends.late + 1)},
+                                           {"before", std::to_string(ends.early + 1)}}});
+}
+
+/// The frames of the transition but the first and the last, which are frames of the clip.
+void appendBlend(const Clip& clip, const Transition& closure, const TransitionMotion& motion,
+                 const BlendMethod& method, Clip& cycle, const Progress& progress)
+{
+    const Ground ground(method.up);
+    std::vector<Positions> frames;
+    for (std::int64_t f = 0; f < clip.frameCount(); ++f)
+        frames.push_back(clip.frame(f));
+    std::vector<BlendStep> steps;
+    for (std::size_t t = 1; t + 1 < motion.steps.size(); ++t) {
+        const TransitionMotion::Step& step = motion.steps[t];
+        const FramePair cell = closure.path[t];
+        steps.push_back({.source = cell.source,
+                         .target = cell.destination,
+                         .lambda = step.lambda,
+                         .placeSource = step.placeSource.inSpace(ground),
+                         .placeTarget = step.placeDestination.inSpace(ground)});
+        cycle.origins.push_back(originBetween(clip.origins[static_cast<std::size_t>(cell.source)],
+                                              clip.origins[static_cast<std::size_t>(cell.destination)],
+                                              step.lambda));
+    }
+    const std::vector<Vec3f> blended = blendPoses(std::make_shared<const PoissonSystem>(clip.topology), frames,
+                                                  frames, steps, method.interpolation, progress);
+    cycle.positions.insert(cycle.positions.end(), blended.begin(), blended.end());
+}
+
+} // namespace
+
+Loop seamlessLoop(const Clip& clip, const LoopSettings& settings, const BlendMethod& method,
+                  const Progress& progress)
+{
+    progress.report(0.0);
+    TransitionSettings transitions = method.transitions;
+    transitions.fps = clip.fps;
+    checkSettings(transitions);
+    const Ends ends = endsOf(clip, settings, transitions);
+    const CharacterFrames character(std::vector{part(clip, 0, ends.early), part(clip, ends.late, ends.last)});
+    const PoseDistances distances = poseDistances(character, method.pose, progress.part(0, 0.4));
+    const TransitionTable table =
+        transitionTable(distances.distances, distances.layout, transitions, progress.part(0.4, 0.6));
+    const auto nodes = bestClosure(table, ends, transitions.cost);
+    if (!nodes)
+        refuseWithoutPath(ends, transitions.shortest());
+    Transition closure = *WarpPaths(distances.distances, distances.layout, transitions).of(table, *nodes);
+    const TransitionMotion motion =
+        transitionMotion(rootPoses(character, method.up, progress.part(0.6, 0.7)), closure);
+    closure.frames.source = ends.frameOfLate(closure.frames.source);
+    for (FramePair& cell : closure.path)
+        cell.source = ends.frameOfLate(cell.source);
+
+    Loop loop{.cycle = {.topology = clip.topology, .fps = clip.fps, .positions = {}, .origins = {}},
+              .travel = motion.exit(),
+              .closure = std::move(closure)};
+    const auto vertices = static_cast<std::ptrdiff_t>(clip.topology->vertexCount());
+    const auto [last, first] = loop.closure.frames;
+    loop.cycle.positions.assign(clip.positions.begin() + first * vertices,
+                                clip.positions.begin() + (last + 1) * vertices);
+    loop.cycle.origins.assign(clip.origins.begin() + first, clip.origins.begin() + last + 1);
+    appendBlend(clip, loop.closure, motion, method, loop.cycle, progress.part(0.7, 1));
+    if (settings.inPlace)
+        loop = inPlace(std::move(loop), method.up);
+    progress.report(1.0);
+    return loop;
+}
+
+Loop inPlace(Loop loop, UpAxis up)
+{
+    const std::int64_t count = loop.cycle.frameCount();
+    for (std::int64_t f = 1; f < count; ++f) {
+        const double share = static_cast<double>(f) / static_cast<double>(count);
+        moveFrame(loop.cycle.frame(f), partOf(loop.travel, share).inverse(), Ground(up));
+    }
+    loop.travel = {};
+    return loop;
+}
+
+Clip repeated(const Loop& loop, int cycles, UpAxis up)
+{
+    if (cycles < 1 || cycles > 10000)
+        throw Error(ErrorCode::BadArgument,
+                    {{},
+                     {},
+                     {{"reason", QUADRILLE_MESSAGE("A loop can be repeated 1 to 10,000 times")},
+                      {"remedy", QUADRILLE_MESSAGE("Give a number of repeats in between.")}}});
+    const std::size_t frames = loop.cycle.origins.size();
+    const std::size_t positions = loop.cycle.positions.size();
+    Clip clip = loop.cycle;
+    clip.positions.resize(positions * static_cast<std::size_t>(cycles));
+    clip.origins.resize(frames * static_cast<std::size_t>(cycles));
+    for (int k = 1; k < cycles; ++k) {
+        const std::size_t place = static_cast<std::size_t>(k) * positions;
+        std::copy_n(loop.cycle.origins.begin(), frames,
+                    clip.origins.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(k) * frames));
+        std::copy_n(loop.cycle.positions.begin(), positions,
+                    clip.positions.begin() + static_cast<std::ptrdiff_t>(place));
+        moveFrame(MutablePositions(clip.positions).subspan(place, positions), repeatedTravel(loop.travel, k),
+                  Ground(up));
+    }
+    return clip;
+}
+
+GroundMotion repeatedTravel(const GroundMotion& travel, int cycles)
+{
+    GroundMotion motion;
+    for (int k = 0; k < cycles; ++k)
+        motion = travel * motion;
+    return motion;
+}
+
+void moveFrame(MutablePositions positions, const GroundMotion& motion, const Ground& ground)
+{
+    if (motion == GroundMotion())
+        return;
+    const RigidMotion inSpace = motion.inSpace(ground);
+    const Eigen::Matrix3d rotation = inSpace.rotation.toRotationMatrix();
+    for (Vec3f& p : positions)
+        p = (rotation * p.cast<double>() + inSpace.translation).cast<float>();
+}
+
+} // namespace quadrille

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/progress.h"
+#include "model/synthesis/clip.h"
+#include "model/synthesis/ground.h"
+#include "model/synthesis/postprocessingsettings.h"
+#include "model/transition/interpolationmethod.h"
+#include "model/transition/posedistancesettings.h"
+#include "model/transition/warppath.h"
+
+namespace quadrille {
+
+/// How the transitions of a character are sought and blended.
+struct BlendMethod
+{
+    UpAxis up = UpAxis::Y;
+    PoseDistanceSettings pose;
+    /// The rate does not matter here: it is that of the clip.
+    TransitionSettings transitions;
+    InterpolationMethod interpolation = InterpolationMethod::Poisson;
+};
+
+/// A clip to be played again and again: after its last frame comes its first one, moved by `travel`.
+struct Loop
+{
+    Clip cycle;
+    GroundMotion travel; ///< from one cycle to the next
+    /// The transition that closes it, in frames of the clip that it was made from: from a late one to an
+    /// early one. The cycle begins with the early one.
+    Transition closure;
+};
+
+/// Closes a clip to a loop by the best transition from a frame near its end to one near its beginning. What
+/// lies before and behind is blended or dropped. Among closures that are as good within 5 % the one of the
+/// longest cycle is taken, then the earliest. The cycle lies where the clip does.
+/// \throws Error LoopTooShort, LoopCutTooShort, NoTransition (the slope lets no path span the windows),
+/// BadArgument (times, settings of transitions), NoUsableTriangles, Cancelled.
+/// Cost: that of pose distances and transitions of the frames that may be cut, and of one blend.
+Loop seamlessLoop(const Clip& clip, const LoopSettings& settings, const BlendMethod& method,
+                  const Progress& progress = {});
+
+/// The loop with its travel taken out, the same from frame to frame (along a circle where it turns).
+Loop inPlace(Loop loop, UpAxis up);
+
+/// A loop played several times, each time moved on. \param cycles  1 … 10,000. \throws Error BadArgument.
+Clip repeated(const Loop& loop, int cycles, UpAxis up);
+/// How several cycles move over the ground.
+GroundMotion repeatedTravel(const GroundMotion& travel, int cycles);
+
+/// Moves the frames of a clip over the ground, in place.
+void moveFrame(MutablePositions positions, const GroundMotion& motion, const Ground& ground);
+
+} // namespace quadrille
