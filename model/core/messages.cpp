@@ -138,16 +138,18 @@ ErrorMessage errorMessage(ErrorCode code)
         return {QUADRILLE_MESSAGE("The clip has {frames} frames; a loop needs at least {needed}."),
                 QUADRILLE_MESSAGE("Take a longer clip, or allow shorter transitions.")};
     case ErrorCode::LoopCutTooShort:
-        return {QUADRILLE_MESSAGE("A loop needs to cut at least {needed} frames from each end of the clip, to "
-                                  "blend them; {given} are allowed."),
-                QUADRILLE_MESSAGE("Allow more to be cut, or shorter transitions.")};
+        return {
+            QUADRILLE_MESSAGE("A loop needs to cut at least {needed} frames from each end of the clip, to "
+                              "blend them; {given} are allowed."),
+            QUADRILLE_MESSAGE("Allow more to be cut, or shorter transitions.")};
     case ErrorCode::TimeCurveNotMonotone:
         return {QUADRILLE_MESSAGE("The curve of times goes back at its point {point}."),
                 QUADRILLE_MESSAGE("Output times must rise, and clip times must not fall.")};
     case ErrorCode::NoSymmetry:
-        return {QUADRILLE_MESSAGE("No left–right symmetry of the mesh was found: {share} % of its vertices have "
-                                  "a counterpart on the other side."),
-                QUADRILLE_MESSAGE("Give a symmetry map, or an upright pose to find it in.")};
+        return {
+            QUADRILLE_MESSAGE("No left–right symmetry of the mesh was found: {share} % of its vertices have "
+                              "a counterpart on the other side."),
+            QUADRILLE_MESSAGE("Give a symmetry map, or an upright pose to find it in.")};
     case ErrorCode::SymmetryMapWrong:
         return {QUADRILLE_MESSAGE("The symmetry map does not fit the mesh: {reason}."),
                 QUADRILLE_MESSAGE("Give for each vertex the index of its counterpart, or its own.")};

@@ -81,8 +81,8 @@ std::optional<FramePair> bestClosure(const TransitionTable& table, const Ends& e
     {
         FramePair nodes;
         float cost;
-        int length;  ///< of the transition, frames
-        int period;  ///< of the cycle, frames
+        int length; ///< of the transition, frames
+        int period; ///< of the cycle, frames
     };
     std::vector<Candidate> candidates;
     for (NodeIndex frame = ends.late; frame <= ends.last; ++frame) {
@@ -91,7 +91,8 @@ std::optional<FramePair> bestClosure(const TransitionTable& table, const Ends& e
             if (!std::isfinite(table.cost(row, column)))
                 continue;
             const int length = table.length(row, column);
-            candidates.push_back({{row, column}, table.cost(row, column), length, frame - column + length - 1});
+            candidates.push_back(
+                {{row, column}, table.cost(row, column), length, frame - column + length - 1});
         }
     }
     if (candidates.empty())
@@ -139,8 +140,8 @@ void appendBlend(const Clip& clip, const Transition& closure, const TransitionMo
                                               clip.origins[static_cast<std::size_t>(cell.destination)],
                                               step.lambda));
     }
-    const std::vector<Vec3f> blended = blendPoses(std::make_shared<const PoissonSystem>(clip.topology), frames,
-                                                  frames, steps, method.interpolation, progress);
+    const std::vector<Vec3f> blended = blendPoses(std::make_shared<const PoissonSystem>(clip.topology),
+                                                  frames, frames, steps, method.interpolation, progress);
     cycle.positions.insert(cycle.positions.end(), blended.begin(), blended.end());
 }
 
