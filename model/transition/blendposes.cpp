@@ -3,6 +3,7 @@
 #include "model/transition/poseinterpolation.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <iterator>
 #include <map>
@@ -18,11 +19,13 @@ constexpr std::size_t batchSize = 32;
 using PreparedPoses = std::map<int, std::shared_ptr<const PreparedPose>>;
 
 /// Lets go of poses that a batch does not use and makes room for those it does.
-void renew(PreparedPoses& poses, std::span<const BlendStep> batch, int BlendStep::*frame)
+void renew(PreparedPoses& poses, std::span<const BlendStep> batch, std::span<int BlendStep::*const> frames)
 {
     PreparedPoses used;
-    for (const BlendStep& step : batch)
-        used[step.*frame];
+    for (const BlendStep& step : batch) {
+        for (int BlendStep::*const frame : frames)
+            used[step.*frame];
+    }
     for (auto& [index, pose] : used) {
         if (const auto found = poses.find(index); found != poses.end())
             pose = found->second;
@@ -39,16 +42,21 @@ std::vector<Vec3f> blendPoses(const std::shared_ptr<const PoissonSystem>& system
 {
     const std::size_t vertexCount = system->vertexCount();
     std::vector<Vec3f> out(steps.size() * vertexCount);
+    // Two windows of one clip share what is prepared of its frames.
+    const bool isOneWindow = sources.data() == targets.data();
     PreparedPoses sourcePoses;
-    PreparedPoses targetPoses;
+    PreparedPoses ownTargetPoses;
+    PreparedPoses& targetPoses = isOneWindow ? sourcePoses : ownTargetPoses;
+    constexpr std::array sourceAndTarget{&BlendStep::source, &BlendStep::target};
     for (std::size_t from = 0; from < steps.size(); from += batchSize) {
         const std::span<const BlendStep> batch =
             steps.subspan(from, std::min(batchSize, steps.size() - from));
         const Progress part =
             progress.part(static_cast<double>(from) / static_cast<double>(steps.size()),
                           static_cast<double>(from + batch.size()) / static_cast<double>(steps.size()));
-        renew(sourcePoses, batch, &BlendStep::source);
-        renew(targetPoses, batch, &BlendStep::target);
+        renew(sourcePoses, batch, std::span(sourceAndTarget).first(isOneWindow ? 2 : 1));
+        if (!isOneWindow)
+            renew(targetPoses, batch, std::span(sourceAndTarget).last(1));
         struct Missing
         {
             std::shared_ptr<const PreparedPose>* pose;
@@ -62,7 +70,8 @@ std::vector<Vec3f> blendPoses(const std::shared_ptr<const PoissonSystem>& system
             }
         };
         note(sourcePoses, sources);
-        note(targetPoses, targets);
+        if (!isOneWindow)
+            note(targetPoses, targets);
         const auto total = static_cast<std::int64_t>(missing.size() + batch.size());
         std::atomic<std::int64_t> done = 0;
         tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {

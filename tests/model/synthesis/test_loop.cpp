@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/core/error.h"
 #include "model/geometry/procrustes.h"
 #include "model/synthesis/loop.h"
+#include "tests/model/synthesis/errorcodeof.h"
 #include "tests/model/synthesis/stridingtube.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 namespace quadrille {
 namespace {
 
+using testing::errorCodeOf;
 using testing::largestStep;
 using testing::movedBy;
 using testing::stridingTube;
@@ -18,16 +19,6 @@ const BlendMethod upright{.up = UpAxis::Z, .pose = {}, .transitions = {}};
 
 /// A curved walk of three periods and a half.
 const testing::Stride curved{.frames = 70, .period = 20, .pace = {0.03, Vec2d(0.04, 0.01)}};
-
-ErrorCode codeOf(const std::function<void()>& call)
-{
-    try {
-        call();
-    } catch (const Error& error) {
-        return error.code();
-    }
-    return ErrorCode::Unexpected;
-}
 
 TEST(Loop, OfAPeriodicMotionIsAWholeNumberOfPeriods)
 {
@@ -119,17 +110,18 @@ TEST(Loop, SaysWhatItNeeds)
 {
     testing::Stride brief = curved;
     brief.frames = 17;
-    EXPECT_EQ(codeOf([&] { seamlessLoop(stridingTube(brief), {}, upright); }), ErrorCode::LoopTooShort);
+    EXPECT_EQ(errorCodeOf([&] { seamlessLoop(stridingTube(brief), {}, upright); }), ErrorCode::LoopTooShort);
     const Clip clip = stridingTube(curved);
     const auto cutting = [&](double seconds) {
-        return codeOf([&] { seamlessLoop(clip, {.cutStart = Seconds{seconds}, .cutEnd = {}}, upright); });
+        return errorCodeOf(
+            [&] { seamlessLoop(clip, {.cutStart = Seconds{seconds}, .cutEnd = {}}, upright); });
     };
     EXPECT_EQ(cutting(0.1), ErrorCode::LoopCutTooShort);
     EXPECT_EQ(cutting(-1), ErrorCode::BadArgument);
     EXPECT_EQ(cutting(std::numeric_limits<double>::quiet_NaN()), ErrorCode::BadArgument);
     const Loop loop = seamlessLoop(clip, {}, upright);
     for (const int cycles : {0, -1, 100000})
-        EXPECT_EQ(codeOf([&] { repeated(loop, cycles, UpAxis::Z); }), ErrorCode::BadArgument);
+        EXPECT_EQ(errorCodeOf([&] { repeated(loop, cycles, UpAxis::Z); }), ErrorCode::BadArgument);
 }
 
 TEST(Loop, OfTheShortestClipThatCanBeBlended)
@@ -144,7 +136,7 @@ TEST(Loop, StopsWhenCancelled)
 {
     CancelToken token;
     token.cancel();
-    EXPECT_EQ(codeOf([&] { seamlessLoop(stridingTube(curved), {}, upright, Progress(token)); }),
+    EXPECT_EQ(errorCodeOf([&] { seamlessLoop(stridingTube(curved), {}, upright, Progress(token)); }),
               ErrorCode::Cancelled);
 }
 
