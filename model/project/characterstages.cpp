@@ -64,13 +64,9 @@ CharacterWork characterWork(const std::shared_ptr<SequenceOpener>& opener, const
     if (work.character.empty() && !project.characters.empty())
         work.character = project.characters.front().name;
     work.prefix = project.characters.size() > 1 ? "graph/" + work.character : "graph";
-    for (const SequenceEntry& entry : project.sequences) {
-        const CharacterEntry* own = characterOf(project, entry);
-        if ((own ? own->name : "") != work.character)
-            continue;
-        work.sequences.push_back(entry.name);
-        work.settings += sequenceSettings(project, entry);
-    }
+    work.sequences = sequencesOfGraph(project, work.character);
+    for (const std::string& name : work.sequences)
+        work.settings += sequenceSettings(project, *findSequence(project, name));
     return work;
 }
 

@@ -125,6 +125,46 @@ const SequenceEntry* findSequence(const Project& project, const std::string& nam
     return found == project.sequences.end() ? nullptr : &*found;
 }
 
+const AnimationEntry* findAnimation(const Project& project, const std::string& name)
+{
+    const auto found = std::find_if(project.animations.begin(), project.animations.end(),
+                                    [&](const AnimationEntry& entry) { return entry.name == name; });
+    return found == project.animations.end() ? nullptr : &*found;
+}
+
+std::string characterNameOf(const Project& project, const AnimationEntry& animation)
+{
+    if (animation.character.empty() && !project.characters.empty())
+        return project.characters.front().name;
+    return animation.character;
+}
+
+std::vector<std::string> sequencesOfGraph(const Project& project, const std::string& character)
+{
+    // The animation that a sequence shows, through other sequences, too; a circle of sequences shows none.
+    const auto shownBy = [&project](const SequenceEntry& entry) -> const AnimationEntry* {
+        const SequenceEntry* at = &entry;
+        for (std::size_t steps = 0; at != nullptr && steps <= project.sequences.size(); ++steps) {
+            const auto clip = clipOfSource(at->source).value_or("");
+            const std::string name = clip.substr(clip.find('/') + 1);
+            if (clip.starts_with("animations/"))
+                return findAnimation(project, name);
+            at = clip.starts_with("sequences/") ? findSequence(project, name) : nullptr;
+        }
+        return nullptr;
+    };
+    std::vector<std::string> names;
+    for (const SequenceEntry& entry : project.sequences) {
+        const CharacterEntry* own = characterOf(project, entry);
+        if ((own ? own->name : "") != character)
+            continue;
+        const AnimationEntry* animation = shownBy(entry);
+        if (animation == nullptr || characterNameOf(project, *animation) != character)
+            names.push_back(entry.name);
+    }
+    return names;
+}
+
 SequenceOpener::SequenceOpener(Project project, fs::path folder)
     : m_project(std::move(project)), m_folder(std::move(folder))
 {

@@ -81,5 +81,11 @@ OpenedSequence openSource(const SequenceEntry& entry, const CharacterEntry* char
 /// The character of a sequence: the one it names, or the only one; null when the project has none.
 const CharacterEntry* characterOf(const Project& project, const SequenceEntry& entry);
 const SequenceEntry* findSequence(const Project& project, const std::string& name);
+const AnimationEntry* findAnimation(const Project& project, const std::string& name);
+/// The character of an animation: the one it names, or the only one; empty when the project has none.
+std::string characterNameOf(const Project& project, const AnimationEntry& animation);
+/// The sequences that the graph of a character is made of, in project order: all of the character's but those
+/// that are clips of its own animations.
+std::vector<std::string> sequencesOfGraph(const Project& project, const std::string& character);
 
 } // namespace quadrille

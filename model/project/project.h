@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/core/error.h"
+#include "model/project/animationentry.h"
 #include "model/project/evaluationentry.h"
 #include "model/project/problem.h"
 #include "model/sequence/axes.h"
@@ -17,9 +18,6 @@
 #include <vector>
 
 namespace quadrille {
-
-/// Keys of the project file that this version does not know; kept and written again.
-using UnknownKeys = nlohmann::ordered_json;
 
 struct ProjectSettings
 {
@@ -133,6 +131,7 @@ struct Project
     std::vector<CharacterEntry> characters;
     std::vector<SequenceEntry> sequences;
     std::vector<GraphEntry> graphs; ///< the section “graph”; one for each character at most
+    std::vector<AnimationEntry> animations;
     std::vector<EvaluationEntry> evaluations;
     std::vector<ExportEntry> exports;
     /// Sections and keys that this version does not know.

@@ -11,8 +11,9 @@
 namespace quadrille::projectkeys {
 
 // The keys of each object of the project file, in the order in which they are written.
-inline constexpr std::array<std::string_view, 8> document{"format",    "version", "settings",    "characters",
-                                                          "sequences", "graph",   "evaluations", "exports"};
+inline constexpr std::array<std::string_view, 9> document{"format",     "version",     "settings",
+                                                          "characters", "sequences",   "graph",
+                                                          "animations", "evaluations", "exports"};
 inline constexpr std::array<std::string_view, 4> settings{"fps", "up_axis", "unit", "cache_megabytes"};
 inline constexpr std::array<std::string_view, 4> character{"name", "mesh", "texture", "notes"};
 inline constexpr std::array<std::string_view, 12> sequence{
@@ -20,6 +21,26 @@ inline constexpr std::array<std::string_view, 12> sequence{
     "source_up_axis", "source_unit", "texture", "labels", "contacts", "joint_angles"};
 inline constexpr std::array<std::string_view, 8> graph{"character", "metric",    "stretch_weight", "cost",
                                                        "slope",     "durations", "alpha",          "d_max"};
+inline constexpr std::array<std::string_view, 9> animation{
+    "name", "character", "start", "constraints", "search", "junctions", "walk", "interpolation", "post"};
+inline constexpr std::array<std::string_view, 5> key{"kind", "sequence", "frame", "time", "tolerance"};
+inline constexpr std::array<std::string_view, 6> path{"kind",  "curve",     "points",
+                                                      "spans", "obstacles", "clearance"};
+inline constexpr std::array<std::string_view, 6> pathSpan{"from",     "to",    "label",
+                                                          "sequence", "range", "duration"};
+inline constexpr std::array<std::string_view, 3> obstacle{"centre", "radius", "polygon"};
+inline constexpr std::array<std::string_view, 7> action{"kind",   "label",    "sequence",   "range",
+                                                        "repeat", "duration", "least_share"};
+inline constexpr std::array<std::string_view, 3> frameChoice{"label", "sequence", "range"};
+inline constexpr std::array<std::string_view, 4> search{"budget", "beta", "mu", "global"};
+inline constexpr std::array<std::string_view, 3> junctions{"banned", "locked", "chosen"};
+inline constexpr std::array<std::string_view, 3> walk{"spans", "turn", "at"};
+inline constexpr std::array<std::string_view, 6> post{
+    "loop", "contact_correction", "mirror", "symmetry", "repeats", "retime"};
+inline constexpr std::array<std::string_view, 3> loop{"cut_start", "cut_end", "in_place"};
+inline constexpr std::array<std::string_view, 5> contactCorrection{"strength", "ease", "greatest_shift",
+                                                                   "greatest_turn", "greatest_lift"};
+inline constexpr std::array<std::string_view, 4> retime{"factor", "duration", "curve", "keep_root_speed"};
 inline constexpr std::array<std::string_view, 3> evaluation{"table", "character", "alphas"};
 inline constexpr std::array<std::string_view, 10> exportEntry{
     "name", "what", "path", "format", "range", "fps", "up_axis", "unit", "textures", "picture"};

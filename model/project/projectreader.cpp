@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/objectreader.h"
+#include "model/project/animationjson.h"
 #include "model/project/pictureoptions.h"
 #include "model/project/projectjson.h"
 #include "model/project/projectkeys.h"
@@ -194,6 +194,9 @@ Project projectFromJson(const Json& document, ProjectProblems& problems)
             project.graphs.push_back(readGraph(json, pointer, problems));
         });
     }
+    reader.each("animations", [&](const Json& json, const std::string& pointer) {
+        project.animations.push_back(readAnimation({json, pointer, problems}, project.settings.axes.up));
+    });
     reader.each("evaluations", [&](const Json& json, const std::string& pointer) {
         project.evaluations.push_back(readEvaluation(json, pointer, problems));
     });

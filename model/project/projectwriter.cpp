@@ -1,38 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/animationjson.h"
+#include "model/project/jsonmembers.h"
 #include "model/project/lengthunit.h"
 #include "model/project/projectjson.h"
 
 namespace quadrille {
 
 namespace {
-
-void addUnknown(Json& json, const UnknownKeys& unknown)
-{
-    if (!unknown.is_object())
-        return;
-    for (const auto& [key, value] : unknown.items()) {
-        if (!json.contains(key))
-            json[key] = value;
-    }
-}
-
-void addText(Json& json, const char* key, const std::string& text)
-{
-    if (!text.empty())
-        json[key] = text;
-}
-
-Json rangeToJson(FrameRange range)
-{
-    return Json::array({range.first.value, range.last.value});
-}
-
-void addRange(Json& json, const char* key, const std::optional<FrameRange>& range)
-{
-    if (range)
-        json[key] = rangeToJson(*range);
-}
 
 void addAxes(Json& json, const char* upKey, const char* unitKey, const CoordinateSystem& axes)
 {
@@ -208,6 +183,8 @@ Json projectToJson(const Project& project)
     for (const SequenceEntry& sequence : project.sequences)
         json["sequences"].push_back(sequenceToJson(sequence));
     addGraphs(json, project.graphs);
+    for (const AnimationEntry& animation : project.animations)
+        json["animations"].push_back(animationToJson(animation, project.settings.axes.up));
     for (const EvaluationEntry& evaluation : project.evaluations)
         json["evaluations"].push_back(evaluationToJson(evaluation));
     json["exports"] = Json::array();

@@ -7,7 +7,8 @@ namespace quadrille {
 std::vector<ResultStage> makeStages(const StageMaking& making)
 {
     std::vector<ResultStage> stages;
-    for (auto make : {makeSequenceStages, makeGraphStages, makeEvaluationStages, makeSheetStages, makeExportStages}) {
+    for (auto make :
+         {makeSequenceStages, makeGraphStages, makeEvaluationStages, makeSheetStages, makeExportStages}) {
         for (ResultStage& stage : make(making))
             stages.push_back(std::move(stage));
     }

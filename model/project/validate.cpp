@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/validate.h"
 
+#include "model/project/opensequence.h"
 #include "model/project/paths.h"
-#include "model/project/projectkeys.h"
+#include "model/project/validateanimations.h"
+#include "model/project/validationtexts.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace quadrille {
@@ -16,34 +17,12 @@ namespace {
 
 constexpr double highestFps = 10000;
 
-std::string quoted(const std::string& text)
-{
-    return "“" + text + "”";
-}
-
-/// "Did you mean …?" where a name is nearly one that exists, else the remedy.
-std::string meantOr(const std::string& name, const std::vector<std::string>& known, std::string remedy)
-{
-    const std::vector<std::string_view> views(known.begin(), known.end());
-    const auto meant = projectkeys::closestWord(name, views);
-    return meant ? "Did you mean " + quoted(*meant) + "?" : std::move(remedy);
-}
-
 std::string listed(const std::vector<std::string>& names)
 {
     std::string list;
     for (const std::string& name : names)
         list.append(list.empty() ? "" : ", ").append(quoted(name));
     return list;
-}
-
-template <typename Entry>
-std::vector<std::string> namesOf(const std::vector<Entry>& entries)
-{
-    std::vector<std::string> names(entries.size());
-    std::transform(entries.begin(), entries.end(), names.begin(),
-                   [](const Entry& entry) { return entry.name; });
-    return names;
 }
 
 class Validator
@@ -56,6 +35,7 @@ public:
         checkFps(m_project.settings.fps, "/settings/fps");
         checkNames(m_project.characters, "/characters");
         checkNames(m_project.sequences, "/sequences");
+        checkNames(m_project.animations, "/animations");
         checkNames(m_project.exports, "/exports");
         for (std::size_t i = 0; i < m_project.characters.size(); ++i)
             checkCharacter(m_project.characters[i], "/characters/" + std::to_string(i));
@@ -63,6 +43,7 @@ public:
             checkSequence(m_project.sequences[i], "/sequences/" + std::to_string(i));
         checkCycles();
         checkGraphs();
+        validateAnimations(m_project, m_problems);
         checkEvaluations();
         for (std::size_t i = 0; i < m_project.exports.size(); ++i)
             checkExport(m_project.exports[i], "/exports/" + std::to_string(i));
@@ -246,6 +227,11 @@ private:
         const std::string name = slash == std::string::npos ? "" : clip.substr(slash + 1);
         if (name.empty()) {
             invalid(pointer, quoted(clip) + " names no clip", "Write SECTION/NAME, as in “sequences/walk”.");
+        } else if (section == "animations") {
+            const auto known = namesOf(m_project.animations);
+            if (std::find(known.begin(), known.end(), name) == known.end())
+                invalid(pointer, "There is no animation " + quoted(name),
+                        meantOr(name, known, "Correct the name."));
         } else if (section != "sequences") {
             if (m_project.unknown.is_object() && m_project.unknown.contains(section))
                 m_problems.push_back(warningAt(pointer, "Clips of the section " + quoted(section) +
@@ -260,25 +246,53 @@ private:
         }
     }
 
-    /// Follows each sequence's clip sources; every sequence has at most one, so a circle is met again.
+    /// What a clip is made of: a sequence of its source, an animation of the sequences in its graph.
+    std::vector<std::string> sourcesOf(const std::string& clip) const
+    {
+        const std::string name = clip.substr(clip.find('/') + 1);
+        if (clip.starts_with("sequences/")) {
+            const SequenceEntry* sequence = findSequence(m_project, name);
+            const auto source = sequence ? clipOfSource(sequence->source) : std::nullopt;
+            return source ? std::vector{*source} : std::vector<std::string>{};
+        }
+        std::vector<std::string> sources;
+        if (const AnimationEntry* animation = findAnimation(m_project, name)) {
+            for (const std::string& sequence :
+                 sequencesOfGraph(m_project, characterNameOf(m_project, *animation)))
+                sources.push_back("sequences/" + sequence);
+        }
+        return sources;
+    }
+
+    /// The way from a clip back to itself; empty when there is none.
+    std::vector<std::string> circleOf(const std::string& clip) const
+    {
+        std::set<std::string> seen;
+        std::vector<std::vector<std::string>> ways{{clip}};
+        while (!ways.empty()) {
+            const std::vector<std::string> way = ways.back();
+            ways.pop_back();
+            for (const std::string& source : sourcesOf(way.back())) {
+                std::vector<std::string> longer = way;
+                longer.push_back(source);
+                if (source == clip)
+                    return longer;
+                if (seen.insert(source).second)
+                    ways.push_back(std::move(longer));
+            }
+        }
+        return {};
+    }
+
     void checkCycles()
     {
-        std::map<std::string, std::string> sourceOf;
-        for (const SequenceEntry& sequence : m_project.sequences)
-            sourceOf["sequences/" + sequence.name] = clipOfSource(sequence.source).value_or("");
         for (std::size_t i = 0; i < m_project.sequences.size(); ++i) {
-            const std::string start = "sequences/" + m_project.sequences[i].name;
-            std::string way = m_project.sequences[i].name;
-            std::set<std::string> seen;
-            for (std::string at = start; !at.empty() && seen.insert(at).second;) {
-                const auto next = sourceOf.find(at);
-                at = next == sourceOf.end() ? "" : next->second;
-                if (!at.empty())
-                    way += " → " + at.substr(at.find('/') + 1);
-                if (at == start)
-                    invalid("/sequences/" + std::to_string(i) + "/source",
-                            "The sequence is its own source: " + way, "Break the circle.");
-            }
+            std::string way;
+            for (const std::string& clip : circleOf("sequences/" + m_project.sequences[i].name))
+                way += (way.empty() ? "" : " → ") + clip.substr(clip.find('/') + 1);
+            if (!way.empty())
+                invalid("/sequences/" + std::to_string(i) + "/source",
+                        "The sequence is its own source: " + way, "Break the circle.");
         }
     }
 

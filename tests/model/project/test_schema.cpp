@@ -74,6 +74,19 @@ std::string picture(const std::string& json)
     return text.append(R"("what": "sequences/s", "path": "e.png", "picture": )").append(json).append("}]");
 }
 
+/// An animation with these members.
+std::string animation(const std::string& members)
+{
+    std::string text = R"(, "sequences": [{"name": "s", "source": "s"}], "graph": {}, "animations": [{)";
+    return text.append(R"("name": "a", )").append(members).append("}]");
+}
+
+/// An animation of a walk, with these members beside it.
+std::string walkAnd(const std::string& members)
+{
+    return animation(R"("walk": {"spans": [{"sequence": "s", "frames": [0, 3]}]}, )" + members);
+}
+
 } // namespace
 
 TEST(Schema, KnowsTheKeysThatTheCodeKnows)
@@ -86,6 +99,20 @@ TEST(Schema, KnowsTheKeysThatTheCodeKnows)
     EXPECT_EQ(propertiesOf(definitions["sequence"]), keysOf(projectkeys::sequence));
     EXPECT_EQ(propertiesOf(definitions["graph"]), keysOf(projectkeys::graph));
     EXPECT_EQ(propertiesOf(definitions["evaluation"]), keysOf(projectkeys::evaluation));
+    EXPECT_EQ(propertiesOf(definitions["animation"]), keysOf(projectkeys::animation));
+    EXPECT_EQ(propertiesOf(definitions["frame_choice"]), keysOf(projectkeys::frameChoice));
+    EXPECT_EQ(propertiesOf(definitions["key"]), keysOf(projectkeys::key));
+    EXPECT_EQ(propertiesOf(definitions["path"]), keysOf(projectkeys::path));
+    EXPECT_EQ(propertiesOf(definitions["path_span"]), keysOf(projectkeys::pathSpan));
+    EXPECT_EQ(propertiesOf(definitions["obstacle"]), keysOf(projectkeys::obstacle));
+    EXPECT_EQ(propertiesOf(definitions["action"]), keysOf(projectkeys::action));
+    EXPECT_EQ(propertiesOf(definitions["search"]), keysOf(projectkeys::search));
+    EXPECT_EQ(propertiesOf(definitions["junctions"]), keysOf(projectkeys::junctions));
+    EXPECT_EQ(propertiesOf(definitions["walk"]), keysOf(projectkeys::walk));
+    EXPECT_EQ(propertiesOf(definitions["post"]), keysOf(projectkeys::post));
+    EXPECT_EQ(propertiesOf(definitions["loop"]), keysOf(projectkeys::loop));
+    EXPECT_EQ(propertiesOf(definitions["contact_correction"]), keysOf(projectkeys::contactCorrection));
+    EXPECT_EQ(propertiesOf(definitions["retime"]), keysOf(projectkeys::retime));
     EXPECT_EQ(propertiesOf(definitions["export"]), keysOf(projectkeys::exportEntry));
     EXPECT_EQ(propertiesOf(definitions["picture"]), keysOf(projectkeys::picture));
     EXPECT_EQ(propertiesOf(definitions["view"]), keysOf(projectkeys::view));
@@ -105,6 +132,16 @@ TEST(Schema, TheCodeWritesItsKeysInTheirOrder)
     EXPECT_EQ(written(json["sequences"][0]["contacts"][0]), listOf(projectkeys::contact));
     EXPECT_EQ(written(json["graph"][0]), listOf(projectkeys::graph));
     EXPECT_EQ(written(json["evaluations"][0]), listOf(projectkeys::evaluation));
+    const Json& animation = json["animations"][0];
+    EXPECT_EQ(written(animation), listOf(projectkeys::animation));
+    EXPECT_EQ(written(animation["constraints"][0]), listOf(projectkeys::path));
+    EXPECT_EQ(written(animation["constraints"][1]), listOf(projectkeys::key));
+    EXPECT_EQ(written(animation["search"]), listOf(projectkeys::search));
+    EXPECT_EQ(written(animation["junctions"]), listOf(projectkeys::junctions));
+    EXPECT_EQ(written(animation["walk"]), listOf(projectkeys::walk));
+    EXPECT_EQ(written(animation["post"]), listOf(projectkeys::post));
+    EXPECT_EQ(written(animation["post"]["loop"]), listOf(projectkeys::loop));
+    EXPECT_EQ(written(animation["post"]["contact_correction"]), listOf(projectkeys::contactCorrection));
     EXPECT_EQ(written(json["exports"][0]), listOf(projectkeys::exportEntry));
     EXPECT_EQ(written(json["exports"][0]["picture"]), listOf(projectkeys::picture));
     EXPECT_EQ(written(json["exports"][0]["picture"]["view"]), listOf(projectkeys::view));
@@ -147,6 +184,29 @@ TEST(Schema, AgreesWithTheReaderOnHandWrittenFiles)
         {R"(, "evaluations": [{"table": "fig9", "alphas": [-0.1]}])", false},
         {R"(, "evaluations": [{"table": "fig9", "alphas": 0.1}])", false},
         {R"(, "evaluations": [7])", false},
+        {animation(R"("constraints": [{"kind": "path", "points": [[0, 0], [1, 2]]}])"), true},
+        {animation(R"("constraints": [{"kind": "path", "points": [[0, 0, 1], [1, 2, 1]]}])"), true},
+        {animation(R"("constraints": [{"kind": "path", "points": [[0, 0], [1]]}])"), false},
+        {animation(R"("constraints": [{"kind": "path", "points": [[0, 0]]}])"), false},
+        {animation(R"("constraints": [{"kind": "key", "sequence": "s", "frame": 3, "time": 2}])"), true},
+        {animation(R"("constraints": [{"kind": "key", "sequence": "s", "frame": 3}])"), false},
+        {animation(R"("constraints": [{"kind": "key", "sequence": "s", "frame": 0.5, "time": 2}])"), false},
+        {animation(R"("constraints": [{"kind": "action", "sequence": "s", "repeat": 2}])"), true},
+        {animation(R"("constraints": [{"kind": "action", "repeat": 2}])"), false},
+        {animation(R"("constraints": [{"kind": "action", "sequence": "s", "repeat": 0}])"), false},
+        {animation(R"("constraints": [{"kind": "dance"}])"), false},
+        {animation(R"("walk": {"spans": [{"sequence": "s", "frames": [0, 3]}]})"), true},
+        {animation(R"("walk": {"spans": [{"sequence": "s"}]})"), false},
+        {animation(R"("walk": {"spans": []})"), false},
+        {walkAnd(R"("post": {"loop": true, "repeats": 2, "retime": {"factor": 2}})"), true},
+        {walkAnd(R"("post": {"loop": {"in_place": true}, "contact_correction": true})"), true},
+        {walkAnd(R"("post": {"retime": {"factor": 0}})"), false},
+        {walkAnd(R"("post": {"retime": {"curve": [[0, 0]]}})"), false},
+        {walkAnd(R"("post": {"loop": "yes"})"), false},
+        {walkAnd(R"("junctions": {"banned": [[["s", 1], ["s", 2]]]})"), true},
+        {walkAnd(R"("junctions": {"banned": [["s", 1, "s", 2]]})"), false},
+        {walkAnd(R"("search": {"budget": 0})"), false},
+        {walkAnd(R"("interpolation": "cubic")"), false},
         {picture(R"({"camera": "fixed", "view": {"eye": [0, 1, 4]}, "mine": 1})"), true},
         {picture(R"({"camera": "drone"})"), false},
         {picture(R"({"width": 0})"), false},

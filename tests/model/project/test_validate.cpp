@@ -104,9 +104,9 @@ TEST(Validate, CyclesOfClipsAreRefused)
 TEST(Validate, ClipsOfSectionsThatAreNotKnownAreNoError)
 {
     Project project;
-    project.sequences = {sequenceOf("a", "clip:animations/dance")};
-    EXPECT_THAT(onlyProblem(project), HasSubstr("no section “animations”"));
-    project.unknown["animations"] = UnknownKeys::array();
+    project.sequences = {sequenceOf("a", "clip:variations/dance")};
+    EXPECT_THAT(onlyProblem(project), HasSubstr("no section “variations”"));
+    project.unknown["variations"] = UnknownKeys::array();
     EXPECT_THAT(onlyProblem(project), HasSubstr("cannot be used by this version"));
     EXPECT_FALSE(hasErrors(validate(project)));
 }
@@ -147,6 +147,6 @@ TEST(ClosestWord, FindsSlipsAndNothingFarFetched)
     using projectkeys::closestWord;
     EXPECT_EQ(closestWord("sorce", projectkeys::sequence), "source");
     EXPECT_EQ(closestWord("Source-FPS", projectkeys::sequence), "source_fps");
-    EXPECT_EQ(closestWord("animations", projectkeys::document), std::nullopt);
+    EXPECT_EQ(closestWord("transfers", projectkeys::document), std::nullopt);
     EXPECT_EQ(closestWord("colour", projectkeys::texture), std::nullopt);
 }

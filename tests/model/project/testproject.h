@@ -71,6 +71,55 @@ inline TextureReference textureOf(TextureReference::Kind kind, std::vector<std::
     return texture;
 }
 
+/// An animation in which every known key has a value that is not the default. \pre z is up.
+inline AnimationEntry fullAnimation()
+{
+    const auto choice = [](std::string label) {
+        FrameChoice frames;
+        frames.label = std::move(label);
+        return frames;
+    };
+    AnimationEntry animation;
+    animation.name = "tour";
+    animation.character = "liam";
+    animation.start = FrameChoice{"", "talk", FrameRange{FrameIndex(0), FrameIndex(9)}};
+    PathEntry path;
+    path.curve = PathCurve::Polyline;
+    path.points = {{0, 0, 0}, {1, 2, 0}, {3, 2.5, 0}};
+    path.spans = {{.from = 0.5, .to = 1.5, .frames = choice("nod"), .duration = 2}};
+    path.obstacles = {{.corners = {Vec2d(1, 1)}, .radius = 0.3},
+                      {.corners = {Vec2d(0, 0), Vec2d(1, 0), Vec2d(0, 1)}}};
+    path.clearance = 0.25;
+    KeyEntry key;
+    key.sequence = "talk";
+    key.frame = FrameIndex(7);
+    key.time = 1.25;
+    key.tolerance = 0.1;
+    ActionEntry action;
+    action.frames = {"", "talk", FrameRange{FrameIndex(3), FrameIndex(20)}};
+    action.repeat = 2;
+    action.duration = 3;
+    action.leastShare = 0.75;
+    animation.constraints = {path, key, action};
+    animation.search = {.budget = 5000, .beta = 0.02, .mu = 0.2, .globalKeys = true};
+    const NamedFrame from{"talk", FrameIndex(4)};
+    const NamedFrame to{"talk", FrameIndex(30)};
+    animation.junctions = {.banned = {{from, to}}, .locked = {{to, from}}, .chosen = {{from, from}}};
+    animation.walk = WalkEntry{
+        .spans = {{"talk", {FrameIndex(0), FrameIndex(4)}}, {"talk", {FrameIndex(30), FrameIndex(38)}}},
+        .turn = 90,
+        .at = Vec2d(1, -2)};
+    animation.interpolation = InterpolationMethod::Slerp;
+    animation.post.steps.loop = LoopSettings{Seconds{0.5}, Seconds{0.25}, true};
+    animation.post.steps.contacts = ContactCorrectionSettings{0.5, 0.1, 0.05, 0.2, 0.01};
+    animation.post.steps.mirror = true;
+    animation.post.symmetry = "liam/opposite.csv";
+    animation.post.steps.repeats = 3;
+    animation.post.steps.retime =
+        RetimeSettings{RetimeSettings::Curve{{Seconds{0}, Seconds{0}}, {Seconds{2}, Seconds{1}}}, true};
+    return animation;
+}
+
 /// A project in which every known key of the file has a value that is not the default.
 inline Project fullProject()
 {
@@ -105,6 +154,7 @@ inline Project fullProject()
     graph.alpha = 0.05;
     graph.greatestDistance = 0.75;
     project.graphs = {graph};
+    project.animations = {fullAnimation()};
     EvaluationEntry evaluation;
     evaluation.table = "fig9";
     evaluation.character = "liam";

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/objectreader.h"
+
+namespace quadrille {
+
+/// An entry of the section “animations”. Points of paths come out in the project's axes.
+AnimationEntry readAnimation(const ObjectReader& reader, UpAxis up);
+Json animationToJson(const AnimationEntry& animation, UpAxis up);
+
+/// A point of the ground as the file has it, in the two axes of the project that are not up, in their order.
+Vec3d pointOnGround(const Vec2d& point, UpAxis up);
+Vec2d pointOfFile(const Vec3d& point, UpAxis up);
+
+} // namespace quadrille

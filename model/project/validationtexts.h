@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// The text in quotation marks.
+std::string quoted(const std::string& text);
+/// "Did you mean …?" where a name is nearly one that exists, else the remedy.
+std::string meantOr(const std::string& name, const std::vector<std::string>& known, std::string remedy);
+
+template <typename Entry>
+std::vector<std::string> namesOf(const std::vector<Entry>& entries)
+{
+    std::vector<std::string> names(entries.size());
+    std::transform(entries.begin(), entries.end(), names.begin(),
+                   [](const Entry& entry) { return entry.name; });
+    return names;
+}
+
+} // namespace quadrille
