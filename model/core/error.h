@@ -78,6 +78,18 @@ enum class ErrorCode
     NoSymmetry,
     SymmetryMapWrong,
     NoFeet,
+    // walks
+    WalkKeyOrder,
+    WalkKeyUnreachable,
+    WalkKeyUntimely,
+    WalkFramesMissing,
+    WalkActionImpossible,
+    WalkPathShort,
+    WalkSpanOutside,
+    WalkObstacleAtStart,
+    WalkPathBlocked,
+    WalkDemandUnmet,
+    WalkNotFound,
 };
 
 /// Where in a file or sequence an error lies; fields that do not apply stay empty.

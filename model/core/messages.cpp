@@ -157,6 +157,46 @@ ErrorMessage errorMessage(ErrorCode code)
         return {QUADRILLE_MESSAGE("No feet were found to stand on."),
                 QUADRILLE_MESSAGE("Contacts can be corrected where legs hang apart from the body; leave this "
                                   "step out.")};
+    case ErrorCode::WalkKeyOrder:
+        return {QUADRILLE_MESSAGE("Key {key} is wanted at {time}, not after key {other}, which is wanted at "
+                                  "{otherTime}."),
+                QUADRILLE_MESSAGE("Give keys in the order of their times, no two at one time.")};
+    case ErrorCode::WalkKeyUnreachable:
+        return {QUADRILLE_MESSAGE("Key {key} cannot be reached: no walk leads to frame {frame}."),
+                QUADRILLE_MESSAGE("The nearest frame that can be reached is {nearest}; take it, or change "
+                                  "what comes before.")};
+    case ErrorCode::WalkKeyUntimely:
+        return {QUADRILLE_MESSAGE("Key {key} cannot be met within {tolerance} frames of {time}."),
+                QUADRILLE_MESSAGE("The nearest time at which it can is {nearest}; allow a greater error, or "
+                                  "change times.")};
+    case ErrorCode::WalkFramesMissing:
+        return {QUADRILLE_MESSAGE("No frame of this character is “{name}”."),
+                QUADRILLE_MESSAGE("Label some, or ask for something else.")};
+    case ErrorCode::WalkActionImpossible:
+        return {QUADRILLE_MESSAGE("“{name}” cannot be performed: {share} % of a span are asked for, and no "
+                                  "walk plays more than {most} %."),
+                QUADRILLE_MESSAGE("Ask for at most {most} %, or allow shorter transitions.")};
+    case ErrorCode::WalkPathShort:
+        return {QUADRILLE_MESSAGE("The path is {length} m long, too short for a walk."),
+                QUADRILLE_MESSAGE("Draw at least {needed} m.")};
+    case ErrorCode::WalkSpanOutside:
+        return {QUADRILLE_MESSAGE("A span of the path goes from {from} m to {to} m, but the path has "
+                                  "{length} m."),
+                QUADRILLE_MESSAGE("Move the span, or draw a longer path.")};
+    case ErrorCode::WalkObstacleAtStart:
+        return {QUADRILLE_MESSAGE("The path begins in “{name}”, or too close to it."),
+                QUADRILLE_MESSAGE("Move one of them; the path is free from {free} m on.")};
+    case ErrorCode::WalkPathBlocked:
+        return {QUADRILLE_MESSAGE("No walk was found that gets past “{name}” at {reached} m of the path."),
+                QUADRILLE_MESSAGE("Lead the path around it, leave more room, or search with a greater "
+                                  "budget.")};
+    case ErrorCode::WalkDemandUnmet:
+        return {QUADRILLE_MESSAGE("No walk was found that shows “{name}” from {from} m to {to} m of the "
+                                  "path; the best one fails at {reached} m."),
+                QUADRILLE_MESSAGE("End the span at {reached} m, or search with a greater budget.")};
+    case ErrorCode::WalkNotFound:
+        return {QUADRILLE_MESSAGE("No walk was found with {budget} expansions."),
+                QUADRILLE_MESSAGE("Search with a greater budget, or ask for less.")};
     }
     return {"", ""};
 }

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/graph/transitioncosts.h"
+#include "model/synthesis/constraints.h"
+
+#include <span>
+#include <vector>
+
+namespace quadrille {
+
+/// A way on from a frame of a walk.
+struct WalkMove
+{
+    NodeIndex from = 0;
+    NodeIndex to = 0;
+    double weight = 0;
+    std::int32_t elapsed = 1;   ///< output frames that go by: 1, or L − 1 of a transition
+    std::int32_t required = -1; ///< which of the required transitions it is; −1: none
+    EdgeKind kind = EdgeKind::Transition;
+};
+
+/// Numbers a move of a WalkGraph; noMove: none.
+using MoveIndex = std::int32_t;
+inline constexpr MoveIndex noMove = -1;
+
+/// A walk as its moves.
+struct WalkRoute
+{
+    NodeIndex start = 0;
+    std::vector<MoveIndex> moves;
+};
+
+/// Where walks can go: a graph without the banned transitions and with those that are required, and how long
+/// each edge lasts.
+class WalkGraph
+{
+public:
+    /// \throws Error BadArgument for α (requireAlpha), and for a required transition that does not exist or
+    /// is banned.
+    WalkGraph(const Digraph& graph, const TransitionCosts& costs, double alpha, const Junctions& junctions);
+
+    NodeIndex nodeCount() const { return static_cast<NodeIndex>(m_firstOf.size()) - 1; }
+    const FrameLayout& layout() const { return m_layout; }
+    double alpha() const { return m_alpha; }
+    std::span<const WalkMove> moves() const { return m_moves; }
+    const WalkMove& move(MoveIndex index) const { return m_moves[static_cast<std::size_t>(index)]; }
+    /// The moves that leave a frame, [begin, end): the lightest first, of two alike the one to the earlier
+    /// frame.
+    std::pair<MoveIndex, MoveIndex> from(NodeIndex node) const;
+    /// Any move takes at least so much weight for each frame that goes by.
+    double leastWeightPerFrame() const { return m_leastWeightPerFrame; }
+
+    /// Cheapest ways to the goal from everywhere.
+    struct Ways
+    {
+        std::vector<double> costs; ///< from each node; `unreachable` where there is no way
+        std::vector<MoveIndex>
+            moves; ///< the first move of the way; noMove at the goal, and where there is none
+    };
+    /// \param goal  cost at each node of being there; `unreachable` where it is no goal.
+    /// \param perFrame  is added to weights for each frame, ≥ −leastWeightPerFrame.
+    Ways waysTo(std::vector<double> goal, double perFrame = 0) const;
+    Ways waysTo(NodeIndex goal, double perFrame = 0) const;
+    /// The route by the ways from a node to where they end.
+    WalkRoute route(const Ways& ways, NodeIndex from) const;
+    Walk walk(const WalkRoute& route) const;
+
+private:
+    std::vector<WalkMove> m_moves;
+    std::vector<MoveIndex> m_firstOf;
+    std::vector<MoveIndex> m_into; ///< moves by their destination
+    std::vector<MoveIndex> m_firstInto;
+    FrameLayout m_layout;
+    double m_alpha;
+    double m_leastWeightPerFrame = 0;
+};
+
+} // namespace quadrille

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "tests/model/synthesis/realcharacter.h"
+
+#include "model/sequence/io/registry.h"
+#include "model/transition/posedistance.h"
+
+#include <filesystem>
+#include <memory>
+#include <set>
+
+namespace quadrille::testing {
+
+namespace {
+
+std::unique_ptr<RealCharacter> readRealCharacter()
+{
+    const std::filesystem::path folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters/rb_m04";
+    if (!std::filesystem::exists(folder))
+        return nullptr;
+    std::set<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() == ".pc2")
+            files.insert(entry.path());
+    }
+    ImportOptions options;
+    options.mesh = folder / "mesh.obj";
+    options.fps = 30;
+    std::vector<MeshSequence> sequences;
+    std::map<std::string, WalkSpan> takes;
+    NodeIndex frames = 0;
+    for (const std::filesystem::path& file : files) {
+        sequences.push_back(openSequences(file, options).sequences.front());
+        const auto count = static_cast<NodeIndex>(sequences.back().frameCount());
+        takes[file.stem().string()] = {frames, frames + count - 1};
+        frames += count;
+    }
+    const CharacterFrames character(sequences);
+    PoseDistances poses = poseDistances(character);
+    const TransitionSettings settings{.fps = 30};
+    TransitionTable table = transitionTable(poses.distances, character.layout(), settings);
+    TransitionCosts costs(table.cost, table.length, poses.distances.maxCoeff(), character.layout());
+    EssentialGraph essential = essentialGraph(costs, RealCharacter::alpha);
+    return std::make_unique<RealCharacter>(RealCharacter{.settings = settings,
+                                                         .takes = std::move(takes),
+                                                         .distances = std::move(poses.distances),
+                                                         .layout = character.layout(),
+                                                         .table = std::move(table),
+                                                         .costs = std::move(costs),
+                                                         .essential = std::move(essential),
+                                                         .roots = rootPoses(character, UpAxis::Y)});
+}
+
+} // namespace
+
+FrameSet RealCharacter::framesOf(const std::string& name) const
+{
+    FrameSet set{.name = name, .spans = {}};
+    for (const auto& [take, span] : takes) {
+        if (take.starts_with(name))
+            set.spans.push_back(span);
+    }
+    return set;
+}
+
+const RealCharacter* realCharacter()
+{
+    static const std::unique_ptr<RealCharacter> character = readRealCharacter();
+    return character.get();
+}
+
+} // namespace quadrille::testing

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/graph/essentialgraph.h"
+#include "model/synthesis/constraints.h"
+#include "model/synthesis/rootposes.h"
+#include "model/transition/transitiontable.h"
+
+#include <map>
+
+namespace quadrille::testing {
+
+/// The 21 takes of rb_m04, 1,150 frames, with all that walks are made from.
+struct RealCharacter
+{
+    static constexpr double alpha = 0.01;
+
+    TransitionSettings settings{.fps = 30};
+    std::map<std::string, WalkSpan> takes;
+    Table<float> distances;
+    FrameLayout layout;
+    TransitionTable table;
+    TransitionCosts costs;
+    EssentialGraph essential;
+    RootPoses roots;
+
+    /// The frames of takes whose names begin so, as a label would name them.
+    FrameSet framesOf(const std::string& name) const;
+};
+
+/// Computed once, in some seconds; null where the data are missing.
+const RealCharacter* realCharacter();
+
+} // namespace quadrille::testing

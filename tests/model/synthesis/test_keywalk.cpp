@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/core/error.h"
+#include "model/graph/essentialgraph.h"
+#include "model/synthesis/keywalk.h"
+#include "tests/model/graph/randomtransitions.h"
+#include "tests/model/synthesis/walkreference.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numeric>
+
+namespace quadrille {
+using namespace testing;
+
+namespace {
+
+constexpr double alpha = 0.05;
+
+WalkGraph randomWalks(std::uint32_t seed, std::vector<std::int64_t> counts = {4, 3}, double missing = 0.75)
+{
+    const TransitionCosts costs =
+        makeTransitions({.seed = seed, .counts = std::move(counts), .missing = missing, .shortest = 2});
+    return WalkGraph(essentialGraph(costs, alpha).graph, costs, alpha, {});
+}
+
+std::vector<NodeIndex> allNodes(const WalkGraph& graph)
+{
+    std::vector<NodeIndex> nodes(static_cast<std::size_t>(graph.nodeCount()));
+    std::iota(nodes.begin(), nodes.end(), 0);
+    return nodes;
+}
+
+std::int64_t elapsed(const WalkGraph& graph, const WalkRoute& route)
+{
+    std::int64_t sum = 0;
+    NodeIndex node = route.start;
+    for (const MoveIndex index : route.moves) {
+        EXPECT_EQ(graph.move(index).from, node);
+        node = graph.move(index).to;
+        sum += graph.move(index).elapsed;
+    }
+    return sum;
+}
+
+ErrorCode codeOf(const std::function<void()>& call)
+{
+    try {
+        call();
+    } catch (const Error& error) {
+        return error.code();
+    }
+    return ErrorCode::Unexpected;
+}
+
+TEST(KeyWalk, IsTheCheapestOfAllWalksBetweenEachPair)
+{
+    for (std::uint32_t seed = 0; seed < 30; ++seed) {
+        const WalkGraph graph = randomWalks(seed);
+        const std::vector<PoseKey> keys{{2, 3}, {5, 9}, {1, 13.5}};
+        for (const double beta : {0.0, 0.02, alpha, 0.4}) {
+            KeyWalk walk;
+            try {
+                walk = walkFromKeyToKey(graph, allNodes(graph), keys, beta, 100'000);
+            } catch (const Error& error) {
+                EXPECT_EQ(error.code(), ErrorCode::WalkKeyUnreachable);
+                continue;
+            }
+            double expected = 0;
+            double time = 0;
+            for (std::size_t k = 0; k < keys.size(); ++k) {
+                expected += exhaustiveLeg(graph, k == 0 ? allNodes(graph) : std::vector{keys[k - 1].frame},
+                                          keys[k].frame, keys[k].time - time, k == 0, beta, 12);
+                time = static_cast<double>(walk.times[k]);
+            }
+            EXPECT_NEAR(walk.edges + walk.timing, expected, 1e-12) << seed << ", " << beta;
+            EXPECT_TRUE(walk.optimal);
+            EXPECT_EQ(elapsed(graph, walk.route), walk.times.back());
+        }
+    }
+}
+
+TEST(KeyWalk, IsTheCheapestOverAllKeys)
+{
+    int better = 0;
+    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+        const WalkGraph graph = randomWalks(seed, {4, 3}, 0.8);
+        const std::vector<PoseKey> keys{{2, 1}, {5, 5}, {1, 8.5}};
+        for (const double beta : {0.02, alpha, 0.4}) {
+            try {
+                const KeyWalk pairs = walkFromKeyToKey(graph, {2}, keys, beta, 100'000);
+                const KeyWalk all = walkOverAllKeys(graph, {2}, keys, beta, 100'000);
+                const double expected = exhaustiveOverAllKeys(graph, {2}, keys, beta, 9);
+                EXPECT_NEAR(all.edges + all.timing, expected, 1e-12) << seed << ", " << beta;
+                EXPECT_TRUE(all.optimal);
+                EXPECT_EQ(elapsed(graph, all.route), all.times.back());
+                better += all.edges + all.timing < pairs.edges + pairs.timing - 1e-9 ? 1 : 0;
+            } catch (const Error& error) {
+                EXPECT_EQ(error.code(), ErrorCode::WalkKeyUnreachable);
+            }
+        }
+    }
+    EXPECT_GT(better, 0) << "no case tells the two apart";
+}
+
+TEST(KeyWalk, ReturnsToTheSamePose)
+{
+    const WalkGraph graph = randomWalks(3, {5, 5}, 0.3);
+    const KeyWalk walk = walkFromKeyToKey(graph, {3}, {{3, 0}, {3, 6}}, alpha, 100'000);
+    EXPECT_EQ(walk.times.front(), 0);
+    EXPECT_GT(walk.times.back(), 0);
+    EXPECT_NEAR(walk.edges + walk.timing, exhaustiveLeg(graph, {3}, 3, 6, false, alpha, 9), 1e-12);
+}
+
+TEST(KeyWalk, KeepsToTolerancesOrSaysWhenItCould)
+{
+    const WalkGraph graph = randomWalks(5, {6, 6}, 0.6);
+    bool isKept = false;
+    bool isRefused = false;
+    for (int time = 1; time < 12; ++time) {
+        const std::vector<PoseKey> keys{{2, 0}, {8, static_cast<double>(time), 0.5}};
+        try {
+            const KeyWalk walk = walkFromKeyToKey(graph, {2}, keys, alpha, 100'000);
+            EXPECT_EQ(walk.times.back(), time);
+            isKept = true;
+        } catch (const Error& error) {
+            ASSERT_EQ(error.code(), ErrorCode::WalkKeyUntimely);
+            EXPECT_EQ(error.context().values[0].second, "2");
+            const double nearest = std::stod(error.context().values[3].second);
+            EXPECT_GT(std::abs(nearest - time), 0.5);
+            // It can be met at that time.
+            EXPECT_NO_THROW(walkFromKeyToKey(graph, {2}, {{2, 0}, {8, nearest, 0.5}}, alpha, 100'000));
+            isRefused = true;
+        }
+    }
+    EXPECT_TRUE(isKept);
+    EXPECT_TRUE(isRefused);
+}
+
+TEST(KeyWalk, SaysWhichFrameCanBeReachedInstead)
+{
+    // No transition enters the second sequence before its third frame.
+    const std::vector<std::int64_t> counts{5, 5};
+    Table<float> cost = Table<float>::Constant(10, 10, std::numeric_limits<float>::infinity());
+    Table<std::uint16_t> length = Table<std::uint16_t>::Zero(10, 10);
+    cost(1, 7) = 1;
+    length(1, 7) = 3;
+    const TransitionCosts costs(cost, length, 1, FrameLayout(counts));
+    const WalkGraph graph(essentialGraph(costs, alpha).graph, costs, alpha, {});
+    try {
+        walkFromKeyToKey(graph, {0}, {{0, 0}, {6, 4}}, alpha, 1000);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::WalkKeyUnreachable);
+        EXPECT_EQ(error.context().values[2].second, "7");
+    }
+    const auto back = [&] { walkFromKeyToKey(graph, {0}, {{0, 0}, {0, 4}}, alpha, 1000); };
+    EXPECT_EQ(codeOf(back), ErrorCode::WalkKeyUnreachable) << "no walk comes back to its beginning";
+}
+
+TEST(KeyWalk, FindsSomethingWithoutABudget)
+{
+    const WalkGraph graph = randomWalks(7, {30, 30}, 0.3);
+    const std::vector<PoseKey> keys{{9, 0}, {50, 40}, {12, 90}};
+    const KeyWalk quick = walkFromKeyToKey(graph, allNodes(graph), keys, alpha, 1);
+    const KeyWalk best = walkFromKeyToKey(graph, allNodes(graph), keys, alpha, 1'000'000);
+    EXPECT_FALSE(quick.optimal);
+    EXPECT_EQ(quick.times.size(), 3U);
+    EXPECT_TRUE(best.optimal);
+    EXPECT_LE(best.expansions, 1'000'000);
+    CancelToken token;
+    token.cancel();
+    EXPECT_EQ(
+        codeOf([&] { walkFromKeyToKey(graph, allNodes(graph), keys, alpha, 1'000'000, Progress(token)); }),
+        ErrorCode::Cancelled);
+}
+
+TEST(WalkGraph, LeavesOutBannedTransitionsAndHasRequiredOnes)
+{
+    const TransitionCosts costs = makeTransitions({.counts = {6, 6}, .missing = 0.2, .shortest = 2});
+    const Digraph digraph = essentialGraph(costs, alpha).graph;
+    FramePair inGraph;
+    FramePair outside;
+    for (NodeIndex i = 0; i < 12; ++i) {
+        for (NodeIndex j = 0; j < 12; ++j) {
+            const Edge* edge = digraph.find(i, j);
+            if (edge && edge->kind == EdgeKind::Transition)
+                inGraph = {i, j};
+            else if (!edge && costs.hasTransition(i, j))
+                outside = {i, j};
+        }
+    }
+    const WalkGraph graph(digraph, costs, alpha, {.banned = {inGraph}, .required = {outside}});
+    const auto count = [&](const FramePair& pair) {
+        return std::count_if(graph.moves().begin(), graph.moves().end(), [&](const WalkMove& move) {
+            return move.from == pair.source && move.to == pair.destination &&
+                   (move.required == 0) == (pair == outside);
+        });
+    };
+    EXPECT_EQ(count(inGraph), 0);
+    EXPECT_EQ(count(outside), 1);
+    EXPECT_EQ(graph.moves().size(), digraph.edges().size());
+    const auto both = [&] { WalkGraph(digraph, costs, alpha, {.banned = {outside}, .required = {outside}}); };
+    EXPECT_EQ(codeOf(both), ErrorCode::BadArgument);
+    const auto unknown = [&] { WalkGraph(digraph, costs, alpha, {.required = {{3, 99}}}); };
+    EXPECT_EQ(codeOf(unknown), ErrorCode::BadArgument);
+    const auto negative = [&] { WalkGraph(digraph, costs, -1, {}); };
+    EXPECT_EQ(codeOf(negative), ErrorCode::BadArgument);
+}
+
+} // namespace
+} // namespace quadrille
