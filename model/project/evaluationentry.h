@@ -23,9 +23,10 @@ struct EvaluationEntry
 };
 
 /// The tables that can be computed, by their numbers in SMCAS.
-inline constexpr std::array<std::string_view, 2> evaluationTables{
-    "fig7", ///< kinds of transitions
-    "fig9", ///< Essential graph and motion graph
+inline constexpr std::array<std::string_view, 3> evaluationTables{
+    "fig7",   ///< kinds of transitions
+    "fig9",   ///< Essential graph and motion graph
+    "table1", ///< pose distances against reference joint angles
 };
 
 } // namespace quadrille

@@ -1,138 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/graph/comparison.h"
-#include "model/project/characterstages.h"
-#include "model/project/graphtables.h"
-#include "model/transition/acceleration.h"
-#include "model/transition/transitioncomparison.h"
+#include "model/project/evaluationstages.h"
 
-#include <algorithm>
 #include <map>
 
 namespace quadrille {
 
 namespace {
 
-constexpr auto fig7Note =
-    "Transitions of all pairs of frames as in SMCAS Fig. 7, mean and standard deviation; surface and "
-    "acceleration costs in units of the largest of a linear transition.";
-constexpr auto fig9Note = "Shortest paths in the Essential graph and in the motion graph as in SMCAS Fig. 9.";
-constexpr auto fig9EqualNote =
-    "The same with as many edges in both graphs, and over the pairs with a path in both (common).";
-
-ResultStage evaluationStage(const CharacterWork& work, const EvaluationEntry& evaluation)
-{
-    ResultStage stage;
-    stage.name = "evaluations/" + evaluation.table;
-    if (work.opener->project().characters.size() > 1)
-        stage.name += "/" + work.character;
-    stage.dataPrefix = "evaluation";
-    stage.character = work.character;
-    return stage;
-}
-
-const char* nameOf(TransitionKind kind)
-{
-    switch (kind) {
-    case TransitionKind::Linear:
-        return "linear";
-    case TransitionKind::Warped:
-        return "dtw";
-    case TransitionKind::VaryingLengths:
-        return "dtw+vls";
-    }
-    return "";
-}
-
-Result fig7Result(const TransitionComparison& comparison, const std::string& unit)
-{
-    TableBuilder table("fig7", fig7Note);
-    table.text("transition").whole("slope").real("surface").real("surface-deviation");
-    table.real("acceleration").real("acceleration-deviation");
-    table.real("surface-per-frame", unit).real("surface-per-frame-deviation", unit);
-    table.real("length", "frame").real("length-deviation", "frame");
-    for (const TransitionVariant& row : comparison.variants)
-        table.add({nameOf(row.kind), std::int64_t{row.slope}, row.surface.mean, row.surface.deviation,
-                   row.acceleration.mean, row.acceleration.deviation, row.surfacePerFrame.mean,
-                   row.surfacePerFrame.deviation, row.length.mean, row.length.deviation});
-    TableBuilder scale("fig7-scale", "What the costs of fig7 are counted over, and their units.");
-    scale.whole("pairs").real("largest-linear-cost", unit).real("largest-linear-acceleration", "m/s²");
-    scale.add({comparison.pairs, comparison.largestLinearCost, comparison.largestLinearAcceleration});
-    Result result;
-    result.tables = {std::move(table).table(), std::move(scale).table()};
-    return result;
-}
-
-ResultStage fig7Stage(const CharacterWork& work, const EvaluationEntry& evaluation)
-{
-    const double fps = work.opener->project().settings.fps;
-    TransitionSettings settings = transitionSettings(work.graph, fps);
-    ResultStage stage = evaluationStage(work, evaluation);
-    stage.settings = work.settings + nlohmann::json({fps, settings.shortest(), settings.longest(),
-                                                     settings.cost == TransitionCost::Sum ? "sum" : "mean"})
-                                         .dump();
-    stage.files = [work](const Progress& progress) { return work.files(progress); };
-    stage.inputs = {work.stageName(graphstage::poseDistance)};
-    stage.compute = [=](const StageContext& context, const Progress& progress) {
-        const Result poses = context.resultOf(stage.inputs.front());
-        const Table<float> accelerations =
-            accelerationDifferences(work.open(progress.part(0, 0.05)), fps, progress.part(0.05, 0.4));
-        return fig7Result(compareTransitions(tableOf<float>(poses.arrays.front()), layoutOf(poses), settings,
-                                             accelerations, progress.part(0.4, 1)),
-                          poses.arrays.front().unit);
-    };
-    return stage;
-}
-
-Result fig9Result(const std::vector<GraphComparison>& rows, const FrameLayout& layout,
-                  const std::vector<std::string>& sequences)
-{
-    TableBuilder own = statisticsTable("fig9", fig9Note);
-    TableBuilder equal("fig9-equal-density", fig9EqualNote);
-    equal.text("graph").real("alpha").whole("edges").real("density").real("mean-cost");
-    equal.real("cost-deviation").whole("unreachable-pairs").whole("common-pairs").real("common-mean-cost");
-    TableBuilder components = componentTable("fig9-components");
-    for (const GraphComparison& row : rows) {
-        const auto addEqual = [&](const char* graph, const GraphStatistics& statistics, double commonMean) {
-            equal.add({graph, row.alpha, statistics.edges, statistics.density, statistics.pathCosts.mean,
-                       statistics.pathCosts.standardDeviation, statistics.pathCosts.unreachablePairs,
-                       row.commonPairs, commonMean});
-        };
-        addStatistics(own, "motion", row.alpha, row.motion);
-        addStatistics(own, "essential", row.alpha, row.essential);
-        addEqual("motion", row.motionAtEqualDensity, row.motionMeanOverCommonPairs);
-        addEqual("essential", row.essentialAtEqualDensity, row.essentialMeanOverCommonPairs);
-        addComponents(components, "motion", row.alpha, row.motion.connectivity, layout, sequences);
-        addComponents(components, "essential", row.alpha, row.essential.connectivity, layout, sequences);
-    }
-    Result result;
-    result.tables = {std::move(own).table(), std::move(equal).table(), std::move(components).table()};
-    return result;
-}
-
-ResultStage fig9Stage(const CharacterWork& work, const EvaluationEntry& evaluation)
-{
-    std::vector<double> alphas = evaluation.alphas;
-    if (alphas.empty())
-        alphas.assign(figure9Alphas.begin(), figure9Alphas.end());
-    ResultStage stage = evaluationStage(work, evaluation);
-    stage.settings = nlohmann::json({alphas, work.graph.greatestDistance.value_or(0), work.sequences}).dump();
-    stage.inputs = {work.stageName(graphstage::poseDistance), work.stageName(graphstage::transitions)};
-    stage.compute = [=](const StageContext& context, const Progress& progress) {
-        const TransitionCosts costs =
-            costsOf(work.graph, context.resultOf(stage.inputs[0]), context.resultOf(stage.inputs[1]));
-        const auto minima = costMinima(costs, CostSmoothing::None, progress.part(0, 0.05));
-        return fig9Result(sweepAlpha(costs, minima, alphas, progress.part(0.05, 1)), costs.layout(),
-                          work.sequences);
-    };
-    return stage;
-}
-
 using MakeStage = ResultStage (*)(const CharacterWork&, const EvaluationEntry&);
 
 MakeStage makerOf(const std::string& table)
 {
-    static const std::map<std::string, MakeStage> makers{{"fig7", fig7Stage}, {"fig9", fig9Stage}};
+    static const std::map<std::string, MakeStage> makers{
+        {"fig7", fig7Stage}, {"fig9", fig9Stage}, {"table1", table1Stage}};
     const auto found = makers.find(table);
     return found == makers.end() ? nullptr : found->second;
 }
@@ -151,6 +32,17 @@ const EvaluationEntry* entryOf(const Project& project, const std::string& table,
 
 } // namespace
 
+ResultStage evaluationStage(const CharacterWork& work, const EvaluationEntry& evaluation)
+{
+    ResultStage stage;
+    stage.name = "evaluations/" + evaluation.table;
+    if (work.opener->project().characters.size() > 1)
+        stage.name += "/" + work.character;
+    stage.dataPrefix = "evaluation";
+    stage.character = work.character;
+    return stage;
+}
+
 std::vector<ResultStage> makeEvaluationStages(const StageMaking& making)
 {
     const Project& project = making.opener->project();
@@ -162,7 +54,8 @@ std::vector<ResultStage> makeEvaluationStages(const StageMaking& making)
         for (const std::string_view table : evaluationTables) {
             const std::string name(table);
             const EvaluationEntry* entry = entryOf(project, name, work.character);
-            if (entry != nullptr && !work.sequences.empty())
+            const bool isPossible = name != "table1" || !sequencesWithAngles(work).empty();
+            if (entry != nullptr && !work.sequences.empty() && isPossible)
                 stages.push_back(makerOf(name)(work, *entry));
         }
     }

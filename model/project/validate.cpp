@@ -153,6 +153,14 @@ private:
             std::find(known.begin(), known.end(), evaluation.character) == known.end())
             invalid(pointer + "/character", "There is no character " + quoted(evaluation.character),
                     meantOr(evaluation.character, known, "Add it under “characters”."));
+        if (evaluation.table == "table1" &&
+            std::none_of(m_project.sequences.begin(), m_project.sequences.end(), [&](const auto& sequence) {
+                const CharacterEntry* own = characterOf(m_project, sequence);
+                return !sequence.jointAngles.empty() &&
+                       (evaluation.character.empty() || (own && own->name == evaluation.character));
+            }))
+            invalid(pointer, "No sequence has reference joint angles",
+                    "Name a BVH file as “joint_angles” of the sequences, or leave out “table1”.");
         if (std::any_of(evaluation.alphas.begin(), evaluation.alphas.end(),
                         [](double alpha) { return !(alpha >= 0); }))
             invalid(pointer + "/alphas", "Alpha is below zero", "Write 0.01, or more to favour short walks.");

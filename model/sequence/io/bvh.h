@@ -67,10 +67,10 @@ struct JointAngles
 /// \throws Error BadArgument when no joint is left.
 JointAngles jointAngles(const Bvh& bvh, bool excludeRoot = true);
 
-/// The angles at another rate, beginning at frame `first` of the source, `frameCount` frames long; rotations
-/// are interpolated on the sphere. Used to lay a BVH beside the frames of a sequence.
+/// The angles at another rate, beginning at frame `first` of the source (or between two), `frameCount` frames
+/// long; rotations are interpolated on the sphere. Used to lay a BVH beside the frames of a sequence.
 /// \throws Error RangeOutside when the source is shorter (by more than half a frame), BadArgument for an
 /// impossible rate.
-JointAngles resampled(const JointAngles& angles, double fps, std::int64_t first, std::int64_t frameCount);
+JointAngles resampled(const JointAngles& angles, double fps, double first, std::int64_t frameCount);
 
 } // namespace quadrille

@@ -105,7 +105,7 @@ JointAngles jointAngles(const Bvh& bvh, bool excludeRoot)
     return result;
 }
 
-JointAngles resampled(const JointAngles& angles, double fps, std::int64_t first, std::int64_t frameCount)
+JointAngles resampled(const JointAngles& angles, double fps, double first, std::int64_t frameCount)
 {
     if (!(fps > 0) || !std::isfinite(fps)) {
         throw Error(ErrorCode::BadArgument,
@@ -115,11 +115,11 @@ JointAngles resampled(const JointAngles& angles, double fps, std::int64_t first,
                       {"remedy", QUADRILLE_MESSAGE("Give a positive number of frames a second.")}}});
     }
     const double step = angles.fps / fps;
-    const auto end = static_cast<double>(first) + static_cast<double>(frameCount - 1) * step;
-    if (first < 0 || frameCount < 1 || end > static_cast<double>(angles.frameCount) - 0.5) {
+    const double end = first + static_cast<double>(frameCount - 1) * step;
+    if (!(first >= 0) || frameCount < 1 || end > static_cast<double>(angles.frameCount) - 0.5) {
         throw Error(ErrorCode::RangeOutside, {{},
                                               {},
-                                              {{"first", std::to_string(first)},
+                                              {{"first", std::to_string(std::llround(first))},
                                                {"last", std::to_string(std::llround(end))},
                                                {"count", std::to_string(angles.frameCount)}}});
     }
@@ -129,7 +129,7 @@ JointAngles resampled(const JointAngles& angles, double fps, std::int64_t first,
     result.frameCount = frameCount;
     result.angles.resize(static_cast<std::size_t>(frameCount) * angles.joints.size() * 3);
     for (std::int64_t f = 0; f < frameCount; ++f) {
-        const double time = static_cast<double>(first) + static_cast<double>(f) * step;
+        const double time = first + static_cast<double>(f) * step;
         const auto before =
             std::min(static_cast<std::int64_t>(std::floor(time + 1e-9)), angles.frameCount - 1);
         const auto after = std::min(before + 1, angles.frameCount - 1);

@@ -74,6 +74,32 @@ TEST_F(EvaluationStages, Fig9HasARowForEachGraphAndAlpha)
     EXPECT_EQ(*std::max_element(last.begin(), last.end()), 13);
 }
 
+TEST_F(EvaluationStages, Table1IsAboutTheSequencesWithJointAngles)
+{
+    std::string bvh = "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 1 Xrotation\nJOINT b\n{\nOFFSET 0 1 0\n"
+                      "CHANNELS 1 Zrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n}\n"
+                      "MOTION\nFrames: 9\nFrame Time: 0.1\n";
+    for (int f = 0; f < 9; ++f)
+        bvh += "0 " + std::to_string(60 * std::sin(0.7 * f + 0.1)) + "\n";
+    folder.write("quick.bvh", bvh);
+    project.sequences[1].jointAngles = "quick.bvh";
+    evaluate({"table1"});
+    run();
+    EXPECT_THAT(column<std::int64_t>("evaluation/table1", "frames"), ElementsAre(9, 9));
+    EXPECT_THAT(column<std::int64_t>("evaluation/table1", "pairs"), ElementsAre(36, 36));
+    // The strip bends as the angle does.
+    EXPECT_GT(column<double>("evaluation/table1", "pearson-surface")[0], 0.999);
+    EXPECT_GT(column<double>("evaluation/table1", "distance-correlation-surface")[0], 0.999);
+    EXPECT_THAT(column<std::string>("evaluation/table1-joints", "joint"), ElementsAre("b"));
+    folder.write("quick.bvh", bvh + " ");
+    EXPECT_THAT(computed(run()), UnorderedElementsAre("evaluations/table1"));
+    project.graphs.resize(1);
+    const auto surface = column<double>("evaluation/table1", "pearson-surface");
+    project.graphs[0].pose.metric = PoseMetric::Euclidean;
+    run();
+    EXPECT_EQ(column<double>("evaluation/table1", "pearson-surface"), surface);
+}
+
 TEST_F(EvaluationStages, TakeTheSettingsOfTheGraphWhereItHasSome)
 {
     evaluate({"fig9"});

@@ -79,6 +79,14 @@ TEST(Validate, EvaluationsAreChecked)
     project.evaluations[0].alphas = {0.1, -0.1};
     EXPECT_THAT(onlyProblem(project), HasSubstr("/evaluations/0/alphas"));
     project = fullProject();
+    project.evaluations[0].table = "table1";
+    EXPECT_TRUE(validate(project).empty());
+    project.evaluations[0].character = "fox";
+    EXPECT_THAT(onlyProblem(project), HasSubstr("No sequence has reference joint angles"));
+    project.evaluations[0].character.clear();
+    project.sequences[0].jointAngles.clear();
+    EXPECT_THAT(onlyProblem(project), HasSubstr("No sequence has reference joint angles"));
+    project = fullProject();
     project.evaluations[0].character = "lima";
     EXPECT_THAT(onlyProblem(project), HasSubstr("Did you mean “liam”?"));
     project = fullProject();
