@@ -31,6 +31,7 @@ public:
         for (NodeIndex node = span.first + (m_firstIsShown ? 1 : 0); node <= span.last; ++node) {
             m_plan.frames.push_back(
                 {.origin = {.source = node, .destination = node},
+                 .times = {.source = {.frame = node}, .destination = {.frame = node}},
                  .placeSource = m_place,
                  .placeDestination = m_place,
                  .centre = m_place(m_roots.centres[static_cast<std::size_t>(node)], Ground(m_roots.up))});
@@ -39,10 +40,10 @@ public:
 
     void add(const Transition& transition)
     {
-        const TransitionMotion motion = transitionMotion(m_roots, transition, m_options.alignment);
+        const TransitionMotion motion = transitionMotion(m_roots, transition, m_options.blend);
         const std::int64_t first = m_plan.frameCount() - 1;
         for (std::size_t t = 1; t + 1 < motion.steps.size(); ++t)
-            m_plan.frames.push_back(placed(motion.steps[t], transition.path[t]));
+            m_plan.frames.push_back(placed(motion.steps[t]));
         m_firstIsShown = motion.steps.size() == 1;
         m_plan.junctions.push_back({.frames = transition.frames,
                                     .first = first,
@@ -54,11 +55,15 @@ public:
     ClipPlan take() { return std::move(m_plan); }
 
 private:
-    PlannedFrame placed(const TransitionMotion::Step& step, const FramePair& cell) const
+    PlannedFrame placed(const TransitionMotion::Step& step) const
     {
-        return {.origin = {.source = cell.source,
-                           .destination = cell.destination,
-                           .lambda = cell.source == cell.destination ? 0 : step.lambda},
+        const NodeIndex source = step.times.source.nearest();
+        const NodeIndex destination = step.times.destination.nearest();
+        return {.origin = {.source = source,
+                           .destination = destination,
+                           .lambda = source == destination ? 0 : step.lambda},
+                .times = step.times,
+                .lambda = step.lambda,
                 .placeSource = m_place * step.placeSource,
                 .placeDestination = m_place * step.placeDestination,
                 .centre = m_place(step.centre, Ground(m_roots.up))};
@@ -125,7 +130,8 @@ CentreTrajectories centreTrajectories(const RootPoses& roots, const Transition& 
 {
     const auto centres = [&](BlendAlignment alignment) {
         std::vector<Vec3d> points;
-        for (const auto& step : transitionMotion(roots, transition, alignment, constantWeight).steps)
+        const BlendSettings settings{.alignment = alignment, .constantWeight = constantWeight};
+        for (const auto& step : transitionMotion(roots, transition, settings).steps)
             points.push_back(step.centre);
         return points;
     };

@@ -14,10 +14,15 @@ namespace quadrille {
 /// How a frame of a clip comes about: from which poses, and where they are put.
 struct PlannedFrame
 {
-    FrameOrigin origin;
-    GroundMotion placeSource;      ///< of the source frame as captured
-    GroundMotion placeDestination; ///< of the destination frame as captured; equal where it is the source
+    FrameOrigin origin;            ///< by the captured frames nearest to the moments that are shown
+    BlendTimes times;              ///< both are one for a pose that is not blended
+    double lambda = 0;             ///< weight of the destination, 0 … 1
+    GroundMotion placeSource;      ///< of the source sequence as captured
+    GroundMotion placeDestination; ///< of the destination sequence as captured
     Vec3d centre = Vec3d::Zero();  ///< mean of the vertices
+
+    /// Whether it shows a captured frame as it is.
+    bool isCaptured() const { return times.source == times.destination && times.source.part == 0; }
 };
 
 /// All of a clip but its surfaces: cheap to make and to keep.
@@ -44,7 +49,7 @@ struct ClipPlan
 struct PlanOptions
 {
     GroundMotion start; ///< places the first sequence as captured
-    BlendAlignment alignment = BlendAlignment::EveryStep;
+    BlendSettings blend;
 };
 
 /// \throws Error BadArgument where a walk has no span, or a span is not of frames of one sequence, in order.

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <map>
 #include <tbb/parallel_for.h>
+#include <utility>
 
 namespace quadrille {
 
@@ -21,6 +22,21 @@ void move(Positions positions, const GroundMotion& motion, const Ground& ground,
                            [placed = motion.inSpace(ground)](const Vec3f& position) -> Vec3f {
                                return placed(position.cast<double>()).cast<float>();
                            });
+}
+
+/// The pose of a moment. Between captured frames vertices go straight.
+Frame poseAt(const CharacterFrames& character, const FrameTime& time)
+{
+    const Frame here = character.frame(time.frame);
+    if (time.part == 0)
+        return here;
+    const Frame next = character.frame(time.next());
+    const auto positions = std::make_shared<std::vector<Vec3f>>(here.positions().size());
+    std::ranges::transform(here.positions(), next.positions(), positions->begin(),
+                           [part = static_cast<float>(time.part)](const Vec3f& a, const Vec3f& b) -> Vec3f {
+                               return a + part * (b - a);
+                           });
+    return {*positions, positions};
 }
 
 } // namespace
@@ -38,28 +54,29 @@ std::vector<Vec3f> ClipPlayer::frame(std::int64_t frame) const
     const PlannedFrame& planned = m_plan.frames[static_cast<std::size_t>(frame)];
     const Ground ground(m_plan.up);
     std::vector<Vec3f> out(m_character.vertexCount());
-    const Frame source = m_character.frame(planned.origin.source);
-    if (planned.origin.isCaptured()) {
+    const Frame source = poseAt(m_character, planned.times.source);
+    if (planned.isCaptured()) {
         move(source.positions(), planned.placeSource, ground, out);
         return out;
     }
-    const Frame destination = m_character.frame(planned.origin.destination);
+    const Frame destination = poseAt(m_character, planned.times.destination);
     const PoseInterpolation between(std::make_shared<const PreparedPose>(m_system, source.positions()),
                                     std::make_shared<const PreparedPose>(m_system, destination.positions()));
-    between.at(planned.origin.lambda, out, m_method, planned.placeSource.inSpace(ground),
+    between.at(planned.lambda, out, m_method, planned.placeSource.inSpace(ground),
                planned.placeDestination.inSpace(ground));
     return out;
 }
 
 void ClipPlayer::blendInto(Clip& clip, std::span<const std::int64_t> frames, const Progress& progress) const
 {
-    std::map<NodeIndex, int> indices;
+    std::map<std::pair<NodeIndex, double>, int> indices;
     std::vector<Frame> loaded;
     std::vector<Positions> positions;
-    const auto indexOf = [&](NodeIndex node) {
-        const auto [found, isNew] = indices.try_emplace(node, static_cast<int>(loaded.size()));
+    const auto indexOf = [&](const FrameTime& time) {
+        const auto [found, isNew] =
+            indices.try_emplace({time.frame, time.part}, static_cast<int>(loaded.size()));
         if (isNew) {
-            loaded.push_back(m_character.frame(node));
+            loaded.push_back(poseAt(m_character, time));
             positions.push_back(loaded.back().positions());
         }
         return found->second;
@@ -68,9 +85,9 @@ void ClipPlayer::blendInto(Clip& clip, std::span<const std::int64_t> frames, con
     std::vector<BlendStep> steps;
     for (const std::int64_t frame : frames) {
         const PlannedFrame& planned = m_plan.frames[static_cast<std::size_t>(frame)];
-        steps.push_back({.source = indexOf(planned.origin.source),
-                         .target = indexOf(planned.origin.destination),
-                         .lambda = planned.origin.lambda,
+        steps.push_back({.source = indexOf(planned.times.source),
+                         .target = indexOf(planned.times.destination),
+                         .lambda = planned.lambda,
                          .placeSource = planned.placeSource.inSpace(ground),
                          .placeTarget = planned.placeDestination.inSpace(ground)});
     }
@@ -92,7 +109,7 @@ Clip ClipPlayer::clip(const Progress& progress) const
     std::vector<std::int64_t> captured;
     std::vector<std::int64_t> blended;
     for (const PlannedFrame& planned : m_plan.frames) {
-        (planned.origin.isCaptured() ? captured : blended).push_back(clip.frameCount());
+        (planned.isCaptured() ? captured : blended).push_back(clip.frameCount());
         clip.origins.push_back(planned.origin);
     }
     const Ground ground(m_plan.up);
@@ -100,7 +117,7 @@ Clip ClipPlayer::clip(const Progress& progress) const
     std::atomic<std::int64_t> done = 0;
     tbb::parallel_for(std::size_t{0}, captured.size(), [&](std::size_t i) {
         const PlannedFrame& planned = m_plan.frames[static_cast<std::size_t>(captured[i])];
-        move(m_character.frame(planned.origin.source).positions(), planned.placeSource, ground,
+        move(m_character.frame(planned.times.source.frame).positions(), planned.placeSource, ground,
              clip.frame(captured[i]));
         progress.part(0, share).report(++done, static_cast<std::int64_t>(captured.size()));
     });

@@ -6,6 +6,7 @@
 #include "model/core/progress.h"
 #include "model/core/table.h"
 #include "model/synthesis/ground.h"
+#include "model/synthesis/supports.h"
 #include "model/transition/characterframes.h"
 
 #include <vector>
@@ -20,6 +21,8 @@ struct RootPoses
     /// frames × frames, radians in (−π, π]: the angle about the up axis by which the pose of the column turns
     /// to lie nearest to that of the row, centres together (the function Align of SMCAS Alg. 1).
     Table<float> turns;
+    /// What each frame stands on, of findSupports, for BlendAnchor::Feet; empty: nothing is known of it.
+    std::vector<Support> supports;
 };
 
 /// \throws Error what reading frames throws, Cancelled.

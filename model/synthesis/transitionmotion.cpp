@@ -2,44 +2,101 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/transitionmotion.h"
 
+#include <array>
 #include <cassert>
 
 namespace quadrille {
 
 namespace {
 
-/// Walks along the path of one transition.
+template <typename Value>
+Value between(const FrameTime& time, const Value& here, const Value& next)
+{
+    return time.part > 0 ? Value((1 - time.part) * here + time.part * next) : here;
+}
+
+/// Knows where both windows of a transition are at each of its frames.
 class Mover
 {
 public:
-    Mover(const RootPoses& roots, const Transition& transition)
-        : m_roots(roots), m_ground(roots.up), m_path(transition.path)
+    Mover(const RootPoses& roots, std::vector<BlendTimes> times)
+        : m_roots(roots), m_ground(roots.up), m_times(std::move(times))
     {
     }
 
-    Vec2d source(std::size_t cell) const { return m_ground.of(centre(m_path[cell].source)); }
-    Vec2d destination(std::size_t cell) const { return m_ground.of(centre(m_path[cell].destination)); }
-    double turn(std::size_t cell) const
+    const BlendTimes& times(std::size_t frame) const { return m_times[frame]; }
+    Vec2d source(std::size_t frame) const { return m_ground.of(centre(m_times[frame].source)); }
+    Vec2d destination(std::size_t frame) const { return m_ground.of(centre(m_times[frame].destination)); }
+    double turn(std::size_t frame) const;
+    Vec3d blended(const Vec2d& ground, std::size_t frame, double lambda) const
     {
-        return static_cast<double>(m_roots.turns(m_path[cell].source, m_path[cell].destination));
+        return m_ground.at(ground, (1 - lambda) * m_ground.heightOf(centre(m_times[frame].source)) +
+                                       lambda * m_ground.heightOf(centre(m_times[frame].destination)));
     }
-    Vec3d blended(const Vec2d& ground, std::size_t cell, double lambda) const
+    /// Where those vertices are that stand in both windows, in two frames; nothing where there are none.
+    struct Standing
     {
-        return m_ground.at(ground, (1 - lambda) * m_ground.heightOf(centre(m_path[cell].source)) +
-                                       lambda * m_ground.heightOf(centre(m_path[cell].destination)));
-    }
+        Vec2d sourceBefore, source, destinationBefore, destination;
+    };
+    std::optional<Standing> standing(std::size_t before, std::size_t frame) const;
 
 private:
-    const Vec3d& centre(NodeIndex node) const { return m_roots.centres[static_cast<std::size_t>(node)]; }
+    Vec3d centre(const FrameTime& time) const
+    {
+        return between(time, m_roots.centres[static_cast<std::size_t>(time.frame)],
+                       m_roots.centres[static_cast<std::size_t>(time.next())]);
+    }
+    const Support& support(NodeIndex node) const { return m_roots.supports[static_cast<std::size_t>(node)]; }
 
     const RootPoses& m_roots;
     Ground m_ground;
-    const std::vector<FramePair>& m_path;
+    std::vector<BlendTimes> m_times;
 };
+
+double Mover::turn(std::size_t frame) const
+{
+    const auto& [source, destination] = m_times[frame];
+    const auto at = [this](NodeIndex row, NodeIndex column) {
+        return static_cast<double>(m_roots.turns(row, column));
+    };
+    const double here = at(source.frame, destination.frame);
+    // The other corners as angles near to this one, so that none of them is a turn away.
+    const auto near = [&](NodeIndex row, NodeIndex column) {
+        return here + wrappedAngle(at(row, column) - here);
+    };
+    return between(source, between(destination, here, near(source.frame, destination.next())),
+                   between(destination, near(source.next(), destination.frame),
+                           near(source.next(), destination.next())));
+}
+
+std::optional<Mover::Standing> Mover::standing(std::size_t before, std::size_t frame) const
+{
+    if (m_roots.supports.empty())
+        return std::nullopt;
+    const std::array times{&m_times[before].source, &m_times[frame].source, &m_times[before].destination,
+                           &m_times[frame].destination};
+    std::vector<std::uint32_t> vertices = support(times[0]->frame).vertices;
+    for (const FrameTime* time : times) {
+        vertices = common(vertices, support(time->frame).vertices);
+        vertices = common(vertices, support(time->next()).vertices);
+    }
+    if (vertices.empty())
+        return std::nullopt;
+    const auto placeAt = [&](const FrameTime* time) {
+        return between(*time, support(time->frame).meanOf(vertices), support(time->next()).meanOf(vertices));
+    };
+    return Standing{placeAt(times[0]), placeAt(times[1]), placeAt(times[2]), placeAt(times[3])};
+}
+
+Vec2d turned(double angle, const Vec2d& step)
+{
+    return Eigen::Rotation2Dd(angle) * step;
+}
 
 /// Lays the windows over each other anew at every step: both lie with their current centres on the centre of
 /// the result and share out the turn between them.
-std::vector<TransitionMotion::Step> movedAtEveryStep(const Mover& mover, std::span<const double> lambdas)
+std::vector<TransitionMotion::Step> movedAtEveryStep(const Mover& mover, std::span<const double> lambdas,
+                                                     BlendAnchor anchor)
 {
     std::vector<TransitionMotion::Step> steps;
     Vec2d centre = mover.source(0);
@@ -48,17 +105,34 @@ std::vector<TransitionMotion::Step> movedAtEveryStep(const Mover& mover, std::sp
     for (std::size_t t = 0; t < lambdas.size(); ++t) {
         const double lambda = lambdas[t];
         if (t > 0) {
-            const auto turned = [](double angle, const Vec2d& step) -> Vec2d {
-                return Eigen::Rotation2Dd(angle) * step;
+            const double before = lambdas[t - 1];
+            const auto blended = [](double weight, const Vec2d& source, const Vec2d& destination) -> Vec2d {
+                return (1 - weight) * source + weight * destination;
             };
-            centre +=
-                (1 - lambdas[t - 1]) * turned(sourceTurn, mover.source(t) - mover.source(t - 1)) +
-                lambdas[t - 1] * turned(destinationTurn, mover.destination(t) - mover.destination(t - 1));
+            const auto displaced = [&](const Vec2d& source, const Vec2d& destination) {
+                return blended(before, turned(sourceTurn, source), turned(destinationTurn, destination));
+            };
+            const auto standing =
+                anchor == BlendAnchor::Feet ? mover.standing(t - 1, t) : std::optional<Mover::Standing>();
+            if (standing) {
+                // From the centre to what stands; that goes on, and the centre follows.
+                centre += displaced(standing->sourceBefore - mover.source(t - 1),
+                                    standing->destinationBefore - mover.destination(t - 1)) +
+                          displaced(standing->source - standing->sourceBefore,
+                                    standing->destination - standing->destinationBefore);
+            } else {
+                centre += displaced(mover.source(t) - mover.source(t - 1),
+                                    mover.destination(t) - mover.destination(t - 1));
+            }
             sourceTurn -= lambda * wrappedAngle(sourceTurn + mover.turn(t) - destinationTurn);
             destinationTurn = sourceTurn + mover.turn(t);
+            if (standing)
+                centre -= blended(lambda, turned(sourceTurn, standing->source - mover.source(t)),
+                                  turned(destinationTurn, standing->destination - mover.destination(t)));
         }
         steps.push_back(
-            {.lambda = lambda,
+            {.times = mover.times(t),
+             .lambda = lambda,
              .placeSource = GroundMotion::taking(mover.source(t), centre, sourceTurn),
              .placeDestination = GroundMotion::taking(mover.destination(t), centre, destinationTurn),
              .centre = mover.blended(centre, t, lambda)});
@@ -73,7 +147,8 @@ std::vector<TransitionMotion::Step> movedOnce(const Mover& mover, std::span<cons
     for (std::size_t t = 0; t < lambdas.size(); ++t) {
         const Vec2d centre =
             (1 - lambdas[t]) * mover.source(t) + lambdas[t] * placeDestination(mover.destination(t));
-        steps.push_back({.lambda = lambdas[t],
+        steps.push_back({.times = mover.times(t),
+                         .lambda = lambdas[t],
                          .placeDestination = placeDestination,
                          .centre = mover.blended(centre, t, lambdas[t])});
     }
@@ -83,17 +158,19 @@ std::vector<TransitionMotion::Step> movedOnce(const Mover& mover, std::span<cons
 } // namespace
 
 TransitionMotion transitionMotion(const RootPoses& roots, const Transition& transition,
-                                  BlendAlignment alignment, std::optional<double> constantWeight)
+                                  const BlendSettings& settings)
 {
     const std::size_t count = transition.path.size();
     assert(count > 0);
-    std::vector<double> lambdas(count, constantWeight.value_or(0));
-    for (std::size_t t = 1; !constantWeight && t < count; ++t)
-        lambdas[t] = static_cast<double>(t) / static_cast<double>(count - 1);
-    const Mover mover(roots, transition);
-    switch (alignment) {
+    std::vector<double> lambdas(count, settings.constantWeight.value_or(0));
+    for (std::size_t t = 1; !settings.constantWeight && t < count; ++t) {
+        const double even = static_cast<double>(t) / static_cast<double>(count - 1);
+        lambdas[t] = settings.easing == BlendEasing::Smooth ? even * even * (3 - 2 * even) : even;
+    }
+    const Mover mover(roots, blendTimes(transition, settings.timing));
+    switch (settings.alignment) {
     case BlendAlignment::EveryStep:
-        return {movedAtEveryStep(mover, lambdas)};
+        return {movedAtEveryStep(mover, lambdas, settings.anchor)};
     case BlendAlignment::MidWindow:
         return {movedOnce(mover, lambdas,
                           GroundMotion::taking(mover.destination(count / 2), mover.source(count / 2),

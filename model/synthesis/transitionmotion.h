@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/synthesis/blendtiming.h"
 #include "model/synthesis/rootposes.h"
 #include "model/transition/warppath.h"
 
@@ -18,12 +19,44 @@ enum class BlendAlignment
     None,      ///< once, at the first frames' centres without a turn, for comparison
 };
 
+/// How the weight of the destination rises along a transition.
+enum class BlendEasing
+{
+    Linear, ///< evenly, λ = t/(L−1) (SMCAS Alg. 1)
+    Smooth, ///< 3λ² − 2λ³ of that: sets in and ends gently, so that vertices do not jerk there
+};
+
+/// What of the body goes on by the displacements of both windows.
+enum class BlendAnchor
+{
+    Centre, ///< the mean of its vertices (SMCAS Alg. 1); feet that stand in both windows slide apart
+    Feet,   ///< those of its vertices that stand in both windows (RootPoses::supports), else the mean
+};
+
+/// How the poses of a transition are weighted and laid over the ground; the defaults are the paper's.
+struct BlendSettings
+{
+    BlendAlignment alignment = BlendAlignment::EveryStep;
+    BlendTiming timing = BlendTiming::Cells;
+    BlendEasing easing = BlendEasing::Linear;
+    BlendAnchor anchor = BlendAnchor::Centre; ///< of BlendAlignment::EveryStep
+    std::optional<double> constantWeight;     ///< λ of all steps, for comparison (SMCAS Fig. 11)
+    bool operator==(const BlendSettings&) const = default;
+
+    /// What shows least where transitions bend time and feet stand.
+    static BlendSettings gentle()
+    {
+        return {.timing = BlendTiming::Smooth, .easing = BlendEasing::Smooth, .anchor = BlendAnchor::Feet};
+    }
+};
+
 /// How a transition moves over the ground, in the coordinates in which its source sequence lies before it.
 struct TransitionMotion
 {
     /// One step for each cell of the path: a frame of the result.
     struct Step
     {
+        BlendTimes times;              ///< of the poses that are blended
         double lambda = 0;             ///< weight of the destination, 0 … 1
         GroundMotion placeSource;      ///< of the source frame as captured
         GroundMotion placeDestination; ///< of the destination frame as captured
@@ -38,9 +71,7 @@ struct TransitionMotion
 /// Moves both windows of a transition along its path (SMCAS Alg. 1, ALGORITHMS section 5): the centre goes on
 /// by both windows' displacements between consecutive cells, weighted by λ, and not at all where the warp
 /// repeats a frame; the height is blended. A transition of one cell has λ = 0.
-/// \param constantWeight  λ of all steps, for comparison (SMCAS Fig. 11); otherwise it rises from 0 to 1.
 TransitionMotion transitionMotion(const RootPoses& roots, const Transition& transition,
-                                  BlendAlignment alignment = BlendAlignment::EveryStep,
-                                  std::optional<double> constantWeight = {});
+                                  const BlendSettings& settings = {});
 
 } // namespace quadrille

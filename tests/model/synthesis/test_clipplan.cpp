@@ -128,7 +128,8 @@ TEST(CentreTrajectories, AreThoseOfTheThreeAlignments)
     const Transition transition = takes().paths.get({4, 33});
     const CentreTrajectories trajectories = centreTrajectories(takes().roots, transition, 0.5);
     const auto expectSame = [&](const std::vector<Vec3d>& points, BlendAlignment alignment) {
-        const TransitionMotion motion = transitionMotion(takes().roots, transition, alignment, 0.5);
+        const TransitionMotion motion =
+            transitionMotion(takes().roots, transition, {.alignment = alignment, .constantWeight = 0.5});
         ASSERT_EQ(points.size(), motion.steps.size());
         for (std::size_t t = 0; t < points.size(); ++t)
             EXPECT_EQ(points[t], motion.steps[t].centre);

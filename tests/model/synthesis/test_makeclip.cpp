@@ -83,7 +83,7 @@ TEST(MakeClip, KeepsTheCentreOnThePlan)
 {
     for (const BlendAlignment alignment :
          {BlendAlignment::EveryStep, BlendAlignment::MidWindow, BlendAlignment::None}) {
-        const PlanOptions options{.start = {0.7, Vec2d(4, -1)}, .alignment = alignment};
+        const PlanOptions options{.start = {0.7, Vec2d(4, -1)}, .blend = {.alignment = alignment}};
         const ClipPlan plan = takes().plan(someWalk(), options);
         const Clip clip = makeClip(takes().character, plan);
         double largestStep = 0;

@@ -126,7 +126,7 @@ TEST(TransitionMotion, DoesNotReverseWhereOneTakeTurnsLeftAndTheOtherRight)
     const RootPoses roots = trail(motions);
     const Transition transition = diagonal(0, 20, 20);
     const auto lengthOf = [&](BlendAlignment alignment) {
-        const TransitionMotion motion = transitionMotion(roots, transition, alignment, 0.5);
+        const TransitionMotion motion = transitionMotion(roots, transition, {.alignment = alignment, .constantWeight = 0.5});
         double length = 0;
         for (std::size_t t = 1; t < motion.steps.size(); ++t)
             length += (motion.steps[t].centre - motion.steps[t - 1].centre).norm();

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/synthesis/framemeasures.h"
+#include "model/synthesis/makeclip.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace quadrille {
+
+/// What shows where a transition is bad.
+enum class JunctionCriterion
+{
+    Acceleration, ///< vertices jerk
+    Frozen,       ///< a pose stands still
+    CentreStep,   ///< the body leaps
+    FootSlip,     ///< feet skate
+    Volume,       ///< the surface shrinks or swells
+};
+constexpr std::size_t junctionCriteria = 5;
+
+/// How much worse than in the takes it may be.
+struct JunctionLimits
+{
+    double acceleration = 1.5;
+    double frozen = 0.2;
+    double centreStep = 1.5;
+    double footSlip = 1.5;
+    double volume = 0.02;
+};
+
+/// One criterion at one transition.
+struct JunctionValue
+{
+    double value = 0;        ///< in the transition
+    double limit = 0;        ///< from the takes around it
+    double ratio = 0;        ///< how much of the limit is used up: good up to 1
+    bool isMeasured = false; ///< whether there is something to measure; otherwise it is good
+    bool isGood() const { return ratio <= 1; }
+};
+
+/// What a transition is like, by its frames and some before and behind. Segments are the windows with these
+/// frames.
+struct JunctionMeasures
+{
+    /// By JunctionCriterion:
+    /// rms vertex acceleration over the frames of the transition; times the limit, the 95th percentile of
+    /// that of all frames of the two takes (m/s²);
+    /// vertex-mean steps: the greatest one in a row of up to three against the smaller of the steps around
+    /// it, where that is least (a ratio; limit and value change places);
+    /// largest step of the centre against that in the segments (m);
+    /// mean horizontal speed of the vertices that stand in both takes, against the larger of the segments'
+    /// (m/s);
+    /// volume, by how much it leaves the range of the windows (share of it).
+    std::array<JunctionValue, junctionCriteria> values;
+    double worstAcceleration = 0; ///< the largest rms of a frame, m/s²
+
+    const JunctionValue& operator[](JunctionCriterion criterion) const
+    {
+        return values[static_cast<std::size_t>(criterion)];
+    }
+    bool isGood() const;
+    double worstRatio() const;
+};
+
+/// Judges transitions of one character. Refers to what it is given. Safe from any thread.
+class JunctionJudge
+{
+public:
+    /// \param measures  of frameMeasures. \param context  frames before and behind that count.
+    JunctionJudge(const CharacterFrames& character, const RootPoses& roots,
+                  std::span<const FrameMeasure> measures, const JunctionLimits& limits = {}, int context = 8);
+
+    /// \throws Error as makeClip.
+    JunctionMeasures judge(const Transition& transition, const BlendSettings& blend = {},
+                           InterpolationMethod method = InterpolationMethod::Poisson) const;
+
+private:
+    struct Segments;
+    Segments segmentsOf(const Transition& transition) const;
+    JunctionValue acceleration(const Clip& clip, const ClipPlan::Junction& junction,
+                               const Transition& transition, double& worst) const;
+    JunctionValue frozen(const Clip& clip, const ClipPlan::Junction& junction) const;
+    JunctionValue centreStep(const ClipPlan& plan, const Segments& segments) const;
+    JunctionValue footSlip(const Clip& clip, const ClipPlan& plan, const Segments& segments) const;
+    JunctionValue volume(const Clip& clip, const ClipPlan::Junction& junction,
+                         const Transition& transition) const;
+
+    const CharacterFrames& m_character;
+    const RootPoses& m_roots;
+    std::span<const FrameMeasure> m_measures;
+    JunctionLimits m_limits;
+    int m_context;
+};
+
+} // namespace quadrille

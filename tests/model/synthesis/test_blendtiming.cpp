@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "tests/model/synthesis/cliptest.h"
+
+#include <gtest/gtest.h>
+
+using namespace quadrille;
+using namespace quadrille::testing;
+
+namespace {
+
+/// The source waits in the middle, the destination at the beginning and the end.
+Transition waiting()
+{
+    Transition transition{.frames = {5, 41}, .sourceWindow = 8, .destinationWindow = 7};
+    transition.path = {{5, 35}, {6, 35}, {7, 35},  {8, 36},  {8, 37}, {8, 38},
+                       {8, 39}, {9, 40}, {10, 41}, {11, 41}, {12, 41}};
+    return transition;
+}
+
+double valueOf(const FrameTime& time)
+{
+    return time.frame + time.part;
+}
+
+} // namespace
+
+TEST(BlendTiming, FollowsTheCells)
+{
+    const std::vector<BlendTimes> times = blendTimes(waiting(), BlendTiming::Cells);
+    ASSERT_EQ(times.size(), 11U);
+    EXPECT_EQ(times[4].source, (FrameTime{8, 0}));
+    EXPECT_EQ(times[4].destination, (FrameTime{37, 0}));
+    EXPECT_EQ(times[4].source.next(), 8);
+    EXPECT_EQ((FrameTime{3, 0.5}.nearest()), 4);
+    EXPECT_EQ((FrameTime{3, 0.4}.nearest()), 3);
+}
+
+TEST(BlendTiming, IsTheSameWhereBothWindowsAdvanceTogether)
+{
+    const Transition transition = advancingTogether(5, 38, 9);
+    const std::vector<BlendTimes> cells = blendTimes(transition, BlendTiming::Cells);
+    const std::vector<BlendTimes> smooth = blendTimes(transition, BlendTiming::Smooth);
+    for (std::size_t t = 0; t < cells.size(); ++t) {
+        EXPECT_EQ(smooth[t].source, cells[t].source);
+        EXPECT_EQ(smooth[t].destination, cells[t].destination);
+    }
+}
+
+TEST(BlendTiming, ChangesSpeedGently)
+{
+    const Transition transition = waiting();
+    const std::vector<BlendTimes> times = blendTimes(transition, BlendTiming::Smooth);
+    ASSERT_EQ(times.size(), transition.path.size());
+    EXPECT_EQ(times.front().source, (FrameTime{5, 0}));
+    EXPECT_EQ(times.back().destination, (FrameTime{41, 0}));
+    const auto expectGentle = [&](FrameTime BlendTimes::*moment, double first, double last) {
+        // Weights of the seven steps that the speed of one is drawn from.
+        constexpr double most = 20 / 64.0;
+        double before = -1;
+        for (std::size_t t = 0; t + 1 < times.size(); ++t) {
+            const double speed = valueOf(times[t + 1].*moment) - valueOf(times[t].*moment);
+            EXPECT_GE(speed, 0) << t;
+            EXPECT_LE(speed, 1) << t;
+            if (before >= 0) {
+                EXPECT_LE(std::abs(speed - before), most + 1e-9) << t;
+            }
+            before = speed;
+        }
+        EXPECT_GE(valueOf(times.front().*moment), first);
+        EXPECT_LE(valueOf(times.back().*moment), last);
+    };
+    expectGentle(&BlendTimes::source, 5, 12);
+    expectGentle(&BlendTimes::destination, 35, 41);
+}
+
+TEST(BlendTiming, OfOneFrameIsItsCell)
+{
+    const std::vector<BlendTimes> times = blendTimes(advancingTogether(5, 38, 1), BlendTiming::Smooth);
+    ASSERT_EQ(times.size(), 1U);
+    EXPECT_EQ(times[0].source, (FrameTime{5, 0}));
+    EXPECT_EQ(times[0].destination, (FrameTime{38, 0}));
+}
+
+TEST(BlendTiming, ClipsShowPosesBetweenFrames)
+{
+    const TubeTakes takes(threeTakes());
+    const Transition transition = waiting();
+    const PlanOptions options{.blend = {.timing = BlendTiming::Smooth}};
+    const ClipPlan plan = planClip(takes.roots, {{{5, 5}, {41, 41}}}, std::span(&transition, 1), options);
+    const std::size_t f = 5;
+    const PlannedFrame& planned = plan.frames[f];
+    ASSERT_GT(planned.times.source.part, 0);
+    EXPECT_EQ(planned.origin.source, planned.times.source.nearest());
+    EXPECT_EQ(planned.origin.destination, planned.times.destination.nearest());
+    EXPECT_EQ(planned.origin.lambda, planned.lambda);
+    const auto pose = [&](const FrameTime& time) {
+        std::vector<Vec3f> positions;
+        const Frame here = takes.character.frame(time.frame);
+        const Frame next = takes.character.frame(time.next());
+        for (std::size_t v = 0; v < here.positions().size(); ++v)
+            positions.push_back(((1 - time.part) * here.positions()[v].cast<double>() +
+                                 time.part * next.positions()[v].cast<double>())
+                                    .cast<float>());
+        return positions;
+    };
+    const Ground ground(UpAxis::Z);
+    const auto system = std::make_shared<const PoissonSystem>(takes.character.sequences()[0].topology);
+    std::vector<Vec3f> expected(takes.character.vertexCount());
+    PoseInterpolation(std::make_shared<const PreparedPose>(system, pose(planned.times.source)),
+                      std::make_shared<const PreparedPose>(system, pose(planned.times.destination)))
+        .at(planned.lambda, expected, InterpolationMethod::Poisson, planned.placeSource.inSpace(ground),
+            planned.placeDestination.inSpace(ground));
+    const ClipPlayer player(takes.character, plan);
+    const Clip clip = player.clip();
+    EXPECT_LT(largestDistance(clip.frame(f), expected), 1e-5);
+    for (std::int64_t g = 0; g < clip.frameCount(); ++g) {
+        EXPECT_TRUE(std::ranges::equal(player.frame(g), clip.frame(g)));
+        EXPECT_LT((centroid(clip.frame(g)) - plan.frames[static_cast<std::size_t>(g)].centre).norm(), 1e-5);
+    }
+}

@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/core/error.h"
+#include "model/graph/essentialgraph.h"
+#include "model/sequence/io/registry.h"
+#include "model/synthesis/junctionreport.h"
+#include "model/transition/acceleration.h"
+#include "tests/model/synthesis/cliptest.h"
+
+#include <atomic>
+#include <gtest/gtest.h>
+#include <set>
+#include <tbb/global_control.h>
+
+using namespace quadrille;
+using namespace quadrille::testing;
+
+namespace {
+
+/// What junctions of some takes are judged by.
+struct Subject
+{
+    CharacterFrames character;
+    RootPoses roots;
+    std::vector<FrameMeasure> measures;
+
+    Subject(const std::vector<MeshSequence>& takes, UpAxis up)
+        : character(takes), roots(rootPoses(character, up))
+    {
+        roots.supports = findSupports(character, up);
+        measures = frameMeasures(character, roots.supports, up);
+    }
+    JunctionMeasures judge(const Transition& transition, const BlendSettings& blend = {}) const
+    {
+        return JunctionJudge(character, roots, measures).judge(transition, blend);
+    }
+};
+
+/// One take twice: of 30 frames, the second time elsewhere; its lowest vertices are said to stand.
+std::vector<MeshSequence> twice()
+{
+    MeshSequence take = swayingTube(tubeTopology(12, 9), 12, 30, 0.005);
+    MeshSequence other = movedOverGround(take, {2.2, Vec2d(-7, 3)});
+    for (MeshSequence* sequence : {&take, &other})
+        sequence->contacts = {{"left", {FrameIndex(0), FrameIndex(29)}}};
+    return {take, other};
+}
+
+const Subject& subject()
+{
+    static const Subject only(twice(), UpAxis::Z);
+    return only;
+}
+
+} // namespace
+
+TEST(JunctionQuality, FindsNothingAmissWhereOneMotionGoesOn)
+{
+    const JunctionMeasures measures = subject().judge(advancingTogether(10, 49, 10));
+    EXPECT_TRUE(measures.isGood());
+    const auto valueOf = [&](JunctionCriterion criterion) { return measures[criterion]; };
+    // The motion is as it was; rounding of single precision, times fps², is what is added.
+    const JunctionValue acceleration = valueOf(JunctionCriterion::Acceleration);
+    EXPECT_LT(acceleration.value, acceleration.limit / 1.5 * 1.01);
+    double mean = 0;
+    for (std::size_t f = 10; f < 20; ++f)
+        mean += std::pow(*subject().measures[f].acceleration, 2) / 10;
+    EXPECT_NEAR(acceleration.value, std::sqrt(mean), 0.02 * std::sqrt(mean));
+    const JunctionValue step = valueOf(JunctionCriterion::CentreStep);
+    double largest = 0;
+    double largestAround = 0;
+    for (std::size_t f = 2; f < 27; ++f) {
+        const double length = (subject().roots.centres[f + 1] - subject().roots.centres[f]).norm();
+        largestAround = std::max(largestAround, length);
+        if (f >= 10 && f < 19)
+            largest = std::max(largest, length);
+    }
+    EXPECT_NEAR(step.value, largest, 1e-5);
+    EXPECT_NEAR(step.limit, 1.5 * largestAround, 1e-5);
+    EXPECT_NEAR(valueOf(JunctionCriterion::Volume).value, 0, 1e-4);
+    EXPECT_GT(valueOf(JunctionCriterion::Frozen).value, 0.5);
+    EXPECT_TRUE(valueOf(JunctionCriterion::FootSlip).isMeasured);
+    EXPECT_NEAR(valueOf(JunctionCriterion::FootSlip).ratio, 1 / 1.5, 0.2);
+}
+
+TEST(JunctionQuality, FindsPosesThatStandStill)
+{
+    // Between two takes that are alike, a warp that stops both shows one pose for four frames.
+    Transition transition{.frames = {10, 49}, .sourceWindow = 10, .destinationWindow = 10};
+    transition.path = {{10, 40}, {11, 41}, {12, 42}, {12, 42}, {12, 42}, {12, 42}, {13, 43},
+                       {14, 44}, {15, 45}, {16, 46}, {17, 47}, {18, 48}, {19, 49}};
+    const JunctionValue frozen = subject().judge(transition)[JunctionCriterion::Frozen];
+    EXPECT_FALSE(frozen.isGood());
+    EXPECT_LT(frozen.value, 0.01);
+    EXPECT_TRUE(
+        subject().judge(transition, {.timing = BlendTiming::Smooth})[JunctionCriterion::Frozen].isGood());
+}
+
+TEST(JunctionQuality, FindsJerksAndLeaps)
+{
+    // From one end of the motion to another in three frames.
+    const JunctionMeasures measures = subject().judge(advancingTogether(1, 58, 3));
+    EXPECT_FALSE(measures.isGood());
+    EXPECT_FALSE(measures[JunctionCriterion::Acceleration].isGood());
+    EXPECT_GT(measures.worstRatio(), 2);
+    EXPECT_GE(measures.worstAcceleration, measures[JunctionCriterion::Acceleration].value);
+}
+
+TEST(JunctionReport, DrawsAsManyPairsAsAsked)
+{
+    std::vector<FramePair> pairs;
+    for (int i = 0; i < 1000; ++i)
+        pairs.push_back({i, i + 1});
+    const std::vector<FramePair> drawn = drawPairs(pairs, 100, 5);
+    ASSERT_EQ(drawn.size(), 100U);
+    for (std::size_t i = 1; i < drawn.size(); ++i)
+        EXPECT_LT(drawn[i - 1].source, drawn[i].source);
+    EXPECT_EQ(drawPairs(pairs, 100, 5), drawn);
+    EXPECT_NE(drawPairs(pairs, 100, 6), drawn);
+    EXPECT_EQ(drawPairs(pairs, 2000, 5), pairs);
+    EXPECT_TRUE(drawPairs(pairs, 0, 5).empty());
+    // Each pair has its chance: of 200 draws a tenth, ± five standard deviations.
+    std::vector<int> counts(10, 0);
+    for (std::uint32_t seed = 0; seed < 200; ++seed) {
+        for (const FramePair& pair : drawPairs({pairs.begin(), pairs.begin() + 10}, 1, seed))
+            ++counts[static_cast<std::size_t>(pair.source)];
+    }
+    for (const int count : counts)
+        EXPECT_NEAR(count, 20, 22);
+}
+
+namespace {
+
+/// A report with all that it needs.
+struct Study
+{
+    Subject subject;
+    Table<float> distances;
+    Table<float> accelerations;
+    TransitionSettings settings;
+    TransitionTable transitions;
+    Digraph graph;
+
+    Study(const std::vector<MeshSequence>& takes, UpAxis up, const TransitionSettings& how)
+        : subject(takes, up)
+        , distances(poseDistances(subject.character).distances)
+        , accelerations(accelerationDifferences(subject.character, how.fps))
+        , settings(how)
+        , transitions(transitionTable(distances, subject.character.layout(), settings))
+        , graph(essentialGraph(TransitionCosts(transitions.cost, transitions.length,
+                                               static_cast<double>(distances.maxCoeff()),
+                                               subject.character.layout()),
+                               0.01)
+                    .graph)
+    {
+    }
+    JunctionReport report(const JunctionOptions& options, const Progress& progress = {}) const
+    {
+        return judgeJunctions({.character = subject.character,
+                               .roots = subject.roots,
+                               .distances = distances,
+                               .accelerations = accelerations,
+                               .transitions = transitions,
+                               .settings = settings,
+                               .graph = graph},
+                              options, progress);
+    }
+};
+
+const Study& study()
+{
+    static const Study only(threeTakes(), UpAxis::Z, {.shortestWindow = 4, .longestWindow = 8});
+    return only;
+}
+
+} // namespace
+
+TEST(JunctionReport, HasARowForEachTransition)
+{
+    const JunctionReport report = study().report({.count = 20});
+    ASSERT_EQ(report.rows.size(), 20U);
+    int good = 0;
+    int goodAccelerations = 0;
+    for (const JunctionRow& row : report.rows) {
+        const Edge* edge = study().graph.find(row.frames.source, row.frames.destination);
+        ASSERT_TRUE(edge && edge->kind == EdgeKind::Transition);
+        EXPECT_EQ(row.length, study().transitions.length(row.frames.source, row.frames.destination));
+        EXPECT_EQ(row.predictors[static_cast<std::size_t>(JunctionPredictor::Weight)], edge->weight);
+        const double sum = row.predictors[static_cast<std::size_t>(JunctionPredictor::Sum)];
+        EXPECT_NEAR(sum, study().transitions.cost(row.frames.source, row.frames.destination), 1e-5 * sum);
+        EXPECT_DOUBLE_EQ(row.predictors[static_cast<std::size_t>(JunctionPredictor::Mean)], sum / row.length);
+        good += row.measures.isGood() ? 1 : 0;
+        goodAccelerations += row.measures[JunctionCriterion::Acceleration].isGood() ? 1 : 0;
+    }
+    EXPECT_EQ(report.good, good);
+    EXPECT_EQ(report.criteria[0].good, goodAccelerations);
+    EXPECT_EQ(report.criteria[0].measured, 20);
+    EXPECT_LE(report.criteria[0].median, report.criteria[0].ninetieth);
+    EXPECT_LE(report.criteria[0].ninetieth, report.criteria[0].greatest);
+    // No vertex of a swaying tube stands.
+    EXPECT_EQ(report.criteria[static_cast<std::size_t>(JunctionCriterion::FootSlip)].measured, 0);
+    EXPECT_FALSE(report.predictors[0].areas[static_cast<std::size_t>(JunctionCriterion::FootSlip)]);
+    EXPECT_TRUE(report.predictors[0].rankCorrelation);
+}
+
+TEST(JunctionReport, IsTheSameOnAnyNumberOfThreads)
+{
+    const JunctionReport parallel = study().report({.count = 12});
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const JunctionReport serial = study().report({.count = 12});
+    for (std::size_t i = 0; i < 12; ++i) {
+        EXPECT_EQ(serial.rows[i].frames, parallel.rows[i].frames);
+        for (std::size_t c = 0; c < junctionCriteria; ++c)
+            EXPECT_EQ(serial.rows[i].measures.values[c].value, parallel.rows[i].measures.values[c].value);
+    }
+}
+
+TEST(JunctionReport, StopsWhenCancelled)
+{
+    CancelToken token;
+    const Progress progress(token, [&](double fraction) {
+        if (fraction > 0.3)
+            token.cancel();
+    });
+    try {
+        study().report({.count = 12}, progress);
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::Cancelled);
+    }
+    EXPECT_THROW(study().report({.count = -1}), Error);
+}
+
+TEST(JunctionsOfRealTakes, AreBetterWhereTheyAreBlendedGently)
+{
+    const std::filesystem::path folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters/rb_m04";
+    if (!std::filesystem::exists(folder))
+        GTEST_SKIP() << "no real takes";
+    ImportOptions options;
+    options.mesh = folder / "mesh.obj";
+    options.fps = 30;
+    std::vector<MeshSequence> takes;
+    for (const char* name : {"walk_1", "walk_slow", "jog_1", "kick_2"})
+        takes.push_back(openSequences(folder / (std::string(name) + ".pc2"), options).sequences.front());
+    const Study real(takes, UpAxis::Y, {.fps = 30, .cost = TransitionCost::Mean});
+    const JunctionReport paper = real.report({.count = 60});
+    const JunctionReport gentle = real.report({.count = 60, .blend = BlendSettings::gentle()});
+    EXPECT_GT(gentle.good, paper.good + 10);
+    const auto slips = [](const JunctionReport& report) {
+        return report.criteria[static_cast<std::size_t>(JunctionCriterion::FootSlip)];
+    };
+    EXPECT_GT(slips(gentle).measured, 10);
+    EXPECT_LT(slips(gentle).median, slips(paper).median);
+}
