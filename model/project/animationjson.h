@@ -9,6 +9,8 @@ namespace quadrille {
 /// An entry of the section “animations”. Points of paths come out in the project's axes.
 AnimationEntry readAnimation(const ObjectReader& reader, UpAxis up);
 Json animationToJson(const AnimationEntry& animation, UpAxis up);
+/// The same as one line of text, for the key of a result.
+std::string animationSettings(const AnimationEntry& animation, UpAxis up);
 
 /// A point of the ground as the file has it, in the two axes of the project that are not up, in their order.
 Vec3d pointOnGround(const Vec2d& point, UpAxis up);

@@ -248,4 +248,9 @@ Json animationToJson(const AnimationEntry& animation, UpAxis up)
     return json;
 }
 
+std::string animationSettings(const AnimationEntry& animation, UpAxis up)
+{
+    return animationToJson(animation, up).dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
 } // namespace quadrille

@@ -31,8 +31,8 @@ std::vector<std::filesystem::path> CharacterWork::files(const Progress& progress
 {
     std::vector<std::filesystem::path> all;
     for (const std::string& sequence : sequences) {
-        const auto opened = opener->open(sequence, progress);
-        all.insert(all.end(), opened->files.begin(), opened->files.end());
+        const auto own = opener->filesOf(sequence, progress);
+        all.insert(all.end(), own.begin(), own.end());
     }
     return all;
 }
@@ -54,6 +54,8 @@ std::vector<GraphEntry> graphsOf(const Project& project)
             for (const CharacterEntry& character : project.characters)
                 add(character.name);
     }
+    for (const AnimationEntry& animation : project.animations)
+        add(characterNameOf(project, animation));
     return graphs;
 }
 

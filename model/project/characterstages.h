@@ -36,6 +36,7 @@ inline constexpr auto poseDistance = "pose-distance";
 inline constexpr auto euclideanDistance = "euclidean-distance";
 inline constexpr auto transitions = "transitions";
 inline constexpr auto graphs = "graphs";
+inline constexpr auto rootPoses = "root-poses";
 } // namespace graphstage
 
 /// The section “graph”, and the usual settings for characters that only other sections are about.

@@ -90,11 +90,11 @@ private:
         for (std::int64_t i = 0; i < count; ++i) {
             m_progress.report(0.8 * static_cast<double>(i) / static_cast<double>(count));
             const std::string pointer = "/sequences/" + std::to_string(i);
-            if (lacksMedia(pointer))
+            const SequenceEntry& entry = m_project.sequences[static_cast<std::size_t>(i)];
+            if (lacksMedia(pointer) || shownAnimation(m_project, entry) != nullptr)
                 continue;
             try {
-                const auto opened = m_opener->open(m_project.sequences[static_cast<std::size_t>(i)].name,
-                                                   Progress(m_progress.token()));
+                const auto opened = m_opener->open(entry.name, Progress(m_progress.token()));
                 for (const Issue& issue : opened->issues) {
                     if (issue.severity == Issue::Severity::Warning)
                         add(warningAt(pointer, withoutStop(issue.toString())));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/contenthash.h"
+#include "model/project/clipresult.h"
 #include "model/project/exportentry.h"
 #include "model/project/paths.h"
 #include "model/project/projectjson.h"
@@ -23,16 +24,21 @@ ResultStage exportStage(const StageMaking& making, const ExportEntry& entry)
 {
     const auto opener = making.opener;
     const Project& project = opener->project();
-    const std::string name = entry.what.substr(entry.what.find('/') + 1);
+    const std::string clip = entry.what;
+    const std::string name = clip.substr(clip.find('/') + 1);
     ResultStage stage;
     stage.name = "exports/" + entry.name;
     stage.dataPrefix = stage.name;
     stage.settings = entryText(entry);
-    if (const SequenceEntry* sequence = findSequence(project, name))
+    if (clip.starts_with("animations/")) {
+        stage.inputs = {clipStageOf(name)};
+    } else if (const SequenceEntry* sequence = findSequence(project, name)) {
         stage.settings += sequenceSettings(project, *sequence);
-    stage.files = [opener, name](const Progress& progress) { return opener->open(name, progress)->files; };
-    stage.compute = [opener, name, entry](const StageContext& context, const Progress& progress) {
-        const auto opened = opener->open(name, progress.part(0, 0.1));
+        stage.inputs = clipInputs(project, {name});
+        stage.files = [opener, name](const Progress& progress) { return opener->filesOf(name, progress); };
+    }
+    stage.compute = [opener, clip, entry](const StageContext& context, const Progress& progress) {
+        const auto opened = opener->openClip(clip, progress.part(0, 0.1));
         const auto written = writeExport(entry, opened->sequence, opener->project().settings,
                                          opener->folder(), progress.part(0.1, 0.95));
         for (const Issue& issue : written.issues)

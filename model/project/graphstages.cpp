@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/graph/comparison.h"
 #include "model/graph/shortestpath.h"
-#include "model/project/characterstages.h"
+#include "model/project/charactergraph.h"
 #include "model/project/graphtables.h"
 #include "model/transition/posedistance.h"
 #include "model/transition/transitiontable.h"
@@ -37,6 +37,7 @@ ResultStage distanceStage(const CharacterWork& work, const std::string& name, Po
                                         settings.stretchWeight})
                             .dump();
     stage.files = [work](const Progress& progress) { return work.files(progress); };
+    stage.inputs = clipInputs(work.opener->project(), work.sequences);
     stage.compute = [work, name, settings](const StageContext&, const Progress& progress) {
         const bool isSurface = settings.metric == PoseMetric::Surface;
         const CharacterFrames frames = work.open(progress.part(0, 0.05));
@@ -131,6 +132,20 @@ ResultStage graphStage(const CharacterWork& work, const ResultStage& distances,
     return stage;
 }
 
+/// Where the frames stand and how they are turned, for walks.
+ResultStage rootPosesStage(const CharacterWork& work)
+{
+    const UpAxis up = work.opener->project().settings.axes.up;
+    ResultStage stage = work.stage(graphstage::rootPoses);
+    stage.settings = work.settings;
+    stage.files = [work](const Progress& progress) { return work.files(progress); };
+    stage.inputs = clipInputs(work.opener->project(), work.sequences);
+    stage.compute = [work, up](const StageContext&, const Progress& progress) {
+        return rootPosesResult(rootPoses(work.open(progress.part(0, 0.05)), up, progress.part(0.05, 1)));
+    };
+    return stage;
+}
+
 } // namespace
 
 TransitionSettings transitionSettings(const GraphEntry& entry, double fps)
@@ -159,6 +174,7 @@ std::vector<ResultStage> makeGraphStages(const StageMaking& making)
             distanceStage(work, graphstage::euclideanDistance, {.metric = PoseMetric::Euclidean}));
         stages.push_back(transitions);
         stages.push_back(graphStage(work, distances, transitions));
+        stages.push_back(rootPosesStage(work));
     }
     return stages;
 }

@@ -3,6 +3,7 @@
 #include "model/project/opensequence.h"
 
 #include "model/core/message.h"
+#include "model/project/clipresult.h"
 #include "model/project/paths.h"
 #include "model/sequence/io/findtextures.h"
 #include "model/sequence/io/meshfile.h"
@@ -16,6 +17,9 @@ namespace quadrille {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::string_view sequencesSection = "sequences/";
+constexpr std::string_view animationsSection = "animations/";
 
 [[noreturn]] void throwInvalid(const fs::path& file, std::string reason, std::string remedy)
 {
@@ -139,53 +143,87 @@ std::string characterNameOf(const Project& project, const AnimationEntry& animat
     return animation.character;
 }
 
+const AnimationEntry* shownAnimation(const Project& project, const SequenceEntry& entry)
+{
+    const SequenceEntry* at = &entry;
+    // Sequences that go round in a circle show none.
+    for (std::size_t steps = 0; at != nullptr && steps <= project.sequences.size(); ++steps) {
+        const auto clip = clipOfSource(at->source).value_or("");
+        const std::string name = clip.substr(clip.find('/') + 1);
+        if (clip.starts_with(animationsSection))
+            return findAnimation(project, name);
+        at = clip.starts_with(sequencesSection) ? findSequence(project, name) : nullptr;
+    }
+    return nullptr;
+}
+
 std::vector<std::string> sequencesOfGraph(const Project& project, const std::string& character)
 {
-    // The animation that a sequence shows, through other sequences, too; a circle of sequences shows none.
-    const auto shownBy = [&project](const SequenceEntry& entry) -> const AnimationEntry* {
-        const SequenceEntry* at = &entry;
-        for (std::size_t steps = 0; at != nullptr && steps <= project.sequences.size(); ++steps) {
-            const auto clip = clipOfSource(at->source).value_or("");
-            const std::string name = clip.substr(clip.find('/') + 1);
-            if (clip.starts_with("animations/"))
-                return findAnimation(project, name);
-            at = clip.starts_with("sequences/") ? findSequence(project, name) : nullptr;
-        }
-        return nullptr;
-    };
     std::vector<std::string> names;
     for (const SequenceEntry& entry : project.sequences) {
         const CharacterEntry* own = characterOf(project, entry);
         if ((own ? own->name : "") != character)
             continue;
-        const AnimationEntry* animation = shownBy(entry);
+        const AnimationEntry* animation = shownAnimation(project, entry);
         if (animation == nullptr || characterNameOf(project, *animation) != character)
             names.push_back(entry.name);
     }
     return names;
 }
 
-SequenceOpener::SequenceOpener(Project project, fs::path folder)
-    : m_project(std::move(project)), m_folder(std::move(folder))
+SequenceOpener::SequenceOpener(Project project, fs::path folder, fs::path results)
+    : m_project(std::move(project)), m_folder(std::move(folder)), m_results(std::move(results))
 {
 }
 
-SequenceOpener::Slot& SequenceOpener::slot(const std::string& name)
+SequenceOpener::Slot& SequenceOpener::slot(const std::string& clip)
 {
     const std::scoped_lock lock(m_mutex);
-    return m_slots[name];
+    return m_slots[clip];
 }
 
 std::shared_ptr<const OpenedSequence> SequenceOpener::open(const std::string& name, const Progress& progress)
 {
-    const SequenceEntry* entry = findSequence(m_project, name);
-    if (entry == nullptr)
+    return openClip(std::string(sequencesSection) + name, progress);
+}
+
+std::shared_ptr<const OpenedSequence> SequenceOpener::openClip(const std::string& clip,
+                                                               const Progress& progress)
+{
+    const std::string name = clip.substr(clip.find('/') + 1);
+    const bool isAnimation = clip.starts_with(animationsSection);
+    const SequenceEntry* entry = isAnimation ? nullptr : findSequence(m_project, name);
+    if (!isAnimation && entry == nullptr)
         throwInvalid({}, "There is no sequence “" + name + "”", QUADRILLE_MESSAGE("Correct the name."));
-    Slot& own = slot(name);
+    Slot& own = slot(clip);
     const std::scoped_lock lock(own.mutex);
     if (!own.opened)
-        own.opened = std::make_shared<const OpenedSequence>(openEntry(*entry, progress));
+        own.opened = std::make_shared<const OpenedSequence>(isAnimation ? openAnimation(name, progress)
+                                                                        : openEntry(*entry, progress));
     return own.opened;
+}
+
+std::vector<fs::path> SequenceOpener::filesOf(const std::string& name, const Progress& progress)
+{
+    const SequenceEntry* entry = findSequence(m_project, name);
+    if (entry != nullptr && shownAnimation(m_project, *entry) != nullptr)
+        return {};
+    return open(name, progress)->files;
+}
+
+OpenedSequence SequenceOpener::openAnimation(const std::string& name, const Progress& progress)
+{
+    const AnimationEntry* animation = findAnimation(m_project, name);
+    if (animation == nullptr)
+        throwInvalid({}, "There is no animation “" + name + "”", QUADRILLE_MESSAGE("Correct the name."));
+    std::vector<MeshSequence> sequences;
+    for (const std::string& sequence : sequencesOfGraph(m_project, characterNameOf(m_project, *animation)))
+        sequences.push_back(open(sequence, progress)->sequence);
+    auto clip = readClip(m_results, name, sequences, m_project.settings.fps);
+    if (!clip)
+        throwInvalid({}, "The animation “" + name + "” is not computed yet",
+                     QUADRILLE_MESSAGE("Rebuild the project."));
+    return {.sequence = std::move(*clip)};
 }
 
 OpenedSequence SequenceOpener::openEntry(const SequenceEntry& entry, const Progress& progress)
@@ -193,10 +231,9 @@ OpenedSequence SequenceOpener::openEntry(const SequenceEntry& entry, const Progr
     const CharacterEntry* character = characterOf(m_project, entry);
     OpenedSequence opened;
     if (const auto clip = clipOfSource(entry.source)) {
-        constexpr std::string_view section = "sequences/";
-        if (!clip->starts_with(section))
+        if (!clip->starts_with(sequencesSection) && !clip->starts_with(animationsSection))
             throwInvalid({}, "Clips of “" + *clip + "” cannot be used by this version", "");
-        opened = *open(clip->substr(section.size()), progress);
+        opened = *openClip(*clip, progress);
         opened.issues.clear();
     } else {
         opened = openFile(entry, character, progress);

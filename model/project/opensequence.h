@@ -30,7 +30,9 @@ struct OpenedSequence
 class SequenceOpener
 {
 public:
-    SequenceOpener(Project project, std::filesystem::path folder);
+    /// \param results  the folder of the project's results, where clips are found that are computed; empty:
+    /// sequences that show such clips cannot be opened.
+    SequenceOpener(Project project, std::filesystem::path folder, std::filesystem::path results = {});
 
     const Project& project() const { return m_project; }
     const std::filesystem::path& folder() const { return m_folder; }
@@ -39,6 +41,12 @@ public:
     /// character's mesh, saying what differs; RangeOutside; ImageCountMismatch; ProjectInvalid where there is
     /// no such sequence or the source holds several clips and none is named.
     std::shared_ptr<const OpenedSequence> open(const std::string& name, const Progress& progress = {});
+    /// A clip by its section and name: "sequences/NAME" or "animations/NAME". The clip of an animation is
+    /// read from the results, as it is there. \throws Error as open; ProjectInvalid where it is not computed.
+    std::shared_ptr<const OpenedSequence> openClip(const std::string& clip, const Progress& progress = {});
+    /// The files that a sequence is made of. Those of a computed clip are its result's own inputs: none.
+    /// \throws Error as open.
+    std::vector<std::filesystem::path> filesOf(const std::string& name, const Progress& progress = {});
 
 private:
     struct Slot
@@ -53,15 +61,17 @@ private:
     };
 
     OpenedSequence openEntry(const SequenceEntry& entry, const Progress& progress);
+    OpenedSequence openAnimation(const std::string& name, const Progress& progress);
     OpenedSequence openFile(const SequenceEntry& entry, const CharacterEntry* character,
                             const Progress& progress);
     void shareTopology(OpenedSequence& opened, const CharacterEntry& character);
-    Slot& slot(const std::string& name);
+    Slot& slot(const std::string& clip);
 
     Project m_project;
     std::filesystem::path m_folder;
+    std::filesystem::path m_results;
     std::mutex m_mutex;
-    std::map<std::string, Slot> m_slots;
+    std::map<std::string, Slot> m_slots;  ///< by clip
     std::map<std::string, Mesh> m_meshes; ///< by character
 };
 
@@ -84,6 +94,8 @@ const SequenceEntry* findSequence(const Project& project, const std::string& nam
 const AnimationEntry* findAnimation(const Project& project, const std::string& name);
 /// The character of an animation: the one it names, or the only one; empty when the project has none.
 std::string characterNameOf(const Project& project, const AnimationEntry& animation);
+/// The animation whose clip a sequence shows, perhaps through other sequences; null when it shows none.
+const AnimationEntry* shownAnimation(const Project& project, const SequenceEntry& entry);
 /// The sequences that the graph of a character is made of, in project order: all of the character's but those
 /// that are clips of its own animations.
 std::vector<std::string> sequencesOfGraph(const Project& project, const std::string& character);

@@ -231,7 +231,7 @@ RebuildReport rebuild(const Project& project, const fs::path& projectFile, const
 {
     MediaCache::shared()->setBudget(project.settings.cacheBytes());
     const fs::path folder = projectFolder(projectFile);
-    const auto opener = std::make_shared<SequenceOpener>(project, folder);
+    const auto opener = std::make_shared<SequenceOpener>(project, folder, cacheFolder(projectFile));
     RebuildReport report =
         rebuild(makeStages({opener, projectFile}), projectFile, options, progress, listener);
     if (!options.dryRun)

@@ -93,8 +93,9 @@ ResultStage statisticsStage(const Opener& opener, const SequenceEntry& entry)
         contacts.push_back({span.foot, span.frames.first.value, span.frames.last.value});
     stage.settings = sequenceSettings(project, entry) +
                      contacts.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+    stage.inputs = clipInputs(project, {entry.name});
     stage.files = [opener, name = entry.name](const Progress& progress) {
-        return opener->open(name, progress)->files;
+        return opener->filesOf(name, progress);
     };
     stage.compute = [opener, entry](const StageContext& context, const Progress& progress) {
         const auto opened = opener->open(entry.name, progress.part(0, 0.1));
@@ -124,24 +125,19 @@ ResultStage statisticsStage(const Opener& opener, const SequenceEntry& entry)
 ResultStage framesStage(const Opener& opener, const std::string& character)
 {
     const Project& project = opener->project();
-    std::vector<std::string> names;
+    const std::vector<std::string> names = sequencesOfGraph(project, character);
     ResultStage stage;
     stage.name = project.characters.size() > 1 ? "frames/" + character : "frames";
     stage.character = character;
-    for (const SequenceEntry& entry : project.sequences) {
-        const CharacterEntry* own = characterOf(project, entry);
-        if ((own ? own->name : "") != character)
-            continue;
-        names.push_back(entry.name);
-        stage.settings +=
-            nlohmann::json(entry.name).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) +
-            sequenceSettings(project, entry);
-    }
+    stage.inputs = clipInputs(project, names);
+    for (const std::string& name : names)
+        stage.settings += nlohmann::json(name).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) +
+                          sequenceSettings(project, *findSequence(project, name));
     stage.files = [opener, names](const Progress& progress) {
         std::vector<std::filesystem::path> files;
         for (const std::string& name : names) {
-            const auto opened = opener->open(name, progress);
-            files.insert(files.end(), opened->files.begin(), opened->files.end());
+            const auto own = opener->filesOf(name, progress);
+            files.insert(files.end(), own.begin(), own.end());
         }
         return files;
     };

@@ -49,11 +49,12 @@ std::vector<ResultStage> makeSheetStages(const StageMaking& making)
     }
     if (names.empty())
         return {};
+    stage.inputs = clipInputs(opener->project(), names);
     stage.files = [opener, names](const Progress& progress) {
         std::vector<std::filesystem::path> files;
         for (const std::string& name : names) {
-            const auto opened = opener->open(name, progress);
-            files.insert(files.end(), opened->files.begin(), opened->files.end());
+            const auto own = opener->filesOf(name, progress);
+            files.insert(files.end(), own.begin(), own.end());
         }
         return files;
     };

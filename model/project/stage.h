@@ -46,6 +46,9 @@ struct ResultStage
     std::function<Result(const StageContext&, const Progress&)> compute;
 };
 
+/// The stages of the clips that some sequences show: their inputs.
+std::vector<std::string> clipInputs(const Project& project, const std::vector<std::string>& sequences);
+
 /// The folder of a project's results, NAME.quadrille.cache beside the project.
 std::filesystem::path cacheFolder(const std::filesystem::path& projectFile);
 
@@ -65,6 +68,8 @@ std::vector<ResultStage> makeSequenceStages(const StageMaking& making);
 std::vector<ResultStage> makeGraphStages(const StageMaking& making);
 /// The papers' tables that the section “evaluations” names.
 std::vector<ResultStage> makeEvaluationStages(const StageMaking& making);
+/// Walks and clips of the section “animations”.
+std::vector<ResultStage> makeAnimationStages(const StageMaking& making);
 std::vector<ResultStage> makeExportStages(const StageMaking& making);
 /// One picture of the project's sequences, contact-sheet.png among the results.
 std::vector<ResultStage> makeSheetStages(const StageMaking& making);

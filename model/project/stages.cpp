@@ -1,18 +1,63 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/clipresult.h"
 #include "model/project/stage.h"
 
+#include <algorithm>
+#include <map>
+
 namespace quadrille {
+
+namespace {
+
+/// Each stage after its inputs, otherwise in the order in which they are. \pre They go round in no circle.
+std::vector<ResultStage> inOrder(std::vector<ResultStage> stages)
+{
+    std::map<std::string, std::size_t> indexOf;
+    for (std::size_t i = 0; i < stages.size(); ++i)
+        indexOf[stages[i].name] = i;
+    std::vector<bool> isPlaced(stages.size(), false);
+    std::vector<ResultStage> ordered;
+    ordered.reserve(stages.size());
+    const std::function<void(std::size_t)> place = [&](std::size_t i) {
+        if (isPlaced[i])
+            return;
+        isPlaced[i] = true;
+        for (const std::string& input : stages[i].inputs)
+            place(indexOf.at(input));
+        ordered.push_back(std::move(stages[i]));
+    };
+    for (std::size_t i = 0; i < stages.size(); ++i)
+        place(i);
+    return ordered;
+}
+
+} // namespace
+
+std::vector<std::string> clipInputs(const Project& project, const std::vector<std::string>& sequences)
+{
+    std::vector<std::string> inputs;
+    for (const std::string& name : sequences) {
+        const SequenceEntry* entry = findSequence(project, name);
+        const AnimationEntry* animation = entry ? shownAnimation(project, *entry) : nullptr;
+        if (animation == nullptr)
+            continue;
+        const std::string stage = clipStageOf(animation->name);
+        if (std::find(inputs.begin(), inputs.end(), stage) == inputs.end())
+            inputs.push_back(stage);
+    }
+    return inputs;
+}
 
 std::vector<ResultStage> makeStages(const StageMaking& making)
 {
     std::vector<ResultStage> stages;
-    for (auto make :
-         {makeSequenceStages, makeGraphStages, makeEvaluationStages, makeSheetStages, makeExportStages}) {
+    for (auto make : {makeSequenceStages, makeGraphStages, makeAnimationStages, makeEvaluationStages,
+                      makeSheetStages, makeExportStages}) {
         for (ResultStage& stage : make(making))
             stages.push_back(std::move(stage));
     }
-    return stages;
+    return inOrder(std::move(stages));
 }
 
 } // namespace quadrille

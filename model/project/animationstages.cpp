@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/charactergraph.h"
+#include "model/project/clipresult.h"
+#include "model/project/tablebuilder.h"
+#include "model/project/walkrequest.h"
+#include "model/synthesis/makeclip.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace quadrille {
+
+namespace {
+
+/// The work of the character that an animation shows.
+CharacterWork workOf(const StageMaking& making, const AnimationEntry& animation)
+{
+    const Project& project = making.opener->project();
+    const std::string character = characterNameOf(project, animation);
+    const std::vector<GraphEntry> graphs = graphsOf(project);
+    const auto graph = std::find_if(graphs.begin(), graphs.end(), [&](const GraphEntry& entry) {
+        return entry.character == character || (entry.character.empty() && project.characters.size() < 2);
+    });
+    return characterWork(making.opener, *graph);
+}
+
+DataArray placementArray(const GroundMotion& start)
+{
+    DataArray placement;
+    placement.name = "placement";
+    placement.description = "Turn about the up axis, radians, and shift over the ground, metres, that place "
+                            "the first sequence as it was captured.";
+    placement.shape = {3};
+    placement.columns = {};
+    placement.values = std::vector<double>{start.turn, start.shift.x(), start.shift.y()};
+    return placement;
+}
+
+GroundMotion placementOf(const Result& walk)
+{
+    const auto& values = std::get<std::vector<double>>(arrayOf(walk, "placement").values);
+    return {values[0], Vec2d(values[1], values[2])};
+}
+
+DataTable walkTable(const WalkSolution& solution, const CharacterGraph& graph, const ClipPlan& plan)
+{
+    TableBuilder table("walk", "The captured frames of the animation, and the transitions after them.");
+    table.text("sequence").whole("first", "frame").whole("last", "frame").whole("shown-from", "frame");
+    table.whole("transition-length", "frame").real("transition-cost").real("transition-weight");
+    const std::vector<WalkSpan>& spans = solution.walk.spans;
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+        const NamedFrame first = graph.nameOf(spans[i].first);
+        const bool isLast = i + 1 == spans.size();
+        std::int64_t length = 0;
+        double cost = 0;
+        double weight = 0;
+        if (!isLast) {
+            const FramePair pair = solution.walk.transition(i);
+            length = graph.costs().length()(pair.source, pair.destination);
+            cost = static_cast<double>(graph.costs().cost()(pair.source, pair.destination));
+            weight = graph.costs().weight(pair.source, pair.destination, graph.alpha());
+        }
+        table.add({first.sequence, first.frame.value, graph.nameOf(spans[i].last).frame.value,
+                   plan.spanStarts[i], length, cost, weight});
+    }
+    return std::move(table).table();
+}
+
+/// What was wanted and what came out.
+DataTable reportTable(const AnimationEntry& animation, const WalkSolution& solution,
+                      const WalkConstraints& constraints, double fps, std::int64_t frameCount)
+{
+    TableBuilder table("report", "What was asked of the animation, and what it does.");
+    table.text("what").text("name").real("wanted").real("obtained").text("unit");
+    constexpr double open = std::numeric_limits<double>::infinity();
+    table.add({"duration", "", open, static_cast<double>(frameCount) / fps, "s"});
+    table.add({"transitions", "", open, static_cast<double>(solution.walk.transitionCount()), ""});
+    table.add({"cost of edges", "", open, solution.cost.edges, ""});
+    if (animation.walk)
+        return std::move(table).table();
+    table.add({"cost of timing", "", open, solution.cost.timing, ""});
+    table.add({"cost of deviation", "", open, solution.cost.deviation, "m²"});
+    table.add({"total cost", "", open, solution.totalCost, ""});
+    table.add({"expansions", "", open, static_cast<double>(solution.expansions), ""});
+    table.add({"proven best", "", open, solution.optimal ? 1.0 : 0.0, ""});
+    for (std::size_t k = 0; k < solution.keys.size(); ++k)
+        table.add({"key", std::to_string(k + 1), solution.keys[k].wanted / fps,
+                   static_cast<double>(solution.keys[k].obtained) / fps, "s"});
+    if (constraints.path) {
+        table.add({"length of path", "", solution.pathLength, solution.pathLength, "m"});
+        table.add({"mean deviation", "", 0.0, solution.meanDeviation, "m"});
+        table.add({"greatest deviation", "", 0.0, solution.greatestDeviation, "m"});
+    }
+    const auto addRange = [&](const char* what, const std::string& name, const FrameRange& range,
+                              const std::optional<double>& wanted) {
+        table.add(
+            {std::string(what) + " from", name, open, static_cast<double>(range.first.value) / fps, "s"});
+        table.add({std::string(what) + " lasts", name, wanted.value_or(open) / fps,
+                   static_cast<double>(range.count()) / fps, "s"});
+    };
+    for (std::size_t a = 0; a < solution.actions.size(); ++a)
+        addRange("action", constraints.actions[a].frames.name, solution.actions[a],
+                 constraints.actions[a].duration);
+    for (std::size_t s = 0; s < solution.spans.size(); ++s) {
+        const PathSpan& span = constraints.path->spans[s];
+        addRange("span of path", span.demanded ? span.demanded->name : std::to_string(s + 1),
+                 solution.spans[s], span.duration);
+    }
+    return std::move(table).table();
+}
+
+/// The walk that was accepted, with its cost.
+WalkSolution solutionOf(const WalkEntry& entry, const CharacterGraph& graph)
+{
+    WalkSolution solution{.walk = acceptedWalk(entry, graph), .start = startOf(entry, graph)};
+    for (const WalkSpan& span : solution.walk.spans)
+        solution.cost.edges += graph.alpha() * (span.frameCount() - 1);
+    for (const Transition& transition : transitionsOf(solution.walk, graph.layout(), graph.paths()))
+        solution.cost.edges +=
+            graph.costs().weight(transition.frames.source, transition.frames.destination, graph.alpha());
+    return solution;
+}
+
+ResultStage walkStage(const CharacterWork& work, const AnimationEntry& animation)
+{
+    ResultStage stage;
+    stage.name = "animations/" + animation.name + "/walk";
+    stage.dataPrefix = "animations/" + animation.name;
+    stage.settings = walkSettings(animation, work);
+    stage.inputs = CharacterGraph::inputs(work);
+    stage.compute = [work, animation](const StageContext& context, const Progress& progress) {
+        const CharacterGraph graph(work, context);
+        WalkConstraints constraints;
+        WalkSolution solution;
+        if (animation.walk) {
+            solution = solutionOf(*animation.walk, graph);
+        } else {
+            constraints = walkConstraints(animation, graph);
+            solution = findWalk({graph.graph(), graph.costs(), graph.paths(), graph.roots(), graph.alpha()},
+                                constraints, searchSettings(animation.search, graph.alpha()), progress);
+        }
+        const ClipPlan plan = planClip(graph.roots(), graph.layout(), graph.paths(), solution.walk);
+        const double fps = work.opener->project().settings.fps;
+        Result result;
+        result.arrays = {placementArray(solution.start)};
+        result.tables = {walkTable(solution, graph, plan),
+                         reportTable(animation, solution, constraints, fps, plan.frameCount())};
+        return result;
+    };
+    return stage;
+}
+
+Walk walkOf(const Result& result, const CharacterGraph& graph)
+{
+    const DataTable& table = result.tables.front();
+    const auto& sequences = std::get<std::vector<std::string>>(table.columns[0].values);
+    const auto& first = std::get<std::vector<std::int64_t>>(table.columns[1].values);
+    const auto& last = std::get<std::vector<std::int64_t>>(table.columns[2].values);
+    Walk walk;
+    for (std::size_t i = 0; i < sequences.size(); ++i)
+        walk.spans.push_back(graph.span(sequences[i], FrameRange{FrameIndex(first[i]), FrameIndex(last[i])}));
+    return walk;
+}
+
+ResultStage clipStage(const CharacterWork& work, const AnimationEntry& animation, const ResultStage& walk)
+{
+    ResultStage stage;
+    stage.name = clipStageOf(animation.name);
+    stage.dataPrefix = walk.dataPrefix;
+    AnimationEntry made{.interpolation = animation.interpolation, .post = animation.post};
+    stage.settings = work.settings + animationSettings(made, work.opener->project().settings.axes.up);
+    stage.inputs = CharacterGraph::inputs(work);
+    stage.inputs.push_back(walk.name);
+    stage.files = [work](const Progress& progress) { return work.files(progress); };
+    stage.compute = [work, animation, walk = walk.name](const StageContext& context,
+                                                        const Progress& progress) {
+        const CharacterGraph graph(work, context);
+        const Result found = context.resultOf(walk);
+        const ClipPlan plan = planClip(graph.roots(), graph.layout(), graph.paths(), walkOf(found, graph),
+                                       {.start = placementOf(found)});
+        const Clip clip = makeClip(work.open(progress.part(0, 0.05)), plan, animation.interpolation,
+                                   progress.part(0.05, 0.6));
+        return clipResult(clip, graph.layout(), work.sequences, "m");
+    };
+    return stage;
+}
+
+} // namespace
+
+std::vector<ResultStage> makeAnimationStages(const StageMaking& making)
+{
+    std::vector<ResultStage> stages;
+    for (const AnimationEntry& animation : making.opener->project().animations) {
+        const CharacterWork work = workOf(making, animation);
+        if (work.sequences.empty())
+            continue;
+        const ResultStage walk = walkStage(work, animation);
+        stages.push_back(walk);
+        stages.push_back(clipStage(work, animation, walk));
+    }
+    return stages;
+}
+
+} // namespace quadrille

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/charactergraph.h"
+
+#include <algorithm>
+
+namespace quadrille {
+
+namespace {
+
+Digraph essentialGraphOf(const Result& graphs, NodeIndex nodeCount)
+{
+    const auto table =
+        std::find_if(graphs.tables.begin(), graphs.tables.end(),
+                     [](const DataTable& candidate) { return candidate.name == "essential-graph-edges"; });
+    const auto& from = std::get<std::vector<std::int64_t>>(table->columns[0].values);
+    const auto& to = std::get<std::vector<std::int64_t>>(table->columns[1].values);
+    const auto& weight = std::get<std::vector<double>>(table->columns[2].values);
+    const auto& kind = std::get<std::vector<std::string>>(table->columns[3].values);
+    std::vector<Edge> edges;
+    edges.reserve(from.size());
+    for (std::size_t e = 0; e < from.size(); ++e)
+        edges.push_back({static_cast<NodeIndex>(from[e]), static_cast<NodeIndex>(to[e]), weight[e],
+                         kind[e] == "original" ? EdgeKind::Original : EdgeKind::Transition});
+    return {nodeCount, std::move(edges)};
+}
+
+RootPoses rootPosesOf(const Result& result, UpAxis up)
+{
+    RootPoses roots{.up = up, .turns = tableOf<float>(arrayOf(result, "root-turns"))};
+    const auto& centres = std::get<std::vector<double>>(arrayOf(result, "root-centres").values);
+    for (std::size_t node = 0; node < centres.size() / 3; ++node)
+        roots.centres.emplace_back(centres[3 * node], centres[3 * node + 1], centres[3 * node + 2]);
+    return roots;
+}
+
+[[noreturn]] void throwNoFrame(const std::string& sequence, std::int64_t frame, NodeIndex count)
+{
+    throw Error(ErrorCode::ProjectInvalid,
+                {.values = {{"reason", "“" + sequence + "” has no frame " + std::to_string(frame)},
+                            {"remedy", "Its frames are 0 to " + std::to_string(count - 1) + "."}}});
+}
+
+} // namespace
+
+Result rootPosesResult(const RootPoses& roots)
+{
+    DataArray centres;
+    centres.name = "root-centres";
+    centres.description = "Mean of the vertices of each frame.";
+    centres.unit = "m";
+    centres.columns = {"x", "y", "z"};
+    centres.shape = {static_cast<std::int64_t>(roots.centres.size()), 3};
+    std::vector<double> values;
+    values.reserve(3 * roots.centres.size());
+    for (const Vec3d& centre : roots.centres)
+        values.insert(values.end(), centre.begin(), centre.end());
+    centres.values = std::move(values);
+    Result result;
+    result.arrays = {std::move(centres),
+                     matrixOf("root-turns",
+                              "Turn about the up axis that lays the pose of the column on that of the row.",
+                              "rad", roots.turns)};
+    return result;
+}
+
+std::vector<std::string> CharacterGraph::inputs(const CharacterWork& work)
+{
+    return {work.stageName(graphstage::poseDistance), work.stageName(graphstage::transitions),
+            work.stageName(graphstage::graphs), work.stageName(graphstage::rootPoses)};
+}
+
+CharacterGraph::CharacterGraph(const CharacterWork& work, const StageContext& context) : m_work(work)
+{
+    const std::vector<std::string> stages = inputs(work);
+    const Result poses = context.resultOf(stages[0]);
+    m_layout = layoutOf(poses);
+    m_distances = tableOf<float>(poses.arrays.front());
+    m_costs = costsOf(work.graph, poses, context.resultOf(stages[1]));
+    m_graph = essentialGraphOf(context.resultOf(stages[2]), m_layout.frameCount());
+    const ProjectSettings& settings = work.opener->project().settings;
+    m_roots = rootPosesOf(context.resultOf(stages[3]), settings.axes.up);
+    m_paths.emplace(m_distances, m_layout, transitionSettings(work.graph, settings.fps));
+}
+
+WalkSpan CharacterGraph::span(const std::string& sequence, const std::optional<FrameRange>& range) const
+{
+    const auto found = std::find(m_work.sequences.begin(), m_work.sequences.end(), sequence);
+    if (found == m_work.sequences.end())
+        throw Error(ErrorCode::ProjectInvalid,
+                    {.values = {{"reason", "The graph has no sequence “" + sequence + "”"},
+                                {"remedy", "Correct the name."}}});
+    const auto index = static_cast<int>(found - m_work.sequences.begin());
+    const NodeIndex count = m_layout.countOf(index);
+    if (!range)
+        return {m_layout.firstOf(index), m_layout.lastOf(index)};
+    for (const FrameIndex frame : {range->first, range->last}) {
+        if (frame.value < 0 || frame.value >= count)
+            throwNoFrame(sequence, frame.value, count);
+    }
+    return {m_layout.firstOf(index) + static_cast<NodeIndex>(range->first.value),
+            m_layout.firstOf(index) + static_cast<NodeIndex>(range->last.value)};
+}
+
+NodeIndex CharacterGraph::node(const NamedFrame& frame) const
+{
+    return span(frame.sequence, FrameRange{frame.frame, frame.frame}).first;
+}
+
+NamedFrame CharacterGraph::nameOf(NodeIndex node) const
+{
+    const int sequence = m_layout.sequenceOf(node);
+    return {m_work.sequences[static_cast<std::size_t>(sequence)],
+            FrameIndex(node - m_layout.firstOf(sequence))};
+}
+
+} // namespace quadrille

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/graph/digraph.h"
+#include "model/project/characterstages.h"
+#include "model/synthesis/rootposes.h"
+#include "model/transition/warppath.h"
+
+#include <optional>
+
+namespace quadrille {
+
+Result rootPosesResult(const RootPoses& roots);
+
+/// What walks through the frames of a character need, from the results of its graph's stages.
+class CharacterGraph
+{
+public:
+    /// The stages whose results it is made of.
+    static std::vector<std::string> inputs(const CharacterWork& work);
+
+    CharacterGraph(const CharacterWork& work, const StageContext& context);
+    CharacterGraph(const CharacterGraph&) = delete;
+    CharacterGraph& operator=(const CharacterGraph&) = delete;
+
+    const CharacterWork& work() const { return m_work; }
+    const FrameLayout& layout() const { return m_layout; }
+    const Table<float>& distances() const { return m_distances; }
+    const TransitionCosts& costs() const { return *m_costs; }
+    const WarpPaths& paths() const { return *m_paths; }
+    const RootPoses& roots() const { return m_roots; }
+    /// The Essential graph.
+    const Digraph& graph() const { return m_graph; }
+    double alpha() const { return m_work.graph.alpha; }
+
+    /// A frame by the name of its sequence. \throws Error ProjectInvalid where there is none.
+    NodeIndex node(const NamedFrame& frame) const;
+    /// Some frames of a sequence. \throws Error as node.
+    WalkSpan span(const std::string& sequence, const std::optional<FrameRange>& range) const;
+    NamedFrame nameOf(NodeIndex node) const;
+
+private:
+    CharacterWork m_work;
+    FrameLayout m_layout;
+    Table<float> m_distances;
+    std::optional<TransitionCosts> m_costs;
+    std::optional<WarpPaths> m_paths;
+    RootPoses m_roots;
+    Digraph m_graph;
+};
+
+} // namespace quadrille

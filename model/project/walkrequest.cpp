@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/walkrequest.h"
+
+#include "model/project/animationjson.h"
+
+#include <numbers>
+
+namespace quadrille {
+
+namespace {
+
+/// Between the points of a curve that is followed, metres.
+constexpr double curveSpacing = 0.02;
+
+/// Turns the constraints of one animation into frames, one by one.
+class Request
+{
+public:
+    Request(const AnimationEntry& animation, const CharacterGraph& graph)
+        : m_animation(animation)
+        , m_graph(graph)
+        , m_project(graph.work().opener->project())
+        , m_ground(m_project.settings.axes.up)
+    {
+    }
+
+    WalkConstraints constraints()
+    {
+        if (m_animation.start)
+            m_constraints.start = frames(*m_animation.start);
+        for (const ConstraintEntry& constraint : m_animation.constraints)
+            std::visit([this](const auto& entry) { add(entry); }, constraint);
+        const JunctionsEntry& junctions = m_animation.junctions;
+        m_constraints.junctions.banned = pairs(junctions.banned);
+        m_constraints.junctions.required = pairs(junctions.locked);
+        for (const FramePair& chosen : pairs(junctions.chosen))
+            m_constraints.junctions.required.push_back(chosen);
+        return std::move(m_constraints);
+    }
+
+private:
+    double frameCount(double seconds) const { return seconds * m_project.settings.fps; }
+    std::optional<double> frameCount(std::optional<double> seconds) const
+    {
+        return seconds ? std::optional(frameCount(*seconds)) : std::nullopt;
+    }
+
+    FrameSet frames(const FrameChoice& choice) const
+    {
+        if (choice.label.empty())
+            return {choice.sequence, {m_graph.span(choice.sequence, choice.range)}};
+        FrameSet set{choice.label, {}};
+        for (const std::string& name : m_graph.work().sequences) {
+            for (const LabelSpan& span : findSequence(m_project, name)->labels) {
+                if (span.label == choice.label)
+                    set.spans.push_back(m_graph.span(name, span.frames));
+            }
+        }
+        return set;
+    }
+
+    std::vector<FramePair> pairs(const std::vector<JunctionEntry>& junctions) const
+    {
+        std::vector<FramePair> all;
+        for (const JunctionEntry& junction : junctions)
+            all.push_back({m_graph.node(junction.from), m_graph.node(junction.to)});
+        return all;
+    }
+
+    void add(const KeyEntry& key)
+    {
+        m_constraints.keys.push_back({.frame = m_graph.node({key.sequence, key.frame}),
+                                      .time = frameCount(key.time),
+                                      .tolerance = frameCount(key.tolerance)});
+    }
+
+    void add(const PathEntry& path)
+    {
+        PathConstraint constraint{.points = pointsOf(path), .inSpace = path.inSpace};
+        for (const PathSpanEntry& span : path.spans) {
+            PathSpan& own = constraint.spans.emplace_back();
+            own.from = span.from;
+            own.to = span.to;
+            if (span.frames)
+                own.demanded = frames(*span.frames);
+            own.duration = frameCount(span.duration);
+        }
+        for (std::size_t i = 0; i < path.obstacles.size(); ++i) {
+            const ObstacleEntry& entry = path.obstacles[i];
+            Obstacle obstacle{.name = std::to_string(i + 1),
+                              .radius = entry.isDisc() ? entry.radius : 0,
+                              .clearance = path.clearance};
+            for (const Vec2d& corner : entry.corners)
+                obstacle.outline.push_back(m_ground.of(pointOnGround(corner, m_project.settings.axes.up)));
+            constraint.obstacles.push_back(std::move(obstacle));
+        }
+        m_constraints.path = std::move(constraint);
+    }
+
+    void add(const ActionEntry& action)
+    {
+        const Action usual;
+        m_constraints.actions.push_back({.frames = frames(action.frames),
+                                         .repetitions = action.repeat,
+                                         .duration = frameCount(action.duration),
+                                         .leastShare = action.leastShare.value_or(usual.leastShare)});
+    }
+
+    static std::vector<Vec3d> pointsOf(const PathEntry& path)
+    {
+        switch (path.curve) {
+        case PathCurve::Polyline:
+            return path.points;
+        case PathCurve::CatmullRom:
+            return sampleCurve(path.points, curveSpacing);
+        case PathCurve::Bezier:
+            break;
+        }
+        std::vector<Vec3d> points;
+        for (std::size_t i = 0; i + 3 < path.points.size(); i += 3) {
+            const std::vector<Vec3d> piece = sampleBezier(
+                path.points[i], path.points[i + 1], path.points[i + 2], path.points[i + 3], curveSpacing);
+            points.insert(points.end(), piece.begin() + (points.empty() ? 0 : 1), piece.end());
+        }
+        return points;
+    }
+
+    const AnimationEntry& m_animation;
+    const CharacterGraph& m_graph;
+    const Project& m_project;
+    Ground m_ground;
+    WalkConstraints m_constraints;
+};
+
+} // namespace
+
+WalkConstraints walkConstraints(const AnimationEntry& animation, const CharacterGraph& graph)
+{
+    return Request(animation, graph).constraints();
+}
+
+SearchSettings searchSettings(const SearchEntry& entry, double alpha)
+{
+    const SearchSettings usual;
+    return {.beta = entry.beta.value_or(alpha),
+            .mu = entry.mu.value_or(usual.mu),
+            .budget = entry.budget.value_or(usual.budget),
+            .globalKeys = entry.globalKeys};
+}
+
+Walk acceptedWalk(const WalkEntry& entry, const CharacterGraph& graph)
+{
+    Walk walk;
+    for (const WalkSpanEntry& span : entry.spans)
+        walk.spans.push_back(graph.span(span.sequence, span.frames));
+    return walk;
+}
+
+GroundMotion startOf(const WalkEntry& entry, const CharacterGraph& graph)
+{
+    const Project& project = graph.work().opener->project();
+    const Ground ground(project.settings.axes.up);
+    const NodeIndex first = graph.node({entry.spans.front().sequence, entry.spans.front().frames.first});
+    const Vec2d centre = ground.of(graph.roots().centres[static_cast<std::size_t>(first)]);
+    const Vec2d at = entry.at ? ground.of(pointOnGround(*entry.at, project.settings.axes.up)) : centre;
+    return GroundMotion::taking(centre, at, entry.turn * std::numbers::pi / 180);
+}
+
+std::string walkSettings(const AnimationEntry& animation, const CharacterWork& work)
+{
+    AnimationEntry asked = animation;
+    asked.name.clear();
+    asked.interpolation = {};
+    asked.post = {};
+    const Project& project = work.opener->project();
+    nlohmann::json json;
+    json["animation"] = animationSettings(asked, project.settings.axes.up);
+    json["alpha"] = work.graph.alpha;
+    for (const std::string& name : work.sequences) {
+        nlohmann::json labels = nlohmann::json::array();
+        for (const LabelSpan& span : findSequence(project, name)->labels)
+            labels.push_back({span.label, span.frames.first.value, span.frames.last.value});
+        json["sequences"].push_back({name, labels});
+    }
+    return json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+}
+
+} // namespace quadrille

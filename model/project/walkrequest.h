@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/charactergraph.h"
+#include "model/synthesis/constraints.h"
+
+namespace quadrille {
+
+/// What an animation asks of a walk, its names and seconds turned into frames.
+/// \throws Error ProjectInvalid (frames that a sequence does not have, a label that no sequence has).
+WalkConstraints walkConstraints(const AnimationEntry& animation, const CharacterGraph& graph);
+SearchSettings searchSettings(const SearchEntry& entry, double alpha);
+
+/// The walk that an animation has already, and where it starts.
+/// \throws Error ProjectInvalid.
+Walk acceptedWalk(const WalkEntry& entry, const CharacterGraph& graph);
+GroundMotion startOf(const WalkEntry& entry, const CharacterGraph& graph);
+
+/// All of an animation and its character that a walk depends on beside the graph, as text.
+std::string walkSettings(const AnimationEntry& animation, const CharacterWork& work);
+
+} // namespace quadrille
