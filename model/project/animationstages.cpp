@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/animationjson.h"
 #include "model/project/charactergraph.h"
 #include "model/project/clipresult.h"
+#include "model/project/lengthunit.h"
 #include "model/project/tablebuilder.h"
 #include "model/project/walkrequest.h"
 #include "model/synthesis/makeclip.h"
+#include "model/synthesis/walksolution.h"
 
 #include <algorithm>
 #include <limits>
@@ -129,7 +132,7 @@ ResultStage walkStage(const CharacterWork& work, const AnimationEntry& animation
     stage.dataPrefix = "animations/" + animation.name;
     stage.settings = walkSettings(animation, work);
     stage.inputs = CharacterGraph::inputs(work);
-    stage.compute = [work, animation](const StageContext& context, const Progress& progress) {
+    stage.compute = [work, animation](const StageContext& context, const Progress&) {
         const CharacterGraph graph(work, context);
         WalkConstraints constraints;
         WalkSolution solution;
@@ -137,8 +140,9 @@ ResultStage walkStage(const CharacterWork& work, const AnimationEntry& animation
             solution = solutionOf(*animation.walk, graph);
         } else {
             constraints = walkConstraints(animation, graph);
-            solution = findWalk({graph.graph(), graph.costs(), graph.paths(), graph.roots(), graph.alpha()},
-                                constraints, searchSettings(animation.search, graph.alpha()), progress);
+            throw Error(ErrorCode::ProjectInvalid,
+                        {.values = {{"reason", "Constraints are not met by this version"},
+                                    {"remedy", "Give a walk."}}});
         }
         const ClipPlan plan = planClip(graph.roots(), graph.layout(), graph.paths(), solution.walk);
         const double fps = work.opener->project().settings.fps;
@@ -181,7 +185,8 @@ ResultStage clipStage(const CharacterWork& work, const AnimationEntry& animation
                                        {.start = placementOf(found)});
         const Clip clip = makeClip(work.open(progress.part(0, 0.05)), plan, animation.interpolation,
                                    progress.part(0.05, 0.6));
-        return clipResult(clip, graph.layout(), work.sequences, "m");
+        return clipResult(clip, graph.layout(), work.sequences,
+                          unitText(work.opener->project().settings.axes.metresPerUnit));
     };
     return stage;
 }

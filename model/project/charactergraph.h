@@ -5,6 +5,7 @@
 #include "model/graph/digraph.h"
 #include "model/project/characterstages.h"
 #include "model/synthesis/rootposes.h"
+#include "model/synthesis/walk.h"
 #include "model/transition/warppath.h"
 
 #include <optional>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 
 namespace quadrille {
 
@@ -28,6 +29,13 @@ std::optional<std::string_view> unitName(double metresPerUnit)
     const auto found = std::find_if(units.begin(), units.end(),
                                     [&](const LengthUnit& unit) { return unit.metres == metresPerUnit; });
     return found == units.end() ? std::nullopt : std::optional(found->name);
+}
+
+std::string unitText(double metresPerUnit)
+{
+    if (const auto name = unitName(metresPerUnit))
+        return std::string(*name);
+    return nlohmann::json(metresPerUnit).dump() + " m";
 }
 
 } // namespace quadrille

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace quadrille {
@@ -20,5 +21,7 @@ std::span<const LengthUnit> lengthUnits();
 std::optional<double> metresPerUnit(std::string_view name);
 /// The name of a unit of this length, if it has one.
 std::optional<std::string_view> unitName(double metresPerUnit);
+/// The name of a unit of this length, or its length in metres: "cm", "0.5 m".
+std::string unitText(double metresPerUnit);
 
 } // namespace quadrille

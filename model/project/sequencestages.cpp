@@ -14,14 +14,6 @@ namespace {
 
 using Opener = std::shared_ptr<SequenceOpener>;
 
-std::string unitOf(const Project& project)
-{
-    const double metres = project.settings.axes.metresPerUnit;
-    if (const auto name = unitName(metres))
-        return std::string(*name);
-    return nlohmann::json(metres).dump() + " m";
-}
-
 DataArray arrayOf(std::string name, std::string description, std::string unit,
                   std::vector<std::string> columns, std::vector<float> values)
 {
@@ -102,7 +94,7 @@ ResultStage statisticsStage(const Opener& opener, const SequenceEntry& entry)
         for (const Issue& issue : opened->issues)
             context.tell(issue);
         const MeshSequence& sequence = opened->sequence;
-        const std::string unit = unitOf(opener->project());
+        const std::string unit = unitText(opener->project().settings.axes.metresPerUnit);
         Measures measures = measure(sequence, progress.part(0.1, 0.5));
         ContactOptions options;
         options.up = opener->project().settings.axes.up;

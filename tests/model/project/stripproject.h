@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/core/table.h"
 #include "model/project/projectdata.h"
 #include "model/project/rebuild.h"
 #include "model/transition/characterframes.h"

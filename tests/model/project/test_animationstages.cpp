@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/clipresult.h"
+#include "model/project/validate.h"
+#include "tests/model/project/stripproject.h"
+
+#include <gmock/gmock.h>
+
+using namespace quadrille;
+using namespace quadrille::test;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::UnorderedElementsAre;
+
+namespace {
+
+WalkSpanEntry spanOf(std::string sequence, std::int64_t first, std::int64_t last)
+{
+    return {std::move(sequence), {FrameIndex(first), FrameIndex(last)}};
+}
+
+/// An animation with a hand-written walk from the slow sequence to the quick one.
+class AnimationStages : public StripProject
+{
+protected:
+    AnimationStages()
+    {
+        project.graphs.resize(1);
+        AnimationEntry animation;
+        animation.name = "dance";
+        animation.walk = WalkEntry{.spans = {spanOf("slow", 0, 5), spanOf("quick", 4, 8)}};
+        project.animations = {animation};
+    }
+    AnimationEntry& animation() { return project.animations.front(); }
+    std::string problem()
+    {
+        const RebuildReport report = run("animations");
+        for (const StageReport& stage : report.stages) {
+            if (stage.error)
+                return stage.error->what();
+        }
+        return "none";
+    }
+    MeshSequence opened(const std::string& clip)
+    {
+        SequenceOpener opener(project, folder.path(), cacheFolder(folder / "p.quadrille"));
+        return opener.openClip(clip)->sequence;
+    }
+};
+
+} // namespace
+
+TEST_F(AnimationStages, ShowTheWalkWithTheOriginOfEachFrame)
+{
+    computed(run("animations"));
+    using Texts = std::vector<std::string>;
+    const Texts sequences = column<std::string>("animations/dance/frames", "sequence");
+    const auto source = column<std::int64_t>("animations/dance/frames", "source-frame");
+    const auto lambda = column<double>("animations/dance/frames", "lambda");
+    const auto length = column<std::int64_t>("animations/dance/walk", "transition-length").front();
+    ASSERT_EQ(static_cast<std::int64_t>(sequences.size()), 6 + 5 + length - 2);
+    for (std::size_t f = 0; f < 6; ++f) {
+        EXPECT_EQ(sequences[f], "slow");
+        EXPECT_EQ(source[f], static_cast<std::int64_t>(f));
+        EXPECT_EQ(lambda[f], 0);
+    }
+    for (std::size_t f = 6; f + 5 < lambda.size(); ++f)
+        EXPECT_TRUE(lambda[f] > 0 && lambda[f] < 1);
+    EXPECT_EQ(source.back(), 8);
+    EXPECT_EQ(sequences.back(), "quick");
+    EXPECT_THAT(column<std::int64_t>("animations/dance/walk", "shown-from"), ElementsAre(0, 4 + length));
+}
+
+TEST_F(AnimationStages, BeginWhereTheWalkSaysAndTurnedSo)
+{
+    computed(run("animations"));
+    const MeshSequence plain = opened("animations/dance");
+    animation().walk->turn = 90;
+    animation().walk->at = Vec2d(10, 20);
+    computed(run("animations"));
+    const MeshSequence placed = opened("animations/dance");
+    const auto x = column<double>("animations/dance/frames", "centre-x");
+    const auto z = column<double>("animations/dance/frames", "centre-z");
+    EXPECT_NEAR(x[0], 10, 1e-5);
+    EXPECT_NEAR(z[0], 20, 1e-5);
+    const auto side = [](const MeshSequence& sequence) -> Vec3f {
+        const Frame frame = sequence.frame(FrameIndex(0));
+        return frame.positions()[8] - frame.positions()[0];
+    };
+    // A quarter turn about y takes x to −z.
+    EXPECT_NEAR(side(placed).z(), -side(plain).x(), 1e-5);
+    EXPECT_NEAR(side(placed).x(), side(plain).z(), 1e-5);
+}
+
+TEST_F(AnimationStages, OnlyWhatASettingReachesIsComputedAgain)
+{
+    computed(run("animations"));
+    EXPECT_TRUE(computed(run("animations")).empty());
+    animation().interpolation = InterpolationMethod::Linear;
+    EXPECT_THAT(computed(run("animations")), UnorderedElementsAre("animations/dance/clip"));
+    animation().walk->spans.back().frames.last = FrameIndex(7);
+    EXPECT_THAT(computed(run("animations")),
+                UnorderedElementsAre("animations/dance/walk", "animations/dance/clip"));
+}
+
+TEST_F(AnimationStages, AreExportedAsEverySequenceIs)
+{
+    ExportEntry entry;
+    entry.name = "cache";
+    entry.what = "animations/dance";
+    entry.path = "dance.pc2";
+    project.exports = {entry};
+    EXPECT_THAT(computed(run("exports")), ::testing::Contains("animations/dance/clip"));
+    const std::string bytes = textOf(folder / "dance.pc2");
+    EXPECT_FALSE(bytes.empty());
+    std::filesystem::remove_all(cacheFolder(folder / "p.quadrille"));
+    computed(run("exports"));
+    EXPECT_TRUE(bytes == textOf(folder / "dance.pc2"));
+}
+
+TEST_F(AnimationStages, AreSourcesOfSequences)
+{
+    SequenceEntry again = sequenceOf("again", "clip:animations/dance");
+    again.range = FrameRange{FrameIndex(2), FrameIndex(6)};
+    again.labels = {{"cut", {FrameIndex(0), FrameIndex(4)}}};
+    project.sequences.push_back(again);
+    project.sequences.push_back(sequenceOf("once-more", "clip:sequences/again"));
+    ASSERT_FALSE(hasErrors(validate(project)));
+    const auto stages = computed(run("sequences"));
+    EXPECT_THAT(stages, ::testing::Contains("sequences/once-more/statistics"));
+    EXPECT_EQ(opened("sequences/once-more").frameCount(), 5);
+    const Frame shown = opened("sequences/once-more").frame(FrameIndex(1));
+    const Frame made = opened("animations/dance").frame(FrameIndex(3));
+    EXPECT_TRUE(shown.positions()[3] == made.positions()[3]);
+    // They are not of the graph that they are made from.
+    EXPECT_EQ(matrix("pose-distance").rows(), 23);
+    computed(run("frames"));
+    EXPECT_EQ(column<std::string>("frames", "sequence").size(), 23U);
+}
+
+TEST_F(AnimationStages, CannotBeMadeOfThemselves)
+{
+    project.sequences.push_back(sequenceOf("again", "clip:animations/dance"));
+    animation().walk->spans.push_back(spanOf("again", 0, 3));
+    const ProjectProblems problems = validate(project);
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_EQ(problems.front().pointer, "/animations/0/walk/spans/2/sequence");
+    EXPECT_THAT(problems.front().toString(), HasSubstr("is itself made from this graph"));
+}
+
+TEST_F(AnimationStages, GoRoundInNoCircleThroughTwoCharacters)
+{
+    project.characters = {characterOf("a", "slow/f_0.obj"), characterOf("b", "slow/f_0.obj")};
+    for (SequenceEntry& sequence : project.sequences)
+        sequence.character = "a";
+    project.graphs = {GraphEntry{.character = "a"}, GraphEntry{.character = "b"}};
+    animation().character = "a";
+    SequenceEntry ofB = sequenceOf("of-b", "clip:animations/dance");
+    ofB.character = "b";
+    AnimationEntry back;
+    back.name = "back";
+    back.character = "b";
+    back.walk = WalkEntry{.spans = {spanOf("of-b", 0, 5)}};
+    project.sequences.push_back(ofB);
+    project.animations.push_back(back);
+    ASSERT_FALSE(hasErrors(validate(project)));
+    computed(run("animations"));
+    EXPECT_EQ(opened("animations/back").frameCount(), 6);
+
+    SequenceEntry ofA = sequenceOf("of-a", "clip:animations/back");
+    ofA.character = "a";
+    project.sequences.push_back(ofA);
+    const ProjectProblems problems = validate(project);
+    ASSERT_FALSE(problems.empty());
+    EXPECT_THAT(problems.front().toString(), HasSubstr("is its own source"));
+}
+
+TEST_F(AnimationStages, SayWhichFrameOrTransitionAWalkCannotHave)
+{
+    animation().walk->spans[1] = spanOf("quick", 4, 30);
+    EXPECT_THAT(problem(), HasSubstr("“quick” has no frame 30"));
+    animation().walk->spans[1] = spanOf("quick", 0, 8); // no window fits before its first frame
+    EXPECT_THAT(problem(), HasSubstr("transition"));
+}
+
+TEST_F(AnimationStages, ThatAreNotComputedSaySo)
+{
+    project.sequences.push_back(sequenceOf("again", "clip:animations/dance"));
+    try {
+        opened("sequences/again");
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("not computed yet"));
+    }
+}
