@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/sequence/feet.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace quadrille {
+
+namespace {
+
+float lowest(Positions positions)
+{
+    float y = std::numeric_limits<float>::max();
+    for (const Vec3f& p : positions)
+        y = std::min(y, p.y());
+    return y;
+}
+
+float highest(Positions positions)
+{
+    float y = -std::numeric_limits<float>::max();
+    for (const Vec3f& p : positions)
+        y = std::max(y, p.y());
+    return y;
+}
+
+/// The level on which the figure stands: most frames' lowest points lie at or just above it.
+float groundLevel(const UprightFrames& frames)
+{
+    std::vector<float> levels;
+    for (std::size_t f = 0; f < frames.count(); ++f)
+        levels.push_back(lowest(frames.at(f)));
+    std::sort(levels.begin(), levels.end());
+    return levels[levels.size() / 5];
+}
+
+/// The frame in which the figure is tallest: upright, with its feet below it.
+std::size_t tallestFrame(const UprightFrames& frames, float ground)
+{
+    std::size_t best = 0;
+    float tallest = -std::numeric_limits<float>::max();
+    for (std::size_t f = 0; f < frames.count(); ++f) {
+        const float low = lowest(frames.at(f));
+        const float height = highest(frames.at(f)) - low - 2 * std::abs(low - ground);
+        if (height > tallest) {
+            tallest = height;
+            best = f;
+        }
+    }
+    return best;
+}
+
+/// Vertices of the shanks up to a height along the mesh: grows from the lowest vertex over edges.
+std::vector<std::vector<std::uint32_t>> piecesBelow(const Topology& topology, Positions positions,
+                                                    float level)
+{
+    std::vector<std::uint32_t> root(positions.size());
+    std::iota(root.begin(), root.end(), 0U);
+    const auto find = [&root](std::uint32_t v) {
+        while (root[v] != v)
+            v = root[v] = root[root[v]];
+        return v;
+    };
+    for (const Triangle& t : topology.triangles())
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint32_t a = t[c].value;
+            const std::uint32_t b = t[(c + 1) % 3].value;
+            if (positions[a].y() < level && positions[b].y() < level)
+                root[find(a)] = find(b);
+        }
+    std::vector<std::vector<std::uint32_t>> pieces(positions.size());
+    for (std::uint32_t v = 0; v < positions.size(); ++v)
+        if (positions[v].y() < level)
+            pieces[find(v)].push_back(v);
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    return pieces;
+}
+
+/// Feet lie ahead of ankles; over all frames this tells which of two is the left one.
+bool isLeftFirst(const UprightFrames& frames, const std::vector<Foot>& feet)
+{
+    float leftness = 0;
+    for (std::size_t f = 0; f < frames.count(); ++f) {
+        const Positions p = frames.at(f);
+        const Vec3f one = meanOf(p, feet[0].vertices);
+        const Vec3f two = meanOf(p, feet[1].vertices);
+        const Vec3f ahead = one - meanOf(p, feet[0].ankle) + two - meanOf(p, feet[1].ankle);
+        leftness += Vec3f::UnitY().cross(ahead).dot(one - two);
+    }
+    return leftness > 0;
+}
+
+/// The feet, in the frame in which the figure is tallest; nothing when it stands on one piece.
+std::vector<Foot> findFeet(const Topology& topology, const UprightFrames& frames, Positions tallest,
+                           float bodyHeight, double share)
+{
+    const float low = lowest(tallest);
+    // Knee-high pieces of the mesh are the lower legs, also while one heel is up.
+    const auto legs = piecesBelow(topology, tallest, low + 0.22F * bodyHeight);
+    const auto height = static_cast<float>(share) * bodyHeight;
+    std::vector<Foot> feet;
+    for (const auto& leg : legs) {
+        if (leg.size() < 4 || leg.size() * 3 < legs.front().size())
+            break;
+        float sole = std::numeric_limits<float>::max();
+        for (const std::uint32_t v : leg)
+            sole = std::min(sole, tallest[v].y());
+        Foot foot;
+        for (const std::uint32_t v : leg) {
+            const float above = tallest[v].y() - sole;
+            if (above < height)
+                foot.vertices.push_back(v);
+            else if (above < 1.6F * height)
+                foot.ankle.push_back(v);
+        }
+        if (!foot.ankle.empty())
+            feet.push_back(std::move(foot));
+    }
+    if (feet.size() < 2)
+        return {};
+    if (feet.size() == 2) {
+        const bool leftFirst = isLeftFirst(frames, feet);
+        feet[0].name = leftFirst ? "left" : "right";
+        feet[1].name = leftFirst ? "right" : "left";
+        return feet;
+    }
+    for (std::size_t i = 0; i < feet.size(); ++i)
+        feet[i].name = "foot " + std::to_string(i + 1);
+    return feet;
+}
+
+} // namespace
+
+UprightFrames upright(std::vector<Vec3f> positions, std::size_t vertices, UpAxis up)
+{
+    const Eigen::Matrix3f matrix = conversionMatrix({.up = up}, {.up = UpAxis::Y});
+    if (matrix != Eigen::Matrix3f::Identity())
+        for (Vec3f& p : positions)
+            p = matrix * p;
+    return {.positions = std::move(positions), .vertices = vertices};
+}
+
+UprightFrames loadUpright(const MeshSequence& sequence, UpAxis up, const Progress& progress)
+{
+    return upright(loadFrames(sequence, progress), sequence.source->vertexCount(), up);
+}
+
+Vec3f meanOf(Positions positions, const std::vector<std::uint32_t>& of)
+{
+    Vec3f sum = Vec3f::Zero();
+    for (const std::uint32_t v : of)
+        sum += positions[v];
+    return sum / static_cast<float>(std::max<std::size_t>(of.size(), 1));
+}
+
+Figure findFigure(const Topology& topology, const UprightFrames& frames, double footShare)
+{
+    Figure figure;
+    if (frames.count() == 0)
+        return figure;
+    figure.ground = groundLevel(frames);
+    figure.tallest = tallestFrame(frames, figure.ground);
+    const Positions tallest = frames.at(figure.tallest);
+    figure.height = highest(tallest) - lowest(tallest);
+    if (figure.height > 0)
+        figure.feet = findFeet(topology, frames, tallest, figure.height, footShare);
+    return figure;
+}
+
+std::vector<std::vector<std::uint32_t>> legsOf(const Topology& topology, const UprightFrames& frames,
+                                               const Figure& figure)
+{
+    const Positions pose = frames.at(figure.tallest);
+    const float low = lowest(pose);
+    const auto pieceOf = [&](const Foot& foot, float share) {
+        for (auto& piece : piecesBelow(topology, pose, low + share * figure.height)) {
+            if (std::ranges::binary_search(piece, foot.vertices.front()))
+                return std::move(piece);
+        }
+        return std::vector<std::uint32_t>();
+    };
+    std::vector<std::vector<std::uint32_t>> legs;
+    for (const Foot& foot : figure.feet) {
+        const auto isAlone = [&](const std::vector<std::uint32_t>& piece) {
+            return std::ranges::none_of(figure.feet, [&](const Foot& other) {
+                return &other != &foot && std::ranges::binary_search(piece, other.vertices.front());
+            });
+        };
+        float apart = 0.22F;
+        float together = 0.6F;
+        for (int step = 0; step < 8; ++step) {
+            const float share = (apart + together) / 2;
+            (isAlone(pieceOf(foot, share)) ? apart : together) = share;
+        }
+        legs.push_back(pieceOf(foot, apart));
+    }
+    return legs;
+}
+
+} // namespace quadrille

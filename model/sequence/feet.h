@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/progress.h"
+#include "model/sequence/axes.h"
+#include "model/sequence/meshsequence.h"
+
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// Positions with y up: frames × vertices.
+struct UprightFrames
+{
+    std::vector<Vec3f> positions;
+    std::size_t vertices = 0;
+
+    std::size_t count() const { return vertices == 0 ? 0 : positions.size() / vertices; }
+    Positions at(std::size_t frame) const { return Positions(positions).subspan(frame * vertices, vertices); }
+};
+
+UprightFrames upright(std::vector<Vec3f> positions, std::size_t vertices, UpAxis up);
+/// \throws Error as loadFrames.
+UprightFrames loadUpright(const MeshSequence& sequence, UpAxis up, const Progress& progress);
+
+/// Vertices are zero-based and ascending.
+struct Foot
+{
+    std::string name; ///< "left", "right", or "foot 1", "foot 2", … where there are not two
+    std::vector<std::uint32_t> vertices;
+    std::vector<std::uint32_t> ankle; ///< the ring of vertices above
+};
+
+/// Who stands in some frames, and on what.
+struct Figure
+{
+    float ground = 0;        ///< height of most frames' lowest points, metres
+    float height = 0;        ///< metres
+    std::size_t tallest = 0; ///< the frame in which the figure stands tallest
+    std::vector<Foot> feet;  ///< empty where it stands on one piece
+};
+
+/// \param footShare  how high feet reach, from below, body heights.
+Figure findFigure(const Topology& topology, const UprightFrames& frames, double footShare);
+
+/// The vertices of each foot's leg, ascending: what hangs together with the foot below the highest level at
+/// which no other foot does, at most 0.6 body heights.
+std::vector<std::vector<std::uint32_t>> legsOf(const Topology& topology, const UprightFrames& frames,
+                                               const Figure& figure);
+
+/// Mean of some vertices; the origin when there are none.
+Vec3f meanOf(Positions positions, const std::vector<std::uint32_t>& of);
+
+} // namespace quadrille
