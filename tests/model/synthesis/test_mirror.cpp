@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/geometry/procrustes.h"
-#include "model/sample/sample.h"
 #include "model/sequence/io/registry.h"
 #include "model/synthesis/mirror.h"
+#include "tests/model/synthesis/clipof.h"
 #include "tests/model/synthesis/errorcodeof.h"
 #include "tests/model/synthesis/stridingtube.h"
 
@@ -12,38 +12,17 @@
 namespace quadrille {
 namespace {
 
+using testing::clipOf;
 using testing::errorCodeOf;
 using testing::largestStep;
 using testing::movedBy;
-
-const SampleCharacter& sample()
-{
-    static const SampleCharacter character = makeSampleCharacter({.textureSize = 64});
-    return character;
-}
+using testing::sample;
+using testing::sampleTake;
 
 const Symmetry& sampleSymmetry()
 {
     static const Symmetry symmetry = findSymmetry(*sample().body.topology, sample().body.rest);
     return symmetry;
-}
-
-Clip clipOf(const MeshSequence& sequence)
-{
-    Clip clip{
-        .topology = sequence.topology, .fps = sequence.fps, .positions = loadFrames(sequence), .origins = {}};
-    for (NodeIndex f = 0; f < sequence.frameCount(); ++f)
-        clip.origins.push_back({f, f, 0, false});
-    return clip;
-}
-
-Clip sampleTake(const std::string& name)
-{
-    for (const SampleTake& take : sample().takes) {
-        if (take.sequence.name == name)
-            return clipOf(take.sequence);
-    }
-    throw std::out_of_range(name);
 }
 
 Clip mirroredInPlace(const Clip& clip, const Symmetry& symmetry, UpAxis up)
@@ -76,7 +55,7 @@ TEST(Mirror, OfTwoTrianglesByHand)
 TEST(Mirror, TwiceChangesNothing)
 {
     for (const char* take : {"walk 1", "kick 1"}) {
-        const Clip clip = sampleTake(take);
+        const Clip clip = clipOf(sampleTake(take));
         const Clip once = mirroredInPlace(clip, sampleSymmetry(), UpAxis::Y);
         const Clip twice = mirroredInPlace(once, sampleSymmetry(), UpAxis::Y);
         EXPECT_EQ(twice.origins, clip.origins);
@@ -88,7 +67,7 @@ TEST(Mirror, TwiceChangesNothing)
 
 TEST(Mirror, KeepsTheWayAndTheSurface)
 {
-    const Clip clip = sampleTake("walk 1");
+    const Clip clip = clipOf(sampleTake("walk 1"));
     const Clip mirror = mirroredInPlace(clip, sampleSymmetry(), UpAxis::Y);
     const std::int64_t last = clip.frameCount() - 1;
     for (const std::int64_t f : {std::int64_t{0}, last})
@@ -118,7 +97,7 @@ TEST(Mirror, StandsStillAlongItsOwnPlane)
 TEST(Mirror, MovesWithItsClip)
 {
     const GroundMotion elsewhere{2.3, Vec2d(5, -2)};
-    const Clip clip = sampleTake("walk 1");
+    const Clip clip = clipOf(sampleTake("walk 1"));
     Clip there = clip;
     there.positions = movedBy(elsewhere, clip.positions, UpAxis::Y);
     const Clip a = mirroredInPlace(clip, sampleSymmetry(), UpAxis::Y);
@@ -147,8 +126,9 @@ TEST(Mirror, StopsWhenCancelled)
 {
     CancelToken token;
     token.cancel();
-    EXPECT_EQ(errorCodeOf(
-                  [&] { mirrored(sampleTake("walk 1"), sampleSymmetry(), {}, UpAxis::Y, Progress(token)); }),
+    EXPECT_EQ(errorCodeOf([&] {
+                  mirrored(clipOf(sampleTake("walk 1")), sampleSymmetry(), {}, UpAxis::Y, Progress(token));
+              }),
               ErrorCode::Cancelled);
 }
 

@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/synthesis/footpath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace quadrille {
+
+namespace {
+
+std::size_t at(std::int64_t index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+/// The vertices of one foot in one frame, and how much each of them touches the ground.
+struct Sole
+{
+    std::vector<Vec2d> places;
+    std::vector<double> weights; ///< 1 for the lowest, 0 from `reach` above it
+    double height = 0;           ///< weighted mean
+    Vec2d middle = Vec2d::Zero();
+};
+
+Sole soleOf(Positions pose, const std::vector<std::uint32_t>& vertices, double reach, const Ground& ground)
+{
+    Sole sole;
+    std::vector<double> heights;
+    for (const std::uint32_t v : vertices) {
+        const Vec3d p = pose[v].cast<double>();
+        sole.places.push_back(ground.of(p));
+        heights.push_back(ground.heightOf(p));
+        sole.middle += sole.places.back() / static_cast<double>(vertices.size());
+    }
+    const double lowest = std::ranges::min(heights);
+    double sum = 0;
+    for (const double height : heights) {
+        const double near = std::max(0.0, 1 - (height - lowest) / reach);
+        sole.weights.push_back(near * near);
+        sole.height += near * near * height;
+        sum += near * near;
+    }
+    sole.height /= sum;
+    return sole;
+}
+
+/// What touches the ground in two frames, as one rigid piece.
+struct Touch
+{
+    Vec2d before = Vec2d::Zero(); ///< its middle
+    Vec2d after = Vec2d::Zero();
+    double turn = 0;
+};
+
+Touch touchOf(const Sole& before, const Sole& after, double slack)
+{
+    std::vector<double> weights(before.weights.size());
+    double sum = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        weights[i] = before.weights[i] * after.weights[i];
+        sum += weights[i];
+    }
+    // A foot that rolls over within a frame has no vertex that touches in both.
+    if (sum < 1e-3) {
+        sum = 0;
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            weights[i] = before.weights[i] + after.weights[i];
+            sum += weights[i];
+        }
+    }
+    Touch touch;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        touch.before += weights[i] / sum * before.places[i];
+        touch.after += weights[i] / sum * after.places[i];
+    }
+    // The turn of a small piece says little: it counts like one of the size of the slack that stays.
+    double sine = 0;
+    double cosine = slack * slack;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const Vec2d a = before.places[i] - touch.before;
+        const Vec2d b = after.places[i] - touch.after;
+        sine += weights[i] / sum * (a.x() * b.y() - a.y() * b.x());
+        cosine += weights[i] / sum * a.dot(b);
+    }
+    touch.turn = std::atan2(sine, cosine);
+    return touch;
+}
+
+/// A length up to a limit: as it is up to two thirds of it, then ever less.
+double limited(double length, double limit)
+{
+    const double free = limit * 2 / 3;
+    return length <= free ? length : free + (limit - free) * std::tanh((length - free) / (limit - free));
+}
+
+double medianOf(std::vector<double> values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+/// The shifts of one contact.
+class Contact
+{
+public:
+    Contact(std::vector<Sole> soles, double height) : m_soles(std::move(soles))
+    {
+        for (std::size_t k = 0; k + 1 < m_soles.size(); ++k)
+            m_touches.push_back(touchOf(m_soles[k], m_soles[k + 1], 0.01 * height));
+    }
+
+    std::vector<FootShift> shifts(const ContactCorrectionSettings& settings, double height) const
+    {
+        std::vector<FootShift> shifts(m_soles.size());
+        setTurns(shifts, settings);
+        setShifts(shifts, settings, height);
+        std::vector<double> heights;
+        for (const Sole& sole : m_soles)
+            heights.push_back(sole.height);
+        const double level = medianOf(heights);
+        const double most = settings.greatestLift * height;
+        for (std::size_t k = 0; k < shifts.size(); ++k)
+            shifts[k].lift = most > 0 ? settings.strength * most * std::tanh((level - heights[k]) / most) : 0;
+        return shifts;
+    }
+
+private:
+    void setTurns(std::vector<FootShift>& shifts, const ContactCorrectionSettings& settings) const
+    {
+        double mean = 0;
+        for (std::size_t k = 0; k < shifts.size(); ++k) {
+            shifts[k].pivot = m_soles[k].middle;
+            shifts[k].turn = k == 0 ? 0 : shifts[k - 1].turn - m_touches[k - 1].turn;
+            mean += shifts[k].turn / static_cast<double>(shifts.size());
+        }
+        for (FootShift& shift : shifts) {
+            const double turn = shift.turn - mean;
+            const double most = settings.greatestTurn;
+            shift.turn =
+                most > 0 ? settings.strength * std::copysign(limited(std::abs(turn), most), turn) : 0;
+        }
+    }
+
+    /// With the turns known: each frame's foot is put where what touches stays in its place.
+    void setShifts(std::vector<FootShift>& shifts, const ContactCorrectionSettings& settings,
+                   double height) const
+    {
+        Vec2d mean = Vec2d::Zero();
+        for (std::size_t k = 1; k < shifts.size(); ++k) {
+            const FootShift& before = shifts[k - 1];
+            FootShift& now = shifts[k];
+            const Touch& touch = m_touches[k - 1];
+            const Vec2d place =
+                before.pivot + before.shift + Eigen::Rotation2Dd(before.turn) * (touch.before - before.pivot);
+            now.shift = place - now.pivot - Eigen::Rotation2Dd(now.turn) * (touch.after - now.pivot);
+            mean += now.shift / static_cast<double>(shifts.size());
+        }
+        const double most = settings.greatestShift * height;
+        for (FootShift& shift : shifts) {
+            shift.shift -= mean;
+            const double length = shift.shift.norm();
+            shift.shift *= length > 0 ? settings.strength * limited(length, most) / length : 0;
+        }
+    }
+
+    std::vector<Sole> m_soles;
+    std::vector<Touch> m_touches;
+};
+
+/// The cubic from a value with its slope to another with its own, over a length.
+struct Ease
+{
+    double first;
+    double firstSlope;
+    double last;
+    double lastSlope;
+    double length;
+
+    double operator()(double place) const
+    {
+        const double t = place / length;
+        const double rise = last - first;
+        const double a = firstSlope * length;
+        const double b = lastSlope * length;
+        return first + t * (a + t * (3 * rise - 2 * a - b + t * (a + b - 2 * rise)));
+    }
+};
+
+} // namespace
+
+bool FootShift::isNothing() const
+{
+    // A micrometre: the rounding of positions.
+    constexpr double least = 1e-6;
+    return std::abs(turn) < least && shift.cwiseAbs().maxCoeff() < least && std::abs(lift) < least;
+}
+
+Vec3d FootShift::operator()(const Vec3d& point, const Ground& ground) const
+{
+    const Vec2d moved = pivot + shift + Eigen::Rotation2Dd(turn) * (ground.of(point) - pivot);
+    return ground.at(moved, ground.heightOf(point) + lift);
+}
+
+void easeBetween(std::span<double> values, std::span<const FrameRange> spans, int ease)
+{
+    const auto count = static_cast<std::int64_t>(values.size());
+    std::vector<double> eased(values.size(), 0);
+    const auto slopeAfter = [&](const FrameRange& span) {
+        return span.count() > 1 ? values[at(span.last.value)] - values[at(span.last.value - 1)] : 0;
+    };
+    const auto slopeBefore = [&](const FrameRange& span) {
+        return span.count() > 1 ? values[at(span.first.value + 1)] - values[at(span.first.value)] : 0;
+    };
+    const auto fill = [&](std::int64_t from, const Ease& way, std::int64_t first, std::int64_t last) {
+        for (std::int64_t f = std::max<std::int64_t>(first, 0); f <= std::min(last, count - 1); ++f)
+            eased[at(f)] = way(static_cast<double>(f - from));
+    };
+    for (std::size_t s = 0; s < spans.size(); ++s) {
+        const std::int64_t first = spans[s].first.value;
+        const std::int64_t last = spans[s].last.value;
+        for (std::int64_t f = first; f <= last; ++f)
+            eased[at(f)] = values[at(f)];
+        const double begin = values[at(first)];
+        const double end = values[at(last)];
+        const std::int64_t next = s + 1 < spans.size() ? spans[s + 1].first.value : count + 2 * ease;
+        if (next - last < 2 * ease) {
+            const Ease way{end, slopeAfter(spans[s]), values[at(next)], slopeBefore(spans[s + 1]),
+                           static_cast<double>(next - last)};
+            fill(last, way, last + 1, next - 1);
+        } else {
+            fill(last, {end, slopeAfter(spans[s]), 0, 0, static_cast<double>(ease)}, last + 1,
+                 last + ease - 1);
+        }
+        const std::int64_t before = s > 0 ? spans[s - 1].last.value : -2 * std::int64_t{ease} - 1;
+        if (first - before >= 2 * ease)
+            fill(first - ease, {0, 0, begin, slopeBefore(spans[s]), static_cast<double>(ease)},
+                 first - ease + 1, first - 1);
+    }
+    std::ranges::copy(eased, values.begin());
+}
+
+std::vector<FootShift> footShifts(const Clip& clip, const FootContacts& foot,
+                                  const ContactCorrectionSettings& settings, double height,
+                                  const Ground& ground)
+{
+    const auto count = at(clip.frameCount());
+    std::vector<FootShift> shifts(count);
+    std::vector<double> turns(count, 0);
+    std::vector<double> along(count, 0);
+    std::vector<double> across(count, 0);
+    std::vector<double> lifts(count, 0);
+    const double reach = 0.02 * height;
+    for (const FrameRange& span : foot.spans) {
+        std::vector<Sole> soles;
+        for (std::int64_t f = span.first.value; f <= span.last.value; ++f)
+            soles.push_back(soleOf(clip.frame(f), foot.vertices, reach, ground));
+        const std::vector<FootShift> found = Contact(std::move(soles), height).shifts(settings, height);
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            const std::size_t f = at(span.first.value) + k;
+            turns[f] = found[k].turn;
+            along[f] = found[k].shift.x();
+            across[f] = found[k].shift.y();
+            lifts[f] = found[k].lift;
+        }
+    }
+    const int ease = std::max(1, static_cast<int>(std::lround(settings.easeSeconds * clip.fps)));
+    for (std::vector<double>* values : {&turns, &along, &across, &lifts})
+        easeBetween(*values, foot.spans, ease);
+    for (std::size_t f = 0; f < count; ++f) {
+        const Positions pose = clip.frame(static_cast<std::int64_t>(f));
+        Vec2d middle = Vec2d::Zero();
+        for (const std::uint32_t v : foot.vertices)
+            middle += ground.of(pose[v].cast<double>()) / static_cast<double>(foot.vertices.size());
+        shifts[f] = {.pivot = middle, .turn = turns[f], .shift = {along[f], across[f]}, .lift = lifts[f]};
+    }
+    return shifts;
+}
+
+} // namespace quadrille
