@@ -184,6 +184,7 @@ struct AnimationEntry
     JunctionsEntry junctions;
     std::optional<WalkEntry> walk;
     InterpolationMethod interpolation = InterpolationMethod::Poisson;
+    bool gentleBlend = false; ///< BlendSettings::gentle instead of the paper's
     PostProcessingEntry post;
     UnknownKeys unknown;
 

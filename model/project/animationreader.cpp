@@ -364,6 +364,7 @@ AnimationEntry readAnimation(const ObjectReader& reader, UpAxis up)
                 {{"poisson", InterpolationMethod::Poisson},
                  {"slerp", InterpolationMethod::Slerp},
                  {"linear", InterpolationMethod::Linear}});
+    reader.word("blend", animation.gentleBlend, {{"paper", false}, {"gentle", true}});
     member("post", [&](const ObjectReader& own) { animation.post = readPost(own); });
     animation.unknown = reader.unknown(projectkeys::animation);
     return animation;

@@ -28,6 +28,11 @@ CharacterWork workOf(const StageMaking& making, const AnimationEntry& animation)
     return characterWork(making.opener, *graph);
 }
 
+BlendSettings blendSettings(const AnimationEntry& animation)
+{
+    return animation.gentleBlend ? BlendSettings::gentle() : BlendSettings();
+}
+
 DataArray placementArray(const GroundMotion& start)
 {
     DataArray placement;
@@ -172,7 +177,9 @@ ResultStage clipStage(const CharacterWork& work, const AnimationEntry& animation
     ResultStage stage;
     stage.name = clipStageOf(animation.name);
     stage.dataPrefix = walk.dataPrefix;
-    AnimationEntry made{.interpolation = animation.interpolation, .post = animation.post};
+    const AnimationEntry made{.interpolation = animation.interpolation,
+                              .gentleBlend = animation.gentleBlend,
+                              .post = animation.post};
     stage.settings = work.settings + animationSettings(made, work.opener->project().settings.axes.up);
     stage.inputs = CharacterGraph::inputs(work);
     stage.inputs.push_back(walk.name);
@@ -182,7 +189,7 @@ ResultStage clipStage(const CharacterWork& work, const AnimationEntry& animation
         const CharacterGraph graph(work, context);
         const Result found = context.resultOf(walk);
         const ClipPlan plan = planClip(graph.roots(), graph.layout(), graph.paths(), walkOf(found, graph),
-                                       {.start = placementOf(found)});
+                                       {.start = placementOf(found), .blend = blendSettings(animation)});
         const Clip clip = makeClip(work.open(progress.part(0, 0.05)), plan, animation.interpolation,
                                    progress.part(0.05, 0.6));
         return clipResult(clip, graph.layout(), work.sequences,

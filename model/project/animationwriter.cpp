@@ -243,6 +243,8 @@ Json animationToJson(const AnimationEntry& animation, UpAxis up)
         json["walk"] = toJson(*animation.walk);
     if (animation.interpolation != InterpolationMethod::Poisson)
         json["interpolation"] = animation.interpolation == InterpolationMethod::Slerp ? "slerp" : "linear";
+    if (animation.gentleBlend)
+        json["blend"] = "gentle";
     addMember("post", toJson(animation.post));
     addUnknown(json, animation.unknown);
     return json;

@@ -25,12 +25,44 @@ Digraph essentialGraphOf(const Result& graphs, NodeIndex nodeCount)
     return {nodeCount, std::move(edges)};
 }
 
+void addSupports(Result& result, const std::vector<Support>& supports)
+{
+    std::vector<std::int64_t> counts;
+    std::vector<std::int64_t> vertices;
+    std::vector<double> places;
+    for (const Support& support : supports) {
+        counts.push_back(static_cast<std::int64_t>(support.vertices.size()));
+        vertices.insert(vertices.end(), support.vertices.begin(), support.vertices.end());
+        for (const Vec2d& place : support.places)
+            places.insert(places.end(), place.begin(), place.end());
+    }
+    const auto add = [&result](const char* name, const char* description, const char* unit, auto values) {
+        result.arrays.push_back(columnOf(name, unit, std::move(values)));
+        result.arrays.back().description = description;
+    };
+    add("support-counts", "How many vertices stand on the ground in each frame.", "", std::move(counts));
+    add("support-vertices", "The vertices that stand, frame after frame.", "", std::move(vertices));
+    add("support-places", "Where they stand on the ground, two coordinates each.", "m", std::move(places));
+    result.arrays.back().shape = {result.arrays.back().shape.front() / 2, 2};
+}
+
 RootPoses rootPosesOf(const Result& result, UpAxis up)
 {
     RootPoses roots{.up = up, .turns = tableOf<float>(arrayOf(result, "root-turns"))};
     const auto& centres = std::get<std::vector<double>>(arrayOf(result, "root-centres").values);
     for (std::size_t node = 0; node < centres.size() / 3; ++node)
         roots.centres.emplace_back(centres[3 * node], centres[3 * node + 1], centres[3 * node + 2]);
+    const auto& counts = std::get<std::vector<std::int64_t>>(arrayOf(result, "support-counts").values);
+    const auto& vertices = std::get<std::vector<std::int64_t>>(arrayOf(result, "support-vertices").values);
+    const auto& places = std::get<std::vector<double>>(arrayOf(result, "support-places").values);
+    std::size_t next = 0;
+    for (const std::int64_t count : counts) {
+        Support& support = roots.supports.emplace_back();
+        for (std::int64_t i = 0; i < count; ++i, ++next) {
+            support.vertices.push_back(static_cast<std::uint32_t>(vertices[next]));
+            support.places.emplace_back(places[2 * next], places[2 * next + 1]);
+        }
+    }
     return roots;
 }
 
@@ -61,6 +93,7 @@ Result rootPosesResult(const RootPoses& roots)
                      matrixOf("root-turns",
                               "Turn about the up axis that lays the pose of the column on that of the row.",
                               "rad", roots.turns)};
+    addSupports(result, roots.supports);
     return result;
 }
 

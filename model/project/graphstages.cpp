@@ -4,6 +4,7 @@
 #include "model/graph/shortestpath.h"
 #include "model/project/charactergraph.h"
 #include "model/project/graphtables.h"
+#include "model/project/sequencesettings.h"
 #include "model/transition/posedistance.h"
 #include "model/transition/transitiontable.h"
 
@@ -138,10 +139,15 @@ ResultStage rootPosesStage(const CharacterWork& work)
     const UpAxis up = work.opener->project().settings.axes.up;
     ResultStage stage = work.stage(graphstage::rootPoses);
     stage.settings = work.settings;
+    for (const std::string& name : work.sequences)
+        stage.settings += contactSettings(*findSequence(work.opener->project(), name));
     stage.files = [work](const Progress& progress) { return work.files(progress); };
     stage.inputs = clipInputs(work.opener->project(), work.sequences);
     stage.compute = [work, up](const StageContext&, const Progress& progress) {
-        return rootPosesResult(rootPoses(work.open(progress.part(0, 0.05)), up, progress.part(0.05, 1)));
+        const CharacterFrames frames = work.open(progress.part(0, 0.05));
+        RootPoses roots = rootPoses(frames, up, progress.part(0.05, 0.8));
+        roots.supports = findSupports(frames, up, progress.part(0.8, 1));
+        return rootPosesResult(roots);
     };
     return stage;
 }

@@ -21,8 +21,9 @@ inline constexpr std::array<std::string_view, 12> sequence{
     "source_up_axis", "source_unit", "texture", "labels", "contacts", "joint_angles"};
 inline constexpr std::array<std::string_view, 8> graph{"character", "metric",    "stretch_weight", "cost",
                                                        "slope",     "durations", "alpha",          "d_max"};
-inline constexpr std::array<std::string_view, 9> animation{
-    "name", "character", "start", "constraints", "search", "junctions", "walk", "interpolation", "post"};
+inline constexpr std::array<std::string_view, 10> animation{"name",   "character", "start", "constraints",
+                                                            "search", "junctions", "walk",  "interpolation",
+                                                            "blend",  "post"};
 inline constexpr std::array<std::string_view, 5> key{"kind", "sequence", "frame", "time", "tolerance"};
 inline constexpr std::array<std::string_view, 6> path{"kind",  "curve",     "points",
                                                       "spans", "obstacles", "clearance"};

@@ -46,4 +46,12 @@ std::string sequenceSettings(const Project& project, const SequenceEntry& entry)
     return settingsJson(project, entry).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
+std::string contactSettings(const SequenceEntry& entry)
+{
+    nlohmann::json contacts = nlohmann::json::array();
+    for (const ContactSpan& span : entry.contacts)
+        contacts.push_back({span.foot, span.frames.first.value, span.frames.last.value});
+    return contacts.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+}
+
 } // namespace quadrille

@@ -80,11 +80,7 @@ ResultStage statisticsStage(const Opener& opener, const SequenceEntry& entry)
     ResultStage stage;
     stage.name = "sequences/" + entry.name + "/statistics";
     stage.dataPrefix = "sequences/" + entry.name;
-    nlohmann::json contacts = nlohmann::json::array();
-    for (const ContactSpan& span : entry.contacts)
-        contacts.push_back({span.foot, span.frames.first.value, span.frames.last.value});
-    stage.settings = sequenceSettings(project, entry) +
-                     contacts.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+    stage.settings = sequenceSettings(project, entry) + contactSettings(entry);
     stage.inputs = clipInputs(project, {entry.name});
     stage.files = [opener, name = entry.name](const Progress& progress) {
         return opener->filesOf(name, progress);
