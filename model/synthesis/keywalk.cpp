@@ -182,6 +182,23 @@ KeyWalk fromKeyToKey(const WalkGraph& graph, const std::vector<NodeIndex>& start
     return result;
 }
 
+/// A walk from key to key that is good over all of them: the dearer errors are to each pair, the less they
+/// add up.
+KeyWalk goodWalk(const WalkGraph& graph, const std::vector<NodeIndex>& starts,
+                 const std::vector<PoseKey>& keys, double beta, std::int64_t& budget,
+                 const Progress& progress)
+{
+    KeyWalk best{.edges = unreachable};
+    for (const double factor : {1.0, 1.5, 2.0, 3.0, 5.0, 10.0}) {
+        KeyWalk walk = fromKeyToKey(graph, starts, keys, boundsOf(graph, keys, factor * beta), factor * beta,
+                                    budget, progress);
+        walk.timing /= factor;
+        if (walk.edges + walk.timing < best.edges + best.timing)
+            best = std::move(walk);
+    }
+    return best;
+}
+
 /// One programme over the times of all keys, from the costs of each leg for every time that it can take.
 class KeyTimes
 {
@@ -257,7 +274,7 @@ KeyWalk walkOverAllKeys(const WalkGraph& graph, const std::vector<NodeIndex>& st
 {
     std::int64_t left = budget;
     const std::vector<LegBounds> bounds = boundsOf(graph, keys, beta);
-    KeyWalk first = fromKeyToKey(graph, starts, keys, bounds, beta, left, progress.part(0, 0.3));
+    KeyWalk first = goodWalk(graph, starts, keys, beta, left, progress.part(0, 0.3));
     // A little above, so that rounding does not leave out the walk that is known.
     const double limit = (first.edges + first.timing) * (1 + 1e-9) + 1e-12;
     std::vector<Leg> legs;

@@ -39,12 +39,13 @@ void keys(benchmark::State& state)
     }
     const WalkGraph graph(character->essential.graph, character->costs, RealCharacter::alpha, {});
     const std::vector<PoseKey> wanted = tenKeys(graph, static_cast<std::uint32_t>(state.range(0)));
+    const double beta = RealCharacter::alpha * static_cast<double>(state.range(2));
     KeyWalk walk;
     for (auto _ : state) {
         walk =
             state.range(1) != 0
-                ? walkOverAllKeys(graph, {wanted.front().frame}, wanted, RealCharacter::alpha, 100'000'000)
-                : walkFromKeyToKey(graph, {wanted.front().frame}, wanted, RealCharacter::alpha, 100'000'000);
+                ? walkOverAllKeys(graph, {wanted.front().frame}, wanted, beta, 100'000'000)
+                : walkFromKeyToKey(graph, {wanted.front().frame}, wanted, beta, 100'000'000);
         benchmark::DoNotOptimize(walk);
     }
     state.counters["cost"] = walk.edges + walk.timing;
@@ -56,4 +57,4 @@ void keys(benchmark::State& state)
 
 } // namespace
 
-BENCHMARK(keys)->ArgsProduct({{1, 2, 3}, {0, 1}})->Unit(benchmark::kMillisecond);
+BENCHMARK(keys)->ArgsProduct({{1, 2}, {0, 1}, {1, 3, 10}})->Unit(benchmark::kMillisecond);

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/synthesis/movemotions.h"
+
+#include "model/synthesis/transitionmotion.h"
+
+#include <cmath>
+
+namespace quadrille {
+
+MoveMotions::MoveMotions(const WalkGraph& graph, const WalkMotion& motion, const PathCourse& course)
+    : m_graph(graph), m_motion(motion), m_course(course), m_motions(graph.moves().size())
+{
+    for (const Vec3d& centre : motion.roots->centres)
+        m_points.push_back(course.pointOf(centre));
+}
+
+const MoveMotions::Motion& MoveMotions::of(MoveIndex index)
+{
+    Motion& motion = m_motions[static_cast<std::size_t>(index)];
+    if (motion.isKnown)
+        return motion;
+    motion.isKnown = true;
+    const WalkMove& move = m_graph.move(index);
+    const auto append = [&](const Vec3d& point, const Vec3d& before, const FramePair& frames) {
+        const double walked = motion.steps.empty() ? 0 : static_cast<double>(motion.steps.back().arcLength);
+        motion.steps.push_back({.point = point.cast<float>(),
+                                .arcLength = static_cast<float>(walked + (point - before).norm()),
+                                .source = frames.source,
+                                .destination = frames.destination});
+    };
+    const Vec3d& begin = point(move.from);
+    if (move.kind == EdgeKind::Original) {
+        append(point(move.to), begin, {move.to, move.to});
+        return motion;
+    }
+    const Transition transition = m_motion.transition({move.from, move.to});
+    const TransitionMotion moved = transitionMotion(*m_motion.roots, transition);
+    motion.exit = moved.exit();
+    Vec3d before = begin;
+    for (std::size_t t = 1; t < moved.steps.size(); ++t) {
+        const Vec3d here = m_course.pointOf(moved.steps[t].centre);
+        append(here, before, transition.path[t]);
+        before = here;
+    }
+    if (motion.steps.empty())
+        append(begin, begin, {move.from, move.to});
+    return motion;
+}
+
+GroundMotion MoveMotions::placedOnStart(NodeIndex node) const
+{
+    // Half a metre tells a direction; what was captured may have less to show.
+    constexpr double enough = 0.5;
+    constexpr double least = 0.1;
+    const FrameLayout& layout = m_graph.layout();
+    const int sequence = layout.sequenceOf(node);
+    const auto wayTo = [&](NodeIndex step, NodeIndex end) {
+        Vec2d way = Vec2d::Zero();
+        for (NodeIndex other = node; other != end && way.norm() < enough; other += step)
+            way = (point(other + step) - point(node)).head<2>();
+        return way;
+    };
+    Vec2d way = wayTo(1, layout.lastOf(sequence));
+    if (way.norm() < least) {
+        const Vec2d back = -wayTo(-1, layout.firstOf(sequence));
+        if (back.norm() > way.norm())
+            way = back;
+    }
+    const double turn = m_course.directionFrom(0, std::max(way.norm(), least)) - std::atan2(way.y(), way.x());
+    return GroundMotion::taking(point(node).head<2>(), m_course.at(0).head<2>(), wrappedAngle(turn));
+}
+
+} // namespace quadrille

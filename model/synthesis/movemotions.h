@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/synthesis/pathcourse.h"
+#include "model/synthesis/rootposes.h"
+#include "model/synthesis/walkgraph.h"
+
+#include <functional>
+#include <memory>
+#include <span>
+
+namespace quadrille {
+
+/// What walks need to know of how frames move over the ground.
+struct WalkMotion
+{
+    const RootPoses* roots = nullptr;
+    /// The warp path of a transition that the graph has; called once for each, while it is looked at.
+    std::function<Transition(const FramePair&)> transition;
+};
+
+/// How the moves of a graph go over the ground, each computed when it is first asked for.
+class MoveMotions
+{
+public:
+    /// An output frame of a move, in the coordinates in which the frame that it leaves lies as captured.
+    struct Step
+    {
+        Eigen::Vector3f point; ///< as PathCourse: ground x, ground y, height or 0
+        float arcLength = 0;   ///< walked since the frame that it leaves, metres
+        NodeIndex source = 0;  ///< frames that are blended; equal for a captured frame
+        NodeIndex destination = 0;
+    };
+    struct Motion
+    {
+        std::vector<Step> steps; ///< as many as frames go by, without the frame that it leaves
+        GroundMotion exit;       ///< places the frame that it comes to as captured
+        bool isKnown = false;
+    };
+
+    MoveMotions(const WalkGraph& graph, const WalkMotion& motion, const PathCourse& course);
+
+    const Motion& of(MoveIndex move);
+    /// Where a captured frame lies.
+    const Vec3d& point(NodeIndex node) const { return m_points[static_cast<std::size_t>(node)]; }
+    /// Turns and places a frame so that it stands on the beginning of the course and what was captured around
+    /// it goes along.
+    GroundMotion placedOnStart(NodeIndex node) const;
+
+private:
+    const WalkGraph& m_graph;
+    const WalkMotion& m_motion;
+    const PathCourse& m_course;
+    std::vector<Vec3d> m_points;
+    std::vector<Motion> m_motions;
+};
+
+} // namespace quadrille

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/synthesis/pathcosts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+
+PathCosts::PathCosts(const PathCourse& course, const std::vector<PathSpan>& spans, NodeIndex nodes,
+                     double beta)
+    : m_course(course), m_beta(beta)
+{
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+        const PathSpan& span = spans[i];
+        if (span.duration)
+            m_timed.push_back({span.from, span.to, *span.duration});
+        if (!span.demanded)
+            continue;
+        Demand demand{.from = span.from, .to = span.to, .span = static_cast<int>(i)};
+        demand.frames.assign(static_cast<std::size_t>(nodes), false);
+        for (const WalkSpan& frames : span.demanded->spans) {
+            for (NodeIndex node = frames.first; node <= frames.last; ++node)
+                demand.frames[static_cast<std::size_t>(node)] = true;
+        }
+        m_demands.push_back(std::move(demand));
+    }
+    std::sort(m_timed.begin(), m_timed.end(), [](const Timed& a, const Timed& b) { return a.from < b.from; });
+}
+
+bool PathCosts::admit(const Vec3d& point, double walked, NodeIndex source, NodeIndex destination,
+                      PathPlace& place, PathCharge& charge, PathFailure& failure) const
+{
+    for (const Demand& demand : m_demands) {
+        if (walked >= demand.from && walked <= demand.to &&
+            !demand.frames[static_cast<std::size_t>(source)] &&
+            !demand.frames[static_cast<std::size_t>(destination)]) {
+            if (walked > failure.reached)
+                failure = {.reached = walked, .span = demand.span};
+            return false;
+        }
+    }
+    const int obstacle = m_course.obstacleAt(point.head<2>());
+    if (obstacle >= 0) {
+        if (walked > failure.reached)
+            failure = {.reached = walked, .obstacle = obstacle};
+        return false;
+    }
+    charge.deviation += squaredDistance(point, walked);
+    for (; needsTime(place); ++place.timed, place.timedFrames = 0) {
+        const Timed& timed = m_timed[static_cast<std::size_t>(place.timed)];
+        if (walked <= timed.to) {
+            place.timedFrames += walked >= timed.from ? 1 : 0;
+            break;
+        }
+        charge.timing += m_beta * std::abs(place.timedFrames - timed.duration);
+    }
+    return true;
+}
+
+bool PathCosts::begin(const MoveMotions& motions, NodeIndex node, PathPlace& place, PathCharge& charge) const
+{
+    place = {.placement = motions.placedOnStart(node)};
+    PathFailure failure;
+    const Vec3d& point = motions.point(node);
+    const Vec2d ground = place.placement(Vec2d(point.head<2>()));
+    return admit({ground.x(), ground.y(), point.z()}, 0, node, node, place, charge, failure);
+}
+
+bool PathCosts::follow(const MoveMotions::Motion& motion, const Eigen::Matrix2d& rotation, PathPlace& place,
+                       PathCharge& charge, PathFailure& failure) const
+{
+    const double begun = place.walked;
+    const Vec2d& shift = place.placement.shift;
+    for (const MoveMotions::Step& step : motion.steps) {
+        const auto x = static_cast<double>(step.point.x());
+        const auto y = static_cast<double>(step.point.y());
+        const Vec3d point(rotation(0, 0) * x + rotation(0, 1) * y + shift.x(),
+                          rotation(1, 0) * x + rotation(1, 1) * y + shift.y(),
+                          static_cast<double>(step.point.z()));
+        if (!admit(point, begun + static_cast<double>(step.arcLength), step.source, step.destination, place,
+                   charge, failure))
+            return false;
+    }
+    place.walked = begun + static_cast<double>(motion.steps.back().arcLength);
+    place.placement = {place.placement.turn + motion.exit.turn, rotation * motion.exit.shift + shift};
+    return true;
+}
+
+double PathCosts::timingAtEnd(const PathPlace& place) const
+{
+    double timing = 0;
+    for (auto i = static_cast<std::size_t>(place.timed); i < m_timed.size(); ++i) {
+        const double frames = i == static_cast<std::size_t>(place.timed) ? place.timedFrames : 0;
+        timing += m_beta * std::abs(frames - m_timed[i].duration);
+    }
+    return timing;
+}
+
+double PathCosts::lateness(const PathPlace& place) const
+{
+    if (!needsTime(place))
+        return 0;
+    const Timed& timed = m_timed[static_cast<std::size_t>(place.timed)];
+    const double part = std::clamp((place.walked - timed.from) / (timed.to - timed.from), 0.0, 1.0);
+    return place.timedFrames - part * timed.duration;
+}
+
+} // namespace quadrille

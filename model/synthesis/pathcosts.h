@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/synthesis/movemotions.h"
+
+#include <vector>
+
+namespace quadrille {
+
+/// Where a walk is along a path.
+struct PathPlace
+{
+    GroundMotion placement;       ///< of the frame that it has come to, as captured
+    double walked = 0;            ///< metres
+    std::int32_t timed = 0;       ///< the timed span that is not behind it yet
+    std::int32_t timedFrames = 0; ///< output frames in it so far
+};
+
+/// What output frames cost on a path.
+struct PathCharge
+{
+    double deviation = 0; ///< sum of squared distances, m²
+    double timing = 0;    ///< β · timing errors of the spans that were left behind
+};
+
+/// Why a walk cannot go on.
+struct PathFailure
+{
+    double reached = -1; ///< metres of the path
+    int obstacle = -1;
+    int span = -1; ///< whose demand is not met
+};
+
+/// The costs of following a path, and what it forbids.
+class PathCosts
+{
+public:
+    PathCosts(const PathCourse& course, const std::vector<PathSpan>& spans, NodeIndex nodes, double beta);
+
+    /// The first frame of a walk. \return whether it may be there.
+    bool begin(const MoveMotions& motions, NodeIndex node, PathPlace& place, PathCharge& charge) const;
+    /// Goes on by the frames of a move. \param failure  of the walk that came farthest.
+    /// \param rotation  that of the placement. \return whether all of them may be there.
+    bool follow(const MoveMotions::Motion& motion, const Eigen::Matrix2d& rotation, PathPlace& place,
+                PathCharge& charge, PathFailure& failure) const;
+    /// What timed spans that the walk has not left cost in the end.
+    double timingAtEnd(const PathPlace& place) const;
+    double squaredDistance(const Vec3d& point, double walked) const
+    {
+        return (point - m_course.at(walked)).squaredNorm();
+    }
+    /// Whether timed spans are left.
+    bool needsTime(const PathPlace& place) const
+    {
+        return static_cast<std::size_t>(place.timed) < m_timed.size();
+    }
+    /// Frames that the walk is late in its timed span, if it goes on evenly.
+    double lateness(const PathPlace& place) const;
+
+private:
+    struct Demand
+    {
+        double from = 0;
+        double to = 0;
+        int span = 0;
+        std::vector<bool> frames; ///< by node
+    };
+    struct Timed
+    {
+        double from = 0;
+        double to = 0;
+        double duration = 0;
+    };
+    bool admit(const Vec3d& point, double walked, NodeIndex source, NodeIndex destination, PathPlace& place,
+               PathCharge& charge, PathFailure& failure) const;
+
+    const PathCourse& m_course;
+    std::vector<Demand> m_demands;
+    std::vector<Timed> m_timed; ///< by their beginnings
+    double m_beta;
+};
+
+} // namespace quadrille

@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/synthesis/pathsearch.h"
+
+#include "model/synthesis/fingerprints.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+
+namespace {
+
+constexpr double layerLength = 0.1; ///< metres
+
+/// How much one pass looks at.
+struct PassSettings
+{
+    std::int64_t width = 0; ///< states looked at in a layer
+    MoveIndex moves = 0;    ///< the lightest ones of a frame
+    double offset = 0;      ///< metres that two states may differ by to be one
+    double heading = 0;     ///< radians
+};
+
+struct Candidate
+{
+    StageState stage;
+    PathPlace place;
+    std::int32_t time = 0;
+    std::int32_t parent = -1; ///< among the states that were looked at
+    MoveIndex move = noMove;
+    double cost = 0;
+    double rank = 0; ///< lower is more promising
+    std::uint32_t order = 0;
+};
+
+/// The best one comes last, as heaps have it.
+bool isWorse(const Candidate& a, const Candidate& b)
+{
+    return a.rank != b.rank ? a.rank > b.rank : a.order > b.order;
+}
+
+/// States of about the same walked length that were not looked at yet.
+class Layer
+{
+public:
+    bool isEmpty() const { return m_open.empty(); }
+    bool takes(double rank) const { return rank < m_limit; }
+    void add(const Candidate& candidate, std::int64_t width)
+    {
+        m_open.push_back(candidate);
+        std::push_heap(m_open.begin(), m_open.end(), isWorse);
+        const auto most = static_cast<std::size_t>(4 * width);
+        if (m_open.size() < 2 * most)
+            return;
+        const auto better = [](const Candidate& a, const Candidate& b) { return isWorse(b, a); };
+        std::nth_element(m_open.begin(), m_open.begin() + static_cast<std::ptrdiff_t>(most), m_open.end(),
+                         better);
+        m_limit = m_open[most].rank;
+        m_open.resize(most);
+        std::make_heap(m_open.begin(), m_open.end(), isWorse);
+    }
+    Candidate take()
+    {
+        std::pop_heap(m_open.begin(), m_open.end(), isWorse);
+        const Candidate best = m_open.back();
+        m_open.pop_back();
+        return best;
+    }
+
+private:
+    std::vector<Candidate> m_open;
+    double m_limit = std::numeric_limits<double>::infinity();
+};
+
+class PathPass
+{
+public:
+    PathPass(PathProblem& problem, const PassSettings& settings, double limit, PathFailure& failure)
+        : m_problem(problem), m_settings(settings), m_limit(limit), m_failure(failure)
+    {
+    }
+
+    /// \param budget  what is used is taken from it.
+    std::optional<FoundRoute> run(std::int64_t& budget, const Progress& progress)
+    {
+        begin();
+        for (std::size_t l = 0; l < m_layers.size() && budget > 0; ++l) {
+            std::int64_t width = m_settings.width;
+            while (!m_layers[l].isEmpty() && width > 0 && budget > 0) {
+                const Candidate next = m_layers[l].take();
+                if (next.cost >= m_limit || m_known.isWorse(fingerprint(next), next.cost))
+                    continue;
+                --width;
+                --budget;
+                if (budget % 256 == 0)
+                    progress.report(0);
+                expand(next);
+            }
+            m_layers[l] = Layer();
+        }
+        return std::move(m_found);
+    }
+
+private:
+    void begin()
+    {
+        m_layers.resize(static_cast<std::size_t>(m_problem.course.length() / layerLength) + 1);
+        std::vector<SettledStage> settled;
+        for (const NodeIndex node : m_problem.starts) {
+            Candidate first;
+            PathCharge charge;
+            if (!m_problem.costs.begin(m_problem.motions, node, first.place, charge))
+                continue;
+            m_problem.stages.settle(m_problem.stages.begin(node), 0, settled);
+            for (const SettledStage& stage : settled) {
+                first.stage = stage.state;
+                first.cost = charge.deviation + charge.timing + m_problem.mu * stage.edges + stage.timing;
+                offer(first);
+            }
+        }
+    }
+
+    void expand(const Candidate& from)
+    {
+        const auto parent = static_cast<std::int32_t>(m_seen.size());
+        m_seen.push_back(from);
+        const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(from.place.placement.turn).toRotationMatrix();
+        const auto [begin, end] = m_problem.graph.from(from.stage.node);
+        MoveIndex left = m_settings.moves;
+        for (MoveIndex index = begin; index < end && left > 0; ++index) {
+            const WalkMove& move = m_problem.graph.move(index);
+            if (!m_problem.stages.allows(from.stage, move))
+                continue;
+            left -= move.required < 0 ? 1 : 0;
+            double cost = from.cost + m_problem.mu * move.weight;
+            if (cost >= m_limit)
+                break;
+            Candidate next;
+            next.place = from.place;
+            PathCharge charge;
+            if (!m_problem.costs.follow(m_problem.motions.of(index), rotation, next.place, charge, m_failure))
+                continue;
+            cost += charge.deviation + charge.timing;
+            next.time = from.time + move.elapsed;
+            next.parent = parent;
+            next.move = index;
+            m_problem.stages.settle(m_problem.stages.after(from.stage, move), next.time, m_settled);
+            for (const SettledStage& stage : m_settled) {
+                next.stage = stage.state;
+                next.cost = cost + m_problem.mu * stage.edges + stage.timing;
+                offer(next);
+            }
+        }
+    }
+
+    void offer(Candidate& candidate)
+    {
+        const double left = m_problem.stages.leastCost(candidate.stage, candidate.time);
+        if (candidate.cost + left >= m_limit)
+            return;
+        if (candidate.place.walked >= m_problem.course.length()) {
+            if (m_problem.stages.isDone(candidate.stage))
+                keep(candidate);
+            return;
+        }
+        Layer& layer = m_layers[static_cast<std::size_t>(candidate.place.walked / layerLength)];
+        candidate.rank = candidate.cost + left + outlook(candidate);
+        if (!layer.takes(candidate.rank) || !m_known.improves(fingerprint(candidate), candidate.cost))
+            return;
+        candidate.order = m_order++;
+        layer.add(candidate, m_settings.width);
+    }
+
+    void keep(const Candidate& last)
+    {
+        const double cost = last.cost + m_problem.costs.timingAtEnd(last.place);
+        if (cost >= m_limit)
+            return;
+        m_limit = cost;
+        FoundRoute route{.cost = cost};
+        const Candidate* state = &last;
+        while (true) {
+            route.stages.push_back(state->stage);
+            if (state->parent < 0)
+                break;
+            route.route.moves.push_back(state->move);
+            state = &m_seen[static_cast<std::size_t>(state->parent)];
+        }
+        route.route.start = state->stage.node;
+        std::reverse(route.stages.begin(), route.stages.end());
+        std::reverse(route.route.moves.begin(), route.route.moves.end());
+        m_found = std::move(route);
+    }
+
+    /// What being off the path, or about to be, will cost until it is mended: a guess from where the walk is
+    /// and from where its sequence would lead it.
+    double outlook(const Candidate& candidate) const
+    {
+        constexpr NodeIndex ahead = 12; ///< frames
+        constexpr double mending = 10;  ///< frames
+        const FrameLayout& layout = m_problem.graph.layout();
+        const NodeIndex node = candidate.stage.node;
+        const NodeIndex later = std::min(node + ahead, layout.lastOf(layout.sequenceOf(node)));
+        const auto placed = [&](NodeIndex other) {
+            const Vec3d& point = m_problem.motions.point(other);
+            const Vec2d ground = candidate.place.placement(Vec2d(point.head<2>()));
+            return Vec3d(ground.x(), ground.y(), point.z());
+        };
+        const double walked = candidate.place.walked;
+        const Vec3d here = placed(node);
+        const Vec3d there = placed(later);
+        const double lateness = m_problem.costs.lateness(candidate.place);
+        return mending * (m_problem.costs.squaredDistance(here, walked) +
+                          m_problem.costs.squaredDistance(there, walked + (there - here).norm())) +
+               0.001 * std::abs(lateness);
+    }
+
+    std::uint64_t fingerprint(const Candidate& candidate) const
+    {
+        const Vec3d& point = m_problem.motions.point(candidate.stage.node);
+        const Vec2d ground = candidate.place.placement(Vec2d(point.head<2>()));
+        const auto cell = [](double value, double size) {
+            return static_cast<std::int64_t>(std::floor(value / size));
+        };
+        const bool needsTime = m_problem.stages.needsTime(candidate.stage);
+        return fingerprintOf({candidate.stage.node, candidate.stage.key, candidate.stage.step,
+                              candidate.stage.span, candidate.stage.since, candidate.stage.required,
+                              candidate.stage.isFollowing ? 1 : 0, needsTime ? candidate.time : 0,
+                              candidate.place.timed, candidate.place.timedFrames / 2,
+                              cell(candidate.place.walked, m_settings.offset),
+                              cell(ground.x(), m_settings.offset), cell(ground.y(), m_settings.offset),
+                              cell(wrappedAngle(candidate.place.placement.turn), m_settings.heading)});
+    }
+
+    PathProblem& m_problem;
+    PassSettings m_settings;
+    double m_limit;
+    PathFailure& m_failure;
+    std::vector<Layer> m_layers;
+    std::vector<Candidate> m_seen;
+    std::vector<SettledStage> m_settled;
+    CheapestKnown m_known;
+    std::uint32_t m_order = 0;
+    std::optional<FoundRoute> m_found;
+};
+
+} // namespace
+
+std::optional<FoundRoute> searchPath(PathProblem& problem, std::int64_t budget, const FoundCallback& found,
+                                     PathFailure& failure, std::int64_t& expansions, const Progress& progress)
+{
+    std::optional<FoundRoute> best;
+    const double layers = problem.course.length() / layerLength + 1;
+    PassSettings settings{.width = 16, .moves = 24, .offset = 0.1, .heading = 0.2};
+    for (std::int64_t left = budget; left > 0;) {
+        progress.report(budget - left, budget);
+        // A pass that the budget would end half way is made narrower instead.
+        settings.width =
+            std::max(std::int64_t{1},
+                     std::min(settings.width, static_cast<std::int64_t>(static_cast<double>(left) / layers)));
+        const std::int64_t before = left;
+        PathPass pass(problem, settings, best ? best->cost : unreachable, failure);
+        std::optional<FoundRoute> better = pass.run(left, progress);
+        expansions = budget - left;
+        if (better) {
+            best = std::move(better);
+            best->expansions = expansions;
+            found(*best);
+        }
+        if (left == before)
+            break;
+        settings.width *= 3;
+        settings.moves *= 4;
+        settings.offset = std::max(settings.offset / 2, 0.02);
+        settings.heading = std::max(settings.heading / 2, 0.04);
+    }
+    return best;
+}
+
+} // namespace quadrille

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/progress.h"
+#include "model/synthesis/pathcosts.h"
+#include "model/synthesis/walkstages.h"
+
+#include <functional>
+#include <optional>
+
+namespace quadrille {
+
+/// A walk that a search found, with its stage at every frame that it comes to.
+struct FoundRoute
+{
+    WalkRoute route;
+    std::vector<StageState> stages; ///< at the start and after each move, settled
+    double cost = 0;                ///< total
+    std::int64_t expansions = 0;    ///< until it was found
+    bool optimal = false;
+};
+
+/// All that a search along a path needs.
+struct PathProblem
+{
+    const WalkGraph& graph;
+    const WalkStages& stages;
+    const PathCourse& course;
+    const PathCosts& costs;
+    MoveMotions& motions;
+    std::vector<NodeIndex> starts;
+    double mu = 0.1;
+};
+
+/// Receives each walk that is better than those before it.
+using FoundCallback = std::function<void(const FoundRoute&)>;
+
+/// Seeks the walk of least total cost along a path: states (frame, walked length, offset, heading and what
+/// else is asked) are looked at in layers of walked length, in each the most promising first; states that
+/// nearly agree are one. Narrow passes come first, so that there is a walk soon; each further pass looks at
+/// more states and tells them apart more finely, until the budget is used up.
+/// \param failure  where the walks failed that came farthest. \return nothing where none was found.
+/// \throws Error Cancelled.
+std::optional<FoundRoute> searchPath(PathProblem& problem, std::int64_t budget, const FoundCallback& found,
+                                     PathFailure& failure, std::int64_t& expansions,
+                                     const Progress& progress = {});
+
+} // namespace quadrille

@@ -1,0 +1,318 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/synthesis/walkstages.h"
+
+#include "model/core/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+
+namespace {
+
+/// Spans that overlap are one.
+std::vector<WalkSpan> united(std::vector<WalkSpan> spans)
+{
+    std::sort(spans.begin(), spans.end(),
+              [](const WalkSpan& a, const WalkSpan& b) { return a.first < b.first; });
+    std::vector<WalkSpan> result;
+    for (const WalkSpan& span : spans) {
+        if (!result.empty() && span.first <= result.back().last)
+            result.back().last = std::max(result.back().last, span.last);
+        else
+            result.push_back(span);
+    }
+    return result;
+}
+
+std::size_t indexOf(NodeIndex node)
+{
+    return static_cast<std::size_t>(node);
+}
+
+} // namespace
+
+WalkStages::WalkStages(const WalkGraph& graph, const WalkConstraints& constraints, double beta,
+                       double edgeFactor)
+    : m_graph(graph), m_beta(beta), m_edgeFactor(edgeFactor), m_keys(constraints.keys)
+{
+    addSteps(constraints.actions);
+    addRequired(constraints.junctions);
+    addBounds();
+}
+
+void WalkStages::addSteps(const std::vector<Action>& actions)
+{
+    for (std::size_t a = 0; a < actions.size(); ++a) {
+        const Action& action = actions[a];
+        Step step{.action = static_cast<int>(a), .spans = action.frames.spans, .duration = action.duration};
+        step.contains.assign(indexOf(m_graph.nodeCount()), false);
+        for (const WalkSpan& span : step.spans) {
+            const double share = action.leastShare * span.frameCount();
+            step.needed.push_back(std::max(1, static_cast<NodeIndex>(std::ceil(share - 1e-9))));
+            for (NodeIndex node = span.first; node <= span.last; ++node)
+                step.contains[indexOf(node)] = true;
+        }
+        m_steps.insert(m_steps.end(), action.duration ? 1 : indexOf(action.repetitions), step);
+    }
+}
+
+void WalkStages::addRequired(const Junctions& junctions)
+{
+    m_requiredTransitions = junctions.required.size();
+    m_requiredSpans = united(junctions.spans);
+    const std::size_t count = m_requiredTransitions + m_requiredSpans.size();
+    constexpr std::size_t most = 32;
+    if (count > most)
+        throw Error(ErrorCode::BadArgument,
+                    {.values = {{"reason", "More than 32 junctions and spans are required"},
+                                {"remedy", "Require fewer."}}});
+    for (std::size_t bit = 0; bit < count; ++bit) {
+        m_requiredAll |= std::uint32_t{1} << bit;
+        NodeIndex from = 0;
+        double cost = 0;
+        if (bit < m_requiredTransitions) {
+            from = junctions.required[bit].source;
+            for (const WalkMove& move : m_graph.moves()) {
+                if (move.required == static_cast<std::int32_t>(bit))
+                    cost = move.weight;
+            }
+        } else {
+            const WalkSpan& span = m_requiredSpans[bit - m_requiredTransitions];
+            from = span.first;
+            cost = m_graph.alpha() * (span.frameCount() - 1);
+        }
+        std::vector<double> goal(indexOf(m_graph.nodeCount()), unreachable);
+        goal[indexOf(from)] = cost;
+        m_requiredCosts.push_back(m_graph.waysTo(std::move(goal)).costs);
+    }
+}
+
+void WalkStages::addBounds()
+{
+    if (m_edgeFactor > 0) {
+        for (const PoseKey& key : m_keys)
+            m_keyBounds.emplace_back(m_graph, key.frame, m_beta / m_edgeFactor);
+    }
+    m_keyRest.resize(m_keyBounds.size());
+    for (std::size_t k = m_keyBounds.size(); k-- > 0;) {
+        const auto& weighted = m_keyBounds[k].all();
+        m_keyRest[k].assign(weighted.size(), 0);
+        for (std::size_t i = 0; i < weighted.size(); ++i) {
+            if (weighted[i].theta == 0)
+                m_zeroTheta = i;
+            if (k + 1 < m_keyBounds.size())
+                m_keyRest[k][i] =
+                    m_keyRest[k + 1][i] + m_keyBounds[k + 1].all()[i].ways.costs[indexOf(m_keys[k].frame)];
+        }
+    }
+    const std::vector<double> nothing(indexOf(m_graph.nodeCount()), 0);
+    m_stepCosts.assign(m_steps.size() + 1, nothing);
+    m_leastAfter.assign(m_steps.size(), 0);
+    for (std::size_t s = m_steps.size(); s-- > 0;) {
+        const Step& step = m_steps[s];
+        const std::vector<double>& after = m_stepCosts[s + 1];
+        std::vector<double> goal(indexOf(m_graph.nodeCount()), unreachable);
+        m_leastAfter[s] = unreachable;
+        for (std::size_t p = 0; p < step.spans.size(); ++p) {
+            const WalkSpan& span = step.spans[p];
+            double least = unreachable;
+            NodeIndex left = span.last;
+            for (NodeIndex entry = span.last; entry >= span.first; --entry) {
+                const NodeIndex earliest = step.duration ? entry : entry + step.needed[p] - 1;
+                for (; left >= earliest && left >= span.first; --left)
+                    least = std::min(least, after[indexOf(left)]);
+                if (!step.duration && earliest <= span.last)
+                    goal[indexOf(entry)] =
+                        std::min(goal[indexOf(entry)], least + m_graph.alpha() * (span.frameCount() - 1));
+            }
+            m_leastAfter[s] = std::min(m_leastAfter[s], least);
+        }
+        if (step.duration) {
+            const double going = m_edgeFactor > 0 ? std::min(m_graph.alpha(), m_beta / m_edgeFactor) *
+                                                        std::max(0.0, *step.duration - 1)
+                                                  : 0;
+            for (NodeIndex node = 0; node < m_graph.nodeCount(); ++node) {
+                if (step.contains[indexOf(node)])
+                    goal[indexOf(node)] = std::max(going + m_leastAfter[s], after[indexOf(node)]);
+            }
+        }
+        m_stepCosts[s] = m_graph.waysTo(std::move(goal)).costs;
+    }
+}
+
+StageState WalkStages::arrived(StageState state) const
+{
+    for (std::size_t i = 0; i < m_requiredSpans.size(); ++i) {
+        const WalkSpan& span = m_requiredSpans[i];
+        if (state.node == span.first)
+            state.isFollowing = true;
+        if (state.node == span.last && state.isFollowing) {
+            state.required |= std::uint32_t{1} << (m_requiredTransitions + i);
+            state.isFollowing = false;
+        }
+    }
+    return state;
+}
+
+StageState WalkStages::begin(NodeIndex node) const
+{
+    return arrived({.node = node});
+}
+
+bool WalkStages::allows(const StageState& state, const WalkMove& move) const
+{
+    if (state.span == StageState::free)
+        return true;
+    const Step& step = m_steps[static_cast<std::size_t>(state.step)];
+    if (state.span == StageState::goesOn)
+        return step.contains[indexOf(move.to)];
+    return move.kind == EdgeKind::Original && move.to <= step.spans[indexOf(state.span)].last;
+}
+
+StageState WalkStages::after(StageState state, const WalkMove& move) const
+{
+    state.node = move.to;
+    if (move.required >= 0)
+        state.required |= std::uint32_t{1} << static_cast<std::uint32_t>(move.required);
+    if (m_requiredSpans.empty())
+        return state;
+    state.isFollowing = state.isFollowing && move.kind == EdgeKind::Original;
+    return arrived(state);
+}
+
+bool WalkStages::canFinish(const StageState& state) const
+{
+    if (state.span < 0)
+        return state.span == StageState::goesOn;
+    const Step& step = m_steps[static_cast<std::size_t>(state.step)];
+    return state.node - state.since + 1 >= step.needed[indexOf(state.span)];
+}
+
+SettledStage WalkStages::finished(const StageState& state, std::int64_t time) const
+{
+    const Step& step = m_steps[static_cast<std::size_t>(state.step)];
+    SettledStage result{.state = state};
+    if (state.span == StageState::goesOn)
+        result.timing = m_beta * std::abs(static_cast<double>(time - state.since + 1) - *step.duration);
+    else
+        result.edges = m_graph.alpha() * (step.spans[indexOf(state.span)].last - state.node);
+    ++result.state.step;
+    result.state.span = StageState::free;
+    result.state.since = 0;
+    return result;
+}
+
+void WalkStages::settle(const StageState& state, std::int64_t time, std::vector<SettledStage>& out) const
+{
+    out.assign(1, {.state = state});
+    const auto finish = [&](const SettledStage& from) {
+        if (!canFinish(from.state))
+            return;
+        SettledStage done = finished(from.state, time);
+        done.edges += from.edges;
+        out.push_back(done);
+    };
+    if (state.span != StageState::free) {
+        finish(out.front());
+    } else if (static_cast<std::size_t>(state.step) < m_steps.size()) {
+        const Step& step = m_steps[static_cast<std::size_t>(state.step)];
+        const auto enter = [&](std::int32_t span, std::int32_t since, double edges) {
+            SettledStage entered{.state = state, .edges = edges};
+            entered.state.span = span;
+            entered.state.since = since;
+            out.push_back(entered);
+            finish(entered);
+        };
+        if (step.duration && step.contains[indexOf(state.node)])
+            enter(StageState::goesOn, static_cast<std::int32_t>(time), 0);
+        for (std::size_t p = 0; p < step.spans.size() && !step.duration; ++p) {
+            const WalkSpan& span = step.spans[p];
+            if (state.node >= span.first && state.node + step.needed[p] - 1 <= span.last)
+                enter(static_cast<std::int32_t>(p), state.node, m_graph.alpha() * (state.node - span.first));
+        }
+    }
+    if (static_cast<std::size_t>(state.key) >= m_keys.size())
+        return;
+    const PoseKey& key = m_keys[static_cast<std::size_t>(state.key)];
+    const double error = std::abs(static_cast<double>(time) - key.time);
+    if (key.frame != state.node || error > key.tolerance.value_or(unreachable))
+        return;
+    const std::size_t count = out.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        SettledStage met = out[i];
+        ++met.state.key;
+        met.timing += m_beta * error;
+        out.push_back(met);
+    }
+}
+
+bool WalkStages::isDone(const StageState& state) const
+{
+    return static_cast<std::size_t>(state.key) == m_keys.size() &&
+           static_cast<std::size_t>(state.step) == m_steps.size() && state.required == m_requiredAll;
+}
+
+double WalkStages::leastOfKeys(const StageState& state, std::int64_t time) const
+{
+    const auto k = static_cast<std::size_t>(state.key);
+    if (k >= m_keyBounds.size())
+        return 0;
+    const auto t = static_cast<double>(time);
+    double best = m_keyBounds[k](state.node, m_keys[k].time - t) + m_keyRest[k][m_zeroTheta];
+    const auto& weighted = m_keyBounds[k].all();
+    for (std::size_t i = 0; i < weighted.size(); ++i)
+        best = std::max(best, weighted[i].ways.costs[indexOf(state.node)] + m_keyRest[k][i] -
+                                  weighted[i].theta * (m_keys.back().time - t));
+    return best;
+}
+
+double WalkStages::leastOfActions(const StageState& state, std::int64_t time) const
+{
+    const auto s = static_cast<std::size_t>(state.step);
+    if (state.span == StageState::free)
+        return m_stepCosts[s][indexOf(state.node)];
+    const Step& step = m_steps[s];
+    const std::vector<double>& after = m_stepCosts[s + 1];
+    if (state.span == StageState::goesOn) {
+        const double left = *step.duration - static_cast<double>(time - state.since + 1);
+        const double rate = m_edgeFactor > 0 ? m_beta / m_edgeFactor : 0;
+        const double going = left > 0 ? std::min(m_graph.alpha(), rate) * left : rate * -left;
+        return std::max(after[indexOf(state.node)], m_leastAfter[s] + going);
+    }
+    const auto p = indexOf(state.span);
+    const NodeIndex last = step.spans[p].last;
+    double least = unreachable;
+    for (NodeIndex left = std::max(state.node, state.since + step.needed[p] - 1); left <= last; ++left)
+        least = std::min(least, after[indexOf(left)]);
+    return least + m_graph.alpha() * (last - state.node);
+}
+
+double WalkStages::leastOfRequired(const StageState& state) const
+{
+    double best = 0;
+    for (std::size_t bit = 0; bit < m_requiredCosts.size(); ++bit) {
+        if ((state.required >> bit & 1U) != 0)
+            continue;
+        if (state.isFollowing && bit >= m_requiredTransitions) {
+            const WalkSpan& span = m_requiredSpans[bit - m_requiredTransitions];
+            if (state.node >= span.first && state.node <= span.last) {
+                best = std::max(best, m_graph.alpha() * (span.last - state.node));
+                continue;
+            }
+        }
+        best = std::max(best, m_requiredCosts[bit][indexOf(state.node)]);
+    }
+    return best;
+}
+
+double WalkStages::leastCost(const StageState& state, std::int64_t time) const
+{
+    const double least =
+        std::max({leastOfKeys(state, time), leastOfActions(state, time), leastOfRequired(state)});
+    // With weights that count nothing, what cannot be reached stays so.
+    return m_edgeFactor > 0 || least == unreachable ? std::max(m_edgeFactor, 1e-300) * least : 0;
+}
+
+} // namespace quadrille

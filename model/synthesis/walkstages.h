@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/synthesis/keylegs.h"
+#include "model/synthesis/walkgraph.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace quadrille {
+
+/// How far a walk has come with what is asked of it, wherever it lies.
+struct StageState
+{
+    static constexpr std::int32_t free = -1;   ///< no action is being performed
+    static constexpr std::int32_t goesOn = -2; ///< one that has a duration
+
+    NodeIndex node = 0;
+    std::int16_t key = 0;       ///< the next to be met
+    std::int16_t step = 0;      ///< the action that comes next or is being performed, repetitions counted
+    std::int32_t span = free;   ///< which of its spans is being performed
+    std::int32_t since = 0;     ///< the frame at which it was entered; when it goes on, the output frame
+    std::uint32_t required = 0; ///< bits of the required transitions and spans that were played
+    bool isFollowing = false;   ///< a required span was played from its first frame on
+
+    bool operator==(const StageState&) const = default;
+};
+
+/// What a walk can be after a frame, and what that costs.
+struct SettledStage
+{
+    StageState state;
+    double edges = 0;  ///< α for each frame that an action leaves out
+    double timing = 0; ///< β · timing error
+};
+
+/// The order in which keys, actions and required junctions are met, as an automaton over the frames of a
+/// walk, and lower bounds of what is left.
+class WalkStages
+{
+public:
+    /// One action, once.
+    struct Step
+    {
+        int action = 0;
+        std::vector<WalkSpan> spans;
+        std::vector<NodeIndex> needed; ///< frames of each span that must be played
+        std::optional<double> duration;
+        std::vector<bool> contains; ///< by node
+    };
+
+    /// \param edgeFactor  what a weight counts in the total, μ or 1.
+    WalkStages(const WalkGraph& graph, const WalkConstraints& constraints, double beta, double edgeFactor);
+
+    /// What a state that has come to its frame can become there. \param out  cleared first.
+    void settle(const StageState& state, std::int64_t time, std::vector<SettledStage>& out) const;
+    /// The first frame of a walk, before it is settled.
+    StageState begin(NodeIndex node) const;
+    bool allows(const StageState& state, const WalkMove& move) const;
+    /// Having moved, before it is settled.
+    StageState after(StageState state, const WalkMove& move) const;
+    bool isDone(const StageState& state) const;
+    /// Whether what is left depends on the output frame.
+    bool needsTime(const StageState& state) const
+    {
+        return static_cast<std::size_t>(state.key) < m_keys.size() || state.span == StageState::goesOn;
+    }
+    /// No walk goes on from a state with less cost; `unreachable` where none meets what is asked.
+    double leastCost(const StageState& state, std::int64_t time) const;
+    bool isEmpty() const { return m_keys.empty() && m_steps.empty() && m_requiredAll == 0; }
+    const std::vector<Step>& steps() const { return m_steps; }
+
+private:
+    void addSteps(const std::vector<Action>& actions);
+    void addBounds();
+    void addRequired(const Junctions& junctions);
+    StageState arrived(StageState state) const;
+    double leastOfKeys(const StageState& state, std::int64_t time) const;
+    double leastOfActions(const StageState& state, std::int64_t time) const;
+    double leastOfRequired(const StageState& state) const;
+    bool canFinish(const StageState& state) const;
+    SettledStage finished(const StageState& state, std::int64_t time) const;
+
+    const WalkGraph& m_graph;
+    double m_beta;
+    double m_edgeFactor;
+    std::vector<PoseKey> m_keys;
+    std::vector<Step> m_steps;
+    std::vector<LegBounds> m_keyBounds;
+    std::vector<std::vector<double>> m_keyRest; ///< of each key and θ: bounds of the legs behind it
+    std::size_t m_zeroTheta = 0;
+    /// Costs of performing everything from each step on, by node, and the least of a step's last span frames.
+    std::vector<std::vector<double>> m_stepCosts;
+    std::vector<double> m_leastAfter; ///< of each step with a duration: the least cost of what follows
+    std::vector<WalkSpan> m_requiredSpans;
+    std::vector<std::vector<double>> m_requiredCosts; ///< of each bit, by node
+    std::size_t m_requiredTransitions = 0;
+    std::uint32_t m_requiredAll = 0;
+};
+
+} // namespace quadrille
