@@ -105,10 +105,15 @@ struct WalkConstraints
     bool operator==(const WalkConstraints&) const = default;
 };
 
+/// β over α where none is given. With 1, waiting costs as much as being early, so that nothing keeps a walk
+/// from going from key to key the shortest way: on real takes ten keys over 1,800 frames were then met some
+/// 700 frames early each, with 10 all of them on time at 5 % more weight.
+inline constexpr double betaPerAlpha = 10;
+
 /// How a walk is sought. What is found depends on the budget, never on threads or time.
 struct SearchSettings
 {
-    /// β: cost of a frame of timing error of keys, actions and spans, ≥ 0; empty: α of the graph.
+    /// β: cost of a frame of timing error of keys, actions and spans, ≥ 0; empty: betaPerAlpha · α.
     std::optional<double> beta;
     double mu = 0.1; ///< μ: weight of edges against squared metres of deviation, where there is a path
     std::int64_t budget = 100'000; ///< expansions, ≥ 1: states of which all ways on are looked at

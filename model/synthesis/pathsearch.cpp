@@ -40,10 +40,19 @@ bool isWorse(const Candidate& a, const Candidate& b)
     return a.rank != b.rank ? a.rank > b.rank : a.order > b.order;
 }
 
-/// States of about the same walked length that were not looked at yet.
-class Layer
+/// States that have met as much of what is asked, the most promising first.
+class Stratum
 {
 public:
+    /// \param quarters  of the action that is being performed.
+    Stratum(const StageState& stage, int quarters) : m_stage(stage), m_quarters(quarters) {}
+
+    bool has(const StageState& stage, int quarters) const
+    {
+        return quarters == m_quarters && stage.key == m_stage.key && stage.step == m_stage.step &&
+               stage.span == m_stage.span && stage.required == m_stage.required &&
+               stage.isFollowing == m_stage.isFollowing;
+    }
     bool isEmpty() const { return m_open.empty(); }
     bool takes(double rank) const { return rank < m_limit; }
     void add(const Candidate& candidate, std::int64_t width)
@@ -69,8 +78,39 @@ public:
     }
 
 private:
+    StageState m_stage;
+    int m_quarters;
     std::vector<Candidate> m_open;
     double m_limit = std::numeric_limits<double>::infinity();
+};
+
+/// States of about the same walked length that were not looked at yet. Those that have met more of what is
+/// asked and those that have met less do not compete: what is still to come is not in their costs.
+class Layer
+{
+public:
+    Stratum& stratum(const StageState& stage, int quarters)
+    {
+        for (Stratum& stratum : m_strata) {
+            if (stratum.has(stage, quarters))
+                return stratum;
+        }
+        return m_strata.emplace_back(stage, quarters);
+    }
+    /// The best state of the stratum whose turn it is.
+    std::optional<Candidate> take()
+    {
+        for (std::size_t tried = 0; tried < m_strata.size(); ++tried) {
+            Stratum& stratum = m_strata[m_next++ % m_strata.size()];
+            if (!stratum.isEmpty())
+                return stratum.take();
+        }
+        return std::nullopt;
+    }
+
+private:
+    std::vector<Stratum> m_strata;
+    std::size_t m_next = 0;
 };
 
 class PathPass
@@ -87,15 +127,17 @@ public:
         begin();
         for (std::size_t l = 0; l < m_layers.size() && budget > 0; ++l) {
             std::int64_t width = m_settings.width;
-            while (!m_layers[l].isEmpty() && width > 0 && budget > 0) {
-                const Candidate next = m_layers[l].take();
-                if (next.cost >= m_limit || m_known.isWorse(fingerprint(next), next.cost))
+            while (width > 0 && budget > 0) {
+                const std::optional<Candidate> next = m_layers[l].take();
+                if (!next)
+                    break;
+                if (next->cost >= m_limit || m_known.isWorse(fingerprint(*next), next->cost))
                     continue;
                 --width;
                 --budget;
                 if (budget % 256 == 0)
                     progress.report(0);
-                expand(next);
+                expand(*next);
             }
             m_layers[l] = Layer();
         }
@@ -127,12 +169,11 @@ private:
         m_seen.push_back(from);
         const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(from.place.placement.turn).toRotationMatrix();
         const auto [begin, end] = m_problem.graph.from(from.stage.node);
-        MoveIndex left = m_settings.moves;
-        for (MoveIndex index = begin; index < end && left > 0; ++index) {
+        for (MoveIndex index = begin; index < end; ++index) {
             const WalkMove& move = m_problem.graph.move(index);
-            if (!m_problem.stages.allows(from.stage, move))
+            if ((index - begin >= m_settings.moves && move.required < 0) ||
+                !m_problem.stages.allows(from.stage, move))
                 continue;
-            left -= move.required < 0 ? 1 : 0;
             double cost = from.cost + m_problem.mu * move.weight;
             if (cost >= m_limit)
                 break;
@@ -165,11 +206,13 @@ private:
             return;
         }
         Layer& layer = m_layers[static_cast<std::size_t>(candidate.place.walked / layerLength)];
+        Stratum& stratum =
+            layer.stratum(candidate.stage, m_problem.stages.quartersDone(candidate.stage, candidate.time));
         candidate.rank = candidate.cost + left + outlook(candidate);
-        if (!layer.takes(candidate.rank) || !m_known.improves(fingerprint(candidate), candidate.cost))
+        if (!stratum.takes(candidate.rank) || !m_known.improves(fingerprint(candidate), candidate.cost))
             return;
         candidate.order = m_order++;
-        layer.add(candidate, m_settings.width);
+        stratum.add(candidate, m_settings.width);
     }
 
     void keep(const Candidate& last)
@@ -178,19 +221,7 @@ private:
         if (cost >= m_limit)
             return;
         m_limit = cost;
-        FoundRoute route{.cost = cost};
-        const Candidate* state = &last;
-        while (true) {
-            route.stages.push_back(state->stage);
-            if (state->parent < 0)
-                break;
-            route.route.moves.push_back(state->move);
-            state = &m_seen[static_cast<std::size_t>(state->parent)];
-        }
-        route.route.start = state->stage.node;
-        std::reverse(route.stages.begin(), route.stages.end());
-        std::reverse(route.route.moves.begin(), route.route.moves.end());
-        m_found = std::move(route);
+        m_found = routeTo(last, m_seen, cost);
     }
 
     /// What being off the path, or about to be, will cost until it is mended: a guess from where the walk is
@@ -223,11 +254,10 @@ private:
         const auto cell = [](double value, double size) {
             return static_cast<std::int64_t>(std::floor(value / size));
         };
-        const bool needsTime = m_problem.stages.needsTime(candidate.stage);
-        return fingerprintOf({candidate.stage.node, candidate.stage.key, candidate.stage.step,
-                              candidate.stage.span, candidate.stage.since, candidate.stage.required,
-                              candidate.stage.isFollowing ? 1 : 0, needsTime ? candidate.time : 0,
-                              candidate.place.timed, candidate.place.timedFrames / 2,
+        const auto [stage, time] = m_problem.stages.future(candidate.stage, candidate.time);
+        return fingerprintOf({stage.node, stage.key, stage.step, stage.span, stage.since, stage.required,
+                              stage.isFollowing ? 1 : 0, time, candidate.place.timed,
+                              candidate.place.timedFrames / 2,
                               cell(candidate.place.walked, m_settings.offset),
                               cell(ground.x(), m_settings.offset), cell(ground.y(), m_settings.offset),
                               cell(wrappedAngle(candidate.place.placement.turn), m_settings.heading)});

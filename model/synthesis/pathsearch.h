@@ -3,23 +3,12 @@
 #pragma once
 
 #include "model/core/progress.h"
+#include "model/synthesis/foundroute.h"
 #include "model/synthesis/pathcosts.h"
-#include "model/synthesis/walkstages.h"
 
-#include <functional>
 #include <optional>
 
 namespace quadrille {
-
-/// A walk that a search found, with its stage at every frame that it comes to.
-struct FoundRoute
-{
-    WalkRoute route;
-    std::vector<StageState> stages; ///< at the start and after each move, settled
-    double cost = 0;                ///< total
-    std::int64_t expansions = 0;    ///< until it was found
-    bool optimal = false;
-};
 
 /// All that a search along a path needs.
 struct PathProblem
@@ -32,9 +21,6 @@ struct PathProblem
     std::vector<NodeIndex> starts;
     double mu = 0.1;
 };
-
-/// Receives each walk that is better than those before it.
-using FoundCallback = std::function<void(const FoundRoute&)>;
 
 /// Seeks the walk of least total cost along a path: states (frame, walked length, offset, heading and what
 /// else is asked) are looked at in layers of walked length, in each the most promising first; states that

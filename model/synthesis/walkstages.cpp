@@ -254,6 +254,26 @@ bool WalkStages::isDone(const StageState& state) const
            static_cast<std::size_t>(state.step) == m_steps.size() && state.required == m_requiredAll;
 }
 
+std::pair<StageState, std::int64_t> WalkStages::future(StageState state, std::int64_t time) const
+{
+    if (static_cast<std::size_t>(state.key) < m_keys.size())
+        return {state, time};
+    if (state.span == StageState::goesOn)
+        state.since -= static_cast<std::int32_t>(time);
+    return {state, 0};
+}
+
+int WalkStages::quartersDone(const StageState& state, std::int64_t time) const
+{
+    if (state.span == StageState::free)
+        return 0;
+    const Step& step = m_steps[static_cast<std::size_t>(state.step)];
+    const bool goesOn = state.span == StageState::goesOn;
+    const auto behind = static_cast<double>(goesOn ? time - state.since : state.node - state.since);
+    const double needed = goesOn ? *step.duration : step.needed[indexOf(state.span)];
+    return static_cast<int>(std::clamp(4 * behind / std::max(needed, 1.0), 0.0, 4.0));
+}
+
 double WalkStages::leastOfKeys(const StageState& state, std::int64_t time) const
 {
     const auto k = static_cast<std::size_t>(state.key);

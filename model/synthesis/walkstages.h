@@ -61,11 +61,11 @@ public:
     /// Having moved, before it is settled.
     StageState after(StageState state, const WalkMove& move) const;
     bool isDone(const StageState& state) const;
-    /// Whether what is left depends on the output frame.
-    bool needsTime(const StageState& state) const
-    {
-        return static_cast<std::size_t>(state.key) < m_keys.size() || state.span == StageState::goesOn;
-    }
+    /// What of a state and its output frame counts for what comes next: states that agree in it have one
+    /// future.
+    std::pair<StageState, std::int64_t> future(StageState state, std::int64_t time) const;
+    /// How much of the action that is being performed is behind, in quarters, 0 … 4.
+    int quartersDone(const StageState& state, std::int64_t time) const;
     /// No walk goes on from a state with less cost; `unreachable` where none meets what is asked.
     double leastCost(const StageState& state, std::int64_t time) const;
     bool isEmpty() const { return m_keys.empty() && m_steps.empty() && m_requiredAll == 0; }

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/progress.h"
+#include "model/graph/transitioncosts.h"
+#include "model/synthesis/movemotions.h"
+#include "model/synthesis/walksolution.h"
+
+#include <functional>
+
+namespace quadrille {
+
+/// What walks are made from; refers to what it names.
+struct WalkMaterial
+{
+    const Digraph& graph;         ///< the Essential graph, or another of the same frames
+    const TransitionCosts& costs; ///< for how long transitions last
+    double alpha = 0.01;          ///< that of the graph
+    WalkMotion motion;            ///< needed where there is a path
+};
+
+/// Receives each walk that is better than those before it, on the thread that searches.
+using SolutionCallback = std::function<void(const WalkSolution&)>;
+
+/// Seeks the walk of least cost that meets all constraints (SMCAS §4.3, ALGORITHMS section 6).
+/// Keys alone: exact, from key to key or over all of them. Without a path: exact where the budget is enough.
+/// With a path: as good as the budget lets it. The same budget gives the same walk, whatever the machine.
+/// \throws Error Walk…, BadArgument (values that no constraint can have), Cancelled: see checkConstraints.
+WalkSolution findWalk(const WalkMaterial& material, const WalkConstraints& constraints,
+                      const SearchSettings& settings, const Progress& progress = {},
+                      const SolutionCallback& found = {});
+
+/// Whether constraints make sense for a character, before any search.
+/// \throws Error BadArgument (NaN, a negative number, a frame that does not exist, no constraint at all, …),
+/// WalkKeyOrder, WalkFramesMissing, WalkPathShort, WalkSpanOutside, WalkObstacleAtStart.
+void checkConstraints(const WalkConstraints& constraints, const SearchSettings& settings,
+                      const FrameLayout& layout, UpAxis up);
+
+} // namespace quadrille

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/synthesis/walkstages.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace quadrille {
+
+/// A walk that a search found, with its stage at every frame that it comes to.
+struct FoundRoute
+{
+    WalkRoute route;
+    std::vector<StageState> stages; ///< at the start and after each move, settled
+    double cost = 0;                ///< total
+    std::int64_t expansions = 0;    ///< until it was found
+    bool optimal = false;
+};
+
+/// Receives each walk that is better than those before it.
+using FoundCallback = std::function<void(const FoundRoute&)>;
+
+/// The route to the last of states that know the one before them.
+/// \param seen  states with `stage`, `parent` (−1: none) and `move`.
+template <typename State>
+FoundRoute routeTo(const State& last, const std::vector<State>& seen, double cost)
+{
+    FoundRoute found{.cost = cost};
+    const State* state = &last;
+    found.stages.push_back(state->stage);
+    while (state->parent >= 0) {
+        found.route.moves.push_back(state->move);
+        state = &seen[static_cast<std::size_t>(state->parent)];
+        found.stages.push_back(state->stage);
+    }
+    found.route.start = state->stage.node;
+    std::reverse(found.stages.begin(), found.stages.end());
+    std::reverse(found.route.moves.begin(), found.route.moves.end());
+    return found;
+}
+
+} // namespace quadrille

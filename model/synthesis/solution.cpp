@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/synthesis/solution.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace quadrille {
+
+namespace {
+
+/// Fills in what a route means for keys and actions.
+class StageAccount
+{
+public:
+    StageAccount(const WalkStages& stages, const WalkConstraints& constraints, WalkSolution& solution)
+        : m_stages(stages), m_constraints(constraints), m_solution(solution)
+    {
+        m_solution.actions.resize(constraints.actions.size());
+    }
+
+    /// A frame that the route comes to. \param arrived  its stage before it was settled.
+    void add(const StageState& arrived, const StageState& settled, std::int64_t time)
+    {
+        m_stages.settle(arrived, time, m_settled);
+        const SettledStage* cheapest = nullptr;
+        for (const SettledStage& stage : m_settled) {
+            if (stage.state == settled &&
+                (!cheapest || stage.edges + stage.timing < cheapest->edges + cheapest->timing))
+                cheapest = &stage;
+        }
+        assert(cheapest);
+        m_solution.cost.edges += cheapest->edges;
+        m_solution.cost.timing += cheapest->timing;
+        if (settled.key > arrived.key)
+            m_solution.keys.push_back({m_constraints.keys[static_cast<std::size_t>(arrived.key)].time, time});
+        const bool begins = arrived.span == StageState::free &&
+                            (settled.span != StageState::free || settled.step > arrived.step);
+        const auto step = static_cast<std::size_t>(arrived.step);
+        if (!begins && settled.step == arrived.step)
+            return;
+        FrameRange& range = m_solution.actions[static_cast<std::size_t>(m_stages.steps()[step].action)];
+        if (begins && range.count() == 0)
+            range.first = FrameIndex(time);
+        range.last = FrameIndex(time);
+    }
+
+private:
+    const WalkStages& m_stages;
+    const WalkConstraints& m_constraints;
+    WalkSolution& m_solution;
+    std::vector<SettledStage> m_settled;
+};
+
+/// Follows a route along the path.
+class PathAccount
+{
+public:
+    PathAccount(const PathMeasure& path, const WalkConstraints& constraints, NodeIndex start,
+                WalkSolution& solution)
+        : m_path(path), m_spans(constraints.path->spans), m_solution(solution)
+    {
+        m_solution.spans.resize(m_spans.size());
+        m_path.costs.begin(m_path.motions, start, m_place, m_charge);
+        m_solution.start = m_place.placement;
+        m_solution.pathLength = m_path.course.length();
+        const Vec3d& point = m_path.motions.point(start);
+        const Vec2d ground = m_place.placement(Vec2d(point.head<2>()));
+        add({ground.x(), ground.y(), point.z()}, 0, 0);
+    }
+
+    void follow(MoveIndex index, std::int64_t time)
+    {
+        const MoveMotions::Motion& motion = m_path.motions.of(index);
+        const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(m_place.placement.turn).toRotationMatrix();
+        for (const MoveMotions::Step& step : motion.steps) {
+            const Vec3d point = step.point.cast<double>();
+            const Vec2d ground = rotation * point.head<2>() + m_place.placement.shift;
+            add({ground.x(), ground.y(), point.z()}, m_place.walked + static_cast<double>(step.arcLength),
+                ++time);
+        }
+        PathFailure failure;
+        m_path.costs.follow(motion, rotation, m_place, m_charge, failure);
+    }
+
+    void end()
+    {
+        m_solution.cost.deviation = m_charge.deviation;
+        m_solution.cost.timing += m_charge.timing + m_path.costs.timingAtEnd(m_place);
+        m_solution.meanDeviation /= static_cast<double>(m_solution.frameCount);
+    }
+
+private:
+    void add(const Vec3d& point, double walked, std::int64_t time)
+    {
+        const double distance = std::sqrt(m_path.costs.squaredDistance(point, walked));
+        m_solution.meanDeviation += distance;
+        m_solution.greatestDeviation = std::max(m_solution.greatestDeviation, distance);
+        for (std::size_t i = 0; i < m_spans.size(); ++i) {
+            if (walked < m_spans[i].from || walked > m_spans[i].to)
+                continue;
+            FrameRange& range = m_solution.spans[i];
+            if (range.count() == 0)
+                range.first = FrameIndex(time);
+            range.last = FrameIndex(time);
+        }
+    }
+
+    const PathMeasure& m_path;
+    const std::vector<PathSpan>& m_spans;
+    WalkSolution& m_solution;
+    PathPlace m_place;
+    PathCharge m_charge;
+};
+
+} // namespace
+
+WalkSolution solutionOf(const WalkGraph& graph, const WalkStages& stages, const WalkConstraints& constraints,
+                        const FoundRoute& found, double mu, const PathMeasure* path)
+{
+    WalkSolution solution{
+        .walk = graph.walk(found.route), .expansions = found.expansions, .optimal = found.optimal};
+    StageAccount account(stages, constraints, solution);
+    std::optional<PathAccount> along;
+    if (path)
+        along.emplace(*path, constraints, found.route.start, solution);
+    account.add(stages.begin(found.route.start), found.stages.front(), 0);
+    std::int64_t time = 0;
+    for (std::size_t m = 0; m < found.route.moves.size(); ++m) {
+        const WalkMove& move = graph.move(found.route.moves[m]);
+        if (along)
+            along->follow(found.route.moves[m], time);
+        time += move.elapsed;
+        solution.cost.edges += move.weight;
+        account.add(stages.after(found.stages[m], move), found.stages[m + 1], time);
+    }
+    solution.frameCount = time + 1;
+    if (along)
+        along->end();
+    solution.totalCost = solution.cost.total(path ? mu : 1);
+    return solution;
+}
+
+} // namespace quadrille

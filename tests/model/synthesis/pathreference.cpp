@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "tests/model/synthesis/pathreference.h"
+
+#include <algorithm>
+
+namespace quadrille::testing {
+
+std::optional<BranchAndBound::State> BranchAndBound::begin(NodeIndex node) const
+{
+    State state{.node = node};
+    PathCharge charge;
+    if (!m_problem.costs.begin(m_problem.motions, node, state.place, charge))
+        return std::nullopt;
+    state.cost = charge.deviation + charge.timing;
+    return state;
+}
+
+std::optional<BranchAndBound::State> BranchAndBound::moved(const State& from, MoveIndex move)
+{
+    State next = from;
+    PathCharge charge;
+    PathFailure failure;
+    const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(from.place.placement.turn).toRotationMatrix();
+    if (!m_problem.costs.follow(m_problem.motions.of(move), rotation, next.place, charge, failure))
+        return std::nullopt;
+    next.node = m_problem.graph.move(move).to;
+    next.cost += charge.deviation + charge.timing + m_problem.mu * m_problem.graph.move(move).weight;
+    if (isEnd(next))
+        next.cost += m_problem.costs.timingAtEnd(next.place);
+    return next;
+}
+
+void BranchAndBound::descend(const State& state, std::int32_t framesLeft, MoveIndex first)
+{
+    if (state.cost >= m_best || m_isOver())
+        return;
+    if (isEnd(state) || framesLeft <= 0) {
+        m_best = state.cost;
+        m_bestFirst = first;
+        return;
+    }
+    ++m_expansions;
+    const auto [begin, end] = m_problem.graph.from(state.node);
+    for (MoveIndex index = begin; index < end; ++index) {
+        const WalkMove& move = m_problem.graph.move(index);
+        if (state.cost + m_problem.mu * move.weight >= m_best)
+            break; // they come the lightest first
+        if (const std::optional<State> next = moved(state, index))
+            descend(*next, framesLeft - move.elapsed, first == noMove ? index : first);
+    }
+}
+
+double BranchAndBound::exact()
+{
+    m_best = unreachable;
+    for (const NodeIndex node : m_problem.starts) {
+        if (const std::optional<State> state = begin(node))
+            descend(*state, std::numeric_limits<std::int32_t>::max(), noMove);
+    }
+    return m_best;
+}
+
+double BranchAndBound::incremental(NodeIndex start, std::int32_t lookAhead)
+{
+    std::optional<State> state = begin(start);
+    while (state && !isEnd(*state)) {
+        m_best = unreachable;
+        m_bestFirst = noMove;
+        descend(*state, lookAhead, noMove);
+        if (m_bestFirst == noMove || m_isOver())
+            return unreachable;
+        state = moved(*state, m_bestFirst);
+    }
+    return state ? state->cost : unreachable;
+}
+
+double BranchAndBound::incrementalFromAll(std::int32_t lookAhead)
+{
+    std::vector<std::pair<double, NodeIndex>> starts;
+    for (const NodeIndex node : m_problem.starts) {
+        m_best = unreachable;
+        if (const std::optional<State> state = begin(node))
+            descend(*state, lookAhead / 2, noMove);
+        if (m_best < unreachable)
+            starts.emplace_back(m_best, node);
+    }
+    std::sort(starts.begin(), starts.end());
+    double best = unreachable;
+    for (const auto& [outlook, node] : starts)
+        best = std::min(best, incremental(node, lookAhead));
+    return best;
+}
+
+} // namespace quadrille::testing
