@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/junctionquality.h"
 
-#include "model/core/ranks.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -52,7 +50,12 @@ struct JunctionJudge::Segments
 JunctionJudge::JunctionJudge(const CharacterFrames& character, const RootPoses& roots,
                              std::span<const FrameMeasure> measures, const JunctionLimits& limits,
                              int context)
-    : m_character(character), m_roots(roots), m_measures(measures), m_limits(limits), m_context(context)
+    : m_character(character)
+    , m_roots(roots)
+    , m_measures(measures)
+    , m_liveliness(livelinessOf(measures, character.layout()))
+    , m_limits(limits)
+    , m_context(context)
 {
 }
 
@@ -85,19 +88,7 @@ JunctionMeasures JunctionJudge::judge(const Transition& transition, const BlendS
 JunctionValue JunctionJudge::acceleration(const Clip& clip, const ClipPlan::Junction& junction,
                                           const Transition& transition, double& worst) const
 {
-    std::vector<double> captured;
     const FrameLayout& layout = m_character.layout();
-    const int source = layout.sequenceOf(transition.frames.source);
-    const int destination = layout.sequenceOf(transition.frames.destination);
-    const auto addTake = [&](int sequence) {
-        for (NodeIndex node = layout.firstOf(sequence); node <= layout.lastOf(sequence); ++node) {
-            if (const auto& value = m_measures[static_cast<std::size_t>(node)].acceleration)
-                captured.push_back(*value);
-        }
-    };
-    addTake(source);
-    if (destination != source)
-        addTake(destination);
     double sum = 0;
     int count = 0;
     for (std::int64_t f = std::max<std::int64_t>(junction.first, 1);
@@ -109,7 +100,9 @@ JunctionValue JunctionJudge::acceleration(const Clip& clip, const ClipPlan::Junc
     }
     if (count == 0)
         return {};
-    return against(std::sqrt(sum / count), m_limits.acceleration * quantile(std::move(captured), 0.95));
+    const double lively = m_liveliness(layout.sequenceOf(transition.frames.source),
+                                       layout.sequenceOf(transition.frames.destination));
+    return against(std::sqrt(sum / count), m_limits.acceleration * lively);
 }
 
 JunctionValue JunctionJudge::frozen(const Clip& clip, const ClipPlan::Junction& junction) const
@@ -133,8 +126,10 @@ JunctionValue JunctionJudge::frozen(const Clip& clip, const ClipPlan::Junction& 
     if (std::isinf(least))
         return {};
     constexpr double nearlyNothing = 1e-6;
-    return {
-        .value = least, .limit = m_limits.frozen, .ratio = m_limits.frozen / std::max(least, nearlyNothing)};
+    return {.value = least,
+            .limit = m_limits.frozen,
+            .ratio = m_limits.frozen / std::max(least, nearlyNothing),
+            .isMeasured = true};
 }
 
 JunctionValue JunctionJudge::centreStep(const ClipPlan& plan, const Segments& segments) const

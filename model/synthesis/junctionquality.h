@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/synthesis/framemeasures.h"
+#include "model/synthesis/liveliness.h"
 #include "model/synthesis/makeclip.h"
 
 #include <array>
@@ -93,6 +93,7 @@ private:
     const CharacterFrames& m_character;
     const RootPoses& m_roots;
     std::span<const FrameMeasure> m_measures;
+    Table<double> m_liveliness;
     JunctionLimits m_limits;
     int m_context;
 };

@@ -16,7 +16,7 @@ enum class JunctionPredictor
     Mean,         ///< of the pose distances along the warp path
     Acceleration, ///< the acceleration cost (SMCAS §3.3), m/s²
     Weight,       ///< of the edge
-    PerLiveliness ///< Mean, over the 95th percentile of the accelerations inside the two takes
+    PerLiveliness ///< Mean, over the liveliness of the two takes (see costPerLiveliness)
 };
 constexpr std::size_t junctionPredictors = 5;
 

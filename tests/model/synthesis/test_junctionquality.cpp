@@ -90,6 +90,7 @@ TEST(JunctionQuality, FindsPosesThatStandStill)
     transition.path = {{10, 40}, {11, 41}, {12, 42}, {12, 42}, {12, 42}, {12, 42}, {13, 43},
                        {14, 44}, {15, 45}, {16, 46}, {17, 47}, {18, 48}, {19, 49}};
     const JunctionValue frozen = subject().judge(transition)[JunctionCriterion::Frozen];
+    EXPECT_TRUE(frozen.isMeasured);
     EXPECT_FALSE(frozen.isGood());
     EXPECT_LT(frozen.value, 0.01);
     EXPECT_TRUE(
