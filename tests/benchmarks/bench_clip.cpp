@@ -70,8 +70,8 @@ const Subject& subject()
 
 void countFrames(benchmark::State& state, std::int64_t frames)
 {
-    state.counters["ms/frame"] =
-        benchmark::Counter(static_cast<double>(state.iterations() * frames) * 1e-3,
+    state.counters["per frame"] =
+        benchmark::Counter(static_cast<double>(state.iterations() * frames),
                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
