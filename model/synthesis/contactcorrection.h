@@ -20,7 +20,7 @@ namespace quadrille {
 /// behind. A foot that rolls goes on rolling. The foot moves as a whole; the leg above it follows, as rigidly
 /// as it can (as-rigid-as-possible deformation, Sorkine and Alexa 2007), up to where legs meet. Frames
 /// without a correction stay bit for bit. \param contacts  of feet by the names that detectContacts gives, in
-/// frames of the clip; a contact of a foot with another name go to the one that moves least during them.
+/// frames of the clip; contacts with another name go to the foot that moves least during them.
 /// \param frames  that are corrected; all when empty. Contacts beyond them count all the same.
 /// \throws Error NoFeet, BadArgument (settings), Cancelled. Cost: O(frames · vertices); a solve of each leg's
 /// vertices for each frame that changes, in parallel.

@@ -220,6 +220,15 @@ Clip repeated(const Loop& loop, int cycles, UpAxis up)
     return clip;
 }
 
+Clip closedCycle(const Loop& loop, UpAxis up)
+{
+    Clip closed = loop.cycle;
+    closed.origins.push_back(loop.cycle.origins.front());
+    closed.positions.insert(closed.positions.end(), loop.cycle.frame(0).begin(), loop.cycle.frame(0).end());
+    moveFrame(closed.frame(loop.cycle.frameCount()), loop.travel, Ground(up));
+    return closed;
+}
+
 GroundMotion repeatedTravel(const GroundMotion& travel, int cycles)
 {
     GroundMotion motion;

@@ -46,6 +46,8 @@ Loop inPlace(Loop loop, UpAxis up);
 
 /// A loop played several times, each time moved on. \param cycles  1 … 10,000. \throws Error BadArgument.
 Clip repeated(const Loop& loop, int cycles, UpAxis up);
+/// The cycle and the first frame of the next one.
+Clip closedCycle(const Loop& loop, UpAxis up);
 /// How several cycles move over the ground.
 GroundMotion repeatedTravel(const GroundMotion& travel, int cycles);
 

@@ -231,10 +231,7 @@ Loop retimed(const Loop& loop, const RetimeSettings& settings, UpAxis up, Interp
     if (moments.front() > 0 || moments.back() < static_cast<double>(loop.cycle.frameCount()))
         refuse(QUADRILLE_MESSAGE("A curve of times does not go all round a loop"),
                QUADRILLE_MESSAGE("Begin at clip time 0 and end at the duration of the loop."));
-    Clip closed = loop.cycle;
-    closed.origins.push_back(loop.cycle.origins.front());
-    closed.positions.insert(closed.positions.end(), loop.cycle.frame(0).begin(), loop.cycle.frame(0).end());
-    moveFrame(closed.frame(loop.cycle.frameCount()), loop.travel, ground);
+    const Clip closed = closedCycle(loop, up);
     const Retiming retiming(closed, moments);
     Loop result{.cycle = retiming.poses(moments.size() - 1, interpolation, progress),
                 .travel = loop.travel,

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/synthesis/postprocessing.h"
+
+#include "model/core/error.h"
+#include "model/core/message.h"
+#include "model/sequence/contacts.h"
+#include "model/synthesis/contactcorrection.h"
+#include "model/synthesis/mirror.h"
+#include "model/synthesis/retime.h"
+
+#include <algorithm>
+
+namespace quadrille {
+
+namespace {
+
+std::vector<ContactSpan> contactsOf(const Clip& clip, const PostProcessingInputs& inputs,
+                                    const Progress& progress)
+{
+    progress.report(0.0);
+    if (inputs.contactsOf)
+        return inputs.contactsOf(clip);
+    ContactOptions options;
+    options.up = inputs.method.up;
+    const std::uint32_t vertices = clip.topology->vertexCount();
+    return detectContacts(
+        makeSequence({}, clip.topology, std::make_shared<MemoryFrames>(clip.positions, vertices), clip.fps),
+        options, progress);
+}
+
+/// The cycle before, the cycle itself as it is, and the one behind.
+Clip withNeighbours(const Loop& loop, UpAxis up)
+{
+    Clip clip = loop.cycle;
+    clip.positions.clear();
+    clip.origins.clear();
+    for (const GroundMotion& motion : {loop.travel.inverse(), GroundMotion(), loop.travel}) {
+        const std::size_t place = clip.positions.size();
+        clip.origins.insert(clip.origins.end(), loop.cycle.origins.begin(), loop.cycle.origins.end());
+        clip.positions.insert(clip.positions.end(), loop.cycle.positions.begin(), loop.cycle.positions.end());
+        moveFrame(MutablePositions(clip.positions).subspan(place), motion, Ground(up));
+    }
+    return clip;
+}
+
+Symmetry symmetryOf(const Clip& clip, const PostProcessingInputs& inputs, const Progress& progress)
+{
+    return inputs.symmetry ? inputs.symmetry(progress)
+                           : findSymmetry(*clip.topology, clip.frame(0), {}, progress);
+}
+
+/// The shares of the work of the steps that are asked for.
+class Steps
+{
+public:
+    Steps(const Progress& progress, int count) : m_progress(progress), m_count(std::max(count, 1)) {}
+    Progress next()
+    {
+        const double from = m_done;
+        m_done += 1.0 / m_count;
+        return m_progress.part(from, std::min(m_done, 1.0));
+    }
+
+private:
+    const Progress& m_progress;
+    int m_count;
+    double m_done = 0;
+};
+
+bool goesRound(const RetimeSettings& settings, const Clip& cycle)
+{
+    const std::vector<double> moments = retimedMoments(settings, cycle.frameCount(), cycle.fps);
+    return moments.front() == 0 && moments.back() == static_cast<double>(cycle.frameCount());
+}
+
+PostProcessed processedLoop(const Clip& clip, const PostProcessing& settings,
+                            const PostProcessingInputs& inputs, Steps& steps)
+{
+    const UpAxis up = inputs.method.up;
+    LoopSettings travelling = *settings.loop;
+    travelling.inPlace = false;
+    Loop loop = seamlessLoop(clip, travelling, inputs.method, steps.next());
+    if (settings.contacts)
+        loop = contactsCorrected(std::move(loop), *settings.contacts, inputs, steps.next());
+    if (settings.mirror) {
+        const Progress progress = steps.next();
+        const Symmetry symmetry = symmetryOf(loop.cycle, inputs, progress.part(0, 0.6));
+        loop = mirrored(loop, symmetry, mirrorLine(loop.cycle, symmetry, up), up, progress.part(0.6, 1));
+    }
+    if (settings.loop->inPlace)
+        loop = inPlace(std::move(loop), up);
+    loop.cycle = repeated(loop, settings.repeats, up);
+    loop.travel = repeatedTravel(loop.travel, settings.repeats);
+    if (settings.retime && !goesRound(*settings.retime, loop.cycle))
+        return {.clip = retimed(closedCycle(loop, up), *settings.retime, up, inputs.method.interpolation,
+                                steps.next()),
+                .travel = {},
+                .closure = std::move(loop.closure)};
+    if (settings.retime)
+        loop = retimed(loop, *settings.retime, up, inputs.method.interpolation, steps.next());
+    return {.clip = std::move(loop.cycle), .travel = loop.travel, .closure = std::move(loop.closure)};
+}
+
+} // namespace
+
+PostProcessed postProcessed(Clip clip, const PostProcessing& settings, const PostProcessingInputs& inputs,
+                            const Progress& progress)
+{
+    progress.report(0.0);
+    Steps steps(progress, (settings.loop ? 1 : 0) + (settings.contacts ? 1 : 0) + (settings.mirror ? 1 : 0) +
+                              (settings.retime ? 1 : 0));
+    if (settings.loop)
+        return processedLoop(clip, settings, inputs, steps);
+    if (settings.repeats != 1)
+        throw Error(ErrorCode::BadArgument,
+                    {{},
+                     {},
+                     {{"reason", QUADRILLE_MESSAGE("Only a loop can be repeated")},
+                      {"remedy", QUADRILLE_MESSAGE("Ask for a loop, too, or for one repeat.")}}});
+    const UpAxis up = inputs.method.up;
+    if (settings.contacts) {
+        const Progress step = steps.next();
+        const std::vector<ContactSpan> contacts = contactsOf(clip, inputs, step.part(0, 0.3));
+        clip = contactsCorrected(std::move(clip), contacts, *settings.contacts, up, {}, step.part(0.3, 1));
+    }
+    if (settings.mirror) {
+        const Progress step = steps.next();
+        const Symmetry symmetry = symmetryOf(clip, inputs, step.part(0, 0.6));
+        clip = mirrored(clip, symmetry, mirrorLine(clip, symmetry, up), up, step.part(0.6, 1));
+    }
+    if (settings.retime)
+        clip = retimed(clip, *settings.retime, up, inputs.method.interpolation, steps.next());
+    return {.clip = std::move(clip), .travel = {}, .closure = {}};
+}
+
+Loop contactsCorrected(Loop loop, const ContactCorrectionSettings& settings,
+                       const PostProcessingInputs& inputs, const Progress& progress)
+{
+    const UpAxis up = inputs.method.up;
+    const std::int64_t period = loop.cycle.frameCount();
+    const FrameRange middle{FrameIndex(period), FrameIndex(2 * period - 1)};
+    Clip cycles = withNeighbours(loop, up);
+    std::vector<ContactSpan> contacts = contactsOf(cycles, inputs, progress.part(0, 0.3));
+    const auto standsAllTheTime = [&](const ContactSpan& contact) {
+        return contact.frames.first <= middle.first && contact.frames.last >= middle.last;
+    };
+    if (std::ranges::any_of(contacts, standsAllTheTime) && loop.travel != GroundMotion()) {
+        loop = inPlace(std::move(loop), up);
+        cycles = withNeighbours(loop, up);
+        contacts = contactsOf(cycles, inputs, progress.part(0.3, 0.4));
+    }
+    cycles = contactsCorrected(std::move(cycles), contacts, settings, up, middle, progress.part(0.4, 1));
+    const auto size = static_cast<std::ptrdiff_t>(loop.cycle.positions.size());
+    std::copy_n(cycles.positions.begin() + size, size, loop.cycle.positions.begin());
+    return loop;
+}
+
+} // namespace quadrille
