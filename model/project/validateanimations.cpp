@@ -67,14 +67,6 @@ private:
                     meantOr(m_animation.character, known, "Add it under “characters”."));
             return false;
         }
-        const std::string character = characterNameOf(m_project, m_animation);
-        const bool hasGraph =
-            std::any_of(m_project.graphs.begin(), m_project.graphs.end(), [&](const GraphEntry& graph) {
-                return graph.character.empty() || graph.character == character;
-            });
-        if (!hasGraph)
-            invalid("", "The animation has no graph to walk through",
-                    "Add a section “graph”: {} for its character.");
         return true;
     }
 

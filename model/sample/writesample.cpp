@@ -127,7 +127,61 @@ std::vector<ExportEntry> sampleExports()
     film.name = "dance film";
     film.what = "sequences/dance 1";
     film.path = "exports/dance_1.mp4";
-    return {glb, film};
+    ExportEntry tour;
+    tour.name = "along an S for Blender";
+    tour.what = "animations/along an S";
+    tour.path = "exports/along_an_S.glb";
+    return {glb, film, tour};
+}
+
+FrameChoice labelled(std::string label)
+{
+    FrameChoice choice;
+    choice.label = std::move(label);
+    return choice;
+}
+
+KeyEntry keyAt(std::string sequence, std::int64_t frame, double seconds)
+{
+    KeyEntry key;
+    key.sequence = std::move(sequence);
+    key.frame = FrameIndex(frame);
+    key.time = seconds;
+    return key;
+}
+
+ActionEntry actionOf(std::string label, int repeat = 1)
+{
+    ActionEntry action;
+    action.frames = labelled(std::move(label));
+    action.repeat = repeat;
+    return action;
+}
+
+/// One animation for each kind of constraint.
+std::vector<AnimationEntry> sampleAnimations(const std::string& character)
+{
+    const auto named = [&character](std::string name) {
+        AnimationEntry animation;
+        animation.name = std::move(name);
+        animation.character = character;
+        return animation;
+    };
+    PathEntry curve;
+    curve.points = {{0, 0, 0}, {0.6, 0, 2}, {-0.6, 0, 4.5}, {0.4, 0, 7}, {0, 0, 9}};
+    curve.spans = {{.from = 3.5, .to = 6, .frames = labelled("jog")}};
+    curve.obstacles = {{.corners = {Vec2d(-1.6, 2.4)}, .radius = 0.4}};
+    curve.clearance = 0.3;
+    AnimationEntry path = named("along an S");
+    path.constraints = {curve};
+    AnimationEntry keys = named("dance by the clock");
+    keys.constraints = {keyAt("dance 1", 10, 0), keyAt("dance 2", 40, 2.5), keyAt("dance 3", 20, 4),
+                        keyAt("dance 1", 60, 6.5)};
+    AnimationEntry actions = named("walk, kick, jump");
+    actions.constraints = {actionOf("walk"), actionOf("kick", 2), actionOf("high jump")};
+    actions.gentleBlend = true;
+    actions.post.steps.contacts.emplace();
+    return {path, keys, actions};
 }
 
 } // namespace
@@ -154,6 +208,7 @@ fs::path writeSample(const fs::path& folder, const SampleOptions& options, const
     }
     project.graphs.resize(1);
     project.graphs[0].character = project.characters[0].name;
+    project.animations = sampleAnimations(project.characters[0].name);
     project.exports = sampleExports();
     const fs::path truth = folder / "groundtruth";
     writeAtomically(truth / "skeleton.json", skeletonJson(character).dump() + "\n");
