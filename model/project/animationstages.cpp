@@ -7,7 +7,6 @@
 #include "model/project/tablebuilder.h"
 #include "model/project/walkrequest.h"
 #include "model/synthesis/makeclip.h"
-#include "model/synthesis/walksolution.h"
 
 #include <algorithm>
 #include <limits>
@@ -137,7 +136,7 @@ ResultStage walkStage(const CharacterWork& work, const AnimationEntry& animation
     stage.dataPrefix = "animations/" + animation.name;
     stage.settings = walkSettings(animation, work);
     stage.inputs = CharacterGraph::inputs(work);
-    stage.compute = [work, animation](const StageContext& context, const Progress&) {
+    stage.compute = [work, animation](const StageContext& context, const Progress& progress) {
         const CharacterGraph graph(work, context);
         WalkConstraints constraints;
         WalkSolution solution;
@@ -145,9 +144,8 @@ ResultStage walkStage(const CharacterWork& work, const AnimationEntry& animation
             solution = solutionOf(*animation.walk, graph);
         } else {
             constraints = walkConstraints(animation, graph);
-            throw Error(ErrorCode::ProjectInvalid,
-                        {.values = {{"reason", "Constraints are not met by this version"},
-                                    {"remedy", "Give a walk."}}});
+            solution = findWalk(graph.material(), constraints,
+                                searchSettings(animation.search, graph.alpha()), progress);
         }
         const ClipPlan plan = planClip(graph.roots(), graph.layout(), graph.paths(), solution.walk);
         const double fps = work.opener->project().settings.fps;
