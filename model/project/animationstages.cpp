@@ -144,7 +144,7 @@ ResultStage walkStage(const CharacterWork& work, const AnimationEntry& animation
             solution = solutionOf(*animation.walk, graph);
         } else {
             constraints = walkConstraints(animation, graph);
-            solution = findWalk(graph.material(), constraints,
+            solution = findWalk(graph.material(blendSettings(animation)), constraints,
                                 searchSettings(animation.search, graph.alpha()), progress);
         }
         const ClipPlan plan = planClip(graph.roots(), graph.layout(), graph.paths(), solution.walk);

@@ -3,6 +3,8 @@
 #include "model/project/charactergraph.h"
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 namespace quadrille {
 
@@ -66,6 +68,23 @@ RootPoses rootPosesOf(const Result& result, UpAxis up)
     return roots;
 }
 
+/// Frames of the source and the destination window of each transition; 0 where there is none.
+std::pair<Table<std::uint16_t>, Table<std::uint16_t>> windowsOf(const Result& transitions)
+{
+    const DataArray& array = arrayOf(transitions, "transition-windows");
+    const auto& values = std::get<std::vector<float>>(array.values);
+    Table<std::uint16_t> source(array.shape[0], array.shape[1]);
+    Table<std::uint16_t> destination(array.shape[0], array.shape[1]);
+    const auto frames = [](float count) {
+        return static_cast<std::uint16_t>(std::isfinite(count) ? count : 0);
+    };
+    for (Eigen::Index pair = 0; pair < source.size(); ++pair) {
+        source.data()[pair] = frames(values[static_cast<std::size_t>(2 * pair)]);
+        destination.data()[pair] = frames(values[static_cast<std::size_t>(2 * pair + 1)]);
+    }
+    return {std::move(source), std::move(destination)};
+}
+
 [[noreturn]] void throwNoFrame(const std::string& sequence, std::int64_t frame, NodeIndex count)
 {
     throw Error(ErrorCode::ProjectInvalid,
@@ -109,11 +128,26 @@ CharacterGraph::CharacterGraph(const CharacterWork& work, const StageContext& co
     const Result poses = context.resultOf(stages[0]);
     m_layout = layoutOf(poses);
     m_distances = tableOf<float>(poses.arrays.front());
-    m_costs = costsOf(work.graph, poses, context.resultOf(stages[1]));
+    const Result transitions = context.resultOf(stages[1]);
+    m_costs = costsOf(work.graph, poses, transitions);
+    std::tie(m_sourceWindows, m_destinationWindows) = windowsOf(transitions);
     m_graph = essentialGraphOf(context.resultOf(stages[2]), m_layout.frameCount());
     const ProjectSettings& settings = work.opener->project().settings;
     m_roots = rootPosesOf(context.resultOf(stages[3]), settings.axes.up);
     m_paths.emplace(m_distances, m_layout, transitionSettings(work.graph, settings.fps));
+}
+
+WalkMaterial CharacterGraph::material(const BlendSettings& blend) const
+{
+    const auto transition = [this](const FramePair& pair) {
+        const auto known = m_paths->between(pair, m_sourceWindows(pair.source, pair.destination),
+                                            m_destinationWindows(pair.source, pair.destination));
+        return known ? *known : m_paths->get(pair);
+    };
+    return {.graph = m_graph,
+            .costs = *m_costs,
+            .alpha = alpha(),
+            .motion = {.roots = &m_roots, .transition = transition, .blend = blend}};
 }
 
 WalkSpan CharacterGraph::span(const std::string& sequence, const std::optional<FrameRange>& range) const

@@ -4,6 +4,7 @@
 
 #include "model/graph/digraph.h"
 #include "model/project/characterstages.h"
+#include "model/synthesis/findwalk.h"
 #include "model/synthesis/rootposes.h"
 #include "model/synthesis/walk.h"
 #include "model/transition/warppath.h"
@@ -34,6 +35,8 @@ public:
     /// The Essential graph.
     const Digraph& graph() const { return m_graph; }
     double alpha() const { return m_work.graph.alpha; }
+    /// What walks are sought in; refers to this. \param blend  how transitions will be blended.
+    WalkMaterial material(const BlendSettings& blend) const;
 
     /// A frame by the name of its sequence. \throws Error ProjectInvalid where there is none.
     NodeIndex node(const NamedFrame& frame) const;
@@ -47,6 +50,8 @@ private:
     Table<float> m_distances;
     std::optional<TransitionCosts> m_costs;
     std::optional<WarpPaths> m_paths;
+    Table<std::uint16_t> m_sourceWindows;
+    Table<std::uint16_t> m_destinationWindows;
     RootPoses m_roots;
     Digraph m_graph;
 };

@@ -35,7 +35,7 @@ const MoveMotions::Motion& MoveMotions::of(MoveIndex index)
         return motion;
     }
     const Transition transition = m_motion.transition({move.from, move.to});
-    const TransitionMotion moved = transitionMotion(*m_motion.roots, transition);
+    const TransitionMotion moved = transitionMotion(*m_motion.roots, transition, m_motion.blend);
     motion.exit = moved.exit();
     Vec3d before = begin;
     for (std::size_t t = 1; t < moved.steps.size(); ++t) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/synthesis/pathcourse.h"
-#include "model/synthesis/rootposes.h"
+#include "model/synthesis/transitionmotion.h"
 #include "model/synthesis/walkgraph.h"
 
 #include <functional>
@@ -18,6 +18,7 @@ struct WalkMotion
     const RootPoses* roots = nullptr;
     /// The warp path of a transition that the graph has; called once for each, while it is looked at.
     std::function<Transition(const FramePair&)> transition;
+    BlendSettings blend; ///< how transitions will be blended
 };
 
 /// How the moves of a graph go over the ground, each computed when it is first asked for.
