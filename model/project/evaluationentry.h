@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,18 +15,26 @@ namespace quadrille {
 /// One of the papers' tables, to be computed for the characters of the project.
 struct EvaluationEntry
 {
-    std::string table;          ///< one of evaluationTables
-    std::string character;      ///< all characters where it is left out
-    std::vector<double> alphas; ///< fig9: weights of time; those of the paper where there are none
+    std::string table;     ///< one of evaluationTables
+    std::string character; ///< all characters where it is left out
+    /// fig11 and fig12: which sequence is blended into which; those that turn most to the left and to the
+    /// right where there are none.
+    std::vector<std::string> sequences;
+    std::vector<double> alphas;        ///< fig9: weights of time; those of the paper where there are none
+    std::optional<std::int64_t> count; ///< fig4: pairs of frames that are drawn, 20
+    std::int64_t seed = 1;             ///< fig4: of what is drawn
     nlohmann::ordered_json unknown;
 
     bool operator==(const EvaluationEntry&) const = default;
 };
 
 /// The tables that can be computed, by their numbers in SMCAS.
-inline constexpr std::array<std::string_view, 3> evaluationTables{
+inline constexpr std::array<std::string_view, 6> evaluationTables{
+    "fig4",   ///< interpolation of poses: how edges and volume are kept
     "fig7",   ///< kinds of transitions
     "fig9",   ///< Essential graph and motion graph
+    "fig11",  ///< the centre of a blend with constant weights
+    "fig12",  ///< the centre of a blend with weights from 0 to 1
     "table1", ///< pose distances against reference joint angles
 };
 

@@ -10,8 +10,11 @@ namespace quadrille {
 ResultStage evaluationStage(const CharacterWork& work, const EvaluationEntry& evaluation);
 
 // One stage for each of evaluationTables.
+ResultStage fig4Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
 ResultStage fig7Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
 ResultStage fig9Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
+ResultStage fig11Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
+ResultStage fig12Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
 /// \pre A sequence has reference joint angles.
 ResultStage table1Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
 

@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/evaluation/metriccomparison.h"
+#include "model/evaluation/shapechange.h"
 #include "model/project/evaluationstages.h"
 #include "model/project/referenceangles.h"
 #include "model/project/tablebuilder.h"
 #include "model/transition/posedistance.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace quadrille {
 
@@ -44,7 +48,125 @@ Result table1Result(const MetricComparison& comparison)
     return result;
 }
 
+constexpr auto fig4Note =
+    "Poses between two frames, by linear interpolation of vertices and by the surface (SMCAS Fig. 4): "
+    "changes "
+    "of edges and volume against what lies evenly between both frames, as parts of it. For drawn pairs and "
+    "for the two poses that differ most.";
+constexpr auto fig4PairsNote = "The pairs of fig4 half-way.";
+
+const char* nameOf(InterpolationMethod method)
+{
+    switch (method) {
+    case InterpolationMethod::Poisson:
+        return "poisson";
+    case InterpolationMethod::Slerp:
+        return "slerp";
+    case InterpolationMethod::Linear:
+        return "linear";
+    }
+    return "";
+}
+
+/// The pair that differs most; of several the first.
+FramePair furthestPair(const Table<float>& distances)
+{
+    Eigen::Index row = 0;
+    Eigen::Index column = 0;
+    distances.maxCoeff(&row, &column);
+    return {static_cast<NodeIndex>(std::min(row, column)), static_cast<NodeIndex>(std::max(row, column))};
+}
+
+/// Adds a row for each method and λ: means over the pairs, and the greatest changes.
+/// \param all  pairs × methods × λ.
+void addMeans(TableBuilder& table, const char* pairs, std::span<const InterpolatedPair> all,
+              std::size_t perPair)
+{
+    for (std::size_t k = 0; k < perPair && !all.empty(); ++k) {
+        ShapeChange mean;
+        ShapeChange greatest;
+        double count = 0;
+        for (std::size_t p = k; p < all.size(); p += perPair, ++count) {
+            const ShapeChange& change = all[p].change;
+            mean.meanEdge += change.meanEdge;
+            mean.edgeDeviation += change.edgeDeviation;
+            mean.volume += change.volume;
+            greatest.greatestEdge = std::max(greatest.greatestEdge, change.greatestEdge);
+            greatest.volume = std::max(greatest.volume, std::abs(change.volume));
+        }
+        table.add({pairs, nameOf(all[k].method), all[k].lambda, mean.meanEdge / count,
+                   mean.edgeDeviation / count, greatest.greatestEdge, mean.volume / count, greatest.volume});
+    }
+}
+
+/// A frame of a character by the name of its sequence.
+struct NamedNode
+{
+    std::string sequence;
+    std::int64_t frame = 0;
+};
+
+NamedNode named(NodeIndex node, const FrameLayout& layout, const std::vector<std::string>& sequences)
+{
+    const int sequence = layout.sequenceOf(node);
+    return {sequences[static_cast<std::size_t>(sequence)], node - layout.firstOf(sequence)};
+}
+
+Result fig4Result(const std::vector<InterpolatedPair>& all, std::size_t perPair,
+                  const Table<float>& distances, const std::string& unit, const FrameLayout& layout,
+                  const std::vector<std::string>& sequences)
+{
+    TableBuilder table("fig4", fig4Note);
+    table.text("pairs").text("method").real("lambda").real("edge-change").real("edge-deviation");
+    table.real("greatest-edge-change").real("volume-change").real("greatest-volume-change");
+    const std::span<const InterpolatedPair> whole(all);
+    addMeans(table, "drawn", whole.first(all.size() - perPair), perPair);
+    addMeans(table, "furthest", whole.last(perPair), perPair);
+    TableBuilder pairs("fig4-pairs", fig4PairsNote);
+    pairs.text("from").whole("from-frame", "frame").text("to").whole("to-frame", "frame");
+    pairs.real("pose-distance", unit).text("method").real("edge-change").real("edge-deviation");
+    pairs.real("greatest-edge-change").real("volume-change");
+    for (const InterpolatedPair& pair : all) {
+        if (pair.lambda != 0.5)
+            continue;
+        const NamedNode from = named(pair.frames.source, layout, sequences);
+        const NamedNode to = named(pair.frames.destination, layout, sequences);
+        pairs.add({from.sequence, from.frame, to.sequence, to.frame,
+                   static_cast<double>(distances(pair.frames.source, pair.frames.destination)),
+                   nameOf(pair.method), pair.change.meanEdge, pair.change.edgeDeviation,
+                   pair.change.greatestEdge, pair.change.volume});
+    }
+    Result result;
+    result.tables = {std::move(table).table(), std::move(pairs).table()};
+    return result;
+}
+
 } // namespace
+
+ResultStage fig4Stage(const CharacterWork& work, const EvaluationEntry& evaluation)
+{
+    constexpr int usualCount = 20;
+    const int count = static_cast<int>(evaluation.count.value_or(usualCount));
+    const auto seed = static_cast<std::uint64_t>(evaluation.seed);
+    ResultStage stage = evaluationStage(work, evaluation);
+    stage.settings = work.settings + nlohmann::json({count, seed, work.sequences}).dump();
+    stage.files = [work](const Progress& progress) { return work.files(progress); };
+    stage.inputs = {work.stageName(graphstage::poseDistance)};
+    stage.compute = [=, input = stage.inputs.front()](const StageContext& context, const Progress& progress) {
+        const Result poses = context.resultOf(input);
+        const Table<float> distances = tableOf<float>(poses.arrays.front());
+        const FrameLayout layout = layoutOf(poses);
+        const CharacterFrames character = work.open(progress.part(0, 0.1));
+        std::vector<FramePair> pairs = drawPairs(layout.frameCount(), count, seed);
+        pairs.push_back(furthestPair(distances));
+        constexpr std::array lambdas{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
+        const auto topology = work.opener->open(work.sequences.front(), progress)->sequence.topology;
+        const auto all = interpolatePairs(character, topology, pairs, lambdas, progress.part(0.1, 1));
+        return fig4Result(all, all.size() / pairs.size(), distances, poses.arrays.front().unit, layout,
+                          work.sequences);
+    };
+    return stage;
+}
 
 std::vector<std::size_t> sequencesWithAngles(const CharacterWork& work)
 {

@@ -42,7 +42,8 @@ inline constexpr std::array<std::string_view, 3> loop{"cut_start", "cut_end", "i
 inline constexpr std::array<std::string_view, 5> contactCorrection{"strength", "ease", "greatest_shift",
                                                                    "greatest_turn", "greatest_lift"};
 inline constexpr std::array<std::string_view, 4> retime{"factor", "duration", "curve", "keep_root_speed"};
-inline constexpr std::array<std::string_view, 3> evaluation{"table", "character", "alphas"};
+inline constexpr std::array<std::string_view, 6> evaluation{"table",  "character", "sequences",
+                                                            "alphas", "count",     "seed"};
 inline constexpr std::array<std::string_view, 10> exportEntry{
     "name", "what", "path", "format", "range", "fps", "up_axis", "unit", "textures", "picture"};
 inline constexpr std::array<std::string_view, 8> picture{"width", "height", "shading",     "background",

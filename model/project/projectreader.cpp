@@ -146,7 +146,15 @@ EvaluationEntry readEvaluation(const Json& json, const std::string& pointer, Pro
     const ObjectReader reader(json, pointer, problems);
     evaluation.table = reader.requiredText("table");
     evaluation.character = reader.text("character");
+    reader.each("sequences", [&](const Json& name, const std::string& place) {
+        if (name.is_string())
+            evaluation.sequences.push_back(name.get<std::string>());
+        else
+            reader.invalid(place, "The name of a sequence in quotes is expected here");
+    });
     evaluation.alphas = reader.numbers("alphas", 0, "a list of numbers").value_or(std::vector<double>{});
+    evaluation.count = reader.wholeNumber("count");
+    evaluation.seed = reader.wholeNumber("seed").value_or(evaluation.seed);
     evaluation.unknown = reader.unknown(projectkeys::evaluation);
     return evaluation;
 }

@@ -142,8 +142,14 @@ Json evaluationToJson(const EvaluationEntry& evaluation)
     Json json = Json::object();
     json["table"] = evaluation.table;
     addText(json, "character", evaluation.character);
+    if (!evaluation.sequences.empty())
+        json["sequences"] = evaluation.sequences;
     if (!evaluation.alphas.empty())
         json["alphas"] = evaluation.alphas;
+    if (evaluation.count)
+        json["count"] = *evaluation.count;
+    if (evaluation.seed != EvaluationEntry().seed)
+        json["seed"] = evaluation.seed;
     addUnknown(json, evaluation.unknown);
     return json.size() == 1 ? json["table"] : json;
 }

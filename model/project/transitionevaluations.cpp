@@ -3,6 +3,7 @@
 #include "model/graph/comparison.h"
 #include "model/project/evaluationstages.h"
 #include "model/project/graphtables.h"
+#include "model/project/lengthunit.h"
 #include "model/transition/acceleration.h"
 #include "model/transition/transitioncomparison.h"
 
@@ -30,7 +31,8 @@ const char* nameOf(TransitionKind kind)
     return "";
 }
 
-Result fig7Result(const TransitionComparison& comparison, const std::string& unit)
+Result fig7Result(const TransitionComparison& comparison, const std::string& unit,
+                  const std::string& accelerationUnit)
 {
     TableBuilder table("fig7", fig7Note);
     table.text("transition").whole("slope").real("surface").real("surface-deviation");
@@ -42,7 +44,9 @@ Result fig7Result(const TransitionComparison& comparison, const std::string& uni
                    row.acceleration.mean, row.acceleration.deviation, row.surfacePerFrame.mean,
                    row.surfacePerFrame.deviation, row.length.mean, row.length.deviation});
     TableBuilder scale("fig7-scale", "What the costs of fig7 are counted over, and their units.");
-    scale.whole("pairs").real("largest-linear-cost", unit).real("largest-linear-acceleration", "m/s²");
+    scale.whole("pairs")
+        .real("largest-linear-cost", unit)
+        .real("largest-linear-acceleration", accelerationUnit);
     scale.add({comparison.pairs, comparison.largestLinearCost, comparison.largestLinearAcceleration});
     Result result;
     result.tables = {std::move(table).table(), std::move(scale).table()};
@@ -67,7 +71,8 @@ ResultStage fig7Stage(const CharacterWork& work, const EvaluationEntry& evaluati
             accelerationDifferences(work.open(progress.part(0, 0.05)), fps, progress.part(0.05, 0.4));
         return fig7Result(compareTransitions(tableOf<float>(poses.arrays.front()), layoutOf(poses), settings,
                                              accelerations, progress.part(0.4, 1)),
-                          poses.arrays.front().unit);
+                          poses.arrays.front().unit,
+                          unitText(work.opener->project().settings.axes.metresPerUnit) + "/s²");
     };
     return stage;
 }

@@ -5,6 +5,7 @@
 #include "model/project/opensequence.h"
 #include "model/project/paths.h"
 #include "model/project/validateanimations.h"
+#include "model/project/validateevaluations.h"
 #include "model/project/validationtexts.h"
 
 #include <algorithm>
@@ -16,14 +17,6 @@ namespace quadrille {
 namespace {
 
 constexpr double highestFps = 10000;
-
-std::string listed(const std::vector<std::string>& names)
-{
-    std::string list;
-    for (const std::string& name : names)
-        list.append(list.empty() ? "" : ", ").append(quoted(name));
-    return list;
-}
 
 class Validator
 {
@@ -44,7 +37,7 @@ public:
         checkCycles();
         checkGraphs();
         validateAnimations(m_project, m_problems);
-        checkEvaluations();
+        validateEvaluations(m_project, m_problems);
         for (std::size_t i = 0; i < m_project.exports.size(); ++i)
             checkExport(m_project.exports[i], "/exports/" + std::to_string(i));
         return std::move(m_problems);
@@ -139,43 +132,6 @@ private:
             checkGraph(graph, m_project.graphs.size() == 1 && graph.character.empty() ? "/graph" : pointer);
             if (!seen.insert(graph.character).second)
                 invalid(pointer, "There are two graphs of one character here", "Leave one of them out.");
-        }
-    }
-
-    void checkEvaluation(const EvaluationEntry& evaluation, const std::string& pointer)
-    {
-        const std::vector<std::string> tables(evaluationTables.begin(), evaluationTables.end());
-        if (std::find(tables.begin(), tables.end(), evaluation.table) == tables.end())
-            invalid(pointer + "/table", "There is no table " + quoted(evaluation.table),
-                    meantOr(evaluation.table, tables, "Write one of " + listed(tables) + "."));
-        const auto known = namesOf(m_project.characters);
-        if (!evaluation.character.empty() &&
-            std::find(known.begin(), known.end(), evaluation.character) == known.end())
-            invalid(pointer + "/character", "There is no character " + quoted(evaluation.character),
-                    meantOr(evaluation.character, known, "Add it under “characters”."));
-        if (evaluation.table == "table1" &&
-            std::none_of(m_project.sequences.begin(), m_project.sequences.end(), [&](const auto& sequence) {
-                const CharacterEntry* own = characterOf(m_project, sequence);
-                return !sequence.jointAngles.empty() &&
-                       (evaluation.character.empty() || (own && own->name == evaluation.character));
-            }))
-            invalid(pointer, "No sequence has reference joint angles",
-                    "Name a BVH file as “joint_angles” of the sequences, or leave out “table1”.");
-        if (std::any_of(evaluation.alphas.begin(), evaluation.alphas.end(),
-                        [](double alpha) { return !(alpha >= 0); }))
-            invalid(pointer + "/alphas", "Alpha is below zero", "Write 0.01, or more to favour short walks.");
-    }
-
-    void checkEvaluations()
-    {
-        std::set<std::pair<std::string, std::string>> seen;
-        for (std::size_t i = 0; i < m_project.evaluations.size(); ++i) {
-            const EvaluationEntry& evaluation = m_project.evaluations[i];
-            const std::string pointer = "/evaluations/" + std::to_string(i);
-            checkEvaluation(evaluation, pointer);
-            if (!seen.insert({evaluation.table, evaluation.character}).second)
-                invalid(pointer, "The table " + quoted(evaluation.table) + " is here twice",
-                        "Leave one of them out.");
         }
     }
 

@@ -100,6 +100,43 @@ TEST_F(EvaluationStages, Table1IsAboutTheSequencesWithJointAngles)
     EXPECT_EQ(column<double>("evaluation/table1", "pearson-surface"), surface);
 }
 
+TEST_F(EvaluationStages, Fig4IsAboutDrawnPairsAndThePosesThatDifferMost)
+{
+    evaluate({"fig4"});
+    project.evaluations[0].count = 3;
+    run();
+    const auto pairs = column<std::string>("evaluation/fig4", "pairs");
+    EXPECT_EQ(std::count(pairs.begin(), pairs.end(), "drawn"), 3 * 9);
+    EXPECT_EQ(std::count(pairs.begin(), pairs.end(), "furthest"), 3 * 9);
+    EXPECT_EQ(column<double>("evaluation/fig4-pairs", "pose-distance").size(), 4U * 3U);
+    // The strip only bends: the surface keeps its edges better than straight lines do.
+    EXPECT_EQ(column<std::string>("evaluation/fig4-pairs", "method")[9], "linear");
+    const auto edges = column<double>("evaluation/fig4-pairs", "edge-change");
+    EXPECT_LT(edges[9], 0);
+    EXPECT_LT(std::abs(edges[11]), 0.2 * std::abs(edges[9]));
+    const Table<float> distances = poseDistances(frames()).distances;
+    EXPECT_EQ(column<double>("evaluation/fig4-pairs", "pose-distance").back(),
+              static_cast<double>(distances.maxCoeff()));
+    project.evaluations[0].seed = 2;
+    EXPECT_THAT(computed(run()), UnorderedElementsAre("evaluations/fig4"));
+}
+
+TEST_F(EvaluationStages, Fig11And12FollowTheCentreOfABlend)
+{
+    evaluate({"fig11", "fig12"});
+    project.evaluations[0].sequences = {"quick", "slow"};
+    run();
+    EXPECT_THAT(column<std::string>("evaluation/fig11-summary", "variant"),
+                ElementsAre("source", "destination", "plain", "mid-window", "every-step"));
+    EXPECT_THAT(column<std::string>("evaluation/fig11-summary", "sequence"),
+                ElementsAre("quick", "slow", "quick → slow", "quick → slow", "quick → slow"));
+    const auto frames = column<std::int64_t>("evaluation/fig11-summary", "frames");
+    const auto variants = column<std::string>("evaluation/fig11", "variant");
+    EXPECT_EQ(std::count(variants.begin(), variants.end(), "every-step"), frames[4]);
+    EXPECT_GE(frames[4], std::max(frames[0], frames[1]));
+    EXPECT_EQ(column<std::string>("evaluation/fig12-summary", "variant").size(), 5U);
+}
+
 TEST_F(EvaluationStages, TakeTheSettingsOfTheGraphWhereItHasSome)
 {
     evaluate({"fig9"});

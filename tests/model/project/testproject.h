@@ -159,7 +159,10 @@ inline Project fullProject()
     EvaluationEntry evaluation;
     evaluation.table = "fig9";
     evaluation.character = "liam";
+    evaluation.sequences = {"talk", "again"};
     evaluation.alphas = {0.01, 0.1};
+    evaluation.count = 7;
+    evaluation.seed = 3;
     project.evaluations = {evaluation};
     ExportEntry entry;
     entry.name = "talk-ply";
