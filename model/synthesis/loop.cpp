@@ -5,6 +5,7 @@
 #include "model/core/error.h"
 #include "model/core/message.h"
 #include "model/synthesis/frameorigins.h"
+#include "model/synthesis/ownperiod.h"
 #include "model/synthesis/transitionmotion.h"
 #include "model/transition/posedistance.h"
 #include "model/transition/poseinterpolation.h"
@@ -64,48 +65,55 @@ Ends endsOf(const Clip& clip, const LoopSettings& settings, const TransitionSett
             .last = last};
 }
 
-MeshSequence part(const Clip& clip, NodeIndex first, NodeIndex last)
+/// The least pace along a path, 1 where both windows go on at every step and 0 where the pose stands still:
+/// what the blend shows of the steps of the two windows.
+double leastPace(const Transition& transition)
 {
-    const auto vertices = static_cast<std::ptrdiff_t>(clip.topology->vertexCount());
-    std::vector<Vec3f> positions(clip.positions.begin() + first * vertices,
-                                 clip.positions.begin() + (last + 1) * vertices);
-    return makeSequence({}, clip.topology,
-                        std::make_shared<MemoryFrames>(std::move(positions), clip.topology->vertexCount()),
-                        clip.fps);
+    double least = 1;
+    const auto& path = transition.path;
+    for (std::size_t t = 1; t < path.size(); ++t) {
+        const double lambda = (static_cast<double>(t) - 0.5) / (static_cast<double>(path.size()) - 1);
+        const double pace = (1 - lambda) * (path[t].source - path[t - 1].source) +
+                            lambda * (path[t].destination - path[t - 1].destination);
+        least = std::min(least, pace);
+    }
+    return least;
 }
 
-/// The pair of nodes of the best closure; nothing where there is none.
-std::optional<FramePair> bestClosure(const TransitionTable& table, const Ends& ends, TransitionCost cost)
+/// The best closure in nodes; nothing where there is none.
+std::optional<Transition> bestClosure(const TransitionTable& table, const WarpPaths& paths, const Ends& ends)
 {
     struct Candidate
     {
-        FramePair nodes;
-        float cost;
-        int length; ///< of the transition, frames
+        Transition transition; ///< in nodes
+        double cost;
         int period; ///< of the cycle, frames
     };
     std::vector<Candidate> candidates;
+    const auto add = [&](std::optional<Transition> transition) {
+        if (!transition)
+            return;
+        // Poses that differ by rounding only are at some 1e-5 from each other.
+        constexpr double rounding = 1e-4;
+        const double mean = static_cast<double>(transition->cost) / transition->length() + rounding;
+        const auto [source, destination] = transition->frames;
+        const int period = ends.frameOfLate(source) - destination + transition->length() - 1;
+        // A pose that stands still for a moment shows more than one that is twice as far.
+        const double cost = mean * (2 - leastPace(*transition));
+        candidates.push_back({std::move(*transition), cost, period});
+    };
     for (NodeIndex frame = ends.late; frame <= ends.last; ++frame) {
-        const NodeIndex row = ends.nodeOfLate(frame);
         for (NodeIndex column = 0; column <= std::min(ends.early, frame - 1); ++column) {
-            if (!std::isfinite(table.cost(row, column)))
-                continue;
-            const int length = table.length(row, column);
-            candidates.push_back(
-                {{row, column}, table.cost(row, column), length, frame - column + length - 1});
+            const FramePair nodes{ends.nodeOfLate(frame), column};
+            add(paths.of(table, nodes));
+            add(paths.linear(nodes));
         }
     }
     if (candidates.empty())
         return {};
-    const float least = std::ranges::min(candidates, {}, &Candidate::cost).cost;
-    // Poses that differ by rounding only are at some 1e-5 from each other.
-    constexpr float rounding = 1e-4F;
-    const auto isAsGood = [&](const Candidate& c) {
-        const auto cells = static_cast<float>(cost == TransitionCost::Sum ? c.length : 1);
-        return c.cost <= 1.05F * least + rounding * cells;
-    };
-    std::erase_if(candidates, [&](const Candidate& c) { return !isAsGood(c); });
-    return std::ranges::max_element(candidates, {}, &Candidate::period)->nodes;
+    const double least = std::ranges::min(candidates, {}, &Candidate::cost).cost;
+    std::erase_if(candidates, [least](const Candidate& c) { return c.cost > 1.05 * least; });
+    return std::move(std::ranges::max_element(candidates, {}, &Candidate::period)->transition);
 }
 
 [[noreturn]] void refuseWithoutPath(const Ends& ends, int shortest)
@@ -153,30 +161,43 @@ Loop seamlessLoop(const Clip& clip, const LoopSettings& settings, const BlendMet
     progress.report(0.0);
     TransitionSettings transitions = method.transitions;
     transitions.fps = clip.fps;
+    // Least sums have short windows, which hardly repeat frames; least means let poses stand still.
+    transitions.cost = TransitionCost::Sum;
     checkSettings(transitions);
+    Loop loop{.cycle = {.topology = clip.topology, .fps = clip.fps, .positions = {}, .origins = {}},
+              .travel = {},
+              .closure = {}};
+    const auto takeFrames = [&](std::int64_t first, std::int64_t last) {
+        const auto vertices = static_cast<std::ptrdiff_t>(clip.topology->vertexCount());
+        loop.cycle.positions.assign(clip.positions.begin() + first * vertices,
+                                    clip.positions.begin() + (last + 1) * vertices);
+        loop.cycle.origins.assign(clip.origins.begin() + first, clip.origins.begin() + last + 1);
+    };
+    if (const auto own = ownPeriod(clip, method.up, method.pose)) {
+        takeFrames(0, own->frames - 1);
+        loop.travel = own->travel;
+        loop.closure.frames = {static_cast<NodeIndex>(own->frames - 1), 0};
+        loop.closure.cost = own->distance;
+        return settings.inPlace ? inPlace(std::move(loop), method.up) : loop;
+    }
     const Ends ends = endsOf(clip, settings, transitions);
-    const CharacterFrames character(std::vector{part(clip, 0, ends.early), part(clip, ends.late, ends.last)});
+    const CharacterFrames character(
+        std::vector{partOf(clip, 0, ends.early), partOf(clip, ends.late, ends.last)});
     const PoseDistances distances = poseDistances(character, method.pose, progress.part(0, 0.4));
     const TransitionTable table =
         transitionTable(distances.distances, distances.layout, transitions, progress.part(0.4, 0.6));
-    const auto nodes = bestClosure(table, ends, transitions.cost);
-    if (!nodes)
+    auto found = bestClosure(table, WarpPaths(distances.distances, distances.layout, transitions), ends);
+    if (!found)
         refuseWithoutPath(ends, transitions.shortest());
-    Transition closure = *WarpPaths(distances.distances, distances.layout, transitions).of(table, *nodes);
+    Transition& closure = loop.closure = std::move(*found);
     const TransitionMotion motion =
         transitionMotion(rootPoses(character, method.up, progress.part(0.6, 0.7)), closure);
     closure.frames.source = ends.frameOfLate(closure.frames.source);
     for (FramePair& cell : closure.path)
         cell.source = ends.frameOfLate(cell.source);
 
-    Loop loop{.cycle = {.topology = clip.topology, .fps = clip.fps, .positions = {}, .origins = {}},
-              .travel = motion.exit(),
-              .closure = std::move(closure)};
-    const auto vertices = static_cast<std::ptrdiff_t>(clip.topology->vertexCount());
-    const auto [last, first] = loop.closure.frames;
-    loop.cycle.positions.assign(clip.positions.begin() + first * vertices,
-                                clip.positions.begin() + (last + 1) * vertices);
-    loop.cycle.origins.assign(clip.origins.begin() + first, clip.origins.begin() + last + 1);
+    loop.travel = motion.exit();
+    takeFrames(closure.frames.destination, closure.frames.source);
     appendBlend(clip, loop.closure, motion, method, loop.cycle, progress.part(0.7, 1));
     if (settings.inPlace)
         loop = inPlace(std::move(loop), method.up);

@@ -17,7 +17,7 @@ struct BlendMethod
 {
     UpAxis up = UpAxis::Y;
     PoseDistanceSettings pose;
-    /// The rate does not matter here: it is that of the clip.
+    /// Their rate is that of the clip, their cost the sum, whatever is said here.
     TransitionSettings transitions;
     InterpolationMethod interpolation = InterpolationMethod::Poisson;
 };
@@ -28,16 +28,18 @@ struct Loop
     Clip cycle;
     GroundMotion travel; ///< from one cycle to the next
     /// The transition that closes it, in frames of the clip that it was made from: from a late one to an
-    /// early one. The cycle begins with the early one.
+    /// early one. The cycle begins with the early one. The path is empty where the clip went round by itself.
     Transition closure;
 };
 
-/// Closes a clip to a loop by the best transition from a frame near its end to one near its beginning. What
-/// lies before and behind is blended or dropped. Among closures that are as good within 5 % the one of the
-/// longest cycle is taken, then the earliest. The cycle lies where the clip does.
-/// \throws Error LoopTooShort, LoopCutTooShort, NoTransition (the slope lets no path span the windows),
-/// BadArgument (times, settings of transitions), NoUsableTriangles, Cancelled.
-/// Cost: that of pose distances and transitions of the frames that may be cut, and of one blend.
+/// Closes a clip to a loop. A clip that goes round by itself (see ownPeriod) stays as it is. Otherwise the
+/// best transition, warped or not, from a frame near its end to one near its beginning closes it; what lies
+/// before and behind is blended or dropped. The best is that of the least mean pose distance along its path,
+/// twice as much where the path lets the pose stand still for a moment; among those as good within 5 % that
+/// of the longest cycle, then the earliest. The cycle lies where the clip does. \throws Error LoopTooShort,
+/// LoopCutTooShort, NoTransition (the slope lets no path span the windows), BadArgument (times, settings of
+/// transitions), NoUsableTriangles, Cancelled. Cost: that of pose distances and transitions of the frames
+/// that may be cut, and of one blend.
 Loop seamlessLoop(const Clip& clip, const LoopSettings& settings, const BlendMethod& method,
                   const Progress& progress = {});
 

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/geometry/procrustes.h"
+#include "model/sequence/io/registry.h"
 #include "model/synthesis/loop.h"
+#include "model/synthesis/ownperiod.h"
+#include "tests/model/synthesis/clipof.h"
 #include "tests/model/synthesis/errorcodeof.h"
 #include "tests/model/synthesis/stridingtube.h"
 
@@ -130,6 +133,67 @@ TEST(Loop, OfTheShortestClipThatCanBeBlended)
     brief.frames = 18;
     const Loop loop = seamlessLoop(stridingTube(brief), {}, upright);
     EXPECT_GE(loop.cycle.frameCount(), 9);
+}
+
+TEST(Loop, LeavesAClipThatGoesRoundAsItIs)
+{
+    // Two periods, without and with the frame that begins the third one.
+    for (const int frames : {40, 41}) {
+        testing::Stride whole = curved;
+        whole.frames = frames;
+        const Clip clip = stridingTube(whole);
+        const Loop loop = seamlessLoop(clip, {}, upright);
+        EXPECT_EQ(loop.cycle.frameCount(), 40);
+        EXPECT_TRUE(loop.closure.path.empty());
+        EXPECT_EQ(loop.cycle.origins.front(), clip.origins.front());
+        for (std::int64_t f = 0; f < 40; ++f)
+            EXPECT_EQ(largestStep(loop.cycle.frame(f), clip.frame(f)), 0);
+        testing::Stride longer = curved;
+        longer.frames = 80;
+        const Clip twice = repeated(loop, 2, UpAxis::Z);
+        const Clip expected = stridingTube(longer);
+        // Where the third period is not seen to begin, the pace over the seam is the mean of those around it.
+        for (std::int64_t f = 40; f < 80; ++f)
+            EXPECT_LT(largestStep(twice.frame(f), expected.frame(f)), frames == 41 ? 1e-4 : 0.03) << f;
+    }
+}
+
+TEST(Loop, DoesNotTakeAWayBackForARound)
+{
+    // There and back again: the last pose is the first one, but goes the other way.
+    const Clip there = stridingTube({.frames = 21, .period = 80, .pace = {}});
+    Clip clip = there;
+    for (std::int64_t f = 19; f >= 0; --f) {
+        clip.origins.push_back(there.origins[static_cast<std::size_t>(f)]);
+        clip.positions.insert(clip.positions.end(), there.frame(f).begin(), there.frame(f).end());
+    }
+    EXPECT_FALSE(ownPeriod(clip, UpAxis::Z, {}));
+    EXPECT_FALSE(seamlessLoop(clip, {}, upright).closure.path.empty());
+}
+
+TEST(Loop, IsNotFrozenByMeanCosts)
+{
+    const std::filesystem::path folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters/rb_m04";
+    if (!std::filesystem::exists(folder))
+        GTEST_SKIP() << folder << " is not there";
+    ImportOptions options;
+    options.mesh = folder / "mesh.obj";
+    options.fps = 30;
+    for (const char* take : {"walk_1", "walk_fast", "run_1"}) {
+        const Clip clip =
+            testing::clipOf(openSequences(folder / (std::string(take) + ".pc2"), options).sequences[0]);
+        double least = 1;
+        for (std::int64_t f = 1; f < clip.frameCount(); ++f)
+            least = std::min(least, largestStep(clip.frame(f - 1), clip.frame(f)));
+        for (const TransitionCost cost : {TransitionCost::Sum, TransitionCost::Mean}) {
+            BlendMethod method;
+            method.transitions.cost = cost;
+            const Loop loop = seamlessLoop(clip, {}, method);
+            const Clip twice = repeated(loop, 2, UpAxis::Y);
+            for (std::int64_t f = 1; f < twice.frameCount(); ++f)
+                EXPECT_GT(largestStep(twice.frame(f - 1), twice.frame(f)), 0.5 * least) << take << " " << f;
+        }
+    }
 }
 
 TEST(Loop, StopsWhenCancelled)
