@@ -31,13 +31,26 @@ std::optional<BranchAndBound::State> BranchAndBound::moved(const State& from, Mo
     return next;
 }
 
-void BranchAndBound::descend(const State& state, std::int32_t framesLeft, MoveIndex first)
+bool BranchAndBound::leadsOn(NodeIndex node) const
+{
+    const FrameLayout& layout = m_problem.graph.layout();
+    for (NodeIndex last = layout.lastOf(layout.sequenceOf(node)); node <= last; ++node) {
+        const auto [begin, end] = m_problem.graph.from(node);
+        if (end - begin > 1)
+            return true;
+    }
+    return false;
+}
+
+void BranchAndBound::descend(const State& state, std::int32_t framesLeft)
 {
     if (state.cost >= m_best || m_isOver())
         return;
+    if (!isEnd(state) && framesLeft <= 0 && !leadsOn(state.node))
+        return;
     if (isEnd(state) || framesLeft <= 0) {
         m_best = state.cost;
-        m_bestFirst = first;
+        m_bestEnd = state;
         return;
     }
     ++m_expansions;
@@ -47,7 +60,7 @@ void BranchAndBound::descend(const State& state, std::int32_t framesLeft, MoveIn
         if (state.cost + m_problem.mu * move.weight >= m_best)
             break; // they come the lightest first
         if (const std::optional<State> next = moved(state, index))
-            descend(*next, framesLeft - move.elapsed, first == noMove ? index : first);
+            descend(*next, framesLeft - move.elapsed);
     }
 }
 
@@ -56,21 +69,26 @@ double BranchAndBound::exact()
     m_best = unreachable;
     for (const NodeIndex node : m_problem.starts) {
         if (const std::optional<State> state = begin(node))
-            descend(*state, std::numeric_limits<std::int32_t>::max(), noMove);
+            descend(*state, std::numeric_limits<std::int32_t>::max());
     }
     return m_best;
 }
 
 double BranchAndBound::incremental(NodeIndex start, std::int32_t lookAhead)
 {
+    constexpr std::int32_t farthest = 4;
     std::optional<State> state = begin(start);
+    std::int32_t factor = 1;
     while (state && !isEnd(*state)) {
         m_best = unreachable;
-        m_bestFirst = noMove;
-        descend(*state, lookAhead, noMove);
-        if (m_bestFirst == noMove || m_isOver())
+        m_bestEnd.reset();
+        descend(*state, factor * lookAhead);
+        if (!m_bestEnd && factor == farthest)
             return unreachable;
-        state = moved(*state, m_bestFirst);
+        factor = m_bestEnd ? 1 : 2 * factor;
+        state = m_bestEnd ? m_bestEnd : state;
+        if (m_isOver())
+            return unreachable;
     }
     return state ? state->cost : unreachable;
 }
@@ -81,7 +99,7 @@ double BranchAndBound::incrementalFromAll(std::int32_t lookAhead)
     for (const NodeIndex node : m_problem.starts) {
         m_best = unreachable;
         if (const std::optional<State> state = begin(node))
-            descend(*state, lookAhead / 2, noMove);
+            descend(*state, lookAhead / 2);
         if (m_best < unreachable)
             starts.emplace_back(m_best, node);
     }

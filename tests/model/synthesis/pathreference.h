@@ -19,7 +19,8 @@ public:
 
     /// The least cost of all walks, exact unless ended; `unreachable` where there is none.
     double exact();
-    /// From one start: looks so many frames ahead, goes the first move of the best way, looks again.
+    /// From one start: looks so many frames ahead, goes the best way, looks again; twice as far where there
+    /// is no way.
     double incremental(NodeIndex start, std::int32_t lookAhead);
     /// The best that incremental search finds from all starts, those first that look best at first.
     double incrementalFromAll(std::int32_t lookAhead);
@@ -35,12 +36,14 @@ private:
     std::optional<State> begin(NodeIndex node) const;
     std::optional<State> moved(const State& from, MoveIndex move);
     bool isEnd(const State& state) const { return state.place.walked >= m_problem.course.length(); }
-    void descend(const State& state, std::int32_t framesLeft, MoveIndex first);
+    /// Whether a transition leaves the frame or one behind it.
+    bool leadsOn(NodeIndex node) const;
+    void descend(const State& state, std::int32_t framesLeft);
 
     PathProblem& m_problem;
     IsOver m_isOver;
     double m_best = unreachable;
-    MoveIndex m_bestFirst = noMove;
+    std::optional<State> m_bestEnd;
     std::int64_t m_expansions = 0;
 };
 
