@@ -5,10 +5,10 @@
 #include "model/core/error.h"
 #include "model/core/message.h"
 #include "model/synthesis/frameorigins.h"
+#include "model/synthesis/makeclip.h"
 #include "model/synthesis/ownperiod.h"
 #include "model/synthesis/transitionmotion.h"
 #include "model/transition/posedistance.h"
-#include "model/transition/poseinterpolation.h"
 
 #include <algorithm>
 #include <cassert>
@@ -127,30 +127,20 @@ std::optional<Transition> bestClosure(const TransitionTable& table, const WarpPa
                                            {"before", std::to_string(ends.early + 1)}}});
 }
 
-/// The frames of the transition but the first and the last, which are frames of the clip.
-void appendBlend(const Clip& clip, const Transition& closure, const TransitionMotion& motion,
-                 const BlendMethod& method, Clip& cycle, const Progress& progress)
+/// The frames of a transition but the first and the last, which are frames of the clip.
+void appendBlend(const Clip& clip, const Clip& blend, const Ends& ends, Clip& cycle)
 {
-    const Ground ground(method.up);
-    std::vector<Positions> frames;
-    for (std::int64_t f = 0; f < clip.frameCount(); ++f)
-        frames.push_back(clip.frame(f));
-    std::vector<BlendStep> steps;
-    for (std::size_t t = 1; t + 1 < motion.steps.size(); ++t) {
-        const TransitionMotion::Step& step = motion.steps[t];
-        const FramePair cell = closure.path[t];
-        steps.push_back({.source = cell.source,
-                         .target = cell.destination,
-                         .lambda = step.lambda,
-                         .placeSource = step.placeSource.inSpace(ground),
-                         .placeTarget = step.placeDestination.inSpace(ground)});
-        cycle.origins.push_back(originBetween(clip.origins[static_cast<std::size_t>(cell.source)],
-                                              clip.origins[static_cast<std::size_t>(cell.destination)],
-                                              step.lambda));
+    const auto inner = static_cast<std::ptrdiff_t>(clip.topology->vertexCount());
+    cycle.positions.insert(cycle.positions.end(), blend.positions.begin() + inner,
+                           blend.positions.end() - inner);
+    for (std::size_t t = 1; t + 1 < blend.origins.size(); ++t) {
+        const FrameOrigin& origin = blend.origins[t];
+        const auto frameOf = [&](NodeIndex node) {
+            return static_cast<std::size_t>(node > ends.early ? ends.frameOfLate(node) : node);
+        };
+        cycle.origins.push_back(originBetween(clip.origins[frameOf(origin.source)],
+                                              clip.origins[frameOf(origin.destination)], origin.lambda));
     }
-    const std::vector<Vec3f> blended = blendPoses(std::make_shared<const PoissonSystem>(clip.topology),
-                                                  frames, frames, steps, method.interpolation, progress);
-    cycle.positions.insert(cycle.positions.end(), blended.begin(), blended.end());
 }
 
 } // namespace
@@ -189,16 +179,16 @@ Loop seamlessLoop(const Clip& clip, const LoopSettings& settings, const BlendMet
     auto found = bestClosure(table, WarpPaths(distances.distances, distances.layout, transitions), ends);
     if (!found)
         refuseWithoutPath(ends, transitions.shortest());
+    const RootPoses roots = rootPoses(character, method.up, progress.part(0.6, 0.7));
+    loop.travel = transitionMotion(roots, *found, method.blend).exit();
+    const Clip blend = blendTransition(character, roots, *found, {.start = {}, .blend = method.blend},
+                                       method.interpolation, progress.part(0.7, 1));
     Transition& closure = loop.closure = std::move(*found);
-    const TransitionMotion motion =
-        transitionMotion(rootPoses(character, method.up, progress.part(0.6, 0.7)), closure);
     closure.frames.source = ends.frameOfLate(closure.frames.source);
     for (FramePair& cell : closure.path)
         cell.source = ends.frameOfLate(cell.source);
-
-    loop.travel = motion.exit();
     takeFrames(closure.frames.destination, closure.frames.source);
-    appendBlend(clip, loop.closure, motion, method, loop.cycle, progress.part(0.7, 1));
+    appendBlend(clip, blend, ends, loop.cycle);
     if (settings.inPlace)
         loop = inPlace(std::move(loop), method.up);
     progress.report(1.0);

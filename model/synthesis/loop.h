@@ -6,6 +6,7 @@
 #include "model/synthesis/clip.h"
 #include "model/synthesis/ground.h"
 #include "model/synthesis/postprocessingsettings.h"
+#include "model/synthesis/transitionmotion.h"
 #include "model/transition/interpolationmethod.h"
 #include "model/transition/posedistancesettings.h"
 #include "model/transition/warppath.h"
@@ -20,6 +21,7 @@ struct BlendMethod
     /// Their rate is that of the clip, their cost the sum, whatever is said here.
     TransitionSettings transitions;
     InterpolationMethod interpolation = InterpolationMethod::Poisson;
+    BlendSettings blend = {.timing = BlendTiming::Smooth, .easing = BlendEasing::Smooth};
 };
 
 /// A clip to be played again and again: after its last frame comes its first one, moved by `travel`.

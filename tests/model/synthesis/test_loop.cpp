@@ -44,7 +44,9 @@ TEST(Loop, OfAPeriodicMotionIsAWholeNumberOfPeriods)
 TEST(Loop, NamesTheOriginsOfItsFrames)
 {
     const Clip clip = stridingTube(curved);
-    const Loop loop = seamlessLoop(clip, {}, upright);
+    BlendMethod plain = upright;
+    plain.blend = {};
+    const Loop loop = seamlessLoop(clip, {}, plain);
     const auto [last, first] = loop.closure.frames;
     EXPECT_GT(last, first);
     EXPECT_EQ(loop.cycle.origins.front(), clip.origins[static_cast<std::size_t>(first)]);
