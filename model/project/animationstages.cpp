@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/animationjson.h"
 #include "model/project/charactergraph.h"
+#include "model/project/clippost.h"
 #include "model/project/clipresult.h"
 #include "model/project/lengthunit.h"
 #include "model/project/tablebuilder.h"
@@ -32,16 +33,14 @@ BlendSettings blendSettings(const AnimationEntry& animation)
     return animation.gentleBlend ? BlendSettings::gentle() : BlendSettings();
 }
 
-DataArray placementArray(const GroundMotion& start)
+DataArray groundMotionArray(std::string name, std::string description, const GroundMotion& motion)
 {
-    DataArray placement;
-    placement.name = "placement";
-    placement.description = "Turn about the up axis, radians, and shift over the ground, metres, that place "
-                            "the first sequence as it was captured.";
-    placement.shape = {3};
-    placement.columns = {};
-    placement.values = std::vector<double>{start.turn, start.shift.x(), start.shift.y()};
-    return placement;
+    DataArray array;
+    array.name = std::move(name);
+    array.description = std::move(description);
+    array.shape = {3};
+    array.values = std::vector<double>{motion.turn, motion.shift.x(), motion.shift.y()};
+    return array;
 }
 
 GroundMotion placementOf(const Result& walk)
@@ -129,6 +128,29 @@ WalkSolution solutionOf(const WalkEntry& entry, const CharacterGraph& graph)
     return solution;
 }
 
+Result walkResult(const AnimationEntry& animation, const CharacterGraph& graph, const Progress& progress)
+{
+    WalkConstraints constraints;
+    WalkSolution solution;
+    if (animation.walk) {
+        solution = solutionOf(*animation.walk, graph);
+    } else {
+        constraints = walkConstraints(animation, graph);
+        solution = findWalk(graph.material(blendSettings(animation)), constraints,
+                            searchSettings(animation.search, graph.alpha()), progress);
+    }
+    const ClipPlan plan = planClip(graph.roots(), graph.layout(), graph.paths(), solution.walk);
+    const double fps = graph.work().opener->project().settings.fps;
+    Result result;
+    result.arrays = {groundMotionArray("placement",
+                                       "Turn about the up axis, radians, and shift over the ground, "
+                                       "metres, that place the first sequence as it was captured.",
+                                       solution.start)};
+    result.tables = {walkTable(solution, graph, plan),
+                     reportTable(animation, solution, constraints, fps, plan.frameCount())};
+    return result;
+}
+
 ResultStage walkStage(const CharacterWork& work, const AnimationEntry& animation)
 {
     ResultStage stage;
@@ -138,22 +160,11 @@ ResultStage walkStage(const CharacterWork& work, const AnimationEntry& animation
     stage.inputs = CharacterGraph::inputs(work);
     stage.compute = [work, animation](const StageContext& context, const Progress& progress) {
         const CharacterGraph graph(work, context);
-        WalkConstraints constraints;
-        WalkSolution solution;
-        if (animation.walk) {
-            solution = solutionOf(*animation.walk, graph);
-        } else {
-            constraints = walkConstraints(animation, graph);
-            solution = findWalk(graph.material(blendSettings(animation)), constraints,
-                                searchSettings(animation.search, graph.alpha()), progress);
+        try {
+            return walkResult(animation, graph, progress);
+        } catch (const Error& error) {
+            throw graph.named(error);
         }
-        const ClipPlan plan = planClip(graph.roots(), graph.layout(), graph.paths(), solution.walk);
-        const double fps = work.opener->project().settings.fps;
-        Result result;
-        result.arrays = {placementArray(solution.start)};
-        result.tables = {walkTable(solution, graph, plan),
-                         reportTable(animation, solution, constraints, fps, plan.frameCount())};
-        return result;
     };
     return stage;
 }
@@ -181,17 +192,32 @@ ResultStage clipStage(const CharacterWork& work, const AnimationEntry& animation
     stage.settings = work.settings + animationSettings(made, work.opener->project().settings.axes.up);
     stage.inputs = CharacterGraph::inputs(work);
     stage.inputs.push_back(walk.name);
-    stage.files = [work](const Progress& progress) { return work.files(progress); };
+    stage.files = [work, animation](const Progress& progress) {
+        std::vector<std::filesystem::path> files = work.files(progress);
+        const auto symmetry = symmetryFiles(animation, work);
+        files.insert(files.end(), symmetry.begin(), symmetry.end());
+        return files;
+    };
     stage.compute = [work, animation, walk = walk.name](const StageContext& context,
                                                         const Progress& progress) {
         const CharacterGraph graph(work, context);
         const Result found = context.resultOf(walk);
         const ClipPlan plan = planClip(graph.roots(), graph.layout(), graph.paths(), walkOf(found, graph),
                                        {.start = placementOf(found), .blend = blendSettings(animation)});
-        const Clip clip = makeClip(work.open(progress.part(0, 0.05)), plan, animation.interpolation,
-                                   progress.part(0.05, 0.6));
-        return clipResult(clip, graph.layout(), work.sequences,
-                          unitText(work.opener->project().settings.axes.metresPerUnit));
+        const CharacterFrames frames = work.open(progress.part(0, 0.05));
+        Clip clip = makeClip(frames, plan, animation.interpolation, progress.part(0.05, 0.5));
+        const PostProcessed processed =
+            postProcessed(std::move(clip), animation.post.steps,
+                          postProcessingInputs(animation, work, frames), progress.part(0.5, 1));
+        Result result = clipResult(processed.clip, graph.layout(), work.sequences,
+                                   unitText(work.opener->project().settings.axes.metresPerUnit));
+        if (processed.travel)
+            result.arrays.push_back(groundMotionArray(
+                "loop-travel",
+                "From one playing of the loop to the next: turn about the up axis, radians, and shift over "
+                "the ground, metres.",
+                *processed.travel));
+        return result;
     };
     return stage;
 }

@@ -3,6 +3,7 @@
 #include "model/project/charactergraph.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -179,6 +180,23 @@ NamedFrame CharacterGraph::nameOf(NodeIndex node) const
     const int sequence = m_layout.sequenceOf(node);
     return {m_work.sequences[static_cast<std::size_t>(sequence)],
             FrameIndex(node - m_layout.firstOf(sequence))};
+}
+
+Error CharacterGraph::named(const Error& error) const
+{
+    constexpr std::array codes{ErrorCode::NoTransition, ErrorCode::WalkKeyUnreachable};
+    if (std::find(codes.begin(), codes.end(), error.code()) == codes.end())
+        return error;
+    ErrorContext context = error.context();
+    for (auto& [key, value] : context.values) {
+        const bool isFrame = key == "source" || key == "destination" || key == "frame" ||
+                             (key == "nearest" && value.find_first_not_of("0123456789") == value.npos);
+        if (!isFrame)
+            continue;
+        const NamedFrame frame = nameOf(static_cast<NodeIndex>(std::stol(value)));
+        value = std::to_string(frame.frame.value) + " of “" + frame.sequence + "”";
+    }
+    return Error(error.code(), std::move(context));
 }
 
 } // namespace quadrille

@@ -43,6 +43,8 @@ public:
     /// Some frames of a sequence. \throws Error as node.
     WalkSpan span(const std::string& sequence, const std::optional<FrameRange>& range) const;
     NamedFrame nameOf(NodeIndex node) const;
+    /// An error of a walk with its frames called by their sequences.
+    Error named(const Error& error) const;
 
 private:
     CharacterWork m_work;

@@ -13,10 +13,10 @@
 namespace quadrille::test {
 
 /// A strip of eight triangles that bends to and fro.
-inline std::string bentStrip(double angle)
+/// \param x  where it begins.
+inline std::string bentStrip(double angle, double x = 0)
 {
     std::string text;
-    double x = 0;
     double y = 0;
     double direction = 0;
     for (int row = 0; row < 5; ++row) {

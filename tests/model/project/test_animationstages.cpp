@@ -92,6 +92,105 @@ TEST_F(AnimationStages, BeginWhereTheWalkSaysAndTurnedSo)
     EXPECT_NEAR(side(placed).x(), side(plain).z(), 1e-5);
 }
 
+TEST_F(AnimationStages, MeetKeysAndSayWhen)
+{
+    animation().walk.reset();
+    KeyEntry first;
+    first.sequence = "slow";
+    first.frame = FrameIndex(1);
+    KeyEntry second = first;
+    second.frame = FrameIndex(7);
+    second.time = 1; // six frames
+    animation().constraints = {first, second};
+    computed(run("animations"));
+    EXPECT_EQ(column<std::int64_t>("animations/dance/frames", "source-frame"),
+              (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6, 7}));
+    const auto what = column<std::string>("animations/dance/report", "what");
+    const auto obtained = column<double>("animations/dance/report", "obtained");
+    ASSERT_EQ(what.size(), obtained.size());
+    std::vector<double> keys;
+    for (std::size_t row = 0; row < what.size(); ++row) {
+        if (what[row] == "key")
+            keys.push_back(obtained[row]);
+    }
+    EXPECT_THAT(keys, ElementsAre(0, 1));
+}
+
+TEST_F(AnimationStages, PerformActionsByTheirLabels)
+{
+    project.sequences[0].labels = {{"sway", {FrameIndex(2), FrameIndex(9)}}};
+    animation().walk.reset();
+    ActionEntry action;
+    action.frames.label = "sway";
+    animation().constraints = {action};
+    computed(run("animations"));
+    const auto frames = column<std::int64_t>("animations/dance/frames", "source-frame");
+    EXPECT_GE(frames.front(), 2);
+    EXPECT_LE(frames.back(), 9);
+    // Labels are part of what a walk depends on.
+    project.sequences[0].labels[0].frames.last = FrameIndex(5);
+    EXPECT_THAT(computed(run("animations")), ::testing::Contains("animations/dance/walk"));
+}
+
+TEST_F(AnimationStages, FollowAPathAndSayHowWell)
+{
+    for (int f = 0; f < 14; ++f)
+        folder.write("gone/f_" + std::to_string(f) + ".obj", bentStrip(0.3 * std::sin(0.35 * f), 0.2 * f));
+    project.sequences.push_back(sequenceOf("gone", "gone"));
+    animation().walk.reset();
+    PathEntry path;
+    path.curve = PathCurve::Polyline;
+    path.points = {{0, 0, 0}, {1.5, 0, 0}};
+    animation().constraints = {path};
+    computed(run("animations"));
+    const auto x = column<double>("animations/dance/frames", "centre-x");
+    EXPECT_NEAR(x.front(), 0, 0.2);
+    EXPECT_GT(x.back(), 1.2);
+    EXPECT_THAT(column<std::string>("animations/dance/report", "what"),
+                ::testing::Contains("mean deviation"));
+}
+
+TEST_F(AnimationStages, SayWhatStandsInTheWayOfConstraints)
+{
+    animation().walk.reset();
+    KeyEntry key;
+    key.sequence = "slow";
+    key.frame = FrameIndex(1);
+    key.time = 0;
+    KeyEntry unreachable = key;
+    unreachable.sequence = "quick";
+    unreachable.frame = FrameIndex(0); // no transition arrives there
+    unreachable.time = 2;
+    animation().constraints = {key, unreachable};
+    EXPECT_THAT(problem(), HasSubstr("no walk leads to frame 0 of “quick”"));
+}
+
+TEST_F(AnimationStages, ArePostProcessed)
+{
+    computed(run("animations"));
+    const std::int64_t plain = opened("animations/dance").frameCount();
+    animation().post.steps.retime = RetimeSettings{RetimeFactor{2}};
+    computed(run("animations"));
+    EXPECT_EQ(opened("animations/dance").frameCount(), 2 * plain - 1);
+    animation().post.steps.retime.reset();
+    animation().walk = WalkEntry{.spans = {spanOf("slow", 0, 13)}};
+    animation().post.steps.loop.emplace();
+    computed(run("animations"));
+    const std::int64_t once = opened("animations/dance").frameCount();
+    EXPECT_EQ(std::get<DataArray>(item("animations/dance/loop-travel").content).shape.front(), 3);
+    animation().post.steps.repeats = 3;
+    EXPECT_THAT(computed(run("animations")), UnorderedElementsAre("animations/dance/clip"));
+    EXPECT_EQ(opened("animations/dance").frameCount(), 3 * once);
+}
+
+TEST_F(AnimationStages, AreMirroredByTheSymmetryThatAFileNames)
+{
+    animation().post.steps.mirror = true;
+    animation().post.symmetry = "opposite.csv";
+    folder.write("opposite.csv", "1,0,3,2,5,4,7,6,9,9\n");
+    EXPECT_THAT(problem(), HasSubstr("opposite.csv"));
+}
+
 TEST_F(AnimationStages, OnlyWhatASettingReachesIsComputedAgain)
 {
     computed(run("animations"));
@@ -180,7 +279,7 @@ TEST_F(AnimationStages, SayWhichFrameOrTransitionAWalkCannotHave)
     animation().walk->spans[1] = spanOf("quick", 4, 30);
     EXPECT_THAT(problem(), HasSubstr("“quick” has no frame 30"));
     animation().walk->spans[1] = spanOf("quick", 0, 8); // no window fits before its first frame
-    EXPECT_THAT(problem(), HasSubstr("transition"));
+    EXPECT_THAT(problem(), HasSubstr("no transition from frame 5 of “slow” to frame 0 of “quick”"));
 }
 
 TEST_F(AnimationStages, ThatAreNotComputedSaySo)
