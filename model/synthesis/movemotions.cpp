@@ -4,6 +4,7 @@
 
 #include "model/synthesis/transitionmotion.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace quadrille {
@@ -13,6 +14,18 @@ MoveMotions::MoveMotions(const WalkGraph& graph, const WalkMotion& motion, const
 {
     for (const Vec3d& centre : motion.roots->centres)
         m_points.push_back(course.pointOf(centre));
+    m_walkable.assign(m_points.size(), 0);
+    for (NodeIndex node = graph.nodeCount() - 1; node >= 0; --node) {
+        double& walkable = m_walkable[static_cast<std::size_t>(node)];
+        const auto [begin, end] = graph.from(node);
+        for (MoveIndex index = begin; index < end; ++index) {
+            const WalkMove& move = graph.move(index);
+            walkable = std::max(walkable, move.kind == EdgeKind::Transition
+                                              ? unreachable
+                                              : m_walkable[static_cast<std::size_t>(move.to)] +
+                                                    (point(move.to) - point(node)).norm());
+        }
+    }
 }
 
 const MoveMotions::Motion& MoveMotions::of(MoveIndex index)

@@ -45,6 +45,9 @@ public:
     const Motion& of(MoveIndex move);
     /// Where a captured frame lies.
     const Vec3d& point(NodeIndex node) const { return m_points[static_cast<std::size_t>(node)]; }
+    /// Metres that can still be walked from a frame: without bounds where a transition leaves it or one behind
+    /// it, otherwise to the end of its sequence.
+    double walkableFrom(NodeIndex node) const { return m_walkable[static_cast<std::size_t>(node)]; }
     /// Turns and places a frame so that it stands on the beginning of the course and what was captured around
     /// it goes along.
     GroundMotion placedOnStart(NodeIndex node) const;
@@ -54,6 +57,7 @@ private:
     const WalkMotion& m_motion;
     const PathCourse& m_course;
     std::vector<Vec3d> m_points;
+    std::vector<double> m_walkable;
     std::vector<Motion> m_motions;
 };
 

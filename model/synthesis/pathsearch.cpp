@@ -205,6 +205,10 @@ private:
                 keep(candidate);
             return;
         }
+        // The last frames of a sequence have no way out.
+        if (candidate.place.walked + m_problem.motions.walkableFrom(candidate.stage.node) <
+            m_problem.course.length())
+            return;
         Layer& layer = m_layers[static_cast<std::size_t>(candidate.place.walked / layerLength)];
         Stratum& stratum =
             layer.stratum(candidate.stage, m_problem.stages.quartersDone(candidate.stage, candidate.time));
@@ -282,7 +286,7 @@ std::optional<FoundRoute> searchPath(PathProblem& problem, std::int64_t budget, 
 {
     std::optional<FoundRoute> best;
     const double layers = problem.course.length() / layerLength + 1;
-    PassSettings settings{.width = 16, .moves = 24, .offset = 0.1, .heading = 0.2};
+    PassSettings settings{.width = 16, .moves = 64, .offset = 0.1, .heading = 0.2};
     for (std::int64_t left = budget; left > 0;) {
         progress.report(budget - left, budget);
         // A pass that the budget would end half way is made narrower instead.
@@ -301,7 +305,7 @@ std::optional<FoundRoute> searchPath(PathProblem& problem, std::int64_t budget, 
         if (left == before)
             break;
         settings.width *= 3;
-        settings.moves *= 4;
+        settings.moves *= 2;
         settings.offset = std::max(settings.offset / 2, 0.02);
         settings.heading = std::max(settings.heading / 2, 0.04);
     }

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+// Walks through real takes: what an animator would ask for.
+#include "model/synthesis/findwalk.h"
+#include "tests/model/synthesis/realcharacter.h"
+
+#include <gtest/gtest.h>
+
+using namespace quadrille;
+using quadrille::testing::RealCharacter;
+using quadrille::testing::realCharacter;
+
+namespace {
+
+class RealWalks : public ::testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        if (!m_character)
+            GTEST_SKIP() << "no real takes";
+        m_warps.emplace(m_character->distances, m_character->layout, m_character->settings);
+    }
+
+    WalkSolution find(const WalkConstraints& constraints, const SearchSettings& settings) const
+    {
+        const auto transition = [this](const FramePair& frames) {
+            return *m_warps->of(m_character->table, frames);
+        };
+        return findWalk({.graph = m_character->essential.graph,
+                         .costs = m_character->costs,
+                         .alpha = RealCharacter::alpha,
+                         .motion = {.roots = &m_character->roots, .transition = transition}},
+                        constraints, settings);
+    }
+
+    const RealCharacter* m_character = realCharacter();
+    std::optional<WarpPaths> m_warps;
+};
+
+} // namespace
+
+TEST_F(RealWalks, FollowAnSCurveAndRunOnTheWay)
+{
+    const Ground ground(UpAxis::Y);
+    std::vector<Vec3d> through;
+    for (const Vec2d& point : {Vec2d(0, 0), Vec2d(3, 1.5), Vec2d(6, 0), Vec2d(9, -1.5), Vec2d(12, 0)})
+        through.push_back(ground.at(point, 0));
+    const WalkConstraints constraints{
+        .path = PathConstraint{.points = sampleCurve(through, 0.02),
+                               .spans = {{.from = 5, .to = 8, .demanded = m_character->framesOf("run")}}}};
+    const WalkSolution solution = find(constraints, {.budget = 10'000});
+    EXPECT_LT(solution.meanDeviation, 0.15);
+    EXPECT_LT(solution.greatestDeviation, 0.3);
+    EXPECT_GT(solution.frameCount, 240);
+    EXPECT_EQ(solution, find(constraints, {.budget = 10'000}));
+    EXPECT_LE(find(constraints, {.budget = 30'000}).totalCost, solution.totalCost);
+}
+
+TEST_F(RealWalks, KeepTheTimesOfKeys)
+{
+    const auto key = [this](const char* take, NodeIndex frame, double time) {
+        return PoseKey{m_character->takes.at(take).first + frame, time};
+    };
+    const WalkConstraints constraints{.keys = {key("walk_1", 20, 0), key("kick_1", 30, 120),
+                                               key("dance_1", 40, 260), key("sit_1", 25, 400)}};
+    const WalkSolution pairs = find(constraints, {.budget = 10'000'000});
+    EXPECT_TRUE(pairs.optimal);
+    for (const KeyTime& time : pairs.keys)
+        EXPECT_NEAR(static_cast<double>(time.obtained), time.wanted, 15);
+    const WalkSolution all = find(constraints, {.budget = 10'000'000, .globalKeys = true});
+    EXPECT_TRUE(all.optimal);
+    EXPECT_LE(all.totalCost, pairs.totalCost + 1e-9);
+}
+
+TEST_F(RealWalks, PerformActionsInOrder)
+{
+    const WalkConstraints constraints{.actions = {{.frames = m_character->framesOf("walk"), .duration = 90},
+                                                  {.frames = m_character->framesOf("kick")},
+                                                  {.frames = m_character->framesOf("jump"), .repetitions = 2},
+                                                  {.frames = m_character->framesOf("sit")}}};
+    const WalkSolution solution = find(constraints, {.budget = 1'000'000});
+    EXPECT_TRUE(solution.optimal);
+    ASSERT_EQ(solution.actions.size(), 4U);
+    for (std::size_t a = 1; a < solution.actions.size(); ++a)
+        EXPECT_GT(solution.actions[a].first, solution.actions[a - 1].last);
+    EXPECT_NEAR(static_cast<double>(solution.actions[0].count()), 90, 5);
+}
+
+TEST_F(RealWalks, CombineAPathWithAKeyAndAnAction)
+{
+    const Ground ground(UpAxis::Y);
+    const WalkConstraints constraints{
+        .keys = {{m_character->takes.at("reach_high").first + 28, 120, 60}},
+        .path = PathConstraint{.points = sampleCurve(
+                                   {ground.at({0, 0}, 0), ground.at({4, 1}, 0), ground.at({8, 0}, 0)}, 0.02)},
+        .actions = {{.frames = m_character->framesOf("kick")}}};
+    const WalkSolution solution = find(constraints, {.budget = 40'000});
+    EXPECT_LT(solution.meanDeviation, 0.3);
+    ASSERT_EQ(solution.keys.size(), 1U);
+    EXPECT_NEAR(static_cast<double>(solution.keys[0].obtained), 120, 60);
+    EXPECT_GE(solution.actions[0].count(), 29) << "half of the shorter kick";
+}
