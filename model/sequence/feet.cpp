@@ -172,9 +172,11 @@ Figure findFigure(const Topology& topology, const UprightFrames& frames, double 
     return figure;
 }
 
-std::vector<std::vector<std::uint32_t>> legsOf(const Topology& topology, const UprightFrames& frames,
-                                               const Figure& figure)
+Legs findLegs(const Topology& topology, const UprightFrames& frames, double footShare)
 {
+    Figure figure = findFigure(topology, frames, footShare);
+    if (figure.feet.empty())
+        return {};
     const Positions pose = frames.at(figure.tallest);
     const float low = lowest(pose);
     const auto pieceOf = [&](const Foot& foot, float share) {
@@ -184,7 +186,10 @@ std::vector<std::vector<std::uint32_t>> legsOf(const Topology& topology, const U
         }
         return std::vector<std::uint32_t>();
     };
-    std::vector<std::vector<std::uint32_t>> legs;
+    Legs legs{.feet = {},
+              .vertices = {},
+              .height = static_cast<double>(figure.height),
+              .reference = {pose.begin(), pose.end()}};
     for (const Foot& foot : figure.feet) {
         const auto isAlone = [&](const std::vector<std::uint32_t>& piece) {
             return std::ranges::none_of(figure.feet, [&](const Foot& other) {
@@ -197,8 +202,9 @@ std::vector<std::vector<std::uint32_t>> legsOf(const Topology& topology, const U
             const float share = (apart + together) / 2;
             (isAlone(pieceOf(foot, share)) ? apart : together) = share;
         }
-        legs.push_back(pieceOf(foot, apart));
+        legs.vertices.push_back(pieceOf(foot, apart));
     }
+    legs.feet = std::move(figure.feet);
     return legs;
 }
 

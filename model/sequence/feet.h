@@ -45,10 +45,19 @@ struct Figure
 /// \param footShare  how high feet reach, from below, body heights.
 Figure findFigure(const Topology& topology, const UprightFrames& frames, double footShare);
 
-/// The vertices of each foot's leg, ascending: what hangs together with the foot below the highest level at
-/// which no other foot does, at most 0.6 body heights.
-std::vector<std::vector<std::uint32_t>> legsOf(const Topology& topology, const UprightFrames& frames,
-                                               const Figure& figure);
+/// The legs of a figure, by its feet.
+struct Legs
+{
+    std::vector<Foot> feet; ///< empty where the figure stands on one piece
+    /// Of each foot the vertices of its leg, ascending: what hangs together with the foot below the highest
+    /// level at which no other foot does, at most 0.6 body heights.
+    std::vector<std::vector<std::uint32_t>> vertices;
+    double height = 0;            ///< of the figure, metres
+    std::vector<Vec3f> reference; ///< the pose in which it stands tallest, y up
+};
+
+/// \param footShare  as for findFigure.
+Legs findLegs(const Topology& topology, const UprightFrames& frames, double footShare);
 
 /// Mean of some vertices; the origin when there are none.
 Vec3f meanOf(Positions positions, const std::vector<std::uint32_t>& of);

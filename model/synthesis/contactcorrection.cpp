@@ -5,7 +5,6 @@
 #include "model/core/error.h"
 #include "model/core/message.h"
 #include "model/sequence/contacts.h"
-#include "model/sequence/feet.h"
 #include "model/synthesis/footpath.h"
 #include "model/synthesis/legdeformation.h"
 
@@ -80,6 +79,7 @@ std::vector<FootContacts> contactsByFoot(const Clip& clip, const std::vector<Foo
                                          std::span<const ContactSpan> contacts)
 {
     std::vector<FootContacts> byFoot;
+    byFoot.reserve(feet.size());
     for (const Foot& foot : feet)
         byFoot.push_back({.vertices = foot.vertices, .spans = {}});
     for (const ContactSpan& contact : contacts) {
@@ -93,7 +93,7 @@ std::vector<FootContacts> contactsByFoot(const Clip& clip, const std::vector<Foo
 }
 
 /// One leg and how its foot is moved.
-struct Leg
+struct MovedLeg
 {
     std::unique_ptr<const LegDeformation> deformation;
     std::vector<FootShift> shifts; ///< per frame
@@ -102,34 +102,34 @@ struct Leg
 } // namespace
 
 Clip contactsCorrected(Clip clip, std::span<const ContactSpan> contacts,
-                       const ContactCorrectionSettings& settings, UpAxis up, std::optional<FrameRange> frames,
+                       const ContactCorrectionSettings& settings, const ContactScope& scope,
                        const Progress& progress)
 {
     progress.report(0.0);
     checkSettings(settings);
     const Topology& topology = *clip.topology;
-    const UprightFrames standing = upright(clip.positions, topology.vertexCount(), up);
-    const Figure figure = findFigure(topology, standing, ContactOptions().footShare);
-    if (figure.feet.empty())
+    Legs legs = findLegs(topology, upright(clip.positions, topology.vertexCount(), scope.up),
+                         ContactOptions().footShare);
+    if (legs.feet.empty() && scope.legs)
+        legs = *scope.legs;
+    if (legs.feet.empty())
         throw Error(ErrorCode::NoFeet);
     progress.report(0.1);
-    const std::vector<FootContacts> byFoot = contactsByFoot(clip, figure.feet, contacts);
-    const std::vector<std::vector<std::uint32_t>> legVertices = legsOf(topology, standing, figure);
-    const Ground ground(up);
-    const Positions reference = clip.frame(static_cast<std::int64_t>(figure.tallest));
-    std::vector<Leg> legs;
+    const std::vector<FootContacts> byFoot = contactsByFoot(clip, legs.feet, contacts);
+    const Ground ground(scope.up);
+    std::vector<MovedLeg> moved;
+    moved.reserve(byFoot.size());
     for (std::size_t i = 0; i < byFoot.size(); ++i) {
         progress.report(0.1 + 0.2 * static_cast<double>(i) / static_cast<double>(byFoot.size()));
         if (!byFoot[i].spans.empty())
-            legs.push_back(
-                {std::make_unique<const LegDeformation>(topology, legVertices[i], byFoot[i].vertices,
-                                                        reference),
-                 footShifts(clip, byFoot[i], settings, static_cast<double>(figure.height), ground)});
+            moved.push_back({std::make_unique<const LegDeformation>(topology, legs.vertices[i],
+                                                                    byFoot[i].vertices, legs.reference),
+                             footShifts(clip, byFoot[i], settings, legs.height, ground)});
     }
-    const FrameRange range = frames.value_or(FrameRange::all(clip.frameCount()));
+    const FrameRange range = scope.frames.value_or(FrameRange::all(clip.frameCount()));
     std::atomic<std::int64_t> done = 0;
     tbb::parallel_for(range.first.value, range.last.value + 1, [&](std::int64_t f) {
-        for (const Leg& leg : legs) {
+        for (const MovedLeg& leg : moved) {
             const FootShift& shift = leg.shifts[static_cast<std::size_t>(f)];
             if (!shift.isNothing())
                 leg.deformation->apply(shift, ground, clip.frame(f));

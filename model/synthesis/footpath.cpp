@@ -204,7 +204,7 @@ Vec3d FootShift::operator()(const Vec3d& point, const Ground& ground) const
     return ground.at(moved, ground.heightOf(point) + lift);
 }
 
-void easeBetween(std::span<double> values, std::span<const FrameRange> spans, int ease)
+void easeBetween(std::span<double> values, std::span<const FrameRange> spans, std::int64_t ease)
 {
     const auto count = static_cast<std::int64_t>(values.size());
     std::vector<double> eased(values.size(), 0);
@@ -234,7 +234,7 @@ void easeBetween(std::span<double> values, std::span<const FrameRange> spans, in
             fill(last, {end, slopeAfter(spans[s]), 0, 0, static_cast<double>(ease)}, last + 1,
                  last + ease - 1);
         }
-        const std::int64_t before = s > 0 ? spans[s - 1].last.value : -2 * std::int64_t{ease} - 1;
+        const std::int64_t before = s > 0 ? spans[s - 1].last.value : -2 * ease - 1;
         if (first - before >= 2 * ease)
             fill(first - ease, {0, 0, begin, slopeBefore(spans[s]), static_cast<double>(ease)},
                  first - ease + 1, first - 1);
@@ -266,7 +266,7 @@ std::vector<FootShift> footShifts(const Clip& clip, const FootContacts& foot,
             lifts[f] = found[k].lift;
         }
     }
-    const int ease = std::max(1, static_cast<int>(std::lround(settings.easeSeconds * clip.fps)));
+    const auto ease = std::max<std::int64_t>(1, std::llround(settings.easeSeconds * clip.fps));
     for (std::vector<double>* values : {&turns, &along, &across, &lifts})
         easeBetween(*values, foot.spans, ease);
     for (std::size_t f = 0; f < count; ++f) {

@@ -39,6 +39,6 @@ std::vector<FootShift> footShifts(const Clip& clip, const FootContacts& foot,
 /// Values that are known in some spans of frames, eased to 0 outside them, or from span to span where these
 /// are less than two ease times apart; with the pace that the values have at the ends of the spans.
 /// \param values  one per frame, replaced outside the spans. \param ease  frames, at least 1.
-void easeBetween(std::span<double> values, std::span<const FrameRange> spans, int ease);
+void easeBetween(std::span<double> values, std::span<const FrameRange> spans, std::int64_t ease);
 
 } // namespace quadrille

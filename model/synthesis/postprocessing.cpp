@@ -5,6 +5,7 @@
 #include "model/core/error.h"
 #include "model/core/message.h"
 #include "model/sequence/contacts.h"
+#include "model/sequence/feet.h"
 #include "model/synthesis/contactcorrection.h"
 #include "model/synthesis/mirror.h"
 #include "model/synthesis/retime.h"
@@ -27,6 +28,30 @@ std::vector<ContactSpan> contactsOf(const Clip& clip, const PostProcessingInputs
     return detectContacts(
         makeSequence({}, clip.topology, std::make_shared<MemoryFrames>(clip.positions, vertices), clip.fps),
         options, progress);
+}
+
+/// The legs as the first sequence shows them that has any; none where no character is known.
+Legs legsOf(const PostProcessingInputs& inputs, const Progress& progress)
+{
+    if (!inputs.character)
+        return {};
+    for (const MeshSequence& sequence : inputs.character->sequences()) {
+        Legs legs = findLegs(*sequence.topology, loadUpright(sequence, inputs.method.up, progress.part(0, 1)),
+                             ContactOptions().footShare);
+        if (!legs.feet.empty())
+            return legs;
+    }
+    return {};
+}
+
+/// The correction, with the character's legs where the clip shows none.
+Clip corrected(Clip clip, const std::vector<ContactSpan>& contacts, const ContactCorrectionSettings& settings,
+               const PostProcessingInputs& inputs, std::optional<FrameRange> frames, const Progress& progress)
+{
+    const Legs legs = legsOf(inputs, progress.part(0, 0.2));
+    return contactsCorrected(std::move(clip), contacts, settings,
+                             {.up = inputs.method.up, .frames = frames, .legs = &legs},
+                             progress.part(0.2, 1));
 }
 
 /// The cycle before, the cycle itself as it is, and the one behind.
@@ -122,7 +147,7 @@ PostProcessed postProcessed(Clip clip, const PostProcessing& settings, const Pos
     if (settings.contacts) {
         const Progress step = steps.next();
         const std::vector<ContactSpan> contacts = contactsOf(clip, inputs, step.part(0, 0.3));
-        clip = contactsCorrected(std::move(clip), contacts, *settings.contacts, up, {}, step.part(0.3, 1));
+        clip = corrected(std::move(clip), contacts, *settings.contacts, inputs, {}, step.part(0.3, 1));
     }
     if (settings.mirror) {
         const Progress step = steps.next();
@@ -150,7 +175,7 @@ Loop contactsCorrected(Loop loop, const ContactCorrectionSettings& settings,
         cycles = withNeighbours(loop, up);
         contacts = contactsOf(cycles, inputs, progress.part(0.3, 0.4));
     }
-    cycles = contactsCorrected(std::move(cycles), contacts, settings, up, middle, progress.part(0.4, 1));
+    cycles = corrected(std::move(cycles), contacts, settings, inputs, middle, progress.part(0.4, 1));
     const auto size = static_cast<std::ptrdiff_t>(loop.cycle.positions.size());
     std::copy_n(cycles.positions.begin() + size, size, loop.cycle.positions.begin());
     return loop;

@@ -21,6 +21,8 @@ struct PostProcessingInputs
     /// Finds the contacts of a clip, such as those of its origins; detectContacts where empty. It may be
     /// asked about several cycles of the clip's loop.
     std::function<std::vector<ContactSpan>(const Clip& clip)> contactsOf;
+    /// The character: its frames tell what its legs are where the clip does not show it upright.
+    std::optional<CharacterFrames> character;
     /// The symmetry of the character, asked for where the clip is to be mirrored. Where empty it is sought in
     /// the first frame, which finds symmetries of the connectivity in any pose.
     std::function<Symmetry(const Progress& progress)> symmetry;

@@ -204,7 +204,7 @@ TEST(ContactCorrection, CorrectsTheFramesAskedFor)
 {
     const Slipping& s = slipping();
     const Clip whole = contactsCorrected(s.clip, s.contacts);
-    const Clip part = contactsCorrected(s.clip, s.contacts, {}, UpAxis::Y, frames(10, 19));
+    const Clip part = contactsCorrected(s.clip, s.contacts, {}, {.frames = frames(10, 19)});
     for (std::int64_t f = 0; f < part.frameCount(); ++f)
         EXPECT_EQ(largestStep(part.frame(f), (f >= 10 && f <= 19 ? whole : s.clip).frame(f)), 0) << f;
 }
@@ -222,7 +222,7 @@ TEST(ContactCorrection, MovesWithItsClip)
     Clip upended = s.clip;
     for (Vec3f& p : upended.positions)
         p = Vec3f(p.z(), p.x(), p.y());
-    const Clip c = contactsCorrected(upended, s.contacts, {}, UpAxis::Z);
+    const Clip c = contactsCorrected(upended, s.contacts, {}, {.up = UpAxis::Z});
     for (std::size_t i = 0; i < c.positions.size(); ++i)
         EXPECT_LT((Vec3f(c.positions[i].y(), c.positions[i].z(), c.positions[i].x()) - a.positions[i]).norm(),
                   1e-3F);
@@ -237,10 +237,25 @@ TEST(ContactCorrection, GivesContactsWithOtherNamesToTheStillestFoot)
     EXPECT_EQ(contactsCorrected(s.clip, renamed).positions, contactsCorrected(s.clip, s.contacts).positions);
 }
 
+TEST(ContactCorrection, KnowsTheLegsOfACharacterThatDoesNotStand)
+{
+    // Somebody upside down has no legs to stand on, unless they are known.
+    Clip fallen = slipping().clip;
+    for (Vec3f& p : fallen.positions)
+        p = Vec3f(p.x(), -p.y(), -p.z());
+    const std::vector<ContactSpan> contacts{{"left", frames(5, 15)}};
+    EXPECT_EQ(errorCodeOf([&] { contactsCorrected(fallen, contacts); }), ErrorCode::NoFeet);
+    const Clip& standing = slipping().clip;
+    const Legs legs = findLegs(
+        *standing.topology, upright(standing.positions, standing.topology->vertexCount(), UpAxis::Y), 0.07);
+    const Clip result = contactsCorrected(fallen, contacts, {}, {.legs = &legs});
+    EXPECT_GT(largestStep(result.frame(5), fallen.frame(5)), 0.001);
+}
+
 TEST(ContactCorrection, SaysWhatItCannotDo)
 {
     const Slipping& s = slipping();
-    EXPECT_EQ(errorCodeOf([] { contactsCorrected(testing::stridingTube({}), {}, {}, UpAxis::Z); }),
+    EXPECT_EQ(errorCodeOf([] { contactsCorrected(testing::stridingTube({}), {}, {}, {.up = UpAxis::Z}); }),
               ErrorCode::NoFeet);
     for (double ContactCorrectionSettings::*field :
          {&ContactCorrectionSettings::strength, &ContactCorrectionSettings::easeSeconds,
@@ -254,7 +269,7 @@ TEST(ContactCorrection, SaysWhatItCannotDo)
     }
     CancelToken token;
     token.cancel();
-    EXPECT_EQ(errorCodeOf([&] { contactsCorrected(s.clip, s.contacts, {}, UpAxis::Y, {}, Progress(token)); }),
+    EXPECT_EQ(errorCodeOf([&] { contactsCorrected(s.clip, s.contacts, {}, {}, Progress(token)); }),
               ErrorCode::Cancelled);
 }
 

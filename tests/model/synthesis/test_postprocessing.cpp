@@ -163,6 +163,21 @@ TEST(PostProcessing, ByACurveThatDoesNotGoRoundIsNoLoop)
     EXPECT_TRUE(postProcessed(walk(), settings, {}).travel);
 }
 
+TEST(PostProcessing, LooksForTheLegsOfAFallenFigureInItsCharacter)
+{
+    Clip fallen = walk();
+    for (Vec3f& p : fallen.positions)
+        p = Vec3f(p.x(), -p.y(), -p.z());
+    PostProcessingInputs inputs;
+    inputs.contactsOf = [](const Clip&) {
+        return std::vector<ContactSpan>{{"left", {FrameIndex(5), FrameIndex(15)}}};
+    };
+    const PostProcessing settings{.contacts = ContactCorrectionSettings()};
+    EXPECT_EQ(errorCodeOf([&] { postProcessed(fallen, settings, inputs); }), ErrorCode::NoFeet);
+    inputs.character = CharacterFrames(std::vector{sampleTake("walk 1")});
+    EXPECT_NE(postProcessed(fallen, settings, inputs).clip.positions, fallen.positions);
+}
+
 TEST(PostProcessing, SaysWhatItCannotDo)
 {
     const auto code = [](const Clip& clip, const PostProcessing& settings, const Progress& progress = {}) {
