@@ -31,6 +31,11 @@ public:
     const Table<float>& distances() const { return m_distances; }
     const TransitionCosts& costs() const { return *m_costs; }
     const WarpPaths& paths() const { return *m_paths; }
+    /// All transitions, a copy.
+    TransitionTable transitions() const
+    {
+        return {m_costs->cost(), m_costs->length(), m_sourceWindows, m_destinationWindows};
+    }
     const RootPoses& roots() const { return m_roots; }
     /// The Essential graph.
     const Digraph& graph() const { return m_graph; }

@@ -18,24 +18,27 @@ struct EvaluationEntry
     std::string table;     ///< one of evaluationTables
     std::string character; ///< all characters where it is left out
     /// fig11 and fig12: which sequence is blended into which; those that turn most to the left and to the
-    /// right where there are none.
+    /// right where there are none. table2: those that keys are drawn from; all where there are none.
     std::vector<std::string> sequences;
-    std::vector<double> alphas;        ///< fig9: weights of time; those of the paper where there are none
-    std::optional<std::int64_t> count; ///< fig4: pairs of frames that are drawn, 20
-    std::int64_t seed = 1;             ///< fig4: of what is drawn
+    std::vector<double> alphas; ///< fig9: weights of time; those of the paper where there are none
+    /// What is drawn: fig4: pairs of frames, 20; table2: keys, 10; junctions: transitions, 200.
+    std::optional<std::int64_t> count;
+    std::int64_t seed = 1; ///< of what is drawn
     nlohmann::ordered_json unknown;
 
     bool operator==(const EvaluationEntry&) const = default;
 };
 
-/// The tables that can be computed, by their numbers in SMCAS.
-inline constexpr std::array<std::string_view, 6> evaluationTables{
-    "fig4",   ///< interpolation of poses: how edges and volume are kept
-    "fig7",   ///< kinds of transitions
-    "fig9",   ///< Essential graph and motion graph
-    "fig11",  ///< the centre of a blend with constant weights
-    "fig12",  ///< the centre of a blend with weights from 0 to 1
-    "table1", ///< pose distances against reference joint angles
+/// The tables that can be computed, most by their numbers in SMCAS.
+inline constexpr std::array<std::string_view, 8> evaluationTables{
+    "fig4",      ///< interpolation of poses: how edges and volume are kept
+    "fig7",      ///< kinds of transitions
+    "fig9",      ///< Essential graph and motion graph
+    "fig11",     ///< the centre of a blend with constant weights
+    "fig12",     ///< the centre of a blend with weights from 0 to 1
+    "table1",    ///< pose distances against reference joint angles
+    "table2",    ///< poses at times
+    "junctions", ///< not of the paper: what shows at transitions
 };
 
 } // namespace quadrille

@@ -12,9 +12,10 @@ using MakeStage = ResultStage (*)(const CharacterWork&, const EvaluationEntry&);
 
 MakeStage makerOf(const std::string& table)
 {
-    static const std::map<std::string, MakeStage> makers{{"fig4", fig4Stage},   {"fig7", fig7Stage},
-                                                         {"fig9", fig9Stage},   {"fig11", fig11Stage},
-                                                         {"fig12", fig12Stage}, {"table1", table1Stage}};
+    static const std::map<std::string, MakeStage> makers{
+        {"fig4", fig4Stage},     {"fig7", fig7Stage},    {"fig9", fig9Stage},
+        {"fig11", fig11Stage},   {"fig12", fig12Stage},  {"junctions", junctionsStage},
+        {"table1", table1Stage}, {"table2", table2Stage}};
     const auto found = makers.find(table);
     return found == makers.end() ? nullptr : found->second;
 }

@@ -15,8 +15,10 @@ ResultStage fig7Stage(const CharacterWork& work, const EvaluationEntry& evaluati
 ResultStage fig9Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
 ResultStage fig11Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
 ResultStage fig12Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
+ResultStage junctionsStage(const CharacterWork& work, const EvaluationEntry& evaluation);
 /// \pre A sequence has reference joint angles.
 ResultStage table1Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
+ResultStage table2Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
 
 /// The sequences of a character that have reference joint angles, as positions in its list.
 std::vector<std::size_t> sequencesWithAngles(const CharacterWork& work);

@@ -29,7 +29,7 @@ TableBuilder& TableBuilder::real(std::string name, std::string unit)
     return *this;
 }
 
-void TableBuilder::add(std::initializer_list<Cell> cells)
+void TableBuilder::add(std::span<const Cell> cells)
 {
     assert(cells.size() == m_table.columns.size());
     auto column = m_table.columns.begin();

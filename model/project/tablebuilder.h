@@ -5,6 +5,7 @@
 #include "model/project/result.h"
 
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,7 +26,8 @@ public:
     TableBuilder& real(std::string name, std::string unit = {});
 
     /// \pre As many cells as columns, each of its column's type.
-    void add(std::initializer_list<Cell> cells);
+    void add(std::span<const Cell> cells);
+    void add(std::initializer_list<Cell> cells) { add(std::span(cells.begin(), cells.size())); }
     DataTable table() &&;
 
 private:

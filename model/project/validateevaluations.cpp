@@ -67,7 +67,7 @@ void validateEvaluation(const Project& project, const EvaluationEntry& evaluatio
                     "There is no sequence " + quoted(evaluation.sequences[i]) + " of the character",
                     meantOr(evaluation.sequences[i], known, "Correct the name."));
     }
-    if (!evaluation.sequences.empty() && evaluation.sequences.size() != 2)
+    if (evaluation.table != "table2" && !evaluation.sequences.empty() && evaluation.sequences.size() != 2)
         invalid("/sequences", "Two sequences are needed here",
                 "Name the one that is blended and the one that it is blended into.");
     if (std::any_of(evaluation.alphas.begin(), evaluation.alphas.end(),

@@ -137,6 +137,55 @@ TEST_F(EvaluationStages, Fig11And12FollowTheCentreOfABlend)
     EXPECT_EQ(column<std::string>("evaluation/fig12-summary", "variant").size(), 5U);
 }
 
+TEST_F(EvaluationStages, Table2ShowsPosesAtNewTimes)
+{
+    evaluate({"table2"});
+    project.evaluations[0].count = 4;
+    run();
+    EXPECT_THAT(column<std::string>("evaluation/table2", "search"),
+                ElementsAre("pairs", "pairs", "pairs", "pairs", "global", "global", "global", "global"));
+    const auto wanted = column<std::int64_t>("evaluation/table2", "wanted");
+    const auto obtained = column<std::int64_t>("evaluation/table2", "obtained");
+    const auto error = column<std::int64_t>("evaluation/table2", "error");
+    EXPECT_EQ(wanted[0], 0);
+    EXPECT_EQ(wanted[3], 23); // all frames of the project
+    for (std::size_t k = 0; k < wanted.size(); ++k)
+        EXPECT_EQ(error[k], obtained[k] - wanted[k]);
+    const auto cost = column<double>("evaluation/table2-summary", "cost");
+    EXPECT_LE(cost[1], cost[0] + 1e-9); // over all keys no dearer than pair by pair
+    EXPECT_THAT(column<std::string>("evaluation/table2-summary", "optimal"), ElementsAre("yes", "yes"));
+    project.evaluations[0].sequences = {"slow"};
+    EXPECT_THAT(computed(run()), UnorderedElementsAre("evaluations/table2"));
+    EXPECT_THAT(column<std::string>("evaluation/table2", "sequence"), ::testing::Each("slow"));
+}
+
+TEST_F(EvaluationStages, JunctionsAreJudgedWithBothBlends)
+{
+    evaluate({"junctions"});
+    project.evaluations[0].count = 5;
+    run();
+    const auto blends = column<std::string>("evaluation/junctions", "blend");
+    EXPECT_EQ(std::count(blends.begin(), blends.end(), "paper"), 5);
+    EXPECT_EQ(std::count(blends.begin(), blends.end(), "gentle"), 5);
+    EXPECT_THAT(column<std::string>("evaluation/junctions-criteria", "criterion"),
+                ElementsAre("acceleration", "frozen", "centre-step", "foot-slip", "volume", "all",
+                            "acceleration", "frozen", "centre-step", "foot-slip", "volume", "all"));
+    EXPECT_EQ(column<std::int64_t>("evaluation/junctions-criteria", "measured")[5], 5);
+    EXPECT_EQ(column<std::string>("evaluation/junctions-predictors", "predictor").size(), 10U);
+    const PoseDistances poses = poseDistances(frames());
+    const TransitionTable transitions = transitionTable(poses.distances, poses.layout, {.fps = 6});
+    const auto from = column<std::string>("evaluation/junctions", "from");
+    const auto fromFrame = column<std::int64_t>("evaluation/junctions", "from-frame");
+    const auto to = column<std::string>("evaluation/junctions", "to");
+    const auto toFrame = column<std::int64_t>("evaluation/junctions", "to-frame");
+    const auto sum = column<double>("evaluation/junctions", "sum");
+    for (std::size_t row = 0; row < sum.size(); ++row) {
+        const auto i = fromFrame[row] + (from[row] == "slow" ? 0 : 14);
+        const auto j = toFrame[row] + (to[row] == "slow" ? 0 : 14);
+        EXPECT_NEAR(sum[row], transitions.cost(i, j), 1e-6);
+    }
+}
+
 TEST_F(EvaluationStages, TakeTheSettingsOfTheGraphWhereItHasSome)
 {
     evaluate({"fig9"});

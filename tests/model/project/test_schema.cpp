@@ -189,7 +189,6 @@ TEST(Schema, AgreesWithTheReaderOnHandWrittenFiles)
         {R"(, "evaluations": [{"table": "fig4", "count": 1.5}])", false},
         {R"(, "evaluations": [{"table": "fig4", "seed": -1}])", false},
         {R"(, "evaluations": [{"table": "fig4", "seed": "x"}])", false},
-        {R"(, "evaluations": [{"table": "fig11", "sequences": ["s"]}])", false},
         {R"(, "evaluations": [{"table": "fig11", "sequences": [1, 2]}])", false},
         {animation(R"("constraints": [{"kind": "path", "points": [[0, 0], [1, 2]]}])"), true},
         {animation(R"("constraints": [{"kind": "path", "points": [[0, 0, 1], [1, 2, 1]]}])"), true},

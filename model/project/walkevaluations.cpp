@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/evaluation/keyexperiment.h"
+#include "model/project/charactergraph.h"
+#include "model/project/evaluationstages.h"
+#include "model/project/tablebuilder.h"
+#include "model/synthesis/findwalk.h"
+#include "model/synthesis/junctionreport.h"
+#include "model/transition/acceleration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace quadrille {
+
+namespace {
+
+constexpr auto table2Note = "Poses of the character at new times, drawn at random, as in SMCAS Table 2: when "
+                            "each was wanted and when "
+                            "the walk shows it; keys in pairs as the paper seeks them, and all at once.";
+constexpr auto junctionsNote =
+    "Transitions drawn from the Essential graph: what shows at each, against its limit from the two takes "
+    "(good up to 1), and what might have told so beforehand.";
+constexpr std::array criterionNames{"acceleration", "frozen", "centre-step", "foot-slip", "volume"};
+constexpr std::array criterionUnits{"m/s²", "", "m", "m/s", ""};
+constexpr std::array predictorNames{"sum", "mean", "acceleration-cost", "weight", "per-liveliness"};
+constexpr double none = std::numeric_limits<double>::infinity();
+
+std::vector<WalkSpan> spansOf(const CharacterGraph& graph, const std::vector<std::string>& sequences)
+{
+    std::vector<WalkSpan> spans;
+    for (const std::string& sequence : sequences)
+        spans.push_back(graph.span(sequence, std::nullopt));
+    return spans;
+}
+
+struct KeyTables
+{
+    TableBuilder keys;
+    TableBuilder summary;
+};
+
+KeyTables keyTables()
+{
+    KeyTables tables{TableBuilder("table2", table2Note),
+                     TableBuilder("table2-summary", "The walks of table2: costs and timing errors.")};
+    tables.keys.text("search").whole("key").text("sequence").whole("frame", "frame");
+    tables.keys.whole("wanted", "frame").whole("obtained", "frame").whole("error", "frame");
+    tables.summary.text("search").real("cost").real("edge-cost").real("timing-cost").whole("frames", "frame");
+    tables.summary.whole("transitions").real("mean-error", "frame").whole("greatest-error", "frame");
+    tables.summary.whole("expansions").text("optimal");
+    return tables;
+}
+
+void addWalk(KeyTables& tables, const char* search, const CharacterGraph& graph,
+             const std::vector<PoseKey>& keys, const WalkSolution& solution)
+{
+    std::int64_t sum = 0;
+    std::int64_t greatest = 0;
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        const NamedFrame frame = graph.nameOf(keys[k].frame);
+        const auto wanted = std::llround(keys[k].time);
+        const std::int64_t obtained = solution.keys[k].obtained;
+        tables.keys.add({search, static_cast<std::int64_t>(k + 1), frame.sequence, frame.frame.value,
+                         std::int64_t{wanted}, obtained, obtained - wanted});
+        sum += std::abs(obtained - wanted);
+        greatest = std::max<std::int64_t>(greatest, std::abs(obtained - wanted));
+    }
+    tables.summary.add({search, solution.cost.edges + solution.cost.timing, solution.cost.edges,
+                        solution.cost.timing, solution.frameCount,
+                        static_cast<std::int64_t>(solution.walk.transitionCount()),
+                        static_cast<double>(sum) / static_cast<double>(std::max<std::size_t>(keys.size(), 1)),
+                        greatest, solution.expansions, solution.optimal ? "yes" : "no"});
+}
+
+std::string criterionColumn(std::size_t criterion, const char* what)
+{
+    return std::string(criterionNames[criterion]) + what;
+}
+
+struct JunctionTables
+{
+    TableBuilder rows;
+    TableBuilder criteria;
+    TableBuilder predictors;
+};
+
+JunctionTables junctionTables(const std::string& unit)
+{
+    JunctionTables tables{
+        TableBuilder("junctions", junctionsNote),
+        TableBuilder("junctions-criteria",
+                     "How many of the junctions are good, by criterion and by all of them, "
+                     "and quantiles of what they use up of their limits."),
+        TableBuilder("junctions-predictors",
+                     "How well costs tell beforehand: rank correlation with the worst ratio, "
+                     "and the area under the curve (½ tells nothing, 1 all).")};
+    tables.rows.text("blend").text("from").whole("from-frame", "frame").text("to");
+    tables.rows.whole("to-frame", "frame").whole("length", "frame").whole("source-window", "frame");
+    tables.rows.whole("destination-window", "frame");
+    const std::array predictorUnits{unit.c_str(), unit.c_str(), "m/s²", "", ""};
+    tables.predictors.text("blend").text("predictor").real("rank-correlation").real("area");
+    for (std::size_t p = 0; p < junctionPredictors; ++p)
+        tables.rows.real(predictorNames[p], predictorUnits[p]);
+    for (std::size_t c = 0; c < junctionCriteria; ++c) {
+        tables.rows.real(criterionColumn(c, ""), criterionUnits[c]);
+        tables.rows.real(criterionColumn(c, "-ratio"));
+        tables.predictors.real(criterionColumn(c, "-area"));
+    }
+    tables.criteria.text("blend").text("criterion").whole("measured").whole("good").real("median-ratio");
+    tables.criteria.real("ninetieth-ratio").real("greatest-ratio");
+    return tables;
+}
+
+void addReport(JunctionTables& tables, const std::string& blend, const CharacterGraph& graph,
+               const JunctionReport& report)
+{
+    double worst = 0;
+    for (const JunctionRow& row : report.rows) {
+        const NamedFrame from = graph.nameOf(row.frames.source);
+        const NamedFrame to = graph.nameOf(row.frames.destination);
+        std::vector<TableBuilder::Cell> cells{blend,
+                                              from.sequence,
+                                              from.frame.value,
+                                              to.sequence,
+                                              to.frame.value,
+                                              std::int64_t{row.length},
+                                              std::int64_t{row.sourceWindow},
+                                              std::int64_t{row.destinationWindow}};
+        cells.insert(cells.end(), row.predictors.begin(), row.predictors.end());
+        for (const JunctionValue& value : row.measures.values) {
+            cells.emplace_back(value.isMeasured ? value.value : none);
+            cells.emplace_back(value.isMeasured ? value.ratio : none);
+        }
+        tables.rows.add(cells);
+        worst = std::max(worst, row.measures.worstRatio());
+    }
+    for (std::size_t c = 0; c < junctionCriteria; ++c) {
+        const CriterionSummary& summary = report.criteria[c];
+        tables.criteria.add({blend, criterionNames[c], std::int64_t{summary.measured},
+                             std::int64_t{summary.good}, summary.median, summary.ninetieth,
+                             summary.greatest});
+    }
+    tables.criteria.add(
+        {blend, "all", std::ssize(report.rows), std::int64_t{report.good}, none, none, worst});
+    for (std::size_t p = 0; p < junctionPredictors; ++p) {
+        const PredictorSummary& summary = report.predictors[p];
+        std::vector<TableBuilder::Cell> cells{
+            blend, predictorNames[p], summary.rankCorrelation.value_or(none), summary.area.value_or(none)};
+        for (const std::optional<double>& area : summary.areas)
+            cells.emplace_back(area.value_or(none));
+        tables.predictors.add(cells);
+    }
+}
+
+} // namespace
+
+ResultStage table2Stage(const CharacterWork& work, const EvaluationEntry& evaluation)
+{
+    constexpr int usualCount = 10;
+    constexpr std::int64_t enough = 1'000'000'000; // expansions, to the end of the exact search
+    const int count = static_cast<int>(evaluation.count.value_or(usualCount));
+    const auto seed = static_cast<std::uint64_t>(evaluation.seed);
+    const auto sequences = evaluation.sequences.empty() ? work.sequences : evaluation.sequences;
+    ResultStage stage = evaluationStage(work, evaluation);
+    stage.settings = nlohmann::json({count, seed, sequences, work.sequences, work.graph.alpha}).dump();
+    stage.inputs = CharacterGraph::inputs(work);
+    stage.compute = [=](const StageContext& context, const Progress& progress) {
+        const CharacterGraph graph(work, context);
+        const std::vector<WalkSpan> spans = spansOf(graph, sequences);
+        std::int64_t duration = 0;
+        for (const WalkSpan& span : spans)
+            duration += span.frameCount();
+        WalkConstraints constraints;
+        constraints.keys = drawKeys(connectedFrames(graph.graph(), spans), count, duration, seed);
+        const WalkMaterial material = graph.material({});
+        KeyTables tables = keyTables();
+        addWalk(tables, "pairs", graph, constraints.keys,
+                findWalk(material, constraints, {.budget = enough}, progress.part(0, 0.5)));
+        addWalk(
+            tables, "global", graph, constraints.keys,
+            findWalk(material, constraints, {.budget = enough, .globalKeys = true}, progress.part(0.5, 1)));
+        Result result;
+        result.tables = {std::move(tables.keys).table(), std::move(tables.summary).table()};
+        return result;
+    };
+    return stage;
+}
+
+ResultStage junctionsStage(const CharacterWork& work, const EvaluationEntry& evaluation)
+{
+    constexpr int usualCount = 200;
+    const int count = static_cast<int>(evaluation.count.value_or(usualCount));
+    const auto seed = static_cast<std::uint32_t>(evaluation.seed);
+    const double fps = work.opener->project().settings.fps;
+    ResultStage stage = evaluationStage(work, evaluation);
+    stage.settings = work.settings + nlohmann::json({count, seed, fps, work.sequences}).dump();
+    stage.files = [work](const Progress& progress) { return work.files(progress); };
+    stage.inputs = CharacterGraph::inputs(work);
+    stage.compute = [=](const StageContext& context, const Progress& progress) {
+        const CharacterGraph graph(work, context);
+        const CharacterFrames character = work.open(progress.part(0, 0.05));
+        const Table<float> accelerations = accelerationDifferences(character, fps, progress.part(0.05, 0.4));
+        const TransitionTable transitions = graph.transitions();
+        const JunctionInputs inputs{.character = character,
+                                    .roots = graph.roots(),
+                                    .distances = graph.distances(),
+                                    .accelerations = accelerations,
+                                    .transitions = transitions,
+                                    .settings = transitionSettings(work.graph, fps),
+                                    .graph = graph.graph()};
+        JunctionTables tables = junctionTables(work.graph.pose.metric == PoseMetric::Surface ? "rad" : "m");
+        const auto judge = [&](const char* name, const BlendSettings& blend, const Progress& part) {
+            addReport(tables, name, graph,
+                      judgeJunctions(inputs, {.count = count, .seed = seed, .blend = blend}, part));
+        };
+        judge("paper", {}, progress.part(0.4, 0.7));
+        judge("gentle", BlendSettings::gentle(), progress.part(0.7, 1));
+        Result result;
+        result.tables = {std::move(tables.rows).table(), std::move(tables.criteria).table(),
+                         std::move(tables.predictors).table()};
+        return result;
+    };
+    return stage;
+}
+
+} // namespace quadrille
