@@ -116,7 +116,9 @@ struct SearchSettings
     /// β: cost of a frame of timing error of keys, actions and spans, ≥ 0; empty: betaPerAlpha · α.
     std::optional<double> beta;
     double mu = 0.1; ///< μ: weight of edges against squared metres of deviation, where there is a path
-    std::int64_t budget = 100'000; ///< expansions, ≥ 1: states of which all ways on are looked at
+    /// Expansions, ≥ 1: states of which all ways on are looked at. Where keys alone are asked for, all states
+    /// of a leg at one output frame count as one.
+    std::int64_t budget = 100'000;
     /// Keys are met with the least cost over all of them. Otherwise from key to key, each with the error of
     /// the one before carried over, as in the paper.
     bool globalKeys = false;

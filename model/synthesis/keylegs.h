@@ -84,12 +84,14 @@ bool LegSearch::run(const Bound& bound, const double& limit, const Arrive& arriv
         const double reached = costs[static_cast<std::size_t>(m_target)];
         if (reached < unreachable && (elapsed > 0 || isStart))
             arrive(elapsed, reached);
+        bool isCounted = false;
         for (NodeIndex node = 0; node < m_graph.nodeCount(); ++node) {
             const double cost = costs[static_cast<std::size_t>(node)];
             if (cost == unreachable || bound(node, elapsed, cost) >= limit)
                 continue;
-            if (budget-- <= 0)
+            if (!isCounted && budget-- <= 0)
                 return false;
+            isCounted = true;
             expand(node, elapsed, cost);
         }
     }

@@ -188,8 +188,10 @@ KeyWalk goodWalk(const WalkGraph& graph, const std::vector<NodeIndex>& starts,
                  const std::vector<PoseKey>& keys, double beta, std::int64_t& budget,
                  const Progress& progress)
 {
-    KeyWalk best{.edges = unreachable};
-    for (const double factor : {1.0, 1.5, 2.0, 3.0, 5.0, 10.0}) {
+    KeyWalk best{.edges = unreachable, .timing = unreachable};
+    for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
+        if (best.timing == 0)
+            break;
         KeyWalk walk = fromKeyToKey(graph, starts, keys, boundsOf(graph, keys, factor * beta), factor * beta,
                                     budget, progress);
         walk.timing /= factor;
@@ -256,6 +258,53 @@ private:
     std::vector<std::map<std::int64_t, State>> m_states; ///< by the time of each key
 };
 
+/// Lower bounds of the cost of all legs together, from bounds of each alone.
+class SumBounds
+{
+public:
+    SumBounds(const WalkGraph& graph, const std::vector<PoseKey>& keys, const std::vector<Leg>& legs,
+              const std::vector<LegBounds>& bounds, double beta, std::int64_t& budget,
+              const Progress& progress)
+        : m_legs(legs), m_bounds(bounds), m_half(boundsOf(graph, keys, beta / 2))
+    {
+        for (std::size_t k = 0; k < legs.size(); ++k) {
+            std::array<double, 3> least{unreachable, unreachable, unreachable};
+            for (const NodeIndex source : legs[k].sources) {
+                least[0] = std::min(least[0], bounds[k].ofSign(true, source, legs[k].wanted));
+                least[1] = std::min(least[1], bounds[k].ofSign(false, source, legs[k].wanted));
+                least[2] = std::min(least[2], m_half[k](source, legs[k].wanted));
+            }
+            // The errors of two neighbouring keys are together at least that of the leg between them: each
+            // leg alone, its error at half the cost, is another bound; this one is exact.
+            Leg alone = legs[k];
+            alone.tolerance = unreachable;
+            bool isComplete = true;
+            const LegWalk walk = cheapestLeg(graph, alone, m_half[k], beta / 2, budget, isComplete, progress);
+            if (isComplete)
+                least[2] = walk.total;
+            m_least.push_back(least);
+            for (std::size_t form = 0; form < least.size(); ++form)
+                m_sum[form] += least[form];
+        }
+    }
+
+    /// Where leg k has come to a node at some cost.
+    double operator()(std::size_t k, NodeIndex node, std::int32_t elapsed, double cost) const
+    {
+        const double time = m_legs[k].wanted - elapsed;
+        return cost + std::max({m_sum[0] - m_least[k][0] + m_bounds[k].ofSign(true, node, time),
+                                m_sum[1] - m_least[k][1] + m_bounds[k].ofSign(false, node, time),
+                                m_sum[2] - m_least[k][2] + m_half[k](node, time)});
+    }
+
+private:
+    const std::vector<Leg>& m_legs;
+    const std::vector<LegBounds>& m_bounds;
+    std::vector<LegBounds> m_half;
+    std::vector<std::array<double, 3>> m_least; ///< of each leg: both signs, and half the cost
+    std::array<double, 3> m_sum{};
+};
+
 } // namespace
 
 KeyWalk walkFromKeyToKey(const WalkGraph& graph, const std::vector<NodeIndex>& starts,
@@ -278,27 +327,16 @@ KeyWalk walkOverAllKeys(const WalkGraph& graph, const std::vector<NodeIndex>& st
     // A little above, so that rounding does not leave out the walk that is known.
     const double limit = (first.edges + first.timing) * (1 + 1e-9) + 1e-12;
     std::vector<Leg> legs;
-    std::vector<std::array<double, 2>> leastOf; ///< bounds of both signs of each leg
-    std::array<double, 2> sum{};
-    for (std::size_t k = 0; k < keys.size(); ++k) {
+    for (std::size_t k = 0; k < keys.size(); ++k)
         legs.push_back(legTo(keys, k, starts, k == 0 ? 0 : keys[k - 1].time));
-        std::array<double, 2> least{unreachable, unreachable};
-        for (const NodeIndex source : legs[k].sources) {
-            for (const std::size_t sign : {0U, 1U})
-                least[sign] = std::min(least[sign], bounds[k].ofSign(sign == 0, source, legs[k].wanted));
-        }
-        leastOf.push_back(least);
-        sum = {sum[0] + least[0], sum[1] + least[1]};
-    }
+    const SumBounds sum(graph, keys, legs, bounds, beta, left, progress.part(0.3, 0.5));
     KeyTimes times(keys, beta);
     std::vector<LegSearch> searches;
     first.optimal = false;
     for (std::size_t k = 0; k < keys.size(); ++k) {
         std::map<std::int32_t, double> costs;
         const auto bound = [&](NodeIndex node, std::int32_t elapsed, double cost) {
-            const double time = legs[k].wanted - elapsed;
-            return cost + std::max(sum[0] - leastOf[k][0] + bounds[k].ofSign(true, node, time),
-                                   sum[1] - leastOf[k][1] + bounds[k].ofSign(false, node, time));
+            return sum(k, node, elapsed, cost);
         };
         searches.emplace_back(graph, legs[k].sources, legs[k].target);
         const auto part = static_cast<double>(k) / static_cast<double>(keys.size());
@@ -308,7 +346,7 @@ KeyWalk walkOverAllKeys(const WalkGraph& graph, const std::vector<NodeIndex>& st
                 if (bound(legs[k].target, elapsed, cost) < limit)
                     costs.emplace(elapsed, cost);
             },
-            legs[k].isFirst, left, progress.part(0.3 + 0.7 * part, 1));
+            legs[k].isFirst, left, progress.part(0.5 + 0.5 * part, 1));
         if (!isComplete) {
             first.expansions = budget;
             return first;

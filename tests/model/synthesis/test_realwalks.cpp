@@ -22,6 +22,10 @@ protected:
         m_warps.emplace(m_character->distances, m_character->layout, m_character->settings);
     }
 
+    void followAnSCurveAndRunOnTheWay() const;
+    void keepTheTimesOfKeys() const;
+    void performActionsInOrder() const;
+    void combineAPathWithAKeyAndAnAction() const;
     WalkSolution find(const WalkConstraints& constraints, const SearchSettings& settings) const
     {
         const auto transition = [this](const FramePair& frames) {
@@ -38,9 +42,7 @@ protected:
     std::optional<WarpPaths> m_warps;
 };
 
-} // namespace
-
-TEST_F(RealWalks, FollowAnSCurveAndRunOnTheWay)
+void RealWalks::followAnSCurveAndRunOnTheWay() const
 {
     const Ground ground(UpAxis::Y);
     std::vector<Vec3d> through;
@@ -57,7 +59,7 @@ TEST_F(RealWalks, FollowAnSCurveAndRunOnTheWay)
     EXPECT_LE(find(constraints, {.budget = 30'000}).totalCost, solution.totalCost);
 }
 
-TEST_F(RealWalks, KeepTheTimesOfKeys)
+void RealWalks::keepTheTimesOfKeys() const
 {
     const auto key = [this](const char* take, NodeIndex frame, double time) {
         return PoseKey{m_character->takes.at(take).first + frame, time};
@@ -73,7 +75,7 @@ TEST_F(RealWalks, KeepTheTimesOfKeys)
     EXPECT_LE(all.totalCost, pairs.totalCost + 1e-9);
 }
 
-TEST_F(RealWalks, PerformActionsInOrder)
+void RealWalks::performActionsInOrder() const
 {
     const WalkConstraints constraints{.actions = {{.frames = m_character->framesOf("walk"), .duration = 90},
                                                   {.frames = m_character->framesOf("kick")},
@@ -87,7 +89,7 @@ TEST_F(RealWalks, PerformActionsInOrder)
     EXPECT_NEAR(static_cast<double>(solution.actions[0].count()), 90, 5);
 }
 
-TEST_F(RealWalks, CombineAPathWithAKeyAndAnAction)
+void RealWalks::combineAPathWithAKeyAndAnAction() const
 {
     const Ground ground(UpAxis::Y);
     const WalkConstraints constraints{
@@ -100,4 +102,15 @@ TEST_F(RealWalks, CombineAPathWithAKeyAndAnAction)
     ASSERT_EQ(solution.keys.size(), 1U);
     EXPECT_NEAR(static_cast<double>(solution.keys[0].obtained), 120, 60);
     EXPECT_GE(solution.actions[0].count(), 29) << "half of the shorter kick";
+}
+
+} // namespace
+
+// One test, because the transitions of all takes are computed once for each program that runs.
+TEST_F(RealWalks, MeetWhatAnAnimatorAsksFor)
+{
+    followAnSCurveAndRunOnTheWay();
+    keepTheTimesOfKeys();
+    performActionsInOrder();
+    combineAPathWithAKeyAndAnAction();
 }
