@@ -4,9 +4,11 @@
 #include "model/sequence/io/registry.h"
 #include "model/synthesis/contactcorrection.h"
 #include "model/synthesis/footpath.h"
+#include "model/synthesis/legdeformation.h"
 #include "tests/model/synthesis/clipof.h"
 #include "tests/model/synthesis/errorcodeof.h"
 #include "tests/model/synthesis/footskate.h"
+#include "tests/model/synthesis/plainlegdeformation.h"
 #include "tests/model/synthesis/stridingtube.h"
 
 #include <gtest/gtest.h>
@@ -109,6 +111,29 @@ TEST(FootPath, TakesOutASlipByHand)
     ContactCorrectionSettings narrow;
     narrow.greatestShift = 0.005;
     EXPECT_LE(footShifts(clip, foot, narrow, 1.8, Ground(UpAxis::Z))[0].shift.x(), 0.009);
+}
+
+TEST(LegDeformation, IsThatOfTheTextbook)
+{
+    const Clip& clip = slipping().clip;
+    const Legs legs =
+        findLegs(*clip.topology, upright(clip.positions, clip.topology->vertexCount(), UpAxis::Y), 0.07);
+    const Ground ground(UpAxis::Y);
+    for (const std::size_t side : {0U, 1U}) {
+        const std::vector<std::uint32_t>& foot = legs.feet[side].vertices;
+        const LegDeformation deformation(*clip.topology, legs.vertices[side], foot, legs.reference);
+        FootShift shift{.pivot = {}, .turn = 0.2, .shift = {0.05, -0.02}, .lift = 0.01};
+        for (const std::uint32_t v : foot)
+            shift.pivot += ground.of(clip.frame(7)[v].cast<double>()) / static_cast<double>(foot.size());
+        std::vector<Vec3f> ours(clip.frame(7).begin(), clip.frame(7).end());
+        std::vector<Vec3f> plain = ours;
+        deformation.apply(shift, ground, ours);
+        testing::deformLegPlainly(*clip.topology, legs.vertices[side], foot, legs.reference, shift, ground,
+                                  plain);
+        // Single precision of the result; a billionth part is added to the diagonal of ours.
+        EXPECT_LT(largestStep(ours, plain), 1e-5);
+        EXPECT_GT(largestStep(ours, clip.frame(7)), 0.04);
+    }
 }
 
 TEST(ContactCorrection, MakesFeetStand)
