@@ -27,7 +27,7 @@ void move(Positions positions, const GroundMotion& motion, const Ground& ground,
 /// The pose of a moment. Between captured frames vertices go straight.
 Frame poseAt(const CharacterFrames& character, const FrameTime& time)
 {
-    const Frame here = character.frame(time.frame);
+    Frame here = character.frame(time.frame);
     if (time.part == 0)
         return here;
     const Frame next = character.frame(time.next());
