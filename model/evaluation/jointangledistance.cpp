@@ -69,6 +69,7 @@ JointAngles joined(std::span<const JointAngles> sequences)
     result.joints = common;
     for (const JointAngles& sequence : sequences) {
         std::vector<std::size_t> indices;
+        indices.reserve(common.size());
         for (const std::string& joint : common)
             indices.push_back(static_cast<std::size_t>(
                 std::find(sequence.joints.begin(), sequence.joints.end(), joint) - sequence.joints.begin()));
@@ -82,6 +83,7 @@ JointAngles joined(std::span<const JointAngles> sequences)
 JointAngles selectJoints(const JointAngles& angles, std::span<const std::size_t> joints)
 {
     JointAngles result{.joints = {}, .fps = angles.fps, .frameCount = angles.frameCount, .angles = {}};
+    result.joints.reserve(joints.size());
     for (const std::size_t joint : joints)
         result.joints.push_back(angles.joints[joint]);
     for (std::int64_t frame = 0; frame < angles.frameCount; ++frame) {

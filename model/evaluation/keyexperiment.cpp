@@ -34,6 +34,7 @@ std::vector<PoseKey> drawKeys(std::vector<NodeIndex> pool, int count, std::int64
         times[k] = k == 0 ? 0 : times[k - 1] + 0.25 + unit();
     }
     std::vector<PoseKey> keys;
+    keys.reserve(keyCount);
     for (std::size_t k = 0; k < keyCount; ++k) {
         const double part = times.back() > 0 ? times[k] / times.back() : 0;
         keys.push_back({.frame = pool[k], .time = std::round(part * static_cast<double>(duration))});

@@ -46,6 +46,7 @@ CurveMeasures measureCurve(std::span<const Vec2d> points)
     if (points.size() < 2)
         return measures;
     std::vector<Vec2d> steps;
+    steps.reserve(points.size() - 1);
     for (std::size_t p = 1; p < points.size(); ++p) {
         steps.push_back(points[p] - points[p - 1]);
         measures.length += steps.back().norm();

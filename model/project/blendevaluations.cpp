@@ -6,6 +6,7 @@
 #include "model/project/tablebuilder.h"
 #include "model/transition/posedistance.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace quadrille {
@@ -43,6 +44,7 @@ BlendedSequences blendedSequences(const CharacterWork& work, const EvaluationEnt
     blended.names = evaluation.sequences;
     if (blended.names.empty()) {
         std::vector<double> turnings;
+        turnings.reserve(work.sequences.size());
         for (const std::string& name : work.sequences) {
             progress.report(std::ssize(turnings), std::ssize(work.sequences));
             turnings.push_back(netTurning(work.opener->open(name)->sequence, ground));
@@ -51,6 +53,7 @@ BlendedSequences blendedSequences(const CharacterWork& work, const EvaluationEnt
         blended.names = {work.sequences[static_cast<std::size_t>(left - turnings.begin())],
                          work.sequences[static_cast<std::size_t>(right - turnings.begin())]};
     }
+    blended.sequences.reserve(blended.names.size());
     for (const std::string& name : blended.names)
         blended.sequences.push_back(work.opener->open(name)->sequence);
     return blended;
@@ -61,6 +64,7 @@ CurveMeasures windowMeasures(const RootPoses& roots, NodeIndex first, NodeIndex 
 {
     const Ground ground(roots.up);
     std::vector<Vec2d> points;
+    points.reserve(static_cast<std::size_t>(last - first + 1));
     for (NodeIndex node = first; node <= last; ++node)
         points.push_back(ground.of(roots.centres[static_cast<std::size_t>(node)]));
     return measureCurve(points);

@@ -30,6 +30,7 @@ constexpr double none = std::numeric_limits<double>::infinity();
 std::vector<WalkSpan> spansOf(const CharacterGraph& graph, const std::vector<std::string>& sequences)
 {
     std::vector<WalkSpan> spans;
+    spans.reserve(sequences.size());
     for (const std::string& sequence : sequences)
         spans.push_back(graph.span(sequence, std::nullopt));
     return spans;

@@ -117,6 +117,17 @@ SequenceEntry writeTake(const SampleCharacter& character, const SampleTake& take
     return entry;
 }
 
+/// Those that take seconds.
+std::vector<EvaluationEntry> sampleEvaluations(const std::string& character)
+{
+    std::vector<EvaluationEntry> evaluations;
+    for (const char* table : {"fig4", "fig11", "fig12", "table1"}) {
+        evaluations.emplace_back().table = table;
+        evaluations.back().character = character;
+    }
+    return evaluations;
+}
+
 std::vector<ExportEntry> sampleExports()
 {
     ExportEntry glb;
@@ -209,6 +220,7 @@ fs::path writeSample(const fs::path& folder, const SampleOptions& options, const
     project.graphs.resize(1);
     project.graphs[0].character = project.characters[0].name;
     project.animations = sampleAnimations(project.characters[0].name);
+    project.evaluations = sampleEvaluations(project.characters[0].name);
     project.exports = sampleExports();
     const fs::path truth = folder / "groundtruth";
     writeAtomically(truth / "skeleton.json", skeletonJson(character).dump() + "\n");

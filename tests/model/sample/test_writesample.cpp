@@ -46,6 +46,7 @@ TEST_F(WriteSample, everythingThatTheProjectNamesIsThere)
     EXPECT_EQ(project.characters.size(), 2U);
     EXPECT_EQ(project.sequences.size(), 13U);
     EXPECT_FALSE(project.exports.empty());
+    EXPECT_FALSE(project.evaluations.empty());
     for (const CharacterEntry& character : project.characters) {
         EXPECT_TRUE(fs::exists(m_folder / character.mesh));
         EXPECT_FALSE(readImage(m_folder / character.texture.paths.at(0)).isEmpty());
