@@ -3,33 +3,14 @@
 #pragma once
 
 #include "model/core/progress.h"
+#include "model/geometry/faceedges.h"
 #include "model/geometry/symmetry.h"
 #include "model/sequence/topology.h"
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace quadrille {
-
-/// Faces as closed rows of vertices, and their half-edges: the half-edge h leads from vertices[h] to the next
-/// one of its face. −1 where there is none.
-struct FaceEdges
-{
-    std::vector<std::uint32_t> vertices;
-    std::vector<std::int32_t> next;
-    std::vector<std::int32_t> previous;
-    std::vector<std::int32_t> twin; ///< the one back, in the neighbouring face
-    std::vector<std::int32_t> face;
-    std::vector<std::int32_t> faceSizes;
-
-    std::int32_t count() const { return static_cast<std::int32_t>(vertices.size()); }
-    std::uint32_t from(std::int32_t h) const { return vertices[static_cast<std::size_t>(h)]; }
-    std::uint32_t to(std::int32_t h) const { return from(next[static_cast<std::size_t>(h)]); }
-};
-
-/// \param joinsFans  triangles that follow each other around one first corner are one face again.
-FaceEdges faceEdges(const Topology& topology, bool joinsFans);
 
 /// An involution of the vertices that maps faces to faces of reversed orientation.
 struct GrownSymmetry
@@ -47,8 +28,5 @@ std::optional<GrownSymmetry> grownSymmetry(const Topology& topology, const FaceE
 
 /// Whether several components are as large as the largest.
 bool hasTwins(const Topology& topology);
-
-/// Whether an involution maps each face to one of reversed orientation.
-bool reversesFaces(const FaceEdges& edges, const std::vector<VertexIndex>& opposite);
 
 } // namespace quadrille
