@@ -64,7 +64,7 @@ CurveMeasures windowMeasures(const RootPoses& roots, NodeIndex first, NodeIndex 
 {
     const Ground ground(roots.up);
     std::vector<Vec2d> points;
-    points.reserve(static_cast<std::size_t>(last - first + 1));
+    points.reserve(static_cast<std::size_t>(std::int64_t{last} - first + 1));
     for (NodeIndex node = first; node <= last; ++node)
         points.push_back(ground.of(roots.centres[static_cast<std::size_t>(node)]));
     return measureCurve(points);
