@@ -3,6 +3,7 @@
 #include "model/synthesis/pathsearch.h"
 
 #include "model/synthesis/fingerprints.h"
+#include "model/synthesis/strata.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,85 +35,6 @@ struct Candidate
     std::uint32_t order = 0;
 };
 
-/// The best one comes last, as heaps have it.
-bool isWorse(const Candidate& a, const Candidate& b)
-{
-    return a.rank != b.rank ? a.rank > b.rank : a.order > b.order;
-}
-
-/// States that have met as much of what is asked, the most promising first.
-class Stratum
-{
-public:
-    /// \param quarters  of the action that is being performed.
-    Stratum(const StageState& stage, int quarters) : m_stage(stage), m_quarters(quarters) {}
-
-    bool has(const StageState& stage, int quarters) const
-    {
-        return quarters == m_quarters && stage.key == m_stage.key && stage.step == m_stage.step &&
-               stage.span == m_stage.span && stage.required == m_stage.required &&
-               stage.isFollowing == m_stage.isFollowing;
-    }
-    bool isEmpty() const { return m_open.empty(); }
-    bool takes(double rank) const { return rank < m_limit; }
-    void add(const Candidate& candidate, std::int64_t width)
-    {
-        m_open.push_back(candidate);
-        std::push_heap(m_open.begin(), m_open.end(), isWorse);
-        const auto most = static_cast<std::size_t>(4 * width);
-        if (m_open.size() < 2 * most)
-            return;
-        const auto better = [](const Candidate& a, const Candidate& b) { return isWorse(b, a); };
-        std::nth_element(m_open.begin(), m_open.begin() + static_cast<std::ptrdiff_t>(most), m_open.end(),
-                         better);
-        m_limit = m_open[most].rank;
-        m_open.resize(most);
-        std::make_heap(m_open.begin(), m_open.end(), isWorse);
-    }
-    Candidate take()
-    {
-        std::pop_heap(m_open.begin(), m_open.end(), isWorse);
-        const Candidate best = m_open.back();
-        m_open.pop_back();
-        return best;
-    }
-
-private:
-    StageState m_stage;
-    int m_quarters;
-    std::vector<Candidate> m_open;
-    double m_limit = std::numeric_limits<double>::infinity();
-};
-
-/// States of about the same walked length that were not looked at yet. Those that have met more of what is
-/// asked and those that have met less do not compete: what is still to come is not in their costs.
-class Layer
-{
-public:
-    Stratum& stratum(const StageState& stage, int quarters)
-    {
-        for (Stratum& stratum : m_strata) {
-            if (stratum.has(stage, quarters))
-                return stratum;
-        }
-        return m_strata.emplace_back(stage, quarters);
-    }
-    /// The best state of the stratum whose turn it is.
-    std::optional<Candidate> take()
-    {
-        for (std::size_t tried = 0; tried < m_strata.size(); ++tried) {
-            Stratum& stratum = m_strata[m_next++ % m_strata.size()];
-            if (!stratum.isEmpty())
-                return stratum.take();
-        }
-        return std::nullopt;
-    }
-
-private:
-    std::vector<Stratum> m_strata;
-    std::size_t m_next = 0;
-};
-
 class PathPass
 {
 public:
@@ -126,20 +48,19 @@ public:
     {
         begin();
         for (std::size_t l = 0; l < m_layers.size() && budget > 0; ++l) {
-            std::int64_t width = m_settings.width;
-            while (width > 0 && budget > 0) {
+            for (std::int64_t taken = 0; taken < m_layers[l].width(m_settings.width) && budget > 0;) {
                 const std::optional<Candidate> next = m_layers[l].take();
                 if (!next)
                     break;
                 if (next->cost >= m_limit || m_known.isWorse(fingerprint(*next), next->cost))
                     continue;
-                --width;
+                ++taken;
                 --budget;
                 if (budget % 256 == 0)
                     progress.report(0);
                 expand(*next);
             }
-            m_layers[l] = Layer();
+            m_layers[l] = {};
         }
         return std::move(m_found);
     }
@@ -209,8 +130,9 @@ private:
         if (candidate.place.walked + m_problem.motions.walkableFrom(candidate.stage.node) <
             m_problem.course.length())
             return;
-        Layer& layer = m_layers[static_cast<std::size_t>(candidate.place.walked / layerLength)];
-        Stratum& stratum =
+        StageLayer<Candidate>& layer =
+            m_layers[static_cast<std::size_t>(candidate.place.walked / layerLength)];
+        Stratum<Candidate>& stratum =
             layer.stratum(candidate.stage, m_problem.stages.quartersDone(candidate.stage, candidate.time));
         candidate.rank = candidate.cost + left + outlook(candidate);
         if (!stratum.takes(candidate.rank) || !m_known.improves(fingerprint(candidate), candidate.cost))
@@ -271,7 +193,7 @@ private:
     PassSettings m_settings;
     double m_limit;
     PathFailure& m_failure;
-    std::vector<Layer> m_layers;
+    std::vector<StageLayer<Candidate>> m_layers;
     std::vector<Candidate> m_seen;
     std::vector<SettledStage> m_settled;
     CheapestKnown m_known;

@@ -3,7 +3,9 @@
 #include "model/synthesis/stagesearch.h"
 
 #include "model/synthesis/fingerprints.h"
+#include "model/synthesis/strata.h"
 
+#include <map>
 #include <queue>
 #include <unordered_map>
 
@@ -33,12 +35,13 @@ struct KeyHash
     }
 };
 
+/// A*: what it finds is the cheapest.
 class StagePass
 {
 public:
-    /// \param trust  how much the bounds count; 1: exact. \param limit  cost of the best walk that is known.
-    StagePass(const WalkGraph& graph, const WalkStages& stages, double trust, double limit)
-        : m_graph(graph), m_stages(stages), m_trust(trust), m_limit(limit)
+    /// \param limit  cost of the best walk that is known.
+    StagePass(const WalkGraph& graph, const WalkStages& stages, double limit)
+        : m_graph(graph), m_stages(stages), m_limit(limit)
     {
     }
 
@@ -110,20 +113,115 @@ private:
             if (visit.cost >= known)
                 continue;
             known = visit.cost;
-            m_open.push({visit.cost + m_trust * left, m_visits.size()});
+            m_open.push({visit.cost + left, m_visits.size()});
             m_visits.push_back(visit);
         }
     }
 
     const WalkGraph& m_graph;
     const WalkStages& m_stages;
-    double m_trust;
     double m_limit;
     std::vector<Visit> m_visits;
     std::unordered_map<Key, double, KeyHash> m_costs;
     std::priority_queue<Entry> m_open;
     std::vector<SettledStage> m_settled;
     bool m_isComplete = true;
+};
+
+/// Looks at the most promising states of every output frame only, so that there is a walk soon.
+class NarrowPass
+{
+public:
+    NarrowPass(const WalkGraph& graph, const WalkStages& stages, std::int64_t width, double limit)
+        : m_graph(graph), m_stages(stages), m_width(width), m_limit(limit)
+    {
+    }
+
+    std::optional<FoundRoute> run(const std::vector<NodeIndex>& starts, std::int64_t& budget,
+                                  const Progress& progress)
+    {
+        for (const NodeIndex node : starts)
+            offer({.visit = {.stage = m_stages.begin(node)}}, 0);
+        for (; !m_layers.empty() && budget > 0; m_layers.erase(m_layers.begin())) {
+            progress.report(0);
+            StageLayer<Candidate>& layer = m_layers.begin()->second;
+            for (std::int64_t taken = 0; taken < layer.width(m_width) && budget > 0;) {
+                const std::optional<Candidate> next = layer.take();
+                if (!next)
+                    break;
+                if (next->rank >= m_limit || m_known.isWorse(fingerprint(next->visit), next->visit.cost))
+                    continue;
+                ++taken;
+                --budget;
+                expand(next->visit);
+            }
+        }
+        return std::move(m_found);
+    }
+
+private:
+    struct Candidate
+    {
+        Visit visit;
+        double rank = 0;
+        std::uint32_t order = 0;
+    };
+
+    std::uint64_t fingerprint(const Visit& visit) const
+    {
+        return KeyHash()(m_stages.future(visit.stage, visit.time));
+    }
+
+    void expand(const Visit& from)
+    {
+        const auto parent = static_cast<std::int32_t>(m_seen.size());
+        m_seen.push_back(from);
+        const auto [begin, end] = m_graph.from(from.stage.node);
+        for (MoveIndex index = begin; index < end; ++index) {
+            const WalkMove& move = m_graph.move(index);
+            if (m_stages.allows(from.stage, move))
+                offer({.visit = {.stage = m_stages.after(from.stage, move),
+                                 .time = from.time + move.elapsed,
+                                 .parent = parent,
+                                 .move = index}},
+                      from.cost + move.weight);
+        }
+    }
+
+    void offer(Candidate candidate, double cost)
+    {
+        Visit& visit = candidate.visit;
+        m_stages.settle(visit.stage, visit.time, m_settled);
+        for (const SettledStage& settled : m_settled) {
+            visit.stage = settled.state;
+            visit.cost = cost + settled.edges + settled.timing;
+            candidate.rank = visit.cost + m_stages.leastCost(visit.stage, visit.time);
+            if (candidate.rank >= m_limit)
+                continue;
+            if (m_stages.isDone(visit.stage)) {
+                m_limit = visit.cost;
+                m_found = routeTo(visit, m_seen, visit.cost);
+                continue;
+            }
+            Stratum<Candidate>& stratum =
+                m_layers[visit.time].stratum(visit.stage, m_stages.quartersDone(visit.stage, visit.time));
+            if (!stratum.takes(candidate.rank) || !m_known.improves(fingerprint(visit), visit.cost))
+                continue;
+            candidate.order = m_order++;
+            stratum.add(candidate, m_width);
+        }
+    }
+
+    const WalkGraph& m_graph;
+    const WalkStages& m_stages;
+    std::int64_t m_width;
+    double m_limit;
+    std::map<std::int32_t, StageLayer<Candidate>> m_layers;
+    std::vector<Visit> m_seen;
+    std::vector<SettledStage> m_settled;
+    CheapestKnown m_known;
+    std::uint32_t m_order = 0;
+    std::optional<FoundRoute> m_found;
 };
 
 } // namespace
@@ -135,20 +233,35 @@ std::optional<FoundRoute> searchStages(const WalkGraph& graph, const WalkStages&
 {
     std::optional<FoundRoute> best;
     std::int64_t left = budget;
-    for (const double trust : {3.0, 1.0}) {
-        progress.report(budget - left, budget);
-        StagePass pass(graph, stages, trust, best ? best->cost : unreachable);
-        std::optional<FoundRoute> better = pass.run(starts, left, progress);
+    const auto limit = [&best] { return best ? best->cost : unreachable; };
+    const auto keep = [&](std::optional<FoundRoute> better) {
         expansions = budget - std::max(left, std::int64_t{0});
-        if (better) {
-            best = std::move(better);
-            best->expansions = expansions;
-            best->optimal = trust == 1.0;
-            found(*best);
-        } else if (best && pass.isComplete()) {
-            best->optimal = true;
-        }
+        if (!better)
+            return;
+        best = std::move(better);
+        best->expansions = expansions;
+        found(*best);
+    };
+    // Narrow passes may use half of the budget.
+    for (std::int64_t width = 8; 2 * left > budget; width *= 4) {
+        progress.report(budget - left, budget);
+        std::int64_t part = left - budget / 2;
+        const std::int64_t before = part;
+        std::optional<FoundRoute> better =
+            NarrowPass(graph, stages, width, limit()).run(starts, part, progress);
+        left -= before - part;
+        keep(std::move(better));
+        constexpr std::int64_t widest = 128;
+        if (width >= widest)
+            break;
     }
+    StagePass exact(graph, stages, limit());
+    std::optional<FoundRoute> cheapest = exact.run(starts, left, progress);
+    if (cheapest)
+        cheapest->optimal = true;
+    else if (best && exact.isComplete())
+        best->optimal = true;
+    keep(std::move(cheapest));
     return best;
 }
 

@@ -10,9 +10,9 @@
 namespace quadrille {
 
 /// Seeks the cheapest walk that meets keys, actions and required junctions, without a path: A* over frame,
-/// stage and, where it matters, output frame. The first pass trusts the bounds too much, so that there is a
-/// walk soon; the second one is exact, and what it finds within the budget is optimal.
-/// \return nothing where none was found. \throws Error Cancelled.
+/// stage and, where it matters, output frame. Narrow passes come first, so that there is a walk soon; the
+/// last one is exact, and what it finds within the budget is optimal. \return nothing where none was found.
+/// \throws Error Cancelled.
 std::optional<FoundRoute> searchStages(const WalkGraph& graph, const WalkStages& stages,
                                        const std::vector<NodeIndex>& starts, std::int64_t budget,
                                        const FoundCallback& found, std::int64_t& expansions,
