@@ -77,10 +77,10 @@ bool LegSearch::run(const Bound& bound, const double& limit, const Arrive& arriv
 {
     for (const NodeIndex source : m_sources)
         layer(0).costs[static_cast<std::size_t>(source)] = 0;
-    for (auto here = m_layers.begin(); here != m_layers.end(); ++here) {
+    // Layers behind this one come to be meanwhile, which a map allows.
+    for (const auto& [elapsed, here] : m_layers) {
         progress.report(0);
-        const std::int32_t elapsed = here->first;
-        const std::vector<double>& costs = here->second.costs;
+        const std::vector<double>& costs = here.costs;
         const double reached = costs[static_cast<std::size_t>(m_target)];
         if (reached < unreachable && (elapsed > 0 || isStart))
             arrive(elapsed, reached);

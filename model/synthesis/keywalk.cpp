@@ -154,6 +154,7 @@ Leg legTo(const std::vector<PoseKey>& keys, std::size_t key, const std::vector<N
 std::vector<LegBounds> boundsOf(const WalkGraph& graph, const std::vector<PoseKey>& keys, double beta)
 {
     std::vector<LegBounds> bounds;
+    bounds.reserve(keys.size());
     for (const PoseKey& key : keys)
         bounds.emplace_back(graph, key.frame, beta);
     return bounds;

@@ -46,7 +46,7 @@ public:
     Candidate take()
     {
         std::pop_heap(m_open.begin(), m_open.end(), isWorse);
-        const Candidate best = m_open.back();
+        Candidate best = m_open.back();
         m_open.pop_back();
         return best;
     }
