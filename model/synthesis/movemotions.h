@@ -45,8 +45,8 @@ public:
     const Motion& of(MoveIndex move);
     /// Where a captured frame lies.
     const Vec3d& point(NodeIndex node) const { return m_points[static_cast<std::size_t>(node)]; }
-    /// Metres that can still be walked from a frame: without bounds where a transition leaves it or one behind
-    /// it, otherwise to the end of its sequence.
+    /// Metres that can still be walked from a frame: without bounds where a transition leaves it or one
+    /// behind it, otherwise to the end of its sequence.
     double walkableFrom(NodeIndex node) const { return m_walkable[static_cast<std::size_t>(node)]; }
     /// Turns and places a frame so that it stands on the beginning of the course and what was captured around
     /// it goes along.
