@@ -78,7 +78,9 @@ bool PathCosts::follow(const MoveMotions::Motion& motion, const Eigen::Matrix2d&
         const Vec3d point(rotation(0, 0) * x + rotation(0, 1) * y + shift.x(),
                           rotation(1, 0) * x + rotation(1, 1) * y + shift.y(),
                           static_cast<double>(step.point.z()));
-        if (!admit(point, begun + static_cast<double>(step.arcLength), step.source, step.destination, place,
+        // The last frame of a transition is captured, too: only what it shows counts.
+        const NodeIndex source = &step == &motion.steps.back() ? step.destination : step.source;
+        if (!admit(point, begun + static_cast<double>(step.arcLength), source, step.destination, place,
                    charge, failure))
             return false;
     }
