@@ -41,7 +41,8 @@ PostProcessingInputs postProcessingInputs(const AnimationEntry& animation, const
     PostProcessingInputs inputs{.method = {.up = settings.axes.up,
                                            .pose = work.graph.pose,
                                            .transitions = transitionSettings(work.graph, settings.fps),
-                                           .interpolation = animation.interpolation}};
+                                           .interpolation = animation.interpolation},
+                                .character = frames};
     const auto& sequences = frames.sequences();
     if (std::any_of(sequences.begin(), sequences.end(),
                     [](const MeshSequence& sequence) { return !sequence.contacts.empty(); }))
