@@ -119,22 +119,24 @@ Result rootPosesResult(const RootPoses& roots)
 
 std::vector<std::string> CharacterGraph::inputs(const CharacterWork& work)
 {
-    return {work.stageName(graphstage::poseDistance), work.stageName(graphstage::transitions),
-            work.stageName(graphstage::graphs), work.stageName(graphstage::rootPoses)};
+    std::vector<std::string> stages = costInputs(work);
+    stages.push_back(work.stageName(graphstage::graphs));
+    stages.push_back(work.stageName(graphstage::rootPoses));
+    return stages;
 }
 
 CharacterGraph::CharacterGraph(const CharacterWork& work, const StageContext& context) : m_work(work)
 {
-    const std::vector<std::string> stages = inputs(work);
-    const Result poses = context.resultOf(stages[0]);
+    const auto resultOf = [&](const char* stage) { return context.resultOf(work.stageName(stage)); };
+    const Result poses = resultOf(graphstage::poseDistance);
     m_layout = layoutOf(poses);
     m_distances = tableOf<float>(poses.arrays.front());
-    const Result transitions = context.resultOf(stages[1]);
-    m_costs = costsOf(work.graph, poses, transitions);
+    const Result transitions = resultOf(graphstage::transitions);
+    m_costs = costsOf(work, context);
     std::tie(m_sourceWindows, m_destinationWindows) = windowsOf(transitions);
-    m_graph = essentialGraphOf(context.resultOf(stages[2]), m_layout.frameCount());
+    m_graph = essentialGraphOf(resultOf(graphstage::graphs), m_layout.frameCount());
     const ProjectSettings& settings = work.opener->project().settings;
-    m_roots = rootPosesOf(context.resultOf(stages[3]), settings.axes.up);
+    m_roots = rootPosesOf(resultOf(graphstage::rootPoses), settings.axes.up);
     m_paths.emplace(m_distances, m_layout, transitionSettings(work.graph, settings.fps));
 }
 

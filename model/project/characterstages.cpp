@@ -3,6 +3,7 @@
 #include "model/project/characterstages.h"
 
 #include "model/project/sequencesettings.h"
+#include "model/synthesis/liveliness.h"
 
 #include <algorithm>
 #include <cassert>
@@ -85,13 +86,36 @@ FrameLayout layoutOf(const Result& distances)
     return FrameLayout(std::get<std::vector<std::int64_t>>(arrayOf(distances, "sequence-lengths").values));
 }
 
-TransitionCosts costsOf(const GraphEntry& graph, const Result& distances, const Result& transitions)
+TransitionCosts costsOf(const CharacterWork& work, const StageContext& context)
 {
+    const Result distances = context.resultOf(work.stageName(graphstage::poseDistance));
+    const Result transitions = context.resultOf(work.stageName(graphstage::transitions));
+    const FrameLayout layout = layoutOf(distances);
     const Table<float> poses = tableOf<float>(distances.arrays.front());
     const Table<float> lengths = tableOf<float>(arrayOf(transitions, "transition-length"));
-    const double greatest = graph.greatestDistance.value_or(poses.size() > 0 ? poses.maxCoeff() : 0.0F);
-    return {tableOf<float>(arrayOf(transitions, "transition-cost")),
-            lengths.isFinite().select(lengths, 0.0F).cast<std::uint16_t>(), greatest, layoutOf(distances)};
+    const double greatest = work.graph.greatestDistance.value_or(poses.size() > 0 ? poses.maxCoeff() : 0.0F);
+    Table<float> costs = tableOf<float>(arrayOf(transitions, "transition-cost"));
+    if (work.graph.costScale == CostScale::Liveliness) {
+        const Result liveliness = context.resultOf(work.stageName(graphstage::liveliness));
+        costs = costPerLiveliness(costs, layout, tableOf<double>(liveliness.arrays.front()));
+    }
+    return {std::move(costs), lengths.isFinite().select(lengths, 0.0F).cast<std::uint16_t>(), greatest,
+            layout};
+}
+
+std::vector<std::string> costInputs(const CharacterWork& work)
+{
+    std::vector<std::string> inputs{work.stageName(graphstage::poseDistance),
+                                    work.stageName(graphstage::transitions)};
+    if (work.graph.costScale == CostScale::Liveliness)
+        inputs.push_back(work.stageName(graphstage::liveliness));
+    return inputs;
+}
+
+nlohmann::json costSettings(const GraphEntry& graph)
+{
+    return {graph.greatestDistance.value_or(0),
+            graph.costScale == CostScale::Liveliness ? "liveliness" : "none"};
 }
 
 } // namespace quadrille

@@ -6,6 +6,7 @@
 #include "model/project/stage.h"
 #include "model/transition/characterframes.h"
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ namespace graphstage {
 inline constexpr auto poseDistance = "pose-distance";
 inline constexpr auto euclideanDistance = "euclidean-distance";
 inline constexpr auto transitions = "transitions";
+inline constexpr auto liveliness = "liveliness";
 inline constexpr auto graphs = "graphs";
 inline constexpr auto rootPoses = "root-poses";
 } // namespace graphstage
@@ -72,7 +74,11 @@ Table<Value> tableOf(const DataArray& array)
 /// \param distances  the result of the stage of pose distances.
 FrameLayout layoutOf(const Result& distances);
 
-/// What the graphs are made of, from the results of the stages of pose distances and transitions.
-TransitionCosts costsOf(const GraphEntry& graph, const Result& distances, const Result& transitions);
+/// What the graphs are made of, from the results of the stages that costInputs names.
+TransitionCosts costsOf(const CharacterWork& work, const StageContext& context);
+/// Pose distances, transitions, and what else their costs depend on.
+std::vector<std::string> costInputs(const CharacterWork& work);
+/// The settings of `costsOf` that no stage before knows, for ResultStage::settings.
+nlohmann::json costSettings(const GraphEntry& graph);
 
 } // namespace quadrille

@@ -5,6 +5,7 @@
 #include "model/project/charactergraph.h"
 #include "model/project/graphtables.h"
 #include "model/project/sequencesettings.h"
+#include "model/synthesis/liveliness.h"
 #include "model/transition/posedistance.h"
 #include "model/transition/transitiontable.h"
 
@@ -97,17 +98,14 @@ ResultStage transitionStage(const CharacterWork& work, const ResultStage& distan
     return stage;
 }
 
-ResultStage graphStage(const CharacterWork& work, const ResultStage& distances,
-                       const ResultStage& transitions)
+ResultStage graphStage(const CharacterWork& work)
 {
     ResultStage stage = work.stage(graphstage::graphs);
-    stage.settings =
-        nlohmann::json({work.graph.alpha, work.graph.greatestDistance.value_or(0), work.sequences}).dump();
-    stage.inputs = {distances.name, transitions.name};
-    stage.compute = [graph = work.graph, sequences = work.sequences,
-                     inputs = stage.inputs](const StageContext& context, const Progress& progress) {
-        const TransitionCosts costs =
-            costsOf(graph, context.resultOf(inputs[0]), context.resultOf(inputs[1]));
+    stage.settings = nlohmann::json({work.graph.alpha, costSettings(work.graph), work.sequences}).dump();
+    stage.inputs = costInputs(work);
+    stage.compute = [work, graph = work.graph, sequences = work.sequences](const StageContext& context,
+                                                                           const Progress& progress) {
+        const TransitionCosts costs = costsOf(work, context);
         const auto minima = costMinima(costs, CostSmoothing::None, progress.part(0, 0.05));
         const Digraph motion = motionGraph(costs, minima, graph.alpha);
         const EssentialGraph essential = essentialGraph(costs, graph.alpha, progress.part(0.05, 0.6));
@@ -128,6 +126,28 @@ ResultStage graphStage(const CharacterWork& work, const ResultStage& distances,
                                    "The Essential graph: all edges on shortest paths.", essential.graph,
                                    costs),
                          std::move(statistics).table(), std::move(components).table()};
+        return result;
+    };
+    return stage;
+}
+
+/// What costs are scaled by on demand.
+ResultStage livelinessStage(const CharacterWork& work)
+{
+    ResultStage stage = work.stage(graphstage::liveliness);
+    stage.settings = work.settings;
+    stage.files = [work](const Progress& progress) { return work.files(progress); };
+    stage.inputs = clipInputs(work.opener->project(), work.sequences);
+    stage.compute = [work, up = work.opener->project().settings.axes.up](const StageContext&,
+                                                                         const Progress& progress) {
+        const CharacterFrames frames = work.open(progress.part(0, 0.2));
+        const Table<double> liveliness =
+            livelinessOf(frameMeasures(frames, {}, up, progress.part(0.2, 1)), frames.layout());
+        Result result;
+        result.arrays = {matrixOf("liveliness",
+                                  "How fast vertices speed up and slow down in each pair of sequences, 95th "
+                                  "percentile of the frames.",
+                                  "m/s²", Table<float>(liveliness.cast<float>()))};
         return result;
     };
     return stage;
@@ -179,7 +199,9 @@ std::vector<ResultStage> makeGraphStages(const StageMaking& making)
         stages.push_back(
             distanceStage(work, graphstage::euclideanDistance, {.metric = PoseMetric::Euclidean}));
         stages.push_back(transitions);
-        stages.push_back(graphStage(work, distances, transitions));
+        if (graph.costScale == CostScale::Liveliness)
+            stages.push_back(livelinessStage(work));
+        stages.push_back(graphStage(work));
         stages.push_back(rootPosesStage(work));
     }
     return stages;

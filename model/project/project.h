@@ -90,6 +90,7 @@ struct GraphEntry
     PoseDistanceSettings pose;
     /// Rate and windows are those of `durations` at the project's rate, see transitionSettings.
     TransitionCost cost = TransitionCost::Sum;
+    CostScale costScale = CostScale::None;
     int slope = TransitionSettings().slope;
     /// Shortest and longest window of a transition, seconds; a third of a second and two when empty.
     std::optional<std::pair<double, double>> durations;

@@ -19,8 +19,8 @@ inline constexpr std::array<std::string_view, 4> character{"name", "mesh", "text
 inline constexpr std::array<std::string_view, 12> sequence{
     "name",           "character",   "source",  "clip",   "range",    "source_fps",
     "source_up_axis", "source_unit", "texture", "labels", "contacts", "joint_angles"};
-inline constexpr std::array<std::string_view, 8> graph{"character", "metric",    "stretch_weight", "cost",
-                                                       "slope",     "durations", "alpha",          "d_max"};
+inline constexpr std::array<std::string_view, 9> graph{
+    "character", "metric", "stretch_weight", "cost", "cost_scale", "slope", "durations", "alpha", "d_max"};
 inline constexpr std::array<std::string_view, 10> animation{"name",   "character", "start", "constraints",
                                                             "search", "junctions", "walk",  "interpolation",
                                                             "blend",  "post"};

@@ -126,6 +126,8 @@ GraphEntry readGraph(const Json& json, const std::string& pointer, ProjectProble
                 {{"surface", PoseMetric::Surface}, {"euclidean", PoseMetric::Euclidean}});
     graph.pose.stretchWeight = reader.number("stretch_weight").value_or(graph.pose.stretchWeight);
     reader.word("cost", graph.cost, {{"sum", TransitionCost::Sum}, {"mean", TransitionCost::Mean}});
+    reader.word("cost_scale", graph.costScale,
+                {{"none", CostScale::None}, {"liveliness", CostScale::Liveliness}});
     graph.slope = static_cast<int>(reader.wholeNumber("slope").value_or(graph.slope));
     if (const auto seconds = reader.numbers("durations", 2, "two numbers of seconds, [shortest, longest]"))
         graph.durations = {seconds->at(0), seconds->at(1)};

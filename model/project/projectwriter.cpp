@@ -112,6 +112,8 @@ Json graphToJson(const GraphEntry& graph)
         json["stretch_weight"] = graph.pose.stretchWeight;
     if (graph.cost == TransitionCost::Mean)
         json["cost"] = "mean";
+    if (graph.costScale == CostScale::Liveliness)
+        json["cost_scale"] = "liveliness";
     if (graph.slope != usual.slope)
         json["slope"] = graph.slope;
     if (graph.durations)

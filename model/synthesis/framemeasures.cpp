@@ -66,8 +66,9 @@ std::vector<FrameMeasure> frameMeasures(const CharacterFrames& character, std::s
                 measure.acceleration = rmsAcceleration(character.frame(node - 1).positions(), now.positions(),
                                                        after.positions(), fps);
             const std::vector<std::uint32_t> both =
-                common(supports[static_cast<std::size_t>(node)].vertices,
-                       supports[static_cast<std::size_t>(node) + 1].vertices);
+                supports.empty() ? std::vector<std::uint32_t>()
+                                 : common(supports[static_cast<std::size_t>(node)].vertices,
+                                          supports[static_cast<std::size_t>(node) + 1].vertices);
             if (!both.empty())
                 measure.slip = fps * meanSlip(now.positions(), after.positions(), both, ground);
         }

@@ -23,7 +23,7 @@ struct FrameMeasure
     std::optional<double> slip;
 };
 
-/// \param supports  of each frame. \throws Error what reading frames throws, Cancelled. Cost: O(frames ·
+/// \param supports  of each frame; empty: slips are not measured. \throws Error what reading frames throws, Cancelled. Cost: O(frames ·
 /// vertices).
 std::vector<FrameMeasure> frameMeasures(const CharacterFrames& character, std::span<const Support> supports,
                                         UpAxis up, const Progress& progress = {});

@@ -13,6 +13,13 @@ enum class TransitionCost
     Mean, ///< sum divided by the number of cells
 };
 
+/// What the costs of transitions weigh against each other, once they are found.
+enum class CostScale
+{
+    None,       ///< pose distances as they are (SMCAS eq. 10)
+    Liveliness, ///< over how lively their two sequences are: between calm takes less goes unnoticed
+};
+
 /// How transitions are sought; the defaults are the paper's (SMCAS §3.3).
 struct TransitionSettings
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/graph/comparison.h"
+#include "model/synthesis/liveliness.h"
 #include "model/transition/posedistance.h"
 #include "model/transition/transitiontable.h"
 #include "tests/model/project/stripproject.h"
@@ -89,6 +90,27 @@ TEST_F(GraphStages, OnlyWhatASettingReachesIsComputedAgain)
                 UnorderedElementsAre("graph/pose-distance", "graph/transitions", "graph/graphs"));
     folder.write("slow/f_3.obj", bentStrip(-0.2));
     EXPECT_EQ(computed(run()).size(), 5U);
+}
+
+TEST_F(GraphStages, CostsAreScaledByLivelinessOnDemand)
+{
+    project.graphs[0].costScale = CostScale::Liveliness;
+    EXPECT_EQ(computed(run()).size(), 6U);
+    const Table<double> liveliness = livelinessOf(frameMeasures(frames(), {}, UpAxis::Y), frames().layout());
+    EXPECT_TRUE((matrix("liveliness") == liveliness.cast<float>()).all());
+    const PoseDistances poses = poseDistances(frames());
+    const TransitionTable transitions = transitionTable(poses.distances, poses.layout, {.fps = 6});
+    EXPECT_TRUE((matrix("transition-cost") == transitions.cost).all());
+    const Table<double> stored = matrix("liveliness").cast<double>();
+    const TransitionCosts costs(costPerLiveliness(transitions.cost, poses.layout, stored), transitions.length,
+                                poses.distances.maxCoeff(), poses.layout);
+    const Digraph essential = essentialGraph(costs, 0.01).graph;
+    const auto weights = column<double>("essential-graph-edges", "weight");
+    ASSERT_EQ(weights.size(), essential.edges().size());
+    for (std::size_t e = 0; e < weights.size(); ++e)
+        EXPECT_EQ(weights[e], essential.edges()[e].weight);
+    project.graphs[0].costScale = CostScale::None;
+    EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/graphs"));
 }
 
 TEST_F(GraphStages, WindowsComeFromDurationsAtTheRateOfTheProject)

@@ -150,6 +150,7 @@ inline Project fullProject()
     graph.character = "liam";
     graph.pose = {PoseMetric::Euclidean, 0.02};
     graph.cost = TransitionCost::Mean;
+    graph.costScale = CostScale::Liveliness;
     graph.slope = 4;
     graph.durations = {0.5, 1.5};
     graph.alpha = 0.05;
