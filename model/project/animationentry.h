@@ -102,9 +102,9 @@ using ConstraintEntry = std::variant<KeyEntry, PathEntry, ActionEntry>;
 struct SearchEntry
 {
     std::optional<std::int64_t> budget; ///< expansions
-    std::optional<double> beta;         ///< weight of a frame of timing error; the graph's alpha when empty
-    std::optional<double> mu;           ///< weight of the edges beside the deviation from a path
-    bool globalKeys = false;            ///< all keys in one search
+    std::optional<double> beta; ///< weight of a frame of timing error; ten times the graph's alpha when empty
+    std::optional<double> mu;   ///< weight of the edges beside the deviation from a path
+    bool globalKeys = false;    ///< all keys in one search
     UnknownKeys unknown;
 
     bool operator==(const SearchEntry&) const = default;

@@ -137,7 +137,7 @@ Result walkResult(const AnimationEntry& animation, const CharacterGraph& graph, 
     } else {
         constraints = walkConstraints(animation, graph);
         solution = findWalk(graph.material(blendSettings(animation)), constraints,
-                            searchSettings(animation.search, graph.alpha()), progress);
+                            searchSettings(animation.search), progress);
     }
     const ClipPlan plan = planClip(graph.roots(), graph.layout(), graph.paths(), solution.walk);
     const double fps = graph.work().opener->project().settings.fps;

@@ -140,10 +140,10 @@ WalkConstraints walkConstraints(const AnimationEntry& animation, const Character
     return Request(animation, graph).constraints();
 }
 
-SearchSettings searchSettings(const SearchEntry& entry, double alpha)
+SearchSettings searchSettings(const SearchEntry& entry)
 {
     const SearchSettings usual;
-    return {.beta = entry.beta.value_or(alpha),
+    return {.beta = entry.beta,
             .mu = entry.mu.value_or(usual.mu),
             .budget = entry.budget.value_or(usual.budget),
             .globalKeys = entry.globalKeys};

@@ -10,7 +10,7 @@ namespace quadrille {
 /// What an animation asks of a walk, its names and seconds turned into frames.
 /// \throws Error ProjectInvalid (frames that a sequence does not have, a label that no sequence has).
 WalkConstraints walkConstraints(const AnimationEntry& animation, const CharacterGraph& graph);
-SearchSettings searchSettings(const SearchEntry& entry, double alpha);
+SearchSettings searchSettings(const SearchEntry& entry);
 
 /// The walk that an animation has already, and where it starts.
 /// \throws Error ProjectInvalid.

@@ -189,7 +189,6 @@ std::vector<AnimationEntry> sampleAnimations(const std::string& character)
     AnimationEntry keys = named("dance by the clock");
     keys.constraints = {keyAt("dance 1", 10, 0), keyAt("dance 1", 40, 2.5), keyAt("dance 1", 20, 4),
                         keyAt("dance 1", 60, 6.5)};
-    keys.search.beta = 0.1;
     AnimationEntry actions = named("walk, kick, jump");
     actions.constraints = {actionOf("walk"), actionOf("kick", 2), actionOf("high jump")};
     actions.gentleBlend = true;

@@ -23,8 +23,8 @@ struct FrameMeasure
     std::optional<double> slip;
 };
 
-/// \param supports  of each frame; empty: slips are not measured. \throws Error what reading frames throws, Cancelled. Cost: O(frames ·
-/// vertices).
+/// \param supports  of each frame; empty: slips are not measured. \throws Error what reading frames throws,
+/// Cancelled. Cost: O(frames · vertices).
 std::vector<FrameMeasure> frameMeasures(const CharacterFrames& character, std::span<const Support> supports,
                                         UpAxis up, const Progress& progress = {});
 

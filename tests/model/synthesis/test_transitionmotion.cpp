@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/transitionmotion.h"
-
 #include "tests/model/transition/swayingtube.h"
 
 #include <gtest/gtest.h>
@@ -25,9 +24,8 @@ RootPoses trail(const std::vector<GroundMotion>& motions, const Vec3d& centre = 
 
 Transition diagonal(NodeIndex source, NodeIndex destination, int length)
 {
-    Transition transition{.frames = {source, destination + length - 1},
-                          .sourceWindow = length,
-                          .destinationWindow = length};
+    Transition transition{
+        .frames = {source, destination + length - 1}, .sourceWindow = length, .destinationWindow = length};
     for (int t = 0; t < length; ++t)
         transition.path.push_back({source + t, destination + t});
     return transition;
@@ -76,8 +74,8 @@ TEST(RootPoses, FindsHowPosesAreTurned)
     const RootPoses roots = rootPoses(CharacterFrames(turned), UpAxis::Z);
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
-            const auto expected = wrappedAngle(angles[static_cast<std::size_t>(i)] -
-                                               angles[static_cast<std::size_t>(j)]);
+            const auto expected =
+                wrappedAngle(angles[static_cast<std::size_t>(i)] - angles[static_cast<std::size_t>(j)]);
             EXPECT_NEAR(roots.turns(i, j), expected, 1e-5);
             EXPECT_NEAR(groundAlignment(turned[0].frame(FrameIndex(j)).positions(),
                                         turned[0].frame(FrameIndex(i)).positions(), ground),
@@ -126,7 +124,8 @@ TEST(TransitionMotion, DoesNotReverseWhereOneTakeTurnsLeftAndTheOtherRight)
     const RootPoses roots = trail(motions);
     const Transition transition = diagonal(0, 20, 20);
     const auto lengthOf = [&](BlendAlignment alignment) {
-        const TransitionMotion motion = transitionMotion(roots, transition, {.alignment = alignment, .constantWeight = 0.5});
+        const TransitionMotion motion =
+            transitionMotion(roots, transition, {.alignment = alignment, .constantWeight = 0.5});
         double length = 0;
         for (std::size_t t = 1; t < motion.steps.size(); ++t)
             length += (motion.steps[t].centre - motion.steps[t - 1].centre).norm();
