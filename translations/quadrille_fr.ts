@@ -866,6 +866,234 @@
         <source>Leave earlier, arrive later, or allow shorter windows.</source>
         <translation>Partez plus tôt, arrivez plus tard, ou permettez des fenêtres plus courtes.</translation>
     </message>
+    <message>
+        <source>The clip has {frames} frames; a loop needs at least {needed}.</source>
+        <translation>Le clip a {frames} images ; une boucle en demande au moins {needed}.</translation>
+    </message>
+    <message>
+        <source>Take a longer clip, or allow shorter transitions.</source>
+        <translation>Prenez un clip plus long, ou permettez des transitions plus courtes.</translation>
+    </message>
+    <message>
+        <source>A loop needs to cut at least {needed} frames from each end of the clip, to blend them; {given} are allowed.</source>
+        <translation>Une boucle doit couper au moins {needed} images à chaque bout du clip pour les fondre ; {given} sont permises.</translation>
+    </message>
+    <message>
+        <source>Allow more to be cut, or shorter transitions.</source>
+        <translation>Permettez d’en couper davantage, ou des transitions plus courtes.</translation>
+    </message>
+    <message>
+        <source>The curve of times goes back at its point {point}.</source>
+        <translation>La courbe de temps recule à son point {point}.</translation>
+    </message>
+    <message>
+        <source>Output times must rise, and clip times must not fall.</source>
+        <translation>Les temps montrés doivent croître, et ceux du clip ne pas décroître.</translation>
+    </message>
+    <message>
+        <source>No left–right symmetry of the mesh was found: {share} % of its vertices have a counterpart on the other side.</source>
+        <translation>Aucune symétrie gauche-droite du maillage n’a été trouvée : {share} % de ses sommets ont un vis-à-vis de l’autre côté.</translation>
+    </message>
+    <message>
+        <source>Give a symmetry map, or an upright pose to find it in.</source>
+        <translation>Donnez une carte de symétrie, ou une pose debout où la trouver.</translation>
+    </message>
+    <message>
+        <source>The symmetry map does not fit the mesh: {reason}.</source>
+        <translation>La carte de symétrie ne convient pas au maillage : {reason}.</translation>
+    </message>
+    <message>
+        <source>Give for each vertex the index of its counterpart, or its own.</source>
+        <translation>Donnez pour chaque sommet l’indice de son vis-à-vis, ou le sien.</translation>
+    </message>
+    <message>
+        <source>No feet were found to stand on.</source>
+        <translation>Aucun pied d’appui n’a été trouvé.</translation>
+    </message>
+    <message>
+        <source>Contacts can be corrected where legs hang apart from the body; leave this step out.</source>
+        <translation>Les contacts se corrigent là où des jambes se détachent du corps ; omettez cette étape.</translation>
+    </message>
+    <message>
+        <source>Key {key} is wanted at {time}, not after key {other}, which is wanted at {otherTime}.</source>
+        <translation>La clé {key} est voulue à {time}, pas après la clé {other}, voulue à {otherTime}.</translation>
+    </message>
+    <message>
+        <source>Give keys in the order of their times, no two at one time.</source>
+        <translation>Donnez les clés dans l’ordre de leurs instants, jamais deux au même.</translation>
+    </message>
+    <message>
+        <source>Key {key} cannot be reached: no walk leads to frame {frame}.</source>
+        <translation>La clé {key} est hors d’atteinte : aucun parcours ne mène à l’image {frame}.</translation>
+    </message>
+    <message>
+        <source>The nearest frame that can be reached is {nearest}; take it, or change what comes before.</source>
+        <translation>L’image la plus proche qu’on peut atteindre est {nearest} ; prenez-la, ou changez ce qui précède.</translation>
+    </message>
+    <message>
+        <source>Key {key} cannot be met within {tolerance} frames of {time}.</source>
+        <translation>La clé {key} ne peut être tenue à {tolerance} images près de {time}.</translation>
+    </message>
+    <message>
+        <source>The nearest time at which it can is {nearest}; allow a greater error, or change times.</source>
+        <translation>L’instant le plus proche possible est {nearest} ; permettez un écart plus grand, ou changez les instants.</translation>
+    </message>
+    <message>
+        <source>No frame of this character is “{name}”.</source>
+        <translation>Aucune image de ce personnage n’est « {name} ».</translation>
+    </message>
+    <message>
+        <source>Label some, or ask for something else.</source>
+        <translation>Étiquetez-en, ou demandez autre chose.</translation>
+    </message>
+    <message>
+        <source>“{name}” cannot be performed: {share} % of a span are asked for, and no walk plays more than {most} %.</source>
+        <translation>« {name} » ne peut être exécuté : {share} % d’un passage sont demandés, et aucun parcours n’en joue plus de {most} %.</translation>
+    </message>
+    <message>
+        <source>Ask for at most {most} %, or allow shorter transitions.</source>
+        <translation>Demandez {most} % au plus, ou permettez des transitions plus courtes.</translation>
+    </message>
+    <message>
+        <source>The path is {length} m long, too short for a walk.</source>
+        <translation>Le trajet mesure {length} m, trop peu pour un parcours.</translation>
+    </message>
+    <message>
+        <source>Draw at least {needed} m.</source>
+        <translation>Tracez au moins {needed} m.</translation>
+    </message>
+    <message>
+        <source>A span of the path goes from {from} m to {to} m, but the path has {length} m.</source>
+        <translation>Un tronçon du trajet va de {from} m à {to} m, mais le trajet en mesure {length}.</translation>
+    </message>
+    <message>
+        <source>Move the span, or draw a longer path.</source>
+        <translation>Déplacez le tronçon, ou tracez un trajet plus long.</translation>
+    </message>
+    <message>
+        <source>The path begins in “{name}”, or too close to it.</source>
+        <translation>Le trajet commence dans « {name} », ou trop près.</translation>
+    </message>
+    <message>
+        <source>Move one of them; the path is free from {free} m on.</source>
+        <translation>Déplacez l’un des deux ; le trajet est libre à partir de {free} m.</translation>
+    </message>
+    <message>
+        <source>No walk was found that gets past “{name}” at {reached} m of the path.</source>
+        <translation>Aucun parcours trouvé ne passe « {name} » à {reached} m du trajet.</translation>
+    </message>
+    <message>
+        <source>Lead the path around it, leave more room, or search with a greater budget.</source>
+        <translation>Contournez-le, laissez plus de place, ou cherchez avec un budget plus grand.</translation>
+    </message>
+    <message>
+        <source>No walk was found that shows “{name}” from {from} m to {to} m of the path; the best one fails at {reached} m.</source>
+        <translation>Aucun parcours trouvé ne montre « {name} » de {from} m à {to} m du trajet ; le meilleur échoue à {reached} m.</translation>
+    </message>
+    <message>
+        <source>End the span at {reached} m, or search with a greater budget.</source>
+        <translation>Terminez le tronçon à {reached} m, ou cherchez avec un budget plus grand.</translation>
+    </message>
+    <message>
+        <source>No walk was found with {budget} expansions.</source>
+        <translation>Aucun parcours n’a été trouvé en {budget} développements.</translation>
+    </message>
+    <message>
+        <source>Search with a greater budget, or ask for less.</source>
+        <translation>Cherchez avec un budget plus grand, ou demandez moins.</translation>
+    </message>
+    <message>
+        <source>The sequences&apos; joint angles have no joint in common</source>
+        <translation>Les angles d’articulation des séquences n’ont aucune articulation en commun</translation>
+    </message>
+    <message>
+        <source>Choose BVH files of one skeleton.</source>
+        <translation>Choisissez des fichiers BVH d’un même squelette.</translation>
+    </message>
+    <message>
+        <source>Rebuild the project.</source>
+        <translation>Recalculez le projet.</translation>
+    </message>
+    <message>
+        <source>Limits and times of contact corrections must not be negative, and the strength must be 0 to 1</source>
+        <translation>Les limites et durées des corrections de contact ne doivent pas être négatives, et la force doit aller de 0 à 1</translation>
+    </message>
+    <message>
+        <source>Correct the settings.</source>
+        <translation>Corrigez les réglages.</translation>
+    </message>
+    <message>
+        <source>A loop can only cut a time that is not negative</source>
+        <translation>Une boucle ne peut couper qu’une durée qui n’est pas négative</translation>
+    </message>
+    <message>
+        <source>Give a number of seconds, 0 or more.</source>
+        <translation>Donnez un nombre de secondes, 0 ou plus.</translation>
+    </message>
+    <message>
+        <source>A loop can be repeated 1 to 10,000 times</source>
+        <translation>Une boucle se répète de 1 à 10 000 fois</translation>
+    </message>
+    <message>
+        <source>Give a number of repeats in between.</source>
+        <translation>Donnez un nombre entre les deux.</translation>
+    </message>
+    <message>
+        <source>Only a loop can be repeated</source>
+        <translation>Seule une boucle peut être répétée</translation>
+    </message>
+    <message>
+        <source>Ask for a loop, too, or for one repeat.</source>
+        <translation>Demandez aussi une boucle, ou une seule fois.</translation>
+    </message>
+    <message>
+        <source>A clip can be retimed to a million frames at most</source>
+        <translation>Un clip peut durer un million d’images au plus</translation>
+    </message>
+    <message>
+        <source>Ask for a shorter result.</source>
+        <translation>Demandez un résultat plus court.</translation>
+    </message>
+    <message>
+        <source>The factor of a retiming is not above 0</source>
+        <translation>Le facteur de durée n’est pas supérieur à 0</translation>
+    </message>
+    <message>
+        <source>Give how many times as long the result lasts: 2 for half the speed.</source>
+        <translation>Dites combien de fois plus long est le résultat : 2 pour la moitié de la vitesse.</translation>
+    </message>
+    <message>
+        <source>The duration of a retiming is not above 0</source>
+        <translation>La durée voulue n’est pas supérieure à 0</translation>
+    </message>
+    <message>
+        <source>Give the seconds that the result lasts.</source>
+        <translation>Donnez les secondes que dure le résultat.</translation>
+    </message>
+    <message>
+        <source>A curve of times has fewer than two points</source>
+        <translation>Une courbe de temps a moins de deux points</translation>
+    </message>
+    <message>
+        <source>Give at least where the result begins and where it ends.</source>
+        <translation>Donnez au moins où le résultat commence et où il finit.</translation>
+    </message>
+    <message>
+        <source>A curve of times leaves the clip</source>
+        <translation>Une courbe de temps sort du clip</translation>
+    </message>
+    <message>
+        <source>Give clip times from 0 to the duration of the clip.</source>
+        <translation>Donnez des temps du clip entre 0 et sa durée.</translation>
+    </message>
+    <message>
+        <source>A curve of times does not go all round a loop</source>
+        <translation>Une courbe de temps ne fait pas tout le tour d’une boucle</translation>
+    </message>
+    <message>
+        <source>Begin at clip time 0 and end at the duration of the loop.</source>
+        <translation>Commencez au temps 0 du clip et finissez à la durée de la boucle.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AboutDialog</name>
