@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/geometry/nearestpoint.h"
 #include "model/sample/character.h"
 
 #include <Eigen/Geometry>
@@ -58,39 +59,6 @@ std::vector<Landmark> referenceLandmarks()
             {"Instep", BodyPart::Foot, j.ankle + Vec3d(0.008, -0.01, 0.07), true}};
 }
 
-/// The nearest point of a triangle, as weights of its corners. Source: Ericson, Real-Time Collision
-/// Detection.
-Vec3d nearestInTriangle(const Vec3d& p, const Vec3d& a, const Vec3d& b, const Vec3d& c)
-{
-    const Vec3d ab = b - a;
-    const Vec3d ac = c - a;
-    const double d1 = ab.dot(p - a);
-    const double d2 = ac.dot(p - a);
-    const double d3 = ab.dot(p - b);
-    const double d4 = ac.dot(p - b);
-    const double d5 = ab.dot(p - c);
-    const double d6 = ac.dot(p - c);
-    if (d1 <= 0 && d2 <= 0)
-        return {1, 0, 0};
-    if (d3 >= 0 && d4 <= d3)
-        return {0, 1, 0};
-    if (d6 >= 0 && d5 <= d6)
-        return {0, 0, 1};
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0)
-        return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0)
-        return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-        const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-        return {0, 1 - w, w};
-    }
-    const double sum = va + vb + vc;
-    return {va / sum, vb / sum, vc / sum};
-}
-
 SurfacePoint nearestOnSurface(const SurfaceMesh& mesh, const Vec3d& p)
 {
     SurfacePoint best;
@@ -99,7 +67,7 @@ SurfacePoint nearestOnSurface(const SurfaceMesh& mesh, const Vec3d& p)
         const Vec3d& a = mesh.points[mesh.triangles[t][0].value];
         const Vec3d& b = mesh.points[mesh.triangles[t][1].value];
         const Vec3d& c = mesh.points[mesh.triangles[t][2].value];
-        const Vec3d w = nearestInTriangle(p, a, b, c);
+        const Vec3d w = nearestWeights({a, b, c}, p);
         const double d = (w.x() * a + w.y() * b + w.z() * c - p).squaredNorm();
         if (d < nearest) {
             nearest = d;

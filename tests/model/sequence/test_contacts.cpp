@@ -3,10 +3,9 @@
 #include "model/core/error.h"
 #include "model/sample/sample.h"
 #include "model/sequence/contacts.h"
-#include "model/sequence/io/registry.h"
+#include "tests/model/sequence/realtakes.h"
 
 #include <Eigen/Geometry>
-#include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
@@ -91,7 +90,7 @@ TEST(Contacts, ofAFootThatIsLiftedEndAndBeginWithIt)
     const std::vector<ContactSpan> expected = {{"right", {FrameIndex(0), FrameIndex(29)}},
                                                {"left", {FrameIndex(0), FrameIndex(9)}},
                                                {"left", {FrameIndex(20), FrameIndex(29)}}};
-    EXPECT_THAT(detectContacts(stepping()), testing::UnorderedElementsAreArray(expected));
+    EXPECT_THAT(detectContacts(stepping()), ::testing::UnorderedElementsAreArray(expected));
 }
 
 TEST(Contacts, agreeWithTheGroundTruthOfTheSample)
@@ -217,20 +216,16 @@ TEST(Contacts, canBeCancelled)
 
 TEST(Contacts, ofRealWalksAlternateBetweenTheFeet)
 {
-    const std::filesystem::path folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters/rb_m04";
-    if (!std::filesystem::exists(folder))
-        GTEST_SKIP() << folder << " is not there";
-    ImportOptions options;
-    options.mesh = folder / "mesh.obj";
-    options.fps = 30;
+    if (!testing::realTake("walk_1"))
+        GTEST_SKIP() << "no real takes";
     for (const char* take : {"walk_1", "walk_slow", "walk_fast"}) {
-        const ImportResult result = openSequences(folder / (std::string(take) + ".pc2"), options);
-        const auto spans = detectContacts(result.sequences.front());
+        const MeshSequence sequence = *testing::realTake(take);
+        const auto spans = detectContacts(sequence);
         ASSERT_GE(spans.size(), 3U) << take;
         for (std::size_t i = 1; i < spans.size(); ++i)
             EXPECT_NE(spans[i].foot, spans[i - 1].foot) << take << ", contact " << i;
         // Somebody who walks always stands on one foot at least; landing and leaving are soft in captures.
-        const std::int64_t count = result.sequences.front().frameCount();
+        const std::int64_t count = sequence.frameCount();
         const auto left = framesOf(spans, "left", count);
         const auto right = framesOf(spans, "right", count);
         int standing = 0;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/sequence/contacts.h"
-#include "model/sequence/io/registry.h"
 #include "model/synthesis/contactcorrection.h"
 #include "model/synthesis/footpath.h"
 #include "model/synthesis/legdeformation.h"
+#include "tests/model/sequence/realtakes.h"
 #include "tests/model/synthesis/clipof.h"
 #include "tests/model/synthesis/errorcodeof.h"
 #include "tests/model/synthesis/footskate.h"
@@ -300,15 +300,10 @@ TEST(ContactCorrection, SaysWhatItCannotDo)
 
 TEST(ContactCorrection, OfRealTakes)
 {
-    const std::filesystem::path folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters/rb_m04";
-    if (!std::filesystem::exists(folder))
-        GTEST_SKIP() << folder << " is not there";
-    ImportOptions options;
-    options.mesh = folder / "mesh.obj";
-    options.fps = 30;
+    if (!testing::realTake("walk_1"))
+        GTEST_SKIP() << "no real takes";
     for (const char* take : {"walk_1", "run_1", "kick_1", "walk_turn_left_1"}) {
-        const MeshSequence sequence =
-            openSequences(folder / (std::string(take) + ".pc2"), options).sequences[0];
+        const MeshSequence sequence = *testing::realTake(take);
         const Clip clip = clipOf(sequence);
         const std::vector<ContactSpan> contacts = detectContacts(sequence);
         const Clip result = contactsCorrected(clip, contacts);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/graph/essentialgraph.h"
-#include "model/sequence/io/registry.h"
 #include "model/synthesis/junctionreport.h"
 #include "model/transition/acceleration.h"
+#include "tests/model/sequence/realtakes.h"
 #include "tests/model/synthesis/cliptest.h"
 
 #include <atomic>
@@ -234,15 +234,11 @@ TEST(JunctionReport, StopsWhenCancelled)
 
 TEST(JunctionsOfRealTakes, AreBetterWhereTheyAreBlendedGently)
 {
-    const std::filesystem::path folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters/rb_m04";
-    if (!std::filesystem::exists(folder))
+    if (!realTake("walk_1"))
         GTEST_SKIP() << "no real takes";
-    ImportOptions options;
-    options.mesh = folder / "mesh.obj";
-    options.fps = 30;
     std::vector<MeshSequence> takes;
     for (const char* name : {"walk_1", "jog_1", "kick_2"})
-        takes.push_back(openSequences(folder / (std::string(name) + ".pc2"), options).sequences.front());
+        takes.push_back(*realTake(name));
     const Study real(takes, UpAxis::Y, {.fps = 30, .cost = TransitionCost::Mean});
     const JunctionReport paper = real.report({.count = 40});
     const JunctionReport gentle = real.report({.count = 40, .blend = BlendSettings::gentle()});

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/geometry/procrustes.h"
-#include "model/sequence/io/registry.h"
 #include "model/synthesis/loop.h"
 #include "model/synthesis/ownperiod.h"
+#include "tests/model/sequence/realtakes.h"
 #include "tests/model/synthesis/clipof.h"
 #include "tests/model/synthesis/errorcodeof.h"
 #include "tests/model/synthesis/stridingtube.h"
@@ -175,15 +175,10 @@ TEST(Loop, DoesNotTakeAWayBackForARound)
 
 TEST(Loop, IsNotFrozenByMeanCosts)
 {
-    const std::filesystem::path folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters/rb_m04";
-    if (!std::filesystem::exists(folder))
-        GTEST_SKIP() << folder << " is not there";
-    ImportOptions options;
-    options.mesh = folder / "mesh.obj";
-    options.fps = 30;
+    if (!testing::realTake("walk_1"))
+        GTEST_SKIP() << "no real takes";
     for (const char* take : {"walk_1", "walk_fast", "run_1"}) {
-        const Clip clip =
-            testing::clipOf(openSequences(folder / (std::string(take) + ".pc2"), options).sequences[0]);
+        const Clip clip = testing::clipOf(*testing::realTake(take));
         double least = 1;
         for (std::int64_t f = 1; f < clip.frameCount(); ++f)
             least = std::min(least, largestStep(clip.frame(f - 1), clip.frame(f)));

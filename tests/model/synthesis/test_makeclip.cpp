@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
-#include "model/sequence/io/registry.h"
+#include "tests/model/sequence/realtakes.h"
 #include "tests/model/synthesis/cliptest.h"
 
 #include <atomic>
@@ -188,15 +188,11 @@ TEST(MakeClip, StopsWhenCancelled)
 
 TEST(ClipOfRealTakes, GoesOnAcrossTransitions)
 {
-    const std::filesystem::path folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters/rb_m04";
-    if (!std::filesystem::exists(folder))
+    if (!realTake("walk_1"))
         GTEST_SKIP() << "no real takes";
-    ImportOptions options;
-    options.mesh = folder / "mesh.obj";
-    options.fps = 30;
     std::vector<MeshSequence> real;
     for (const char* name : {"walk_1", "walk_turn_left_1", "run_1"})
-        real.push_back(openSequences(folder / (std::string(name) + ".pc2"), options).sequences.front());
+        real.push_back(*realTake(name));
     const CharacterFrames character(real);
     const RootPoses roots = rootPoses(character, UpAxis::Y);
     const Table<float> distances = poseDistances(character).distances;

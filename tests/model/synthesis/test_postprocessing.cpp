@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "model/geometry/procrustes.h"
 #include "model/sequence/contacts.h"
-#include "model/sequence/io/registry.h"
 #include "model/synthesis/contactcorrection.h"
 #include "model/synthesis/mirror.h"
 #include "model/synthesis/postprocessing.h"
 #include "model/synthesis/retime.h"
+#include "tests/model/sequence/realtakes.h"
 #include "tests/model/synthesis/clipof.h"
 #include "tests/model/synthesis/errorcodeof.h"
 #include "tests/model/synthesis/footskate.h"
@@ -200,14 +200,10 @@ TEST(PostProcessing, SaysWhatItCannotDo)
 
 TEST(PostProcessing, OfRealWalks)
 {
-    const std::filesystem::path folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters/rb_m04";
-    if (!std::filesystem::exists(folder))
-        GTEST_SKIP() << folder << " is not there";
-    ImportOptions options;
-    options.mesh = folder / "mesh.obj";
-    options.fps = 30;
+    if (!testing::realTake("walk_1"))
+        GTEST_SKIP() << "no real takes";
     for (const char* take : {"walk_1", "walk_fast", "jog_1", "run_1"}) {
-        const Clip clip = clipOf(openSequences(folder / (std::string(take) + ".pc2"), options).sequences[0]);
+        const Clip clip = clipOf(*testing::realTake(take));
         const PostProcessed plain = postProcessed(clip, {.loop = LoopSettings()}, {});
         const PostProcessed result =
             postProcessed(clip, {.loop = LoopSettings(), .contacts = ContactCorrectionSettings()}, {});

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
-#include "model/sequence/io/registry.h"
 #include "model/transition/poseinterpolation.h"
+#include "tests/model/sequence/realtakes.h"
 #include "tests/model/transition/bars.h"
 #include "tests/model/transition/plaininterpolation.h"
 
@@ -339,14 +339,10 @@ TEST(PoseInterpolation, RefusesPosesOfOtherMeshes)
 
 TEST(PoseInterpolation, AgreesWithThePlainReferenceOnRealTakes)
 {
-    const std::filesystem::path folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters/rb_m04";
-    if (!std::filesystem::exists(folder))
-        GTEST_SKIP() << folder << " is not there";
-    ImportOptions options;
-    options.mesh = folder / "mesh.obj";
-    options.fps = 30;
-    const MeshSequence walk = openSequences(folder / "walk_1.pc2", options).sequences.front();
-    const MeshSequence jump = openSequences(folder / "jump_long.pc2", options).sequences.front();
+    if (!testing::realTake("walk_1"))
+        GTEST_SKIP() << "no real takes";
+    const MeshSequence walk = *testing::realTake("walk_1");
+    const MeshSequence jump = *testing::realTake("jump_long");
     const auto system = std::make_shared<const PoissonSystem>(walk.topology);
     for (const auto& [first, second] : {std::pair{10, 30}, {25, 12}}) {
         const auto source =
