@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <tuple>
 
 namespace quadrille {
 
@@ -69,21 +67,20 @@ RootPoses rootPosesOf(const Result& result, UpAxis up)
     return roots;
 }
 
-/// Frames of the source and the destination window of each transition; 0 where there is none.
-std::pair<Table<std::uint16_t>, Table<std::uint16_t>> windowsOf(const Result& transitions)
+TransitionTable transitionsOf(const Result& result)
 {
-    const DataArray& array = arrayOf(transitions, "transition-windows");
-    const auto& values = std::get<std::vector<float>>(array.values);
-    Table<std::uint16_t> source(array.shape[0], array.shape[1]);
-    Table<std::uint16_t> destination(array.shape[0], array.shape[1]);
-    const auto frames = [](float count) {
-        return static_cast<std::uint16_t>(std::isfinite(count) ? count : 0);
+    const auto countsOf = [](const Table<float>& counts) -> Table<std::uint16_t> {
+        return counts.isFinite().select(counts, 0.0F).cast<std::uint16_t>();
     };
-    for (Eigen::Index pair = 0; pair < source.size(); ++pair) {
-        source.data()[pair] = frames(values[static_cast<std::size_t>(2 * pair)]);
-        destination.data()[pair] = frames(values[static_cast<std::size_t>(2 * pair + 1)]);
-    }
-    return {std::move(source), std::move(destination)};
+    const DataArray& array = arrayOf(result, "transition-windows");
+    const auto& values = std::get<std::vector<float>>(array.values);
+    using Windows = Eigen::Map<const Table<float>, 0, Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>>;
+    const Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic> everySecond(2 * array.shape[1], 2);
+    return {.cost = tableOf<float>(arrayOf(result, "transition-cost")),
+            .length = countsOf(tableOf<float>(arrayOf(result, "transition-length"))),
+            .sourceWindow = countsOf(Windows(values.data(), array.shape[0], array.shape[1], everySecond)),
+            .destinationWindow =
+                countsOf(Windows(values.data() + 1, array.shape[0], array.shape[1], everySecond))};
 }
 
 [[noreturn]] void throwNoFrame(const std::string& sequence, std::int64_t frame, NodeIndex count)
@@ -131,9 +128,8 @@ CharacterGraph::CharacterGraph(const CharacterWork& work, const StageContext& co
     const Result poses = resultOf(graphstage::poseDistance);
     m_layout = layoutOf(poses);
     m_distances = tableOf<float>(poses.arrays.front());
-    const Result transitions = resultOf(graphstage::transitions);
+    m_transitions = transitionsOf(resultOf(graphstage::transitions));
     m_costs = costsOf(work, context);
-    std::tie(m_sourceWindows, m_destinationWindows) = windowsOf(transitions);
     m_graph = essentialGraphOf(resultOf(graphstage::graphs), m_layout.frameCount());
     const ProjectSettings& settings = work.opener->project().settings;
     m_roots = rootPosesOf(resultOf(graphstage::rootPoses), settings.axes.up);
@@ -143,8 +139,7 @@ CharacterGraph::CharacterGraph(const CharacterWork& work, const StageContext& co
 WalkMaterial CharacterGraph::material(const BlendSettings& blend) const
 {
     const auto transition = [this](const FramePair& pair) {
-        const auto known = m_paths->between(pair, m_sourceWindows(pair.source, pair.destination),
-                                            m_destinationWindows(pair.source, pair.destination));
+        const auto known = m_paths->of(m_transitions, pair);
         return known ? *known : m_paths->get(pair);
     };
     return {.graph = m_graph,

@@ -31,11 +31,8 @@ public:
     const Table<float>& distances() const { return m_distances; }
     const TransitionCosts& costs() const { return *m_costs; }
     const WarpPaths& paths() const { return *m_paths; }
-    /// All transitions, a copy.
-    TransitionTable transitions() const
-    {
-        return {m_costs->cost(), m_costs->length(), m_sourceWindows, m_destinationWindows};
-    }
+    /// All transitions, whatever costs are scaled by.
+    const TransitionTable& transitions() const { return m_transitions; }
     const RootPoses& roots() const { return m_roots; }
     /// The Essential graph.
     const Digraph& graph() const { return m_graph; }
@@ -57,8 +54,7 @@ private:
     Table<float> m_distances;
     std::optional<TransitionCosts> m_costs;
     std::optional<WarpPaths> m_paths;
-    Table<std::uint16_t> m_sourceWindows;
-    Table<std::uint16_t> m_destinationWindows;
+    TransitionTable m_transitions;
     RootPoses m_roots;
     Digraph m_graph;
 };

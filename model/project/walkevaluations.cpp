@@ -203,12 +203,11 @@ ResultStage junctionsStage(const CharacterWork& work, const EvaluationEntry& eva
         const CharacterGraph graph(work, context);
         const CharacterFrames character = work.open(progress.part(0, 0.05));
         const Table<float> accelerations = accelerationDifferences(character, fps, progress.part(0.05, 0.4));
-        const TransitionTable transitions = graph.transitions();
         const JunctionInputs inputs{.character = character,
                                     .roots = graph.roots(),
                                     .distances = graph.distances(),
                                     .accelerations = accelerations,
-                                    .transitions = transitions,
+                                    .transitions = graph.transitions(),
                                     .settings = transitionSettings(work.graph, fps),
                                     .graph = graph.graph()};
         JunctionTables tables = junctionTables(work.graph.pose.metric == PoseMetric::Surface ? "rad" : "m");

@@ -63,6 +63,7 @@ private:
     std::vector<FramePair> pairs(const std::vector<JunctionEntry>& junctions) const
     {
         std::vector<FramePair> all;
+        all.reserve(junctions.size());
         for (const JunctionEntry& junction : junctions)
             all.push_back({m_graph.node(junction.from), m_graph.node(junction.to)});
         return all;

@@ -39,8 +39,8 @@ std::vector<float> turnsOf(const CharacterFrames& character, const std::vector<V
     const Eigen::MatrixXd all = covariances(rows, columns, progress);
     std::vector<float> turns;
     turns.reserve(rows.size() * columns.size());
-    for (NodeIndex r = 0; r < tile.rows; ++r) {
-        for (NodeIndex c = 0; c < tile.columns; ++c)
+    for (Eigen::Index r = 0; r < tile.rows; ++r) {
+        for (Eigen::Index c = 0; c < tile.columns; ++c)
             turns.push_back(static_cast<float>(angleOf(all.block<3, 3>(3 * r, 3 * c), ground)));
     }
     return turns;
