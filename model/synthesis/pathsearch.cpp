@@ -227,7 +227,8 @@ std::optional<FoundRoute> searchPath(PathProblem& problem, std::int64_t budget, 
         if (left == before)
             break;
         settings.width *= 3;
-        settings.moves *= 2;
+        const auto allMoves = static_cast<MoveIndex>(problem.graph.moves().size());
+        settings.moves = settings.moves > allMoves / 2 ? allMoves : 2 * settings.moves;
         settings.offset = std::max(settings.offset / 2, 0.02);
         settings.heading = std::max(settings.heading / 2, 0.04);
     }
