@@ -114,7 +114,9 @@ void Timeline::setTracks(std::vector<TimelineTrack> tracks)
     constexpr int widestHeader = 140;
     d->headerWidth = d->tracks.empty() ? 8 : std::min(widestHeader, widest + 20);
     d->scale.setWidth(width() - d->headerWidth);
-    if (d->selected && d->span(*d->selected) == nullptr)
+    if (d->hovered && !d->exists(*d->hovered))
+        hover(std::nullopt);
+    if (d->selected && !d->exists(*d->selected))
         select(std::nullopt);
     updateGeometry();
     scaleChanged();
@@ -127,7 +129,7 @@ const std::vector<TimelineTrack>& Timeline::tracks() const
 
 void Timeline::setSelectedSpan(const std::optional<SpanRef>& span)
 {
-    d->selected = span && d->span(*span) != nullptr ? span : std::nullopt;
+    d->selected = span && d->exists(*span) ? span : std::nullopt;
     update();
 }
 
@@ -158,6 +160,10 @@ void Timeline::zoomBy(double factor)
 
 QRect Timeline::spanRect(const SpanRef& ref) const
 {
+    if (const TimelineKey* key = d->key(ref)) {
+        const QRect row = trackRect(ref.track);
+        return d->keyMarkRect(row, key->frame).united(d->keyPictureRect(row, key->frame));
+    }
     const TimelineSpan* span = d->span(ref);
     return span == nullptr ? QRect() : d->rect(trackRect(ref.track), span->first, span->last);
 }
@@ -207,6 +213,29 @@ void Timeline::updateAccessibleText()
             tr("Frame %1 of %2, %3").arg(d->current).arg(frameCount()).arg(timeText(d->current / d->fps)));
 }
 
+QString Timeline::tipOf(const SpanRef& ref) const
+{
+    const QLocale shown = locale();
+    if (const TimelineKey* key = d->key(ref)) {
+        QString tip = tr("%1 at %2 s").arg(key->text, shown.toString(key->frame / d->fps, 'f', 2));
+        if (key->obtained)
+            tip +=
+                QLatin1Char('\n') + tr("Obtained at %1 s, %2 s off")
+                                        .arg(shown.toString(*key->obtained / d->fps, 'f', 2),
+                                             shown.toString((*key->obtained - key->frame) / d->fps, 'f', 2));
+        if (key->tolerance)
+            tip += QLatin1Char('\n') +
+                   tr("May be off by %1 s").arg(shown.toString(*key->tolerance / d->fps, 'f', 2));
+        return tip;
+    }
+    const TimelineSpan& span = *d->span(ref);
+    return tr("%1: frames %2 to %3 (%4 s)")
+        .arg(span.text.isEmpty() ? d->track(ref.track)->title : span.text)
+        .arg(span.first)
+        .arg(span.last)
+        .arg(shown.toString((span.last - span.first + 1) / d->fps, 'f', 2));
+}
+
 bool Timeline::event(QEvent* event)
 {
     if (event->type() == QEvent::NativeGesture) {
@@ -220,14 +249,7 @@ bool Timeline::event(QEvent* event)
     if (event->type() == QEvent::ToolTip) {
         const auto& help = *static_cast<QHelpEvent*>(event);
         if (const auto ref = d->spanAt(help.pos())) {
-            const TimelineSpan& span = *d->span(*ref);
-            QToolTip::showText(help.globalPos(),
-                               tr("%1: frames %2 to %3 (%4 s)")
-                                   .arg(span.text.isEmpty() ? d->track(ref->track)->title : span.text)
-                                   .arg(span.first)
-                                   .arg(span.last)
-                                   .arg(locale().toString((span.last - span.first + 1) / d->fps, 'f', 2)),
-                               this);
+            QToolTip::showText(help.globalPos(), tipOf(*ref), this);
         } else {
             QToolTip::hideText();
         }

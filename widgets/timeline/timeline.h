@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "widgets/timeline/draggedframes.h"
 #include "widgets/timeline/timelinescale.h"
 
 #include <QColor>
+#include <QImage>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -24,24 +26,38 @@ struct TimelineSpan
     bool operator==(const TimelineSpan&) const = default;
 };
 
-/// A row of spans.
+/// A picture that is to be shown at a time. A frame is drawn in its middle, as the playhead is.
+struct TimelineKey
+{
+    int id = 0;                      ///< the caller's, unique in its track
+    double frame = 0;                ///< wanted
+    std::optional<double> obtained;  ///< where the pose is really shown, once that is known
+    std::optional<double> tolerance; ///< greatest error of the time, frames; any when empty
+    QString text;                    ///< e.g. the pose's sequence and frame
+    QImage picture;                  ///< square; may be null
+    bool operator==(const TimelineKey&) const = default;
+};
+
+/// A row of spans, or of keys.
 struct TimelineTrack
 {
     enum class Kind
     {
         Labels,   ///< names of spans
         Contacts, ///< slim, one row per foot
-        Clips     ///< what a result is put together from
+        Clips,    ///< what a result is put together from
+        Keys      ///< pictures at moments
     };
     QString id; ///< the caller's, unique in the timeline
     QString title;
     Kind kind = Kind::Labels;
     bool editable = false;
     std::vector<TimelineSpan> spans;
+    std::vector<TimelineKey> keys; ///< of tracks of this kind
     bool operator==(const TimelineTrack&) const = default;
 };
 
-/// Names a span by its track and its id.
+/// Names a span or a key by its track and its id.
 struct SpanRef
 {
     QString track;
@@ -54,8 +70,8 @@ struct SpanRef
 /// signals come with `committed` false, at the end once with true; Escape ends with the old values.
 ///
 /// Wheel scrolls, Ctrl+wheel and pinch zoom; ← → step, Home and End jump, + − 0 zoom, I and O set the range,
-/// Insert makes a span, Up and Down select spans, Ctrl+← → move and Shift+← → stretch the selected one,
-/// Delete removes it, Return names it. Dragging snaps to edges and playhead unless Alt is held.
+/// Insert makes a span, Up and Down select spans and keys, Ctrl+← → move and Shift+← → stretch the selected
+/// one, Delete removes it, Return names it. Dragging snaps to edges, keys and playhead unless Alt is held.
 class Timeline : public QWidget
 {
     Q_OBJECT
@@ -84,11 +100,14 @@ public:
     const std::vector<TimelineTrack>& tracks() const;
     void setSelectedSpan(const std::optional<SpanRef>& span);
     std::optional<SpanRef> selectedSpan() const;
+    /// The track of keys that frames can be dropped onto, from anywhere over the timeline; empty for none.
+    void setDropTrack(const QString& track);
 
     const TimelineScale& scale() const;
     void zoomToFit();
     void zoomBy(double factor);
     /// Where something is drawn, in this widget's coordinates; for tests and tool tips.
+    /// Of a key, its mark and picture.
     QRect spanRect(const SpanRef& span) const;
     QRect trackRect(const QString& track) const;
     QRect rulerRect() const;
@@ -102,8 +121,13 @@ signals:
     void frameScrubbed(int frame);
     void scrubbingChanged(bool scrubbing);
     void rangeEdited(int first, int last, bool committed);
+    /// Of a track of keys (Insert, double click): both frames are one.
     void spanCreated(const QString& track, int first, int last);
     void spanEdited(const quadrille::widgets::SpanRef& span, int first, int last, bool committed);
+    void keyMoved(const quadrille::widgets::SpanRef& key, int frame, bool committed);
+    void framesDropped(const QString& track, int frame, const quadrille::widgets::DraggedFrames& frames);
+    /// The span or key under the pointer is another one.
+    void spanHovered(const std::optional<quadrille::widgets::SpanRef>& span);
     void selectionChanged(const std::optional<quadrille::widgets::SpanRef>& span);
     /// Double click or Return: to be renamed.
     void spanActivated(const quadrille::widgets::SpanRef& span);
@@ -124,15 +148,23 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
 private:
     struct Private;
     std::unique_ptr<Private> d;
     void scrub(int frame);
     void select(const std::optional<SpanRef>& span);
+    void hover(const std::optional<SpanRef>& span);
+    QString tipOf(const SpanRef& span) const;
     void scaleChanged();
     void updateAccessibleText();
     bool editSelectedByKey(int key, Qt::KeyboardModifiers modifiers);
+    bool moveSelectedByKey(int step, Qt::KeyboardModifiers modifiers);
     void selectNeighbour(int step);
     void finishDrag(bool commit);
 };

@@ -58,6 +58,20 @@ void Timeline::select(const std::optional<SpanRef>& span)
     emit selectionChanged(span);
 }
 
+void Timeline::hover(const std::optional<SpanRef>& span)
+{
+    if (span == d->hovered)
+        return;
+    d->hovered = span;
+    emit spanHovered(span);
+}
+
+void Timeline::leaveEvent(QEvent* event)
+{
+    hover(std::nullopt);
+    QWidget::leaveEvent(event);
+}
+
 void Timeline::mousePressEvent(QMouseEvent* event)
 {
     if (d->drag.kind != TimelineDrag::Kind::None)
@@ -74,7 +88,7 @@ void Timeline::mousePressEvent(QMouseEvent* event)
     d->drag = d->dragAt(event->position());
     if (event->position().y() >= Private::rulerHeight)
         select(d->spanAt(event->position()));
-    if (isSpan(d->drag.kind))
+    if (isSpan(d->drag.kind) || d->drag.kind == TimelineDrag::Kind::MoveKey)
         select(d->drag.span);
     if (d->drag.kind == TimelineDrag::Kind::Playhead) {
         emit scrubbingChanged(true);
@@ -87,6 +101,7 @@ void Timeline::mouseMoveEvent(QMouseEvent* event)
     TimelineDrag& drag = d->drag;
     if (drag.kind == TimelineDrag::Kind::None) {
         setCursor(cursorFor(d->dragAt(event->position()).kind));
+        hover(d->spanAt(event->position()));
         return;
     }
     if (drag.kind == TimelineDrag::Kind::Playhead) {
@@ -110,6 +125,8 @@ void Timeline::mouseMoveEvent(QMouseEvent* event)
         emit rangeEdited(drag.first, drag.last, false);
     else if (isSpan(drag.kind))
         emit spanEdited(drag.span, drag.first, drag.last, false);
+    else if (drag.kind == TimelineDrag::Kind::MoveKey)
+        emit keyMoved(drag.span, drag.first, false);
 }
 
 void Timeline::mouseReleaseEvent(QMouseEvent* event)
@@ -137,13 +154,21 @@ void Timeline::finishDrag(bool commit)
         emit rangeEdited(first, last, true);
     else if (isSpan(drag.kind))
         emit spanEdited(drag.span, first, last, true);
+    else if (drag.kind == TimelineDrag::Kind::MoveKey)
+        emit keyMoved(drag.span, first, true);
 }
 
 void Timeline::mouseDoubleClickEvent(QMouseEvent* event)
 {
-    if (const auto span = d->spanAt(event->position()); span && event->button() == Qt::LeftButton)
+    const TimelineTrack* track = d->trackAt(event->position());
+    const bool isLeft = event->button() == Qt::LeftButton;
+    if (const auto span = d->spanAt(event->position()); span && isLeft)
         emit spanActivated(*span);
-    else
+    else if (isLeft && track != nullptr && track->kind == TimelineTrack::Kind::Keys && track->editable &&
+             event->position().x() >= d->headerWidth) {
+        const int frame = d->scale.nearestFrame(event->position().x() - d->headerWidth);
+        emit spanCreated(track->id, frame, frame);
+    } else
         mousePressEvent(event);
 }
 
@@ -176,9 +201,15 @@ void Timeline::contextMenuEvent(QContextMenuEvent* event)
 void Timeline::selectNeighbour(int step)
 {
     std::vector<SpanRef> all;
-    for (const TimelineTrack& track : d->tracks)
+    for (const TimelineTrack& track : d->tracks) {
+        const auto begin = static_cast<std::ptrdiff_t>(all.size());
         for (const TimelineSpan& span : track.spans)
             all.push_back({track.id, span.id});
+        for (const TimelineKey& key : track.keys)
+            all.push_back({track.id, key.id});
+        std::ranges::stable_sort(all.begin() + begin, all.end(), {},
+                                 [this](const SpanRef& ref) { return d->startOf(ref); });
+    }
     if (all.empty())
         return;
     const auto found = d->selected ? std::find(all.begin(), all.end(), *d->selected) : all.end();
@@ -186,14 +217,13 @@ void Timeline::selectNeighbour(int step)
     const int next = found == all.end() ? (step > 0 ? 0 : count - 1)
                                         : (static_cast<int>(found - all.begin()) + step + count) % count;
     select(all[static_cast<std::size_t>(next)]);
-    d->scale.reveal(d->span(*d->selected)->first);
+    d->scale.reveal(d->startOf(*d->selected));
     scaleChanged();
 }
 
 bool Timeline::editSelectedByKey(int key, Qt::KeyboardModifiers modifiers)
 {
-    const TimelineSpan* span = d->selected ? d->span(*d->selected) : nullptr;
-    if (span == nullptr)
+    if (!d->selected || !d->exists(*d->selected))
         return false;
     if (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_F2) {
         emit spanActivated(*d->selected);
@@ -206,11 +236,25 @@ bool Timeline::editSelectedByKey(int key, Qt::KeyboardModifiers modifiers)
         return true;
     }
     const int step = key == Qt::Key_Left ? -1 : key == Qt::Key_Right ? 1 : 0;
-    if (step == 0 || !(modifiers & (Qt::ControlModifier | Qt::ShiftModifier)))
+    return step != 0 && moveSelectedByKey(step, modifiers);
+}
+
+bool Timeline::moveSelectedByKey(int step, Qt::KeyboardModifiers modifiers)
+{
+    if (!(modifiers & (Qt::ControlModifier | Qt::ShiftModifier)))
         return false;
     const int end = d->scale.frameCount() - 1;
-    const int first = modifiers.testFlag(Qt::ControlModifier) ? span->first + step : span->first;
-    const int last = span->last + step;
+    const int start = d->startOf(*d->selected);
+    if (d->key(*d->selected) != nullptr) {
+        constexpr int manyFrames = 10;
+        const int frames = modifiers.testFlag(Qt::ShiftModifier) ? step * manyFrames : step;
+        const int frame = std::clamp(start + frames, 0, end);
+        if (modifiers.testFlag(Qt::ControlModifier) && frame != start)
+            emit keyMoved(*d->selected, frame, true);
+        return true;
+    }
+    const int first = modifiers.testFlag(Qt::ControlModifier) ? start + step : start;
+    const int last = d->span(*d->selected)->last + step;
     if (first >= 0 && last >= first && last <= end)
         emit spanEdited(*d->selected, first, last, true);
     return true;
@@ -263,7 +307,9 @@ void Timeline::keyPressEvent(QKeyEvent* event)
         };
         const auto track = std::find_if(d->tracks.begin(), d->tracks.end(), editable);
         constexpr int newSpanFrames = 10;
-        if (track != d->tracks.end())
+        if (track != d->tracks.end() && track->kind == TimelineTrack::Kind::Keys)
+            emit spanCreated(track->id, d->current, d->current);
+        else if (track != d->tracks.end())
             emit spanCreated(track->id, d->current, std::min(end, d->current + newSpanFrames - 1));
         break;
     }

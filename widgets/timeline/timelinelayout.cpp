@@ -9,7 +9,14 @@ namespace quadrille::widgets {
 
 int Timeline::Private::rowHeight(const TimelineTrack& track) const
 {
-    return track.kind == TimelineTrack::Kind::Contacts ? 14 : 24;
+    switch (track.kind) {
+    case TimelineTrack::Kind::Contacts:
+        return 14;
+    case TimelineTrack::Kind::Keys:
+        return keyRowHeight;
+    default:
+        return 24;
+    }
 }
 
 int Timeline::Private::contentHeight() const
@@ -68,11 +75,16 @@ std::optional<SpanRef> Timeline::Private::spanAt(const QPointF& position) const
     const TimelineTrack* owner = trackAt(position);
     if (owner == nullptr)
         return std::nullopt;
+    if (owner->kind == TimelineTrack::Kind::Keys)
+        return keyAt(*owner, position);
     const QRect place = row(static_cast<std::size_t>(owner - tracks.data()));
-    // Later spans lie above earlier ones.
-    for (auto span = owner->spans.rbegin(); span != owner->spans.rend(); ++span)
-        if (rect(place, span->first, span->last).contains(position.toPoint()))
+    // Later spans lie above earlier ones; slim ones are taken hold of beside them too.
+    for (auto span = owner->spans.rbegin(); span != owner->spans.rend(); ++span) {
+        const QRect box = rect(place, span->first, span->last);
+        const int beside = std::max(0, (slimmest - box.width() + 1) / 2);
+        if (box.adjusted(-beside, 0, beside, 0).contains(position.toPoint()))
             return SpanRef{owner->id, span->id};
+    }
     return std::nullopt;
 }
 
@@ -106,6 +118,13 @@ TimelineDrag Timeline::Private::dragAt(const QPointF& position) const
     const TimelineTrack* owner = trackAt(position);
     if (owner == nullptr || !owner->editable) {
         result.kind = Kind::Playhead;
+        return result;
+    }
+    if (owner->kind == TimelineTrack::Kind::Keys) {
+        const auto ref = keyAt(*owner, position);
+        result.kind = ref ? Kind::MoveKey : Kind::Playhead;
+        result.span = ref.value_or(SpanRef{});
+        result.first = result.oldFirst = ref ? startOf(*ref) : result.grabbed;
         return result;
     }
     result.span.track = owner->id;
@@ -188,6 +207,10 @@ bool Timeline::Private::dragTo(const QPointF& position, bool snap)
         return std::clamp(snap ? snapped(nearest, except) : nearest, 0, end + 1);
     };
     switch (drag.kind) {
+    case Kind::MoveKey:
+        drag.first = frameForKey({position.x() - drag.pressedAt.x() + x(drag.oldFirst + 0.5), position.y()},
+                                 snap, drag.span);
+        break;
     case Kind::RangeStart:
         drag.first = std::min(boundary(std::nullopt), drag.last);
         break;

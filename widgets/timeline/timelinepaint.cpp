@@ -50,7 +50,9 @@ void Timeline::Private::paint(QPainter& painter, const QRect& exposed, const Tim
     painter.setClipRect(QRect(headerWidth, 0, size.width() - headerWidth, size.height()));
     paintRange(painter);
     paintRuler(painter);
+    paintKeyStems(painter);
     paintPlayhead(painter);
+    paintDrop(painter);
     painter.restore();
     if (timeline.hasFocus()) {
         painter.setPen(QPen(Theme::color(ColorRole::AccentText), 1.0));
@@ -133,6 +135,8 @@ void Timeline::Private::paintTrack(QPainter& painter, std::size_t index, const Q
     painter.setClipRect(place);
     for (const TimelineSpan& span : owner.spans)
         paintSpan(painter, owner, place, shown(owner.id, span));
+    if (owner.kind == TimelineTrack::Kind::Keys)
+        paintKeys(painter, owner, place);
     if (drag.kind == TimelineDrag::Kind::Create && drag.moved && drag.span.track == owner.id) {
         const QRectF box = QRectF(rect(place, drag.first, drag.last)).adjusted(0.5, 1.5, -0.5, -1.5);
         painter.setPen(QPen(Theme::color(ColorRole::AccentText), 1.5, Qt::DashLine));

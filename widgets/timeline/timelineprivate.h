@@ -20,6 +20,7 @@ struct TimelineDrag
         RangeEnd,
         Create,
         Move,
+        MoveKey,
         SpanStart,
         SpanEnd,
         Scroll
@@ -47,12 +48,19 @@ struct Timeline::Private
     std::vector<TimelineTrack> tracks;
     std::optional<SpanRef> selected;
     TimelineDrag drag;
+    std::optional<SpanRef> hovered;
+    QString dropTrack;
+    std::optional<int> dropFrame; ///< while something is held over the timeline
     QScrollBar* scrollBar = nullptr;
     QSize size;
 
     static constexpr int rulerHeight = 28;
     static constexpr int gap = 4;
     static constexpr int edgeReach = 5; ///< pixels about an edge that take hold of it
+    static constexpr int slimmest = 6;  ///< pixels that take hold of a span
+    static constexpr int keyMarkHeight = 16;
+    static constexpr int keyPicture = 40;
+    static constexpr int keyRowHeight = keyMarkHeight + keyPicture + 2;
 
     int headerWidth = 0;
     int rowHeight(const TimelineTrack& track) const;
@@ -62,15 +70,27 @@ struct Timeline::Private
     QRect rect(const QRect& row, int first, int last) const;
     const TimelineTrack* track(const QString& id) const;
     const TimelineSpan* span(const SpanRef& ref) const;
+    const TimelineKey* key(const SpanRef& ref) const;
+    bool exists(const SpanRef& ref) const { return span(ref) != nullptr || key(ref) != nullptr; }
+    /// The first frame of a span, the frame of a key.
+    int startOf(const SpanRef& ref) const;
     const TimelineTrack* trackAt(const QPointF& position) const;
     std::optional<SpanRef> spanAt(const QPointF& position) const;
     /// What a press at a place would move.
     TimelineDrag dragAt(const QPointF& position) const;
+    std::optional<SpanRef> keyAt(const TimelineTrack& owner, const QPointF& position) const;
+    /// Where a key is, and how it would be after the drag.
+    double shownFrame(const QString& track, const TimelineKey& key) const;
+    QRect keyMarkRect(const QRect& row, double frame) const;
+    QRect keyPictureRect(const QRect& row, double frame) const;
     std::pair<int, int> effectiveRange() const;
     /// The span's frames as they would be after the drag.
     TimelineSpan shown(const QString& track, const TimelineSpan& span) const;
     /// The nearest edge, playhead or range end within reach of a frame boundary, or the boundary itself.
     int snapped(int boundary, const std::optional<SpanRef>& except) const;
+    /// The nearest frame within reach that something else marks, or the frame itself.
+    int snappedFrame(int frame, const std::optional<SpanRef>& except) const;
+    int frameForKey(const QPointF& position, bool snap, const std::optional<SpanRef>& except) const;
     /// Moves what is dragged to a place. \return whether something changed.
     bool dragTo(const QPointF& position, bool snap);
 
@@ -80,6 +100,11 @@ struct Timeline::Private
     void paintTrack(QPainter& painter, std::size_t index, const QPalette& palette) const;
     void paintSpan(QPainter& painter, const TimelineTrack& owner, const QRect& row,
                    const TimelineSpan& span) const;
+    void paintKeys(QPainter& painter, const TimelineTrack& owner, const QRect& row) const;
+    void paintKey(QPainter& painter, const TimelineTrack& owner, const QRect& row, const TimelineKey& key,
+                  double room) const;
+    void paintKeyStems(QPainter& painter) const;
+    void paintDrop(QPainter& painter) const;
     void paintPlayhead(QPainter& painter) const;
     QRect playheadRect(int frame) const;
 };
