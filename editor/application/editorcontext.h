@@ -4,6 +4,8 @@
 
 #include "editor/application/actionregistry.h"
 #include "editor/application/settings.h"
+#include "editor/documents/animationmedia.h"
+#include "editor/documents/graphmedia.h"
 #include "editor/documents/projectdocument.h"
 #include "editor/documents/selection.h"
 #include "editor/documents/sequencemedia.h"
@@ -17,7 +19,12 @@ namespace quadrille {
 /// other through it alone.
 struct EditorContext
 {
-    EditorContext() : actions(settings), selection(document), media(document, jobs)
+    EditorContext()
+        : actions(settings)
+        , selection(document)
+        , media(document, jobs)
+        , graphs(document, jobs)
+        , animations(document, graphs, jobs)
     {
         languages.setLanguage(settings.language());
     }
@@ -30,6 +37,8 @@ struct EditorContext
     ProjectDocument document;
     Selection selection;
     SequenceMedia media;
+    GraphMedia graphs;
+    AnimationMedia animations;
 };
 
 } // namespace quadrille

@@ -43,6 +43,31 @@ std::size_t memoryOf(const SequenceEntry& sequence)
     return bytes;
 }
 
+std::size_t memoryOf(const std::vector<GraphEntry>& graphs)
+{
+    std::size_t bytes = graphs.size() * sizeof(GraphEntry);
+    for (const GraphEntry& graph : graphs)
+        bytes += graph.character.capacity() + memoryOf(graph.unknown);
+    return bytes;
+}
+
+std::size_t memoryOf(const AnimationEntry& animation)
+{
+    std::size_t bytes = sizeof(animation) + animation.name.capacity() + memoryOf(animation.unknown) +
+                        animation.constraints.size() * sizeof(ConstraintEntry) +
+                        (animation.junctions.banned.size() + animation.junctions.locked.size() +
+                         animation.junctions.chosen.size()) *
+                            sizeof(JunctionEntry);
+    for (const ConstraintEntry& constraint : animation.constraints) {
+        if (const auto* path = std::get_if<PathEntry>(&constraint))
+            bytes += path->points.size() * sizeof(Vec3d) + path->spans.size() * sizeof(PathSpanEntry) +
+                     path->obstacles.size() * sizeof(ObstacleEntry);
+    }
+    if (animation.walk)
+        bytes += animation.walk->spans.size() * sizeof(WalkSpanEntry);
+    return bytes;
+}
+
 std::size_t memoryOf(const ExportEntry& entry)
 {
     return sizeof(entry) + entry.name.capacity() + entry.what.capacity() + entry.path.capacity() +

@@ -20,6 +20,10 @@ constexpr Section sectionOf()
         return Section::Characters;
     else if constexpr (std::is_same_v<Entry, SequenceEntry>)
         return Section::Sequences;
+    else if constexpr (std::is_same_v<Entry, std::vector<GraphEntry>>)
+        return Section::Graphs;
+    else if constexpr (std::is_same_v<Entry, AnimationEntry>)
+        return Section::Animations;
     else
         return Section::Exports;
 }
@@ -32,16 +36,20 @@ auto& entriesOf(ProjectType& project)
         return project.characters;
     else if constexpr (std::is_same_v<Entry, SequenceEntry>)
         return project.sequences;
+    else if constexpr (std::is_same_v<Entry, AnimationEntry>)
+        return project.animations;
     else
         return project.exports;
 }
 
-/// The entry of a name. \pre It is there (for ProjectSettings the name is not looked at).
+/// The entry of a name. \pre It is there. Of settings and graphs there is one value, whatever the name.
 template <typename Entry, typename ProjectType>
 auto& entryOf(ProjectType& project, const QString& name)
 {
     if constexpr (std::is_same_v<Entry, ProjectSettings>) {
         return project.settings;
+    } else if constexpr (std::is_same_v<Entry, std::vector<GraphEntry>>) {
+        return project.graphs;
     } else {
         auto& entries = entriesOf<Entry>(project);
         const auto found = std::ranges::find(entries, name.toStdString(), &Entry::name);
@@ -54,6 +62,8 @@ auto& entryOf(ProjectType& project, const QString& name)
 std::size_t memoryOf(const ProjectSettings& settings);
 std::size_t memoryOf(const CharacterEntry& character);
 std::size_t memoryOf(const SequenceEntry& sequence);
+std::size_t memoryOf(const std::vector<GraphEntry>& graphs);
+std::size_t memoryOf(const AnimationEntry& animation);
 std::size_t memoryOf(const ExportEntry& entry);
 
 } // namespace quadrille

@@ -19,12 +19,16 @@ struct ProjectPart
 {
     PlacedEntries<CharacterEntry> characters;
     PlacedEntries<SequenceEntry> sequences;
+    PlacedEntries<AnimationEntry> animations;
     PlacedEntries<ExportEntry> exports;
     /// The project's rate while the part is in it, where that is another one; the first sequences bring
     /// theirs.
     std::optional<double> fps;
 
-    bool isEmpty() const { return characters.empty() && sequences.empty() && exports.empty(); }
+    bool isEmpty() const
+    {
+        return characters.empty() && sequences.empty() && animations.empty() && exports.empty();
+    }
     std::size_t bytes() const;
 };
 

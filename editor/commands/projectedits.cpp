@@ -30,11 +30,14 @@ bool isTaken(const Project& project, Section section, const QString& name)
 {
     switch (section) {
     case Section::Project:
+    case Section::Graphs:
         return true;
     case Section::Characters:
         return hasName<CharacterEntry>(project, name);
     case Section::Sequences:
         return hasName<SequenceEntry>(project, name);
+    case Section::Animations:
+        return hasName<AnimationEntry>(project, name);
     case Section::Exports:
         return hasName<ExportEntry>(project, name);
     }
@@ -78,6 +81,8 @@ QString removalText(Section section, const QStringList& names)
     switch (section) {
     case Section::Characters:
         return Texts::tr("Remove %n characters", nullptr, count);
+    case Section::Animations:
+        return Texts::tr("Remove %n animations", nullptr, count);
     case Section::Exports:
         return Texts::tr("Remove %n exports", nullptr, count);
     default:
@@ -150,6 +155,8 @@ void removeEntries(ProjectDocument& document, Section section, const QStringList
     } else if (section == Section::Sequences) {
         takeSequences([&](const SequenceEntry& s) { return wanted.contains(s.name); });
     }
+    if (section == Section::Animations)
+        part.animations = placed(project.animations, [&](const auto& a) { return wanted.contains(a.name); });
     part.exports = placed(project.exports, [&](const ExportEntry& e) {
         return section == Section::Exports ? wanted.contains(e.name) : exported.contains(e.what);
     });

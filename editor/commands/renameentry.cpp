@@ -42,6 +42,7 @@ void RenameEntry::rename(const QString& from, const QString& to)
         [&](Project& project) {
             switch (m_section) {
             case Section::Project:
+            case Section::Graphs:
                 break;
             case Section::Characters:
                 entryOf<CharacterEntry>(project, from).name = name;
@@ -52,6 +53,9 @@ void RenameEntry::rename(const QString& from, const QString& to)
                 entryOf<SequenceEntry>(project, from).name = name;
                 for (const std::size_t i : m_references)
                     project.exports[i].what = "sequences/" + name;
+                break;
+            case Section::Animations:
+                entryOf<AnimationEntry>(project, from).name = name;
                 break;
             case Section::Exports:
                 entryOf<ExportEntry>(project, from).name = name;

@@ -13,6 +13,8 @@ enum class Section
     Project, ///< the settings
     Characters,
     Sequences,
+    Graphs, ///< an entry is called by its character
+    Animations,
     Exports,
 };
 

@@ -42,6 +42,11 @@ const CharacterEntry* ProjectDocument::character(const QString& name) const
     return findByName(m_project.characters, name.toStdString());
 }
 
+const AnimationEntry* ProjectDocument::animation(const QString& name) const
+{
+    return findByName(m_project.animations, name.toStdString());
+}
+
 const ExportEntry* ProjectDocument::exportEntry(const QString& name) const
 {
     return findByName(m_project.exports, name.toStdString());
@@ -52,6 +57,16 @@ const CharacterEntry* ProjectDocument::characterOf(const SequenceEntry& sequence
     if (sequence.character.empty() && m_project.characters.size() == 1)
         return &m_project.characters.front();
     return findByName(m_project.characters, sequence.character);
+}
+
+std::filesystem::path ProjectDocument::workingFile() const
+{
+    return isUntitled() ? toPath(m_untitledFolder.filePath(QStringLiteral("untitled.quadrille"))) : m_file;
+}
+
+Project ProjectDocument::snapshot() const
+{
+    return withRelativePaths(m_project, workingFile().parent_path());
 }
 
 QString ProjectDocument::title() const

@@ -6,6 +6,7 @@
 #include "model/project/project.h"
 
 #include <QObject>
+#include <QTemporaryDir>
 #include <QUndoStack>
 #include <filesystem>
 #include <functional>
@@ -32,6 +33,7 @@ public:
     /// Null when there is no such entry.
     const SequenceEntry* sequence(const QString& name) const;
     const CharacterEntry* character(const QString& name) const;
+    const AnimationEntry* animation(const QString& name) const;
     const ExportEntry* exportEntry(const QString& name) const;
     /// The character of a sequence: the one it names, or the only one.
     const CharacterEntry* characterOf(const SequenceEntry& sequence) const;
@@ -39,6 +41,10 @@ public:
     /// The project file; empty while it is untitled.
     const std::filesystem::path& file() const { return m_file; }
     bool isUntitled() const { return m_file.empty(); }
+    /// The file that results lie beside: the project's, or one in a temporary folder while it is untitled.
+    std::filesystem::path workingFile() const;
+    /// The project as its file would hold it, beside workingFile(): for jobs that rebuild parts of it.
+    Project snapshot() const;
     /// The file's name without folder and ending, or "Untitled".
     QString title() const;
     bool isModified() const { return m_recovered || !m_undoStack.isClean(); }
@@ -78,6 +84,7 @@ private:
 
     Project m_project;
     std::filesystem::path m_file;
+    QTemporaryDir m_untitledFolder;
     QUndoStack m_undoStack;
     std::size_t m_historyBytes = defaultHistoryBytes;
     bool m_recovered = false;

@@ -27,6 +27,8 @@ Project rewritten(Project project, const Rewrite& rewrite)
         sequence.jointAngles = rewrite(sequence.jointAngles);
         rewriteTexture(sequence.texture, rewrite);
     }
+    for (AnimationEntry& animation : project.animations)
+        animation.post.symmetry = rewrite(animation.post.symmetry);
     for (ExportEntry& entry : project.exports)
         entry.path = rewrite(entry.path);
     return project;

@@ -45,11 +45,14 @@ bool Selection::exists(const EntryRef& entry) const
         return true;
     switch (entry.section) {
     case Section::Project:
+    case Section::Graphs:
         return true;
     case Section::Characters:
         return m_document.character(entry.name) != nullptr;
     case Section::Sequences:
         return m_document.sequence(entry.name) != nullptr;
+    case Section::Animations:
+        return m_document.animation(entry.name) != nullptr;
     case Section::Exports:
         return m_document.exportEntry(entry.name) != nullptr;
     }

@@ -64,8 +64,8 @@ private:
 template <typename Work, typename Done>
 Job* JobRunner::start(const JobSettings& settings, Work work, Done done)
 {
-    using Result = std::invoke_result_t<Work&, const Progress&>;
-    if constexpr (std::is_void_v<Result>) {
+    using Output = std::invoke_result_t<Work&, const Progress&>;
+    if constexpr (std::is_void_v<Output>) {
         return add(
             settings,
             [work = std::move(work)](const Progress& progress) mutable -> std::shared_ptr<void> {
@@ -77,10 +77,10 @@ Job* JobRunner::start(const JobSettings& settings, Work work, Done done)
         return add(
             settings,
             [work = std::move(work)](const Progress& progress) mutable -> std::shared_ptr<void> {
-                return std::make_shared<Result>(work(progress));
+                return std::make_shared<Output>(work(progress));
             },
             [done = std::move(done)](void* result) mutable {
-                done(std::move(*static_cast<Result*>(result)));
+                done(std::move(*static_cast<Output*>(result)));
             });
     }
 }

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/animate.h"
 #include "model/project/animationjson.h"
-#include "model/project/charactergraph.h"
 #include "model/project/clippost.h"
 #include "model/project/clipresult.h"
 #include "model/project/lengthunit.h"
 #include "model/project/tablebuilder.h"
 #include "model/project/walkrequest.h"
-#include "model/synthesis/makeclip.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,17 +19,7 @@ namespace {
 CharacterWork workOf(const StageMaking& making, const AnimationEntry& animation)
 {
     const Project& project = making.opener->project();
-    const std::string character = characterNameOf(project, animation);
-    const std::vector<GraphEntry> graphs = graphsOf(project);
-    const auto graph = std::find_if(graphs.begin(), graphs.end(), [&](const GraphEntry& entry) {
-        return entry.character == character || (entry.character.empty() && project.characters.size() < 2);
-    });
-    return characterWork(making.opener, *graph);
-}
-
-BlendSettings blendSettings(const AnimationEntry& animation)
-{
-    return animation.gentleBlend ? BlendSettings::gentle() : BlendSettings();
+    return characterWork(making.opener, graphOf(project, characterNameOf(project, animation)));
 }
 
 DataArray groundMotionArray(std::string name, std::string description, const GroundMotion& motion)
@@ -116,29 +105,9 @@ DataTable reportTable(const AnimationEntry& animation, const WalkSolution& solut
     return std::move(table).table();
 }
 
-/// The walk that was accepted, with its cost.
-WalkSolution solutionOf(const WalkEntry& entry, const CharacterGraph& graph)
-{
-    WalkSolution solution{.walk = acceptedWalk(entry, graph), .start = startOf(entry, graph)};
-    for (const WalkSpan& span : solution.walk.spans)
-        solution.cost.edges += graph.alpha() * (span.frameCount() - 1);
-    for (const Transition& transition : transitionsOf(solution.walk, graph.layout(), graph.paths()))
-        solution.cost.edges +=
-            graph.costs().weight(transition.frames.source, transition.frames.destination, graph.alpha());
-    return solution;
-}
-
 Result walkResult(const AnimationEntry& animation, const CharacterGraph& graph, const Progress& progress)
 {
-    WalkConstraints constraints;
-    WalkSolution solution;
-    if (animation.walk) {
-        solution = solutionOf(*animation.walk, graph);
-    } else {
-        constraints = walkConstraints(animation, graph);
-        solution = findWalk(graph.material(blendSettings(animation)), constraints,
-                            searchSettings(animation.search), progress);
-    }
+    const auto [constraints, solution] = animationWalk(animation, graph, progress);
     const ClipPlan plan = planClip(graph.roots(), graph.layout(), graph.paths(), solution.walk);
     const double fps = graph.work().opener->project().settings.fps;
     Result result;
@@ -160,11 +129,7 @@ ResultStage walkStage(const CharacterWork& work, const AnimationEntry& animation
     stage.inputs = CharacterGraph::inputs(work);
     stage.compute = [work, animation](const StageContext& context, const Progress& progress) {
         const CharacterGraph graph(work, context);
-        try {
-            return walkResult(animation, graph, progress);
-        } catch (const Error& error) {
-            throw graph.named(error);
-        }
+        return walkResult(animation, graph, progress);
     };
     return stage;
 }
@@ -202,13 +167,9 @@ ResultStage clipStage(const CharacterWork& work, const AnimationEntry& animation
                                                         const Progress& progress) {
         const CharacterGraph graph(work, context);
         const Result found = context.resultOf(walk);
-        const ClipPlan plan = planClip(graph.roots(), graph.layout(), graph.paths(), walkOf(found, graph),
-                                       {.start = placementOf(found), .blend = blendSettings(animation)});
+        const ClipPlan plan = animationPlan(animation, graph, walkOf(found, graph), placementOf(found));
         const CharacterFrames frames = work.open(progress.part(0, 0.05));
-        Clip clip = makeClip(frames, plan, animation.interpolation, progress.part(0.05, 0.5));
-        const PostProcessed processed =
-            postProcessed(std::move(clip), animation.post.steps,
-                          postProcessingInputs(animation, work, frames), progress.part(0.5, 1));
+        const PostProcessed processed = animationClip(animation, graph, frames, plan, progress.part(0.05, 1));
         Result result = clipResult(processed.clip, graph.layout(), work.sequences,
                                    unitText(work.opener->project().settings.axes.metresPerUnit));
         if (processed.travel)

@@ -37,7 +37,7 @@ public:
     /// The Essential graph.
     const Digraph& graph() const { return m_graph; }
     double alpha() const { return m_work.graph.alpha; }
-    /// What walks are sought in; refers to this. \param blend  how transitions will be blended.
+    /// What walks are sought in; refers to this object. \param blend  how transitions will be blended.
     WalkMaterial material(const BlendSettings& blend) const;
 
     /// A frame by the name of its sequence. \throws Error ProjectInvalid where there is none.

@@ -42,10 +42,8 @@ std::vector<GraphEntry> graphsOf(const Project& project)
 {
     std::vector<GraphEntry> graphs = project.graphs;
     const auto add = [&](const std::string& character) {
-        const bool isThere = std::any_of(graphs.begin(), graphs.end(), [&](const GraphEntry& graph) {
-            return graph.character == character || (graph.character.empty() && project.characters.size() < 2);
-        });
-        if (!isThere)
+        const auto isIts = [&](const GraphEntry& graph) { return isGraphOf(project, graph, character); };
+        if (std::none_of(graphs.begin(), graphs.end(), isIts))
             graphs.emplace_back().character = character;
     };
     for (const EvaluationEntry& evaluation : project.evaluations) {
@@ -58,6 +56,22 @@ std::vector<GraphEntry> graphsOf(const Project& project)
     for (const AnimationEntry& animation : project.animations)
         add(characterNameOf(project, animation));
     return graphs;
+}
+
+bool isGraphOf(const Project& project, const GraphEntry& graph, const std::string& character)
+{
+    return graph.character == character || (graph.character.empty() && project.characters.size() < 2);
+}
+
+GraphEntry graphOf(const Project& project, const std::string& character)
+{
+    for (const GraphEntry& graph : project.graphs) {
+        if (isGraphOf(project, graph, character))
+            return graph;
+    }
+    GraphEntry usual;
+    usual.character = character;
+    return usual;
 }
 
 CharacterWork characterWork(const std::shared_ptr<SequenceOpener>& opener, const GraphEntry& graph)

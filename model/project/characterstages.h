@@ -44,6 +44,11 @@ inline constexpr auto rootPoses = "root-poses";
 /// The section “graph”, and the usual settings for characters that only other sections are about.
 std::vector<GraphEntry> graphsOf(const Project& project);
 
+/// Whether settings are those of a character.
+bool isGraphOf(const Project& project, const GraphEntry& graph, const std::string& character);
+/// The graph settings of a character: those of the project, or the usual ones.
+GraphEntry graphOf(const Project& project, const std::string& character);
+
 CharacterWork characterWork(const std::shared_ptr<SequenceOpener>& opener, const GraphEntry& graph);
 
 /// A square or other table as data.

@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/documents/animationmedia.h"
+
+#include "editor/documents/animationresult.h"
+#include "editor/jobs/jobrunner.h"
+#include "model/project/walkrequest.h"
+
+#include <QElapsedTimer>
+#include <mutex>
+#include <utility>
+
+namespace quadrille {
+
+namespace {
+
+constexpr int delayMilliseconds = 20;
+/// Between the walks that are shown while a better one is sought; making a clip holds the search up.
+constexpr int showingMilliseconds = 700;
+
+using ResultPointer = std::shared_ptr<const AnimationResult>;
+
+bool asksForSomething(const AnimationEntry& entry)
+{
+    return entry.walk || !entry.constraints.empty();
+}
+
+/// Whether only what follows the walk is another.
+bool haveSameWalk(const AnimationResult& before, const AnimationEntry& entry)
+{
+    return walkSettings(before.entry, before.character->graph.work()) ==
+           walkSettings(entry, before.character->graph.work());
+}
+
+ResultPointer makeResult(const AnimationEntry& entry, std::shared_ptr<const OpenedCharacter> character,
+                         AnimationWalk walk, const Progress& progress)
+{
+    auto result = std::make_shared<AnimationResult>();
+    const CharacterGraph& graph = character->graph;
+    result->plan = animationPlan(entry, graph, walk.solution.walk, walk.solution.start);
+    PostProcessed processed = animationClip(entry, graph, character->frames, result->plan, progress);
+    result->origins = processed.clip.origins;
+    result->travel = processed.travel;
+    result->sequence = toSequence(entry.name, std::move(processed.clip), character->frames);
+    result->entry = entry;
+    result->walk = std::move(walk);
+    result->character = std::move(character);
+    return result;
+}
+
+} // namespace
+
+/// Takes results from the threads that search to the interface, for as long as there is somebody to take
+/// them.
+struct AnimationMedia::Mailbox
+{
+    std::mutex mutex;
+    AnimationMedia* owner = nullptr;
+
+    void post(const QString& name, int search, ResultPointer result)
+    {
+        const std::scoped_lock lock(mutex);
+        if (owner != nullptr)
+            QMetaObject::invokeMethod(
+                owner,
+                [owner = owner, name, search, result = std::move(result)] {
+                    owner->take(name, search, result);
+                },
+                Qt::QueuedConnection);
+    }
+};
+
+AnimationMedia::AnimationMedia(ProjectDocument& document, GraphMedia& graphs, JobRunner& jobs,
+                               QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+    , m_graphs(graphs)
+    , m_jobs(jobs)
+    , m_mailbox(std::make_shared<Mailbox>())
+{
+    m_mailbox->owner = this;
+    m_delay.setSingleShot(true);
+    m_delay.setInterval(delayMilliseconds);
+    connect(&m_delay, &QTimer::timeout, this, qOverload<>(&AnimationMedia::update));
+    connect(&document, &ProjectDocument::changed, this, &AnimationMedia::follow);
+    connect(&graphs, &GraphMedia::changed, this, [this] { m_delay.start(); });
+}
+
+AnimationMedia::~AnimationMedia()
+{
+    const std::scoped_lock lock(m_mailbox->mutex);
+    m_mailbox->owner = nullptr;
+}
+
+void AnimationMedia::want(const QStringList& names)
+{
+    if (m_wanted == names)
+        return;
+    m_wanted = names;
+    update();
+}
+
+const AnimationMedia::Medium* AnimationMedia::medium(const QString& name) const
+{
+    const auto found = m_items.find(name);
+    return found == m_items.end() ? nullptr : &found->second.medium;
+}
+
+std::shared_ptr<const AnimationResult> AnimationMedia::result(const QString& name) const
+{
+    const Medium* found = medium(name);
+    return found == nullptr ? nullptr : found->result;
+}
+
+QString AnimationMedia::characterOf(const QString& name) const
+{
+    const AnimationEntry* entry = m_document.animation(name);
+    return entry == nullptr ? QString()
+                            : QString::fromStdString(characterNameOf(m_document.project(), *entry));
+}
+
+void AnimationMedia::retry(const QString& name)
+{
+    const auto found = m_items.find(name);
+    if (found == m_items.end())
+        return;
+    found->second.isStopped = false;
+    found->second.character.reset();
+    update(name, found->second);
+}
+
+void AnimationMedia::stop(const QString& name)
+{
+    const auto found = m_items.find(name);
+    if (found == m_items.end() || !found->second.medium.job)
+        return;
+    found->second.isStopped = true;
+    found->second.medium.job->cancel();
+    setIdle(name, found->second);
+}
+
+void AnimationMedia::follow(const ChangeEvent& event)
+{
+    if (event.kind == ChangeEvent::Kind::Reset) {
+        m_wanted.clear();
+        update();
+    } else if (event.kind == ChangeEvent::Kind::Renamed && event.entry.section == Section::Animations) {
+        rename(event.before, event.entry.name);
+    } else if (event.touches(Section::Animations)) {
+        m_delay.start();
+    }
+}
+
+void AnimationMedia::rename(const QString& before, const QString& after)
+{
+    std::ranges::replace(m_wanted, before, after);
+    auto node = m_items.extract(before);
+    if (node.empty())
+        return;
+    if (node.mapped().medium.job)
+        node.mapped().medium.job->cancel();
+    node.mapped().character.reset();
+    node.key() = after;
+    m_items.insert(std::move(node));
+    emit changed(before);
+    update();
+}
+
+void AnimationMedia::update()
+{
+    m_delay.stop();
+    for (auto it = m_items.begin(); it != m_items.end();) {
+        if (m_wanted.contains(it->first) && m_document.animation(it->first) != nullptr) {
+            ++it;
+            continue;
+        }
+        if (it->second.medium.job)
+            it->second.medium.job->cancel();
+        const QString gone = it->first;
+        it = m_items.erase(it);
+        emit changed(gone);
+    }
+    for (const QString& name : std::as_const(m_wanted)) {
+        if (m_document.animation(name) != nullptr)
+            update(name, m_items[name]);
+    }
+}
+
+void AnimationMedia::update(const QString& name, Item& item)
+{
+    const AnimationEntry& entry = *m_document.animation(name);
+    if (!asksForSomething(entry)) {
+        item.solved = entry;
+        item.medium.result.reset();
+        setIdle(name, item);
+        return;
+    }
+    const QString character = characterOf(name);
+    const GraphMedia::Medium* graph = m_graphs.medium(character);
+    if (graph == nullptr || graph->state != GraphMedia::State::Ready) {
+        if (item.medium.job)
+            item.medium.job->cancel();
+        item.medium.job.clear();
+        item.medium.error = graph == nullptr ? std::nullopt : graph->error;
+        item.medium.state = item.medium.error ? State::Failed : State::Waiting;
+        item.character.reset();
+        if (graph != nullptr && graph->state != GraphMedia::State::Failed)
+            m_graphs.ask(character);
+        emit changed(name);
+        return;
+    }
+    if (item.character == graph->opened && item.solved == entry)
+        return;
+    item.isStopped = false;
+    item.character = graph->opened;
+    solve(name, item, entry);
+}
+
+void AnimationMedia::solve(const QString& name, Item& item, const AnimationEntry& entry)
+{
+    if (item.medium.job)
+        item.medium.job->cancel();
+    item.solved = entry;
+    item.search = ++m_searches;
+    item.medium.state = State::Solving;
+    item.medium.error.reset();
+    const ResultPointer& before = item.medium.result;
+    const bool keepsWalk = before != nullptr && before->isFinal && before->character == item.character &&
+                           haveSameWalk(*before, entry);
+    const auto work = [entry, character = item.character, mailbox = m_mailbox, name, search = item.search,
+                       walk = keepsWalk ? std::optional(before->walk)
+                                        : std::nullopt](const Progress& progress) -> ResultPointer {
+        QElapsedTimer sinceShown;
+        const auto show = [&](const WalkSolution& solution) {
+            if (sinceShown.isValid() && sinceShown.elapsed() < showingMilliseconds)
+                return;
+            mailbox->post(name, search, makeResult(entry, character, {{}, solution}, progress.part(0, 0)));
+            sinceShown.start();
+        };
+        constexpr double searching = 0.8;
+        AnimationWalk found =
+            walk ? *walk : animationWalk(entry, character->graph, progress.part(0, searching), show);
+        const ResultPointer last =
+            makeResult(entry, character, std::move(found), progress.part(searching, 1));
+        std::const_pointer_cast<AnimationResult>(last)->isFinal = true;
+        return last;
+    };
+    item.medium.job = m_jobs.start({.name = tr("Animation “%1”").arg(name),
+                                    .receiver = this,
+                                    .stillStands =
+                                        [this, name, search = item.search] {
+                                            const auto found = m_items.find(name);
+                                            return found != m_items.end() && found->second.search == search;
+                                        },
+                                    .failed =
+                                        [this, name](const Error& error) {
+                                            Medium& medium = m_items.at(name).medium;
+                                            medium.state = State::Failed;
+                                            medium.error = error;
+                                            emit changed(name);
+                                        }},
+                                   work, [this, name, search = item.search](ResultPointer result) {
+                                       take(name, search, std::move(result));
+                                   });
+    connect(item.medium.job, &Job::ended, this, [this, name, search = item.search](Job::State state) {
+        const auto found = m_items.find(name);
+        if (state != Job::State::Cancelled || found == m_items.end() || found->second.search != search)
+            return;
+        found->second.isStopped = true;
+        setIdle(name, found->second);
+    });
+    emit changed(name);
+}
+
+void AnimationMedia::take(const QString& name, int search, ResultPointer result)
+{
+    const auto found = m_items.find(name);
+    if (found == m_items.end() || found->second.search != search || found->second.isStopped)
+        return;
+    Medium& medium = found->second.medium;
+    if (medium.result != nullptr && medium.state == State::Ready && !result->isFinal)
+        return;
+    if (result->isFinal)
+        medium.state = State::Ready;
+    medium.result = std::move(result);
+    emit changed(name);
+}
+
+void AnimationMedia::setIdle(const QString& name, Item& item)
+{
+    if (item.medium.job && !item.isStopped)
+        item.medium.job->cancel();
+    item.medium.job.clear();
+    item.medium.error.reset();
+    item.medium.state = State::Idle;
+    emit changed(name);
+}
+
+} // namespace quadrille

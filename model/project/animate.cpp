@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/animate.h"
+
+#include "model/project/clippost.h"
+#include "model/project/walkrequest.h"
+#include "model/synthesis/makeclip.h"
+
+namespace quadrille {
+
+namespace {
+
+BlendSettings blendSettings(const AnimationEntry& animation)
+{
+    return animation.gentleBlend ? BlendSettings::gentle() : BlendSettings();
+}
+
+/// The walk that was accepted, with its cost.
+WalkSolution acceptedSolution(const WalkEntry& entry, const CharacterGraph& graph)
+{
+    WalkSolution solution{.walk = acceptedWalk(entry, graph), .start = startOf(entry, graph)};
+    for (const WalkSpan& span : solution.walk.spans)
+        solution.cost.edges += graph.alpha() * (span.frameCount() - 1);
+    for (const Transition& transition : transitionsOf(solution.walk, graph.layout(), graph.paths()))
+        solution.cost.edges +=
+            graph.costs().weight(transition.frames.source, transition.frames.destination, graph.alpha());
+    return solution;
+}
+
+} // namespace
+
+AnimationWalk animationWalk(const AnimationEntry& animation, const CharacterGraph& graph,
+                            const Progress& progress, const SolutionCallback& found)
+{
+    try {
+        if (animation.walk)
+            return {.constraints = {}, .solution = acceptedSolution(*animation.walk, graph)};
+        AnimationWalk walk{.constraints = walkConstraints(animation, graph), .solution = {}};
+        walk.solution = findWalk(graph.material(blendSettings(animation)), walk.constraints,
+                                 searchSettings(animation.search), progress, found);
+        return walk;
+    } catch (const Error& error) {
+        throw graph.named(error);
+    }
+}
+
+ClipPlan animationPlan(const AnimationEntry& animation, const CharacterGraph& graph, const Walk& walk,
+                       const GroundMotion& start)
+{
+    return planClip(graph.roots(), graph.layout(), graph.paths(), walk,
+                    {.start = start, .blend = blendSettings(animation)});
+}
+
+PostProcessed animationClip(const AnimationEntry& animation, const CharacterGraph& graph,
+                            const CharacterFrames& frames, const ClipPlan& plan, const Progress& progress)
+{
+    Clip clip = makeClip(frames, plan, animation.interpolation, progress.part(0, 0.5));
+    return postProcessed(std::move(clip), animation.post.steps,
+                         postProcessingInputs(animation, graph.work(), frames), progress.part(0.5, 1));
+}
+
+} // namespace quadrille

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/opencharacter.h"
+
+#include "model/project/paths.h"
+#include "model/project/rebuild.h"
+#include "model/project/resultstore.h"
+
+#include <algorithm>
+#include <map>
+
+namespace quadrille {
+
+namespace {
+
+/// The keys of stages whose results are all there.
+using StageKeys = std::map<std::string, std::string>;
+
+StageKeys keysOf(const RebuildReport& report)
+{
+    StageKeys keys;
+    for (const StageReport& stage : report.stages) {
+        if (stage.state == StageState::Failed)
+            throw Error(*stage.error);
+        keys[stage.stage] = stage.key;
+    }
+    return keys;
+}
+
+} // namespace
+
+std::shared_ptr<const OpenedCharacter> openCharacter(Project project,
+                                                     const std::filesystem::path& projectFile,
+                                                     const std::string& character, GraphOpening opening,
+                                                     const Progress& progress)
+{
+    const GraphEntry graph = graphOf(project, character);
+    const auto isIts = [&](const GraphEntry& entry) { return isGraphOf(project, entry, character); };
+    if (std::none_of(project.graphs.begin(), project.graphs.end(), isIts))
+        project.graphs.push_back(graph);
+    const std::filesystem::path results = cacheFolder(projectFile);
+    const auto opener =
+        std::make_shared<SequenceOpener>(std::move(project), projectFolder(projectFile), results);
+    const CharacterWork work = characterWork(opener, graph);
+    if (work.sequences.empty())
+        return nullptr;
+    constexpr double computing = 0.9;
+    const RebuildReport report =
+        rebuild(makeStages({opener, projectFile}), projectFile,
+                {.targets = CharacterGraph::inputs(work), .dryRun = opening == GraphOpening::IfFresh},
+                progress.part(0, computing), {});
+    const StageKeys keys = keysOf(report);
+    if (report.count(StageState::Stale) > 0)
+        return nullptr;
+    const ResultStore store(results);
+    const StageContext context{
+        .resultOf = [&](const std::string& stage) { return store.load(stage, keys.at(stage)).result; },
+        .tell = [](const Issue&) { /* told when the sequences were opened */ }};
+    CharacterFrames frames = work.open(progress.part(computing, 1));
+    return std::shared_ptr<const OpenedCharacter>(
+        new OpenedCharacter{std::move(frames), CharacterGraph(work, context)});
+}
+
+} // namespace quadrille
