@@ -36,6 +36,7 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
                                                        "",
                                                        "view.sideBySide",
                                                        "view.overlay",
+                                                       "view.heatMap",
                                                        "",
                                                        "view.frame",
                                                        "view.frameAll",

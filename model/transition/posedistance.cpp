@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -102,6 +103,19 @@ double triangleDistance(const std::array<Vec3d, 3>& from, const std::array<Vec3d
     return angle + stretchWeight / std::numbers::sqrt2 * std::hypot(log1, log2);
 }
 
+/// That of one triangle, once the second pose is turned as the first.
+double alignedTriangleDistance(Positions a, Positions b, const RigidMotion& align, const Triangle& triangle,
+                               double stretchWeight)
+{
+    std::array<Vec3d, 3> from;
+    std::array<Vec3d, 3> to;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        from[corner] = a[triangle[corner].value].cast<double>();
+        to[corner] = align.rotation * b[triangle[corner].value].cast<double>();
+    }
+    return triangleDistance(from, to, stretchWeight);
+}
+
 } // namespace
 
 PoseDistances poseDistances(const CharacterFrames& character, const PoseDistanceSettings& settings,
@@ -139,16 +153,24 @@ double surfaceDistance(Positions a, Positions b, std::span<const Triangle> trian
         return 0;
     const RigidMotion align = rigidProcrustes(b, a);
     double sum = 0;
-    for (const Triangle& triangle : triangles) {
-        std::array<Vec3d, 3> from;
-        std::array<Vec3d, 3> to;
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            from[corner] = a[triangle[corner].value].cast<double>();
-            to[corner] = align.rotation * b[triangle[corner].value].cast<double>();
-        }
-        sum += triangleDistance(from, to, stretchWeight);
-    }
+    for (const Triangle& triangle : triangles)
+        sum += alignedTriangleDistance(a, b, align, triangle, stretchWeight);
     return sum / static_cast<double>(triangles.size());
+}
+
+std::vector<double> triangleDistances(Positions a, Positions b, std::span<const Triangle> triangles,
+                                      double stretchWeight)
+{
+    std::vector<std::uint8_t> withoutArea(triangles.size(), 0);
+    markDegenerate(a, triangles, withoutArea);
+    markDegenerate(b, triangles, withoutArea);
+    const RigidMotion align = rigidProcrustes(b, a);
+    std::vector<double> distances(triangles.size(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (withoutArea[t] == 0)
+            distances[t] = alignedTriangleDistance(a, b, align, triangles[t], stretchWeight);
+    }
+    return distances;
 }
 
 double euclideanDistance(Positions a, Positions b)

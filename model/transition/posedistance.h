@@ -7,6 +7,8 @@
 #include "model/transition/characterframes.h"
 #include "model/transition/posedistancesettings.h"
 
+#include <vector>
+
 namespace quadrille {
 
 /// The distances of all pairs of frames of a character.
@@ -32,6 +34,13 @@ PoseDistances poseDistances(const CharacterFrames& character, const PoseDistance
 /// \param triangles  those to use, each with an area in both poses; 0 when there are none.
 double surfaceDistance(Positions a, Positions b, std::span<const Triangle> triangles,
                        double stretchWeight = PoseDistanceSettings().stretchWeight);
+
+/// What each triangle adds to the surface distance of two poses, radians, in double precision: how far it
+/// turned beside the rigid motion of the whole, and its weighted stretch. \return one per triangle; NaN for
+/// those without an area in one of the poses. The mean of the others is their surfaceDistance. \pre Both
+/// poses have as many vertices.
+std::vector<double> triangleDistances(Positions a, Positions b, std::span<const Triangle> triangles,
+                                      double stretchWeight = PoseDistanceSettings().stretchWeight);
 
 /// The mean distance of the vertices of two poses after rigid Procrustes, metres, in double precision.
 /// \pre Both poses have as many vertices, at least one.

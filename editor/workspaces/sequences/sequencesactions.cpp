@@ -4,6 +4,7 @@
 #include "editor/application/editorcontext.h"
 #include "editor/playback/player.h"
 #include "editor/playback/sequencestage.h"
+#include "editor/workspaces/sequences/posecomparison.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editor/workspaces/sequences/sequencetimeline.h"
 #include "editor/workspaces/sequences/viewtools.h"
@@ -68,6 +69,7 @@ void SequencesWorkspace::makeViewActions()
         "view.clay", [] { return tr("&Clay"); }, "clay", Shading::Clay));
     shadings->addAction(shading(
         "view.wire", [] { return tr("&Wireframe"); }, "wire", Shading::Wireframe));
+    m_comparison = new PoseComparison(m_context, *m_viewport, *m_stage, *shadings, this);
     actions.addToggle({"view.grid", view, [] { return tr("&Grid"); }, {}, "grid", {Qt::Key_G}},
                       m_viewport->isGridVisible(), [this](bool on) { m_viewport->setGridVisible(on); });
     actions.addToggle({"view.trajectory", view, [] { return tr("Trajector&y"); }, {}, "trajectory", {}}, true,

@@ -9,6 +9,7 @@
 #include "editor/playback/player.h"
 #include "editor/playback/sequencestage.h"
 #include "editor/workspaces/sequences/contactproposal.h"
+#include "editor/workspaces/sequences/posecomparison.h"
 #include "editor/workspaces/sequences/sequencetimeline.h"
 #include "editor/workspaces/sequences/viewtools.h"
 #include "widgets/controls/messagestrip.h"
@@ -44,6 +45,7 @@ SequencesWorkspace::SequencesWorkspace(EditorContext& context, QWidget* parent)
     makeEditActions();
     makePlaybackActions();
     makeViewActions();
+    connect(m_comparison, &PoseComparison::changed, this, &SequencesWorkspace::showState);
     m_tools = new ViewTools(context.actions);
     arrangeWidgets();
     connectPlayback();
@@ -190,7 +192,10 @@ void SequencesWorkspace::showState()
             text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where);
         m_message->show(widgets::MessageStrip::Kind::Error, sentence, text.remedy);
         m_message->setAction(tr("Try Again"));
-    } else if (m_message->kind() == widgets::MessageStrip::Kind::Error) {
+    } else if (const QString problem = m_comparison->problem(); !problem.isEmpty()) {
+        m_message->show(widgets::MessageStrip::Kind::Warning, problem, m_comparison->remedy());
+        m_message->setAction({});
+    } else if (m_message->kind() != widgets::MessageStrip::Kind::Info) {
         m_message->clear();
     }
 }

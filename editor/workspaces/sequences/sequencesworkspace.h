@@ -11,6 +11,7 @@ namespace quadrille {
 class ContactProposal;
 class PictureFlow;
 class Player;
+class PoseComparison;
 class SequenceStage;
 class SequenceTimeline;
 class ViewTools;
@@ -33,6 +34,7 @@ public:
     Player& player() { return *m_player; }
     SequenceStage& stage() { return *m_stage; }
     widgets::Viewport& viewport() { return *m_viewport; }
+    const PoseComparison& comparison() const { return *m_comparison; }
     PictureFlow& pictures() { return *m_pictures; }
     /// Plays the next sequence that is shown as soon as it is ready.
     void playWhenReady() { m_playsWhenReady = true; }
@@ -65,6 +67,7 @@ private:
     ContactProposal* m_contacts;
     widgets::MessageStrip* m_message;
     PictureFlow* m_pictures;
+    PoseComparison* m_comparison = nullptr;
     ViewTools* m_tools = nullptr;
     bool m_playsWhenReady = false;
 };

@@ -35,9 +35,10 @@ ViewTools::ViewTools(ActionRegistry& actions, QWidget* parent) : QToolBar(parent
     connect(ghosts, &QAction::toggled, interval, &QAction::setVisible);
     connect(m_interval, &QSpinBox::valueChanged, this, &ViewTools::ghostIntervalChanged);
     m_comparing += addSeparator();
-    addTools(actions, {"view.sideBySide", "view.overlay"});
-    m_comparing +=
-        {actions.action(QStringLiteral("view.sideBySide")), actions.action(QStringLiteral("view.overlay"))};
+    for (const char* id : {"view.sideBySide", "view.overlay", "view.heatMap"}) {
+        addTools(actions, {id});
+        m_comparing += actions.action(QLatin1String(id));
+    }
     addTools(actions, {"", "view.follow", "view.frame", "view.frameAll", "view.front", "view.side",
                        "view.top", "", "view.measure", "view.savePicture"});
     setComparing(false);

@@ -86,6 +86,51 @@ TEST(PoseDistance, AgreesForTrianglesThatNearlyVanish)
     }
 }
 
+TEST(PoseDistance, OfTrianglesHasThatOfThePosesAsItsMean)
+{
+    const MeshSequence tube = swayingTube(tubeTopology(12, 40), 12, 3, 0.4);
+    const auto& triangles = tube.topology->triangles();
+    const Frame a = tube.frame(FrameIndex(0));
+    const Frame b = tube.frame(FrameIndex(2));
+    for (const double weight : {0.01, 1.0}) {
+        const std::vector<double> each = triangleDistances(a.positions(), b.positions(), triangles, weight);
+        ASSERT_EQ(each.size(), triangles.size());
+        const double mean = std::accumulate(each.begin(), each.end(), 0.0) / static_cast<double>(each.size());
+        EXPECT_GT(mean, 0.01);
+        EXPECT_DOUBLE_EQ(mean, surfaceDistance(a.positions(), b.positions(), triangles, weight));
+        // A rigid motion changes none of them, but for the rounding of the positions.
+        const Pose turned = moved({b.positions().begin(), b.positions().end()}, someMotion());
+        const std::vector<double> ofTurned = triangleDistances(a.positions(), turned, triangles, weight);
+        for (std::size_t t = 0; t < each.size(); ++t)
+            EXPECT_NEAR(ofTurned[t], each[t], 1e-4) << t;
+    }
+}
+
+TEST(PoseDistance, OfTrianglesTellsWhichOneTurned)
+{
+    // Separate triangles, of which one turns about its normal by a right angle and one loses its area.
+    std::vector<std::array<int, 3>> faces;
+    Pose before;
+    for (int t = 0; t < 40; ++t) {
+        const auto x = static_cast<float>(t % 8);
+        const auto y = static_cast<float>(t / 8);
+        before.insert(before.end(), {{x, y, 0}, {x + 0.1F, y, 0}, {x, y + 0.1F, 0}});
+        faces.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    Pose after = before;
+    for (int corner = 0; corner < 3; ++corner) {
+        const Vec3f middle = (before[57] + before[58] + before[59]) / 3;
+        const Vec3f arm = before[57 + static_cast<std::size_t>(corner)] - middle;
+        after[57 + static_cast<std::size_t>(corner)] = middle + Vec3f(-arm.y(), arm.x(), 0);
+    }
+    after[23] = after[21];
+    std::vector<double> turned = triangleDistances(before, after, topologyOf(120, faces)->triangles());
+    EXPECT_TRUE(std::isnan(turned[7]));
+    turned[7] = 0;
+    for (std::size_t t = 0; t < turned.size(); ++t)
+        EXPECT_NEAR(turned[t], t == 19 ? std::numbers::pi / 2 : 0, 1e-3) << t;
+}
+
 TEST(PoseDistance, OfARigidMotionIsNothing)
 {
     const Pose turned = moved(corners, someMotion());

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/sequences/posecomparison.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/playback/poseheatmap.h"
+#include "widgets/viewport/viewport.h"
+
+#include <QActionGroup>
+#include <utility>
+
+namespace quadrille {
+
+using widgets::Shading;
+
+PoseComparison::PoseComparison(EditorContext& context, widgets::Viewport& viewport, SequenceStage& stage,
+                               QActionGroup& shadings, QObject* parent)
+    : QObject(parent)
+    , m_context(context)
+    , m_viewport(viewport)
+    , m_stage(stage)
+    , m_heatMap(new PoseHeatMap(viewport, stage, context.jobs, this))
+{
+    m_action = context.actions.addToggle(
+        {"view.heatMap",
+         [] { return tr("View"); },
+         [] { return tr("&Pose distance"); },
+         [] { return tr("Colours two takes by how much each part of their poses differs"); },
+         "scalar",
+         {Qt::SHIFT | Qt::Key_D}},
+        false, [this](bool on) { setOn(on); });
+    shadings.addAction(m_action);
+    // One of a group stays checked when it is triggered again: then it gives way to the one before it.
+    connect(m_action, &QAction::triggered, this, [this] {
+        if (!std::exchange(m_isNew, false))
+            goBack();
+    });
+    connect(m_heatMap, &PoseHeatMap::changed, this, &PoseComparison::changed);
+    connect(&stage, &SequenceStage::changed, this, [this] {
+        if (m_action->isChecked() && !m_stage.isComparing())
+            goBack();
+    });
+}
+
+void PoseComparison::setOn(bool on)
+{
+    m_isNew = on;
+    if (on) {
+        m_before = m_viewport.shading();
+        m_viewport.setShading(Shading::Scalar);
+    }
+    m_heatMap->setOn(on);
+}
+
+void PoseComparison::goBack()
+{
+    const char* action = m_before == Shading::Clay        ? "view.clay"
+                         : m_before == Shading::Wireframe ? "view.wire"
+                                                          : "view.textured";
+    m_context.actions.action(QLatin1String(action))->setChecked(true);
+}
+
+QString PoseComparison::problem() const
+{
+    switch (m_heatMap->state()) {
+    case PoseHeatMap::State::NotTwo:
+        return tr("The pose distance is shown between two sequences.");
+    case PoseHeatMap::State::DifferentMesh:
+        return tr("“%1” and “%2” have different meshes.").arg(m_stage.shown()[0], m_stage.shown()[1]);
+    default:
+        return {};
+    }
+}
+
+QString PoseComparison::remedy() const
+{
+    return m_heatMap->state() == PoseHeatMap::State::NotTwo
+               ? tr("Select two of them.")
+               : tr("Poses can be compared where both belong to one character.");
+}
+
+} // namespace quadrille
