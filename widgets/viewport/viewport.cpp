@@ -61,6 +61,7 @@ Annotations Viewport::Private::annotations() const
             result.legend = figure.scalarRange;
     }
     result.namesListed = layout == Layout::Overlay && result.names.size() > 1;
+    result.labels = scene.labels();
     if (!result.isEmpty())
         result.camera = gestures->camera();
     return result;
@@ -90,6 +91,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), d(std::make_unique<Privat
     box->addWidget(d->surface);
     setFocusProxy(d->surface);
     d->gestures = new ViewGestures(d->surface);
+    d->surface->installEventFilter(this); // after the gestures, so that a tool gets events before them
     d->overlay = new ViewportOverlay(this);
     connect(d->gestures, &ViewGestures::cameraChanged, this, [this] {
         d->scene.setCamera(d->gestures->camera());
@@ -136,6 +138,8 @@ void Viewport::redraw()
 {
     if (d->view != nullptr)
         d->view->scheduleRender();
+    if (d->viewTool)
+        d->viewTool->setView(d->gestures->camera(), d->surface->size());
     d->overlay->show(d->annotations());
 }
 
@@ -264,6 +268,12 @@ void Viewport::setTrajectory(int figure, const std::vector<QVector3D>& points, c
     redraw();
 }
 
+void Viewport::setMarks(const QString& layer, const SceneMarks& marks)
+{
+    d->scene.setMarks(layer, marks, d->surface->devicePixelRatioF());
+    redraw();
+}
+
 void Viewport::setShading(Shading shading)
 {
     d->scene.setShading(shading);
@@ -364,9 +374,15 @@ void Viewport::setUpAxis(UpAxis axis)
 
 void Viewport::setGroundHeight(float metres)
 {
+    d->groundHeight = metres;
     d->scene.ground().setHeight(metres);
     d->scene.setCamera(d->gestures->camera());
     redraw();
+}
+
+float Viewport::groundHeight() const
+{
+    return d->groundHeight;
 }
 
 } // namespace quadrille::widgets

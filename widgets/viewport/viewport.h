@@ -4,6 +4,7 @@
 
 #include "widgets/viewport/colormap.h"
 #include "widgets/viewport/figuremesh.h"
+#include "widgets/viewport/scenemarks.h"
 #include "widgets/viewport/shading.h"
 #include "widgets/viewport/turntable.h"
 
@@ -19,6 +20,7 @@
 
 namespace quadrille::widgets {
 
+class ViewTool;
 class VtkView;
 
 /// A translucent earlier or later pose. The colour's alpha is its opacity; opaque means the usual one.
@@ -91,6 +93,8 @@ public:
     void setGhosts(int figure, const std::vector<Ghost>& ghosts);
     /// A line on the ground, e.g. of the centroid; in the figure's coordinates.
     void setTrajectory(int figure, const std::vector<QVector3D>& points, const QColor& color = {});
+    /// Curves, areas and words beside the figures, under a name of the caller's; empty ones go away.
+    void setMarks(const QString& layer, const SceneMarks& marks);
 
     void setShading(Shading shading);
     Shading shading() const;
@@ -107,12 +111,17 @@ public:
     const QString& notice() const;
     void setUpAxis(UpAxis axis);
     void setGroundHeight(float metres);
+    float groundHeight() const;
     /// The camera moves along with a figure; no figure: it stays.
     void setFollowed(std::optional<int> figure);
     std::optional<int> followed() const;
     void setTool(Tool tool);
     Tool tool() const;
     void clearMeasurement();
+    /// What gets the events of the view first, unless there is measured; null for nothing. The caller keeps
+    /// it.
+    void setViewTool(ViewTool* tool);
+    ViewTool* viewTool() const;
 
     Turntable camera() const;
     void setCamera(const Turntable& camera);
@@ -146,6 +155,7 @@ signals:
     void rendered(double milliseconds);
 
 protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;

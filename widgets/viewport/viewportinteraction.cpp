@@ -48,6 +48,42 @@ void Viewport::clearMeasurement()
     redraw();
 }
 
+void Viewport::setViewTool(ViewTool* tool)
+{
+    if (d->viewTool == tool)
+        return;
+    if (d->viewTool)
+        disconnect(d->viewTool, nullptr, this, nullptr);
+    d->viewTool = tool;
+    d->overlay->setTool(tool);
+    if (d->tool == Tool::Navigate)
+        d->surface->unsetCursor();
+    if (tool != nullptr) {
+        connect(tool, &ViewTool::repaintAsked, d->overlay, qOverload<>(&QWidget::update));
+        connect(tool, &ViewTool::cursorAsked, this, [this](Qt::CursorShape shape) {
+            if (d->tool == Tool::Navigate)
+                d->surface->setCursor(shape);
+        });
+    }
+    redraw();
+}
+
+ViewTool* Viewport::viewTool() const
+{
+    return d->viewTool;
+}
+
+bool Viewport::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched != d->surface || !d->viewTool || d->tool != Tool::Navigate)
+        return QWidget::eventFilter(watched, event);
+    const bool isPress = event->type() == QEvent::MouseButtonPress;
+    const bool used = d->viewTool->handle(*event);
+    if (used && isPress)
+        d->surface->setFocus(Qt::MouseFocusReason);
+    return used;
+}
+
 Turntable Viewport::camera() const
 {
     return d->gestures->destination();
@@ -198,6 +234,8 @@ void Viewport::resizeEvent(QResizeEvent* event)
     QWidget::resizeEvent(event);
     d->overlay->setGeometry(rect());
     d->overlay->raise();
+    if (d->viewTool)
+        d->viewTool->setView(d->gestures->camera(), size());
     // The layout gives the surface its size only after this event.
     if (d->frameWhenShown)
         QMetaObject::invokeMethod(

@@ -118,6 +118,11 @@ void paintAnnotations(QPainter& painter, const QSizeF& size, const Annotations& 
         else if (annotations.camera.project(name.place, size, &pixel))
             paintPlate(painter, pixel - QPointF(0.0, 16.0), name.text, name.color);
     }
+    for (const SceneLabel& label : annotations.labels) {
+        QPointF pixel;
+        if (annotations.camera.project(label.place, size, &pixel))
+            paintPlate(painter, pixel - QPointF(0.0, 20.0), label.text, label.color);
+    }
     paintMeasurement(painter, size, annotations);
     if (!annotations.notice.isEmpty())
         paintNotice(painter, size, annotations.notice);
@@ -146,14 +151,25 @@ void ViewportOverlay::show(const Annotations& annotations)
 {
     const bool changed = !(annotations == m_annotations);
     m_annotations = annotations;
-    setVisible(!annotations.isEmpty());
+    setVisible(m_tool || !annotations.isEmpty());
     if (changed && isVisible())
         update();
+}
+
+void ViewportOverlay::setTool(ViewTool* tool)
+{
+    m_tool = tool;
+    setVisible(m_tool || !m_annotations.isEmpty());
+    update();
 }
 
 void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
 {
     QPainter painter(this);
+    if (m_tool) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        m_tool->paint(painter);
+    }
     paintAnnotations(painter, size(), m_annotations);
 }
 

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "widgets/viewport/colormap.h"
-#include "widgets/viewport/turntable.h"
+#include "widgets/viewport/scenemarks.h"
+#include "widgets/viewport/viewtool.h"
 
 #include <QLocale>
+#include <QPointer>
 #include <QWidget>
 #include <optional>
 #include <vector>
@@ -26,11 +28,15 @@ struct Annotations
     std::vector<QVector3D> measured; ///< none, one or two points
     std::vector<Name> names;
     bool namesListed = false; ///< in a column, as figures in one place would hide each other's names
+    std::vector<SceneLabel> labels;
     std::optional<ScalarRange> legend;
     QString notice; ///< in the middle
 
     bool operator==(const Annotations&) const = default;
-    bool isEmpty() const { return measured.empty() && names.empty() && !legend && notice.isEmpty(); }
+    bool isEmpty() const
+    {
+        return measured.empty() && names.empty() && labels.empty() && !legend && notice.isEmpty();
+    }
 };
 
 /// Draws annotations into a rectangle that starts at the origin.
@@ -47,12 +53,15 @@ public:
     explicit ViewportOverlay(QWidget* parent);
     void show(const Annotations& annotations);
     const Annotations& annotations() const { return m_annotations; }
+    /// Paints its handles beneath the words; null for none.
+    void setTool(ViewTool* tool);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
     Annotations m_annotations;
+    QPointer<ViewTool> m_tool;
 };
 
 } // namespace quadrille::widgets

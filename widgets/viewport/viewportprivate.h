@@ -6,6 +6,9 @@
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/viewportoverlay.h"
 #include "widgets/viewport/viewportscene.h"
+#include "widgets/viewport/viewtool.h"
+
+#include <QPointer>
 
 class QLabel;
 
@@ -22,6 +25,8 @@ struct Viewport::Private
     int nextId = 1;
     Layout layout = Layout::Overlay;
     Tool tool = Tool::Navigate;
+    QPointer<ViewTool> viewTool;
+    float groundHeight = 0.0F;
     bool namesVisible = false;
     QString notice;
     bool hovering = false;

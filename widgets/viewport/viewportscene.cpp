@@ -4,6 +4,7 @@
 
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/groundgrid.h"
+#include "widgets/viewport/markactors.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/vtkbuffers.h"
 
@@ -57,6 +58,15 @@ struct ViewportScene::Private
     vtkNew<vtkRenderer> renderer;
     std::unique_ptr<GroundGrid> ground;
     std::map<int, Trajectory> trajectories;
+    struct Layer
+    {
+        SceneMarks marks;
+        double pixels = 1.0;
+        std::unique_ptr<MarkActors> actors;
+    };
+    std::map<QString, Layer> layers;
+
+    QVector3D up() const { return camera.upAxis == UpAxis::Y ? QVector3D(0, 1, 0) : QVector3D(0, 0, 1); }
     Shading shading = Shading::Textured;
     Turntable camera;
     bool ghostsVisible = true;
@@ -128,6 +138,8 @@ void ViewportScene::updateColors()
                          Theme::color(d->camera.upAxis == UpAxis::Y ? ColorRole::AxisZ : ColorRole::AxisY));
     for (auto& [id, figure] : m_figures)
         refresh(figure);
+    for (auto& [name, layer] : d->layers)
+        layer.actors->show(layer.marks, d->up(), layer.pixels);
 }
 
 void ViewportScene::setShading(Shading shading)
@@ -247,6 +259,28 @@ void ViewportScene::setTrajectoriesVisible(bool visible)
     d->trajectoriesVisible = visible;
     for (const auto& [id, figure] : m_figures)
         applyTrajectory(id);
+}
+
+void ViewportScene::setMarks(const QString& layer, const SceneMarks& marks, double pixels)
+{
+    if (marks.isEmpty()) {
+        d->layers.erase(layer);
+        return;
+    }
+    Private::Layer& own = d->layers[layer];
+    if (!own.actors)
+        own.actors = std::make_unique<MarkActors>(d->renderer);
+    own.marks = marks;
+    own.pixels = pixels;
+    own.actors->show(marks, d->up(), pixels);
+}
+
+std::vector<SceneLabel> ViewportScene::labels() const
+{
+    std::vector<SceneLabel> all;
+    for (const auto& [name, layer] : d->layers)
+        all.insert(all.end(), layer.marks.labels.begin(), layer.marks.labels.end());
+    return all;
 }
 
 QImage ViewportScene::draw(vtkRenderWindow* window, const QSize& size, bool background)

@@ -4,6 +4,7 @@
 
 #include "widgets/viewport/figureactor.h"
 #include "widgets/viewport/ghostactor.h"
+#include "widgets/viewport/scenemarks.h"
 #include "widgets/viewport/turntable.h"
 
 #include <QImage>
@@ -67,6 +68,10 @@ public:
     /// \param points  in the figure's coordinates; empty takes the line away.
     void setTrajectory(int id, const std::vector<QVector3D>& points, const QColor& color);
     void setTrajectoriesVisible(bool visible);
+    /// \param pixels  of the screen for one logical pixel.
+    void setMarks(const QString& layer, const SceneMarks& marks, double pixels);
+    /// Those of all layers.
+    std::vector<SceneLabel> labels() const;
 
     /// Draws once at a size and reads it back. \pre the window's context is current.
     QImage draw(vtkRenderWindow* window, const QSize& size, bool background);

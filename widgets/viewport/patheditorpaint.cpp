@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "widgets/theme/theme.h"
+#include "widgets/viewport/patheditorprivate.h"
+#include "widgets/viewport/viewportoverlay.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <cmath>
+
+namespace quadrille::widgets {
+
+namespace {
+
+constexpr double halo = 2.0; // pixels around lines and handles, so that they show on everything
+
+QPolygonF polygon(const PathEditor& editor, const std::vector<QVector3D>& points)
+{
+    QPolygonF pixels;
+    for (const QVector3D& point : points) {
+        QPointF pixel;
+        if (editor.camera().project(point, editor.viewSize(), &pixel))
+            pixels << pixel;
+    }
+    return pixels;
+}
+
+void drawLine(QPainter& painter, const QPolygonF& line, const QColor& color, double width, Qt::PenStyle style)
+{
+    painter.setBrush(Qt::NoBrush);
+    QColor under = Theme::color(ColorRole::Base);
+    under.setAlphaF(0.7F);
+    painter.setPen(QPen(under, width + halo, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPolyline(line);
+    painter.setPen(QPen(color, width, style, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPolyline(line);
+}
+
+struct HandleLook
+{
+    enum class Form
+    {
+        Circle,
+        Square,
+        Diamond,
+        Cross
+    };
+    Form form = Form::Circle;
+    double radius = 5.0;
+    QColor color;
+    bool isSelected = false;
+    bool isHovered = false;
+};
+
+void drawHandle(QPainter& painter, const QPointF& at, const HandleLook& look)
+{
+    const double radius = look.radius + (look.isHovered || look.isSelected ? 1.5 : 0.0);
+    QPainterPath form;
+    switch (look.form) {
+    case HandleLook::Form::Circle:
+        form.addEllipse(at, radius, radius);
+        break;
+    case HandleLook::Form::Square:
+        form.addRect(at.x() - radius, at.y() - radius, 2.0 * radius, 2.0 * radius);
+        break;
+    case HandleLook::Form::Diamond:
+        form.addPolygon(QPolygonF{at + QPointF(0, -radius * 1.4), at + QPointF(radius * 1.1, 0),
+                                  at + QPointF(0, radius * 1.4), at + QPointF(-radius * 1.1, 0)});
+        form.closeSubpath();
+        break;
+    case HandleLook::Form::Cross:
+        form.addRect(at.x() - radius, at.y() - 1.5, 2.0 * radius, 3.0);
+        form.addRect(at.x() - 1.5, at.y() - radius, 3.0, 2.0 * radius);
+        form = form.simplified();
+        break;
+    }
+    const QColor base = Theme::color(ColorRole::Base);
+    painter.strokePath(form, QPen(base, 2.0 + halo));
+    painter.fillPath(form, look.isSelected  ? Theme::color(ColorRole::Accent)
+                           : look.isHovered ? Theme::color(ColorRole::Hover)
+                                            : base);
+    painter.strokePath(form, QPen(look.isSelected ? Theme::color(ColorRole::Text) : look.color, 2.0));
+}
+
+/// Small arrowheads that tell which way the path runs.
+void drawDirection(QPainter& painter, const QPolygonF& line, const QColor& color)
+{
+    constexpr double apart = 90.0; // pixels
+    constexpr double size = 5.0;
+    double walked = apart / 2.0;
+    for (qsizetype i = 0; i + 1 < line.size(); ++i) {
+        const QLineF piece(line[i], line[i + 1]);
+        walked += piece.length();
+        if (walked < apart || piece.length() < 1e-6)
+            continue;
+        walked = 0.0;
+        const QPointF along = (piece.p2() - piece.p1()) / piece.length();
+        const QPointF across(-along.y(), along.x());
+        const QPointF tip = piece.center() + size * along;
+        drawLine(painter,
+                 QPolygonF{tip - size * along * 1.6 + size * across, tip,
+                           tip - size * along * 1.6 - size * across},
+                 color, 2.0, Qt::SolidLine);
+    }
+}
+
+void drawWords(QPainter& painter, const QPointF& at, const QString& text)
+{
+    const QRectF box = painter.fontMetrics().boundingRect(text).toRectF().adjusted(-6, -3, 6, 3);
+    QRectF plate = box;
+    plate.moveCenter(at);
+    QColor background = Theme::color(ColorRole::Base);
+    background.setAlphaF(0.86F);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(background);
+    painter.drawRoundedRect(plate, 4.0, 4.0);
+    painter.setPen(Theme::color(ColorRole::Text));
+    painter.drawText(plate, Qt::AlignCenter, text);
+}
+
+} // namespace
+
+void PathEditor::refreshMarks()
+{
+    SceneMarks marks;
+    if (d->active) {
+        const QColor line = Theme::color(ColorRole::ViewportText);
+        const QColor demanded = Theme::color(ColorRole::Demanded);
+        for (const PathStretch& stretch : d->shape.stretches) {
+            if (d->curve.isEmpty())
+                break;
+            marks.curves.push_back({.points = d->curve.part(stretch.from, stretch.to),
+                                    .color = demanded,
+                                    .colors = {},
+                                    .width = 9.0F});
+            const double middle = (stretch.from + std::min(stretch.to, d->curve.length())) / 2.0;
+            marks.labels.push_back({d->curve.at(middle), stretch.text, demanded});
+        }
+        if (!d->curve.isEmpty())
+            marks.curves.push_back({.points = d->curve.points(), .color = line, .colors = {}, .width = 2.5F});
+        for (const PathObstacle& obstacle : d->shape.obstacles) {
+            const QColor color =
+                Theme::color(obstacle.problem.isEmpty() ? ColorRole::Line : ColorRole::Error);
+            const auto outline = obstacle.isDisc()
+                                     ? circleOnGround(obstacle.corners[0], obstacle.radius, d->up())
+                                     : obstacle.corners;
+            marks.areas.push_back({.outline = outline, .color = color, .hatched = true});
+            if (d->shape.clearance > 0.0F) {
+                auto around = widenedOutline(obstacle, d->shape.clearance, d->up());
+                around.push_back(around.front());
+                marks.curves.push_back(
+                    {.points = around, .color = color, .colors = {}, .width = 1.5F, .dash = 0.08F});
+            }
+            if (!obstacle.problem.isEmpty())
+                marks.labels.push_back({obstacle.corners[0], obstacle.problem, color});
+        }
+    }
+    d->viewport.setMarks(QStringLiteral("path"), marks);
+    emit repaintAsked();
+}
+
+void PathEditor::Private::paintSpace(QPainter& painter) const
+{
+    for (std::size_t i = 0; i < shape.points.size(); ++i) {
+        const bool isActive = selected.kind == PathPart::Kind::Point && selected.index == static_cast<int>(i);
+        if (isHandle(shape.kind, i) && !isActive)
+            continue;
+        const QVector3D foot = onGround(shape.points[i]);
+        const auto from = project(shape.points[i]);
+        const auto to = project(foot);
+        if (!from || !to)
+            continue;
+        const QColor color = Theme::color(isActive ? ColorRole::AccentText : ColorRole::Line);
+        drawLine(painter, {*from, *to}, color, isActive ? 1.5 : 1.0, Qt::DashLine);
+        const double pixels = static_cast<double>(0.06F / metresPerPixel(foot));
+        const double flat =
+            std::max(0.25, std::abs(std::sin(static_cast<double>(owner.camera().pitch) * M_PI / 180.0)));
+        painter.setPen(QPen(color, 1.5));
+        painter.drawEllipse(*to, pixels, pixels * flat);
+        if (isActive)
+            drawWords(painter, (*from + *to) / 2.0 + QPointF(40.0, 0.0),
+                      lengthText(static_cast<double>((shape.points[i] - foot).length())));
+    }
+}
+
+void PathEditor::Private::paintHandles(QPainter& painter) const
+{
+    using Kind = PathPart::Kind;
+    const QColor line = Theme::color(ColorRole::Text);
+    if (shape.kind == PathKind::Bezier) {
+        for (std::size_t i = 0; i < shape.points.size(); ++i) {
+            if (isHandle(shape.kind, i))
+                drawLine(painter,
+                         polygon(owner, {shape.points[i],
+                                         shape.points[anchorIndex(shape.kind, anchorOf(shape.kind, i))]}),
+                         Theme::color(ColorRole::TextMuted), 1.0, Qt::SolidLine);
+        }
+    }
+    for (const PathPart& part : parts()) {
+        const auto pixel = owner.pixelOf(part);
+        if (!pixel)
+            continue;
+        HandleLook look{.color = line, .isSelected = part == selected, .isHovered = part == hovered};
+        switch (part.kind) {
+        case Kind::StretchStart:
+        case Kind::StretchEnd:
+            look.form = HandleLook::Form::Diamond;
+            look.color = Theme::color(ColorRole::Demanded);
+            break;
+        case Kind::Obstacle:
+            look.form = HandleLook::Form::Cross;
+            look.radius = 6.0;
+            break;
+        case Kind::ObstacleCorner:
+            look.form = HandleLook::Form::Square;
+            look.radius = 4.0;
+            break;
+        case Kind::Lift:
+            painter.setPen(Qt::NoPen);
+            drawLine(painter, {*pixel + QPointF(-5, -2), *pixel + QPointF(0, -8), *pixel + QPointF(5, -2)},
+                     Theme::color(ColorRole::AccentText), 2.0, Qt::SolidLine);
+            drawLine(painter, {*pixel + QPointF(-5, 2), *pixel + QPointF(0, 8), *pixel + QPointF(5, 2)},
+                     Theme::color(ColorRole::AccentText), 2.0, Qt::SolidLine);
+            continue;
+        default:
+            if (isHandle(shape.kind, static_cast<std::size_t>(part.index))) {
+                look.radius = 3.5;
+                look.color = Theme::color(ColorRole::TextMuted);
+            } else if (part.index + 1 == static_cast<int>(shape.points.size())) {
+                look.form = HandleLook::Form::Square;
+            }
+            break;
+        }
+        drawHandle(painter, *pixel, look);
+    }
+}
+
+void PathEditor::Private::paintDrawing(QPainter& painter) const
+{
+    const QColor accent = Theme::color(ColorRole::AccentText);
+    const auto dot = [&](const QVector3D& place) {
+        if (const auto pixel = project(place))
+            drawHandle(painter, *pixel, {.color = accent});
+    };
+    if (mode == Mode::Draw) {
+        const std::vector<QVector3D> planned = preview();
+        if (drag.kind == PathDrag::Kind::Stroke && drag.moved) {
+            drawLine(painter, polygon(owner, drag.stroke), accent, 2.0, Qt::SolidLine);
+        } else if (!planned.empty()) {
+            const SampledCurve sampled(sampler(shape.kind, planned));
+            drawLine(painter, polygon(owner, sampled.points()), accent, 2.0, Qt::DashLine);
+            if (const auto pixel = project(planned.back()))
+                drawWords(painter, *pixel + QPointF(0.0, 24.0), lengthText(sampled.length()));
+        }
+        if (drag.kind == PathDrag::Kind::Pull && pointer && drag.moved) {
+            drawLine(painter, polygon(owner, {2.0F * drag.start - *pointer, *pointer}), accent, 1.0,
+                     Qt::SolidLine);
+            dot(*pointer);
+            dot(2.0F * drag.start - *pointer);
+        }
+        if (firstPoint)
+            dot(*firstPoint);
+    } else if (mode == Mode::Polygon) {
+        std::vector<QVector3D> outline = corners;
+        if (pointer)
+            outline.push_back(*pointer);
+        drawLine(painter, polygon(owner, outline), accent, 2.0, Qt::DashLine);
+        for (const QVector3D& corner : corners)
+            dot(corner);
+    } else if (drag.kind == PathDrag::Kind::Radius && pointer) {
+        const float radius = (*pointer - drag.start).length();
+        std::vector<QVector3D> circle = circleOnGround(drag.start, radius, up());
+        circle.push_back(circle.front());
+        drawLine(painter, polygon(owner, circle), accent, 2.0, Qt::DashLine);
+        if (const auto pixel = project(*pointer))
+            drawWords(painter, *pixel + QPointF(0.0, 24.0), lengthText(static_cast<double>(radius)));
+    }
+    if (pointer && drag.kind == PathDrag::Kind::None)
+        dot(*pointer);
+}
+
+void PathEditor::paint(QPainter& painter) const
+{
+    if (!d->active)
+        return;
+    if (!d->curve.isEmpty())
+        drawDirection(painter, polygon(*this, d->curve.points()), Theme::color(ColorRole::ViewportText));
+    if (d->shape.inSpace)
+        d->paintSpace(painter);
+    d->paintHandles(painter);
+    if (d->mode != Mode::Edit)
+        d->paintDrawing(painter);
+}
+
+} // namespace quadrille::widgets
