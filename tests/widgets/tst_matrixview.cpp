@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "widgets/graph/matrixview.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+#include <algorithm>
+#include <random>
+
+using namespace quadrille::widgets;
+
+namespace {
+
+constexpr float nothing = std::numeric_limits<float>::infinity();
+
+MatrixValues randomValues(int side, unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> value(0.0F, 1.2F);
+    const auto count = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+    auto values = std::make_shared<std::vector<float>>(count);
+    auto lengths = std::make_shared<std::vector<std::uint16_t>>(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float drawn = value(random);
+        (*values)[i] = drawn > 1 ? nothing : drawn;
+        (*lengths)[i] = static_cast<std::uint16_t>(random() % 40);
+    }
+    return {side, std::shared_ptr<const float>(values, values->data()),
+            std::shared_ptr<const std::uint16_t>(lengths, lengths->data())};
+}
+
+} // namespace
+
+class TestMatrixView : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init();
+    void everyLevelShowsTheCheapestCellThatPasses_data();
+    void everyLevelShowsTheCheapestCellThatPasses();
+    void aPyramidCanBeCancelled();
+    void theLevelHasAboutACellForEachPixel();
+    void clickingAPixelActivatesItsCell();
+    void hoveringTellsTheCellAndItsEnd();
+    void thePictureShowsTheCellUnderEachPixel();
+    void zoomKeepsTheCellUnderThePointer();
+    void draggingMovesAndActivatesNothing();
+    void keysMoveTheCellAndActivateIt();
+    void pageKeysGoFromBlockToBlock();
+    void marksThinOutToTheLightest();
+    void marksShowOnTheirCells();
+    void theCellIsReadOut();
+    void anEmptyViewSaysSo();
+
+private:
+    QPoint middleOf(int row, int column) const { return m_view->cellRect({row, column}).center().toPoint(); }
+    std::unique_ptr<MatrixView> m_view;
+    MatrixValues m_values = randomValues(40, 3);
+};
+
+void TestMatrixView::init()
+{
+    m_view = std::make_unique<MatrixView>();
+    m_view->setMatrix(m_values, buildMatrixPyramid(m_values, 0, 1),
+                      {0, 1, ColorMap::Sequential, "Cost", "mm"});
+    m_view->setBlocks({{"walk", 10}, {"jog", 18}, {"kick", 12}});
+    m_view->resize(700, 560);
+    m_view->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_view.get()));
+}
+
+void TestMatrixView::everyLevelShowsTheCheapestCellThatPasses_data()
+{
+    QTest::addColumn<int>("side");
+    QTest::addColumn<bool>("filtered");
+    for (const int side : {1, 2, 5, 16, 37})
+        for (const bool filtered : {false, true})
+            QTest::addRow("%d %s", side, filtered ? "filtered" : "all") << side << filtered;
+}
+
+void TestMatrixView::everyLevelShowsTheCheapestCellThatPasses()
+{
+    QFETCH(const int, side);
+    QFETCH(const bool, filtered);
+    const MatrixValues values = randomValues(side, 11);
+    const MatrixFilter filter = filtered ? MatrixFilter{0.6F, 5, 30} : MatrixFilter{};
+    const auto pyramid = buildMatrixPyramid(values, 0.1F, 0.9F, filter);
+    int cells = 1;
+    for (const MatrixPyramid::Level& level : pyramid->levels()) {
+        QCOMPARE(level.side, (side + cells - 1) / cells);
+        for (int row = 0; row < level.side; ++row) {
+            for (int column = 0; column < level.side; ++column) {
+                float cheapest = nothing;
+                float cheapestGrey = nothing;
+                for (int i = row * cells; i < std::min((row + 1) * cells, side); ++i)
+                    for (int j = column * cells; j < std::min((column + 1) * cells, side); ++j) {
+                        float& least =
+                            filter.passes(values.value(i, j), values.length(i, j)) ? cheapest : cheapestGrey;
+                        least = std::min(least, values.value(i, j));
+                    }
+                const auto step = [](float value) {
+                    return std::clamp(static_cast<int>((value - 0.1F) * (127 / (0.9F - 0.1F))), 0, 126);
+                };
+                const int expected = cheapest < nothing       ? step(cheapest)
+                                     : cheapestGrey < nothing ? 127 + step(cheapestGrey)
+                                                              : 255;
+                QCOMPARE(static_cast<int>(level.at(row, column)), expected);
+            }
+        }
+        cells *= 2;
+    }
+    QCOMPARE(pyramid->levels().back().side, 1);
+}
+
+void TestMatrixView::aPyramidCanBeCancelled()
+{
+    int asked = 0;
+    QVERIFY(!buildMatrixPyramid(randomValues(300, 1), 0, 1, {}, [&] { return ++asked == 3; }));
+    QCOMPARE(asked, 3);
+}
+
+void TestMatrixView::theLevelHasAboutACellForEachPixel()
+{
+    const auto pyramid = buildMatrixPyramid(randomValues(64, 1), 0, 1);
+    QCOMPARE(pyramid->levelFor(0.1), 0);
+    QCOMPARE(pyramid->levelFor(1.9), 0);
+    QCOMPARE(pyramid->levelFor(2), 1);
+    QCOMPARE(pyramid->levelFor(9), 3);
+    QCOMPARE(pyramid->levelFor(1e9), 6);
+}
+
+void TestMatrixView::clickingAPixelActivatesItsCell()
+{
+    QSignalSpy activated(m_view.get(), &MatrixView::cellActivated);
+    QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, middleOf(7, 31));
+    QCOMPARE(activated.size(), 1);
+    QCOMPARE(activated.at(0), QVariantList({7, 31}));
+    QCOMPARE(m_view->currentCell(), (MatrixCell{7, 31}));
+    QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, {2, 200});
+    QCOMPARE(activated.size(), 1);
+}
+
+void TestMatrixView::hoveringTellsTheCellAndItsEnd()
+{
+    QSignalSpy hovered(m_view.get(), &MatrixView::cellHovered);
+    QSignalSpy ended(m_view.get(), &MatrixView::hoverEnded);
+    QTest::mouseMove(m_view.get(), middleOf(12, 3));
+    QTRY_COMPARE(m_view->hoveredCell(), (MatrixCell{12, 3}));
+    QCOMPARE(hovered.last(), QVariantList({12, 3}));
+    QTest::mouseMove(m_view.get(), {2, 200});
+    QTRY_COMPARE(ended.size(), 1);
+}
+
+void TestMatrixView::thePictureShowsTheCellUnderEachPixel()
+{
+    QTest::mouseMove(m_view.get(), {2, 200});
+    const QImage picture = m_view->grab().toImage();
+    const double ratio = picture.devicePixelRatio();
+    for (const auto& [row, column] : {std::pair(3, 4), {20, 31}, {35, 2}}) {
+        const QPointF place = m_view->cellRect({row, column}).center() * ratio;
+        const float value = m_values.value(row, column);
+        if (value == nothing)
+            continue;
+        const int step = std::min(static_cast<int>(value * 127), 126);
+        QCOMPARE(picture.pixelColor(place.toPoint()), mapColor(ColorMap::Sequential, step / 126.0));
+    }
+}
+
+void TestMatrixView::zoomKeepsTheCellUnderThePointer()
+{
+    const QPoint place = middleOf(25, 14);
+    const double before = m_view->cellSize();
+    QWheelEvent wheel(place, m_view->mapToGlobal(QPointF(place)), {}, {0, 360}, Qt::NoButton, {},
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(m_view.get(), &wheel);
+    QVERIFY(m_view->cellSize() > 1.5 * before);
+    QCOMPARE(m_view->cellAt(place), (MatrixCell{25, 14}));
+    QTest::keyClick(m_view.get(), Qt::Key_0);
+    QCOMPARE(m_view->cellSize(), before);
+}
+
+void TestMatrixView::draggingMovesAndActivatesNothing()
+{
+    QSignalSpy activated(m_view.get(), &MatrixView::cellActivated);
+    m_view->zoomAbout(middleOf(20, 20), 4);
+    const QPoint from = m_view->matrixArea().center();
+    const auto cell = m_view->cellAt(from);
+    QTest::mousePress(m_view.get(), Qt::LeftButton, {}, from);
+    QTest::mouseMove(m_view.get(), from + QPoint(30, 10));
+    QTest::mouseMove(m_view.get(), from + QPoint(60, 45));
+    QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, from + QPoint(60, 45));
+    QCOMPARE(m_view->cellAt(from + QPoint(60, 45)), cell);
+    QVERIFY(activated.isEmpty());
+}
+
+void TestMatrixView::keysMoveTheCellAndActivateIt()
+{
+    QSignalSpy current(m_view.get(), &MatrixView::currentCellChanged);
+    QSignalSpy activated(m_view.get(), &MatrixView::cellActivated);
+    m_view->setFocus();
+    QTest::keyClick(m_view.get(), Qt::Key_Down);
+    QCOMPARE(m_view->currentCell(), (MatrixCell{0, 0}));
+    QTest::keyClick(m_view.get(), Qt::Key_Down);
+    QTest::keyClick(m_view.get(), Qt::Key_Right, Qt::ShiftModifier);
+    QCOMPARE(m_view->currentCell(), (MatrixCell{1, 10}));
+    QTest::keyClick(m_view.get(), Qt::Key_End);
+    QTest::keyClick(m_view.get(), Qt::Key_Right);
+    QCOMPARE(m_view->currentCell(), (MatrixCell{1, 39}));
+    QCOMPARE(current.last(), QVariantList({1, 39}));
+    QTest::keyClick(m_view.get(), Qt::Key_Return);
+    QCOMPARE(activated.size(), 1);
+    QCOMPARE(activated.at(0), QVariantList({1, 39}));
+}
+
+void TestMatrixView::pageKeysGoFromBlockToBlock()
+{
+    m_view->setCurrentCell(MatrixCell{5, 30});
+    QTest::keyClick(m_view.get(), Qt::Key_PageDown);
+    QCOMPARE(m_view->currentCell(), (MatrixCell{10, 30}));
+    QTest::keyClick(m_view.get(), Qt::Key_PageUp, Qt::ShiftModifier);
+    QCOMPARE(m_view->currentCell(), (MatrixCell{10, 10}));
+}
+
+void TestMatrixView::marksThinOutToTheLightest()
+{
+    const std::vector<MatrixMark> marks = {{0, 0, 3}, {1, 1, 1}, {3, 3, 2}, {3, 2, 2}, {0, 5, 9}};
+    QCOMPARE(thinMarks(marks, 1), marks);
+    QCOMPARE(thinMarks(marks, 4), (std::vector<MatrixMark>{{1, 1, 1}, {0, 5, 9}}));
+    QCOMPARE(thinMarks(marks, 2), (std::vector<MatrixMark>{{1, 1, 1}, {0, 5, 9}, {3, 3, 2}}));
+}
+
+void TestMatrixView::marksShowOnTheirCells()
+{
+    m_view->zoomAbout(m_view->matrixArea().topLeft(), 10);
+    const auto colorAt = [&](int row, int column) {
+        const QImage picture = m_view->grab().toImage();
+        return picture.pixelColor(
+            (m_view->cellRect({row, column}).center() * picture.devicePixelRatio()).toPoint());
+    };
+    m_view->setMarks(MatrixView::Layer::First, "A",
+                     std::make_shared<std::vector<MatrixMark>>(1, MatrixMark{2, 3, 1}));
+    m_view->setMarks(MatrixView::Layer::Second, "B",
+                     std::make_shared<std::vector<MatrixMark>>(1, MatrixMark{4, 1, 1}));
+    QCOMPARE(colorAt(2, 3), QColor(Qt::white));
+    QVERIFY(colorAt(4, 1).red() > 200);
+    m_view->setMarksVisible(MatrixView::Layer::First, false);
+    QVERIFY(colorAt(2, 3) != QColor(Qt::white));
+}
+
+void TestMatrixView::theCellIsReadOut()
+{
+    m_view->setCurrentCell(MatrixCell{12, 3});
+    const QString text = m_view->accessibleDescription();
+    QVERIFY2(text.startsWith("jog 2 → walk 3"), qPrintable(text));
+    QCOMPARE(text.endsWith("mm"), m_values.has(12, 3));
+}
+
+void TestMatrixView::anEmptyViewSaysSo()
+{
+    m_view->setEmptyText("Nothing computed");
+    m_view->setMatrix({}, nullptr, {});
+    QCOMPARE(m_view->accessibleDescription(), QString("Nothing computed"));
+    QVERIFY(!m_view->cellAt(m_view->rect().center()));
+    QTest::mouseClick(m_view.get(), Qt::LeftButton);
+    QTest::keyClick(m_view.get(), Qt::Key_Down);
+    QVERIFY(!m_view->currentCell());
+}
+
+QTEST_MAIN(TestMatrixView)
+#include "tst_matrixview.moc"

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace quadrille::widgets {
+
+/// A square table of numbers, row by row, shared and never changed. Infinite cells hold nothing.
+struct MatrixValues
+{
+    int side = 0;
+    std::shared_ptr<const float> values;          ///< side × side
+    std::shared_ptr<const std::uint16_t> lengths; ///< side × side, a second number of each cell; may be null
+
+    float value(int row, int column) const { return values.get()[offset(row, column)]; }
+    /// 0 where there are no lengths.
+    int length(int row, int column) const { return lengths ? lengths.get()[offset(row, column)] : 0; }
+    bool has(int row, int column) const
+    {
+        return value(row, column) < std::numeric_limits<float>::infinity();
+    }
+
+private:
+    std::size_t offset(int row, int column) const
+    {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
+               static_cast<std::size_t>(column);
+    }
+};
+
+/// Which cells are shown in colour; the others that hold something are greyed.
+struct MatrixFilter
+{
+    float largestValue = std::numeric_limits<float>::infinity();
+    int leastLength = 0;
+    int greatestLength = std::numeric_limits<int>::max();
+
+    bool passes(float value, int length) const
+    {
+        return value <= largestValue && length >= leastLength && length <= greatestLength;
+    }
+    bool operator==(const MatrixFilter&) const = default;
+};
+
+/// The cells as shades in one byte each, and ever smaller copies in which a cell stands for up to four of the
+/// level below: for the one that is seen first – cells that pass the filter before greyed ones before empty
+/// ones, cheap ones before dear ones.
+class MatrixPyramid
+{
+public:
+    using Shade = std::uint8_t;
+    static constexpr int colorSteps = 127;         ///< shades 0 … 126: in colour, from the least value on
+    static constexpr Shade firstGrey = colorSteps; ///< 127 … 253: greyed, in the same steps
+    static constexpr Shade nothing = 255;
+
+    struct Level
+    {
+        int side = 0;
+        std::vector<Shade> shades; ///< side × side
+        Shade at(int row, int column) const
+        {
+            return shades[static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
+                          static_cast<std::size_t>(column)];
+        }
+    };
+
+    /// The whole table first, then halves of it down to a single cell. None for a table without cells.
+    const std::vector<Level>& levels() const { return m_levels; }
+    int side() const { return m_levels.empty() ? 0 : m_levels.front().side; }
+    /// The coarsest level of which a cell covers at most `cells` of the table's along each side.
+    int levelFor(double cells) const;
+
+private:
+    friend std::shared_ptr<const MatrixPyramid> buildMatrixPyramid(const MatrixValues& values, float minimum,
+                                                                   float maximum, const MatrixFilter& filter,
+                                                                   const std::function<bool()>& isCancelled);
+    std::vector<Level> m_levels;
+};
+
+/// \param minimum  the value of the first shade. \param maximum  that of the last; larger ones look the same.
+/// \param isCancelled  asked every few milliseconds; may be empty.
+/// \return null when cancelled. Any thread. Cost: O(side²), about 70 ms for 4,000 × 4,000 cells on one core.
+std::shared_ptr<const MatrixPyramid> buildMatrixPyramid(const MatrixValues& values, float minimum,
+                                                        float maximum, const MatrixFilter& filter = {},
+                                                        const std::function<bool()>& isCancelled = {});
+
+} // namespace quadrille::widgets

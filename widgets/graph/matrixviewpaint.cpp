@@ -1,0 +1,303 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "widgets/controls/legendbar.h"
+#include "widgets/graph/matrixviewprivate.h"
+#include "widgets/theme/theme.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille::widgets {
+
+namespace {
+
+constexpr int gap = 8;               // logical pixels
+constexpr int smallestMargin = 24;   // for the names at the left
+constexpr int largestMargin = 120;   //
+constexpr int largestLegend = 160;   //
+constexpr double markDistance = 9;   // logical pixels between marks at the least
+constexpr double smallestRadius = 2; // of marks
+constexpr double largestRadius = 5;  //
+constexpr double smallestName = 18;  // of a block whose name is written
+
+std::array<QRgb, 256> shadeColors()
+{
+    std::array<QRgb, 256> colors{};
+    const QColor empty = Theme::color(ColorRole::Raised);
+    const QColor dark = Theme::color(ColorRole::TextMuted);
+    colors.fill(empty.rgb());
+    for (int step = 0; step < MatrixPyramid::colorSteps; ++step) {
+        const double place = static_cast<double>(step) / (MatrixPyramid::colorSteps - 1);
+        colors[static_cast<std::size_t>(step)] = mapColor(ColorMap::Sequential, place).rgb();
+        const double grey = 0.45 + 0.35 * place; // towards the colour of empty cells
+        const auto mix = [grey](int from, int to) { return qRound(from + (to - from) * grey); };
+        colors[static_cast<std::size_t>(step + MatrixPyramid::firstGrey)] = qRgb(
+            mix(dark.red(), empty.red()), mix(dark.green(), empty.green()), mix(dark.blue(), empty.blue()));
+    }
+    return colors;
+}
+
+/// The cell of a level that each pixel of the screen shows; −1 beside the table.
+std::vector<int> cellsOfPixels(int pixels, double ratio, double origin, double scale, int level, int side)
+{
+    std::vector<int> cells(static_cast<std::size_t>(pixels), -1);
+    for (int pixel = 0; pixel < pixels; ++pixel) {
+        const double cell = std::floor(((pixel + 0.5) / ratio - origin) / scale);
+        if (cell >= 0 && cell < side)
+            cells[static_cast<std::size_t>(pixel)] = static_cast<int>(cell) >> level;
+    }
+    return cells;
+}
+
+} // namespace
+
+void paintMatrixMark(QPainter& painter, MatrixView::Layer layer, const QPointF& middle, double radius)
+{
+    const bool isFirst = layer == MatrixView::Layer::First;
+    QPainterPath path;
+    if (isFirst) {
+        path.addEllipse(middle, radius, radius);
+    } else {
+        const double reach = radius * 1.3;
+        path.addPolygon(QPolygonF({middle + QPointF(0, -reach), middle + QPointF(reach, 0),
+                                   middle + QPointF(0, reach), middle + QPointF(-reach, 0)}));
+        path.closeSubpath();
+    }
+    painter.setPen(QPen(QColor(16, 17, 20), 1.0));
+    painter.setBrush(isFirst ? QColor(255, 255, 255) : QColor(0xF2, 0x7A, 0x1A));
+    painter.drawPath(path);
+}
+
+void MatrixView::Private::layOut(const MatrixView& view)
+{
+    const QFontMetricsF metrics(view.font());
+    double widest = metrics.horizontalAdvance(MatrixView::tr("from"));
+    for (const MatrixBlock& block : blocks)
+        widest = std::max(widest, metrics.horizontalAdvance(block.name));
+    double legend = legendSize(view.font(), range).width();
+    for (const MatrixMarkLayer& layer : layers)
+        if (!layer.title.isEmpty())
+            legend = std::max(legend, metrics.horizontalAdvance(layer.title) + 2.0 * gap);
+    legendWidth = std::min(static_cast<int>(std::ceil(legend)), largestLegend);
+    const int left = std::clamp(static_cast<int>(std::ceil(widest)), smallestMargin, largestMargin) + 2 * gap;
+    const int top = static_cast<int>(std::ceil(metrics.height())) + gap;
+    area = view.rect().adjusted(left, top, -(legendWidth + 2 * gap), -gap);
+    area.setSize(area.size().expandedTo({16, 16}));
+    if (isFitted)
+        setScale(fittingScale(), {});
+    else
+        keepInView();
+}
+
+void MatrixView::Private::paint(QPainter& painter, const MatrixView& view)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(view.rect(), Theme::color(ColorRole::Window));
+    if (isEmpty()) {
+        painter.setPen(Theme::color(ColorRole::TextMuted));
+        painter.drawText(view.rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
+                         emptyText);
+    } else {
+        const double ratio = view.devicePixelRatioF();
+        if (picture.isNull() || picture.devicePixelRatio() != ratio)
+            paintPicture(ratio);
+        painter.drawImage(area.topLeft(), picture);
+        painter.save();
+        painter.setClipRect(area);
+        paintBlocks(painter);
+        paintMarks(painter, ratio);
+        paintCells(painter, view.hasFocus());
+        painter.restore();
+        paintNames(painter, QFontMetricsF(view.font()));
+        paintLegendColumn(painter, view);
+    }
+    if (view.hasFocus()) {
+        painter.setPen(QPen(Theme::color(ColorRole::AccentText), 1.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(view.rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+}
+
+/// Every pixel of the screen shows the cell under its middle; zoomed out, a cell of the level that has about
+/// as many cells as there are pixels. Pixels in one row of cells are the same and copied.
+void MatrixView::Private::paintPicture(double ratio)
+{
+    const QSize pixels(static_cast<int>(std::lround(area.width() * ratio)),
+                       static_cast<int>(std::lround(area.height() * ratio)));
+    picture = QImage(pixels, QImage::Format_RGB32);
+    picture.setDevicePixelRatio(ratio);
+    const int level = pyramid->levelFor(1.0 / (scale * ratio));
+    const MatrixPyramid::Level& shown = pyramid->levels()[static_cast<std::size_t>(level)];
+    const auto columns = cellsOfPixels(pixels.width(), ratio, origin.x(), scale, level, side());
+    const auto rows = cellsOfPixels(pixels.height(), ratio, origin.y(), scale, level, side());
+    const std::array<QRgb, 256> colors = shadeColors();
+    const QRgb outside = Theme::color(ColorRole::Window).rgb();
+    int rowBefore = -2;
+    for (int y = 0; y < pixels.height(); ++y) {
+        auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
+        const int row = rows[static_cast<std::size_t>(y)];
+        if (row == rowBefore) {
+            const auto* above = reinterpret_cast<const QRgb*>(picture.constScanLine(y - 1));
+            std::copy_n(above, pixels.width(), line);
+        } else if (row < 0) {
+            std::fill_n(line, pixels.width(), outside);
+        } else {
+            const MatrixPyramid::Shade* shades =
+                shown.shades.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(shown.side);
+            for (int x = 0; x < pixels.width(); ++x) {
+                const int column = columns[static_cast<std::size_t>(x)];
+                line[x] = column < 0 ? outside : colors[shades[column]];
+            }
+        }
+        rowBefore = row;
+    }
+}
+
+void MatrixView::Private::paintBlocks(QPainter& painter) const
+{
+    const double end = side() * scale;
+    QColor color = Theme::color(ColorRole::Window);
+    color.setAlphaF(0.85F);
+    painter.setPen(QPen(color, 1.0));
+    for (std::size_t i = 1; i + 1 < blockStarts.size(); ++i) {
+        const double at = blockStarts[i] * scale;
+        const double x = std::floor(area.left() + origin.x() + at) + 0.5;
+        const double y = std::floor(area.top() + origin.y() + at) + 0.5;
+        painter.drawLine(QPointF(x, area.top() + origin.y()), QPointF(x, area.top() + origin.y() + end));
+        painter.drawLine(QPointF(area.left() + origin.x(), y), QPointF(area.left() + origin.x() + end, y));
+    }
+}
+
+void MatrixView::Private::paintNames(QPainter& painter, const QFontMetricsF& metrics) const
+{
+    const auto visible = [&](std::size_t block, double from, double room) {
+        const double first = std::max(from + blockStarts[block] * scale, 0.0);
+        const double last = std::min(from + blockStarts[block + 1] * scale, room);
+        return std::pair(first, last - first);
+    };
+    const int at = current ? blockOf(current->row) : -1;
+    const int column = current ? blockOf(current->column) : -1;
+    const auto setPen = [&](bool isCurrent) {
+        painter.setPen(Theme::color(isCurrent ? ColorRole::Text : ColorRole::TextMuted));
+    };
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+        const auto [top, height] = visible(block, origin.y(), area.height());
+        if (height >= metrics.height() * 0.9) {
+            const QRectF place(gap, area.top() + top, area.left() - 2.0 * gap, height);
+            setPen(static_cast<int>(block) == at);
+            painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter,
+                             metrics.elidedText(blocks[block].name, Qt::ElideRight, place.width()));
+        }
+        const auto [left, width] = visible(block, origin.x(), area.width());
+        if (width >= smallestName) {
+            const QRectF place(area.left() + left, 0, width - 2, area.top() - 2);
+            setPen(static_cast<int>(block) == column);
+            painter.drawText(place, Qt::AlignHCenter | Qt::AlignVCenter,
+                             metrics.elidedText(blocks[block].name, Qt::ElideRight, place.width()));
+        }
+    }
+    painter.setPen(Theme::color(ColorRole::TextMuted));
+    //: rows of the matrix: where a transition comes from; columns: where it goes to
+    painter.drawText(
+        QRectF(gap, 0, area.left() - 2.0 * gap, area.top() - 2), Qt::AlignLeft | Qt::AlignVCenter,
+        metrics.elidedText(MatrixView::tr("from ↓ to →"), Qt::ElideRight, area.left() - 2.0 * gap));
+}
+
+void MatrixView::Private::paintMarks(QPainter& painter, double ratio)
+{
+    int cells = 1;
+    while (cells * scale < markDistance && cells < side())
+        cells *= 2;
+    const double radius = std::clamp(scale * 0.3, smallestRadius, largestRadius);
+    if (radius != stampRadius || stamps[0].isNull() || stamps[0].devicePixelRatio() != ratio) {
+        stampRadius = radius;
+        const double reach = std::ceil(radius * 1.3 + 1.0);
+        for (std::size_t i = 0; i < stamps.size(); ++i) {
+            stamps[i] = QPixmap(QSizeF(2 * reach * ratio, 2 * reach * ratio).toSize());
+            stamps[i].setDevicePixelRatio(ratio);
+            stamps[i].fill(Qt::transparent);
+            QPainter stamp(&stamps[i]);
+            stamp.setRenderHint(QPainter::Antialiasing);
+            paintMatrixMark(stamp, static_cast<Layer>(i), {reach, reach}, radius);
+        }
+    }
+    // The second layer first: where both mark a cell, the smaller ring stays visible on the diamond.
+    for (std::size_t i = layers.size(); i-- > 0;) {
+        MatrixMarkLayer& layer = layers[i];
+        if (!layer.marks || !layer.isVisible)
+            continue;
+        if (layer.thinnedBy != cells) {
+            layer.thinned = thinMarks(*layer.marks, cells);
+            layer.thinnedBy = cells;
+        }
+        const double half = stamps[i].width() / ratio / 2;
+        const QRectF reach = QRectF(area).adjusted(-half, -half, half, half);
+        for (const MatrixMark& mark : layer.thinned) {
+            const QPointF middle = rect({mark.row, mark.column}).center();
+            if (reach.contains(middle))
+                painter.drawPixmap(middle - QPointF(half, half), stamps[i]);
+        }
+    }
+}
+
+void MatrixView::Private::paintCells(QPainter& painter, bool hasFocus) const
+{
+    const auto frame = [&](const MatrixCell& cell, const QColor& color, double width) {
+        QRectF place = rect(cell);
+        const double grow = std::max(0.0, 6.0 - place.width()) / 2;
+        place.adjust(-grow, -grow, grow, grow);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(QColor(16, 17, 20), width + 2));
+        painter.drawRect(place);
+        painter.setPen(QPen(color, width));
+        painter.drawRect(place);
+    };
+    const auto cross = [&](const MatrixCell& cell, float opacity) {
+        QColor color = QColor(255, 255, 255);
+        color.setAlphaF(opacity);
+        painter.setPen(QPen(color, 1.0));
+        const QPointF middle = rect(cell).center();
+        const double end = side() * scale;
+        const double x = std::floor(middle.x()) + 0.5;
+        const double y = std::floor(middle.y()) + 0.5;
+        painter.drawLine(QPointF(x, area.top() + origin.y()), QPointF(x, area.top() + origin.y() + end));
+        painter.drawLine(QPointF(area.left() + origin.x(), y), QPointF(area.left() + origin.x() + end, y));
+    };
+    if (current) {
+        cross(*current, 0.35F);
+        frame(*current, hasFocus ? Theme::color(ColorRole::Accent) : QColor(255, 255, 255), 2);
+    }
+    if (hovered && hovered != current) {
+        cross(*hovered, 0.2F);
+        frame(*hovered, QColor(255, 255, 255), 1);
+    }
+}
+
+void MatrixView::Private::paintLegendColumn(QPainter& painter, const MatrixView& view)
+{
+    const QFontMetricsF metrics(view.font());
+    const QSizeF size = legendSize(view.font(), range);
+    const double left = area.right() + 1.0 + gap;
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintLegend(painter, QRectF({left, static_cast<double>(area.top())}, size), range,
+                Theme::color(ColorRole::Text));
+    double y = area.top() + size.height() + 2.0 * gap;
+    const auto entry = [&](const QString& text, const auto& paintSign) {
+        if (y + metrics.height() > view.height())
+            return;
+        paintSign(QPointF(left + 5, y + metrics.height() / 2));
+        painter.setPen(Theme::color(ColorRole::Text));
+        const double room = legendWidth - 2.0 * gap;
+        painter.drawText(QPointF(left + 2.0 * gap, y + metrics.ascent()),
+                         metrics.elidedText(text, Qt::ElideRight, room));
+        y += metrics.height() + gap / 2.0;
+    };
+    for (std::size_t i = 0; i < layers.size(); ++i)
+        if (!layers[i].title.isEmpty() && layers[i].isVisible)
+            entry(layers[i].title,
+                  [&](const QPointF& middle) { paintMatrixMark(painter, static_cast<Layer>(i), middle, 4); });
+}
+
+} // namespace quadrille::widgets

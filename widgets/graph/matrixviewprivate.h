@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "widgets/graph/matrixview.h"
+
+#include <QImage>
+#include <QPixmap>
+#include <QPointF>
+
+class QPainter;
+
+namespace quadrille::widgets {
+
+struct MatrixMarkLayer
+{
+    QString title;
+    std::shared_ptr<const std::vector<MatrixMark>> marks;
+    bool isVisible = true;
+    std::vector<MatrixMark> thinned; ///< for the zoom now
+    int thinnedBy = 0;               ///< cells along each side that share a mark; 0: not thinned yet
+};
+
+struct MatrixView::Private
+{
+    MatrixValues values;
+    std::shared_ptr<const MatrixPyramid> pyramid;
+    ScalarRange range;
+    std::vector<MatrixBlock> blocks;
+    std::vector<int> blockStarts{0}; ///< of each block, and the end of the last
+    std::array<MatrixMarkLayer, 2> layers;
+    QString emptyText;
+    std::optional<MatrixCell> current;
+    std::optional<MatrixCell> hovered;
+
+    QRect area; ///< where the table shows
+    int legendWidth = 0;
+    double scale = 1; ///< logical pixels for each cell
+    QPointF origin;   ///< upper left corner of the table, in the area's coordinates
+    bool isFitted = true;
+
+    QPointF pressedAt;
+    QPointF pointer;
+    bool isPressed = false;
+    bool isDragging = false;
+
+    QImage picture; ///< the part of the table that shows; null when it has to be painted again
+    std::array<QPixmap, 2> stamps;
+    double stampRadius = 0;
+
+    bool isEmpty() const { return !pyramid || pyramid->levels().empty(); }
+    int side() const { return isEmpty() ? 0 : pyramid->side(); }
+    double fittingScale() const;
+    void setScale(double to, const QPointF& newOrigin);
+    void keepInView();
+    int blockOf(int index) const;
+    QRectF rect(const MatrixCell& cell) const;
+    QString frameText(int index) const;
+
+    void layOut(const MatrixView& view);
+    void paint(QPainter& painter, const MatrixView& view);
+    void paintPicture(double ratio);
+    void paintBlocks(QPainter& painter) const;
+    void paintNames(QPainter& painter, const QFontMetricsF& metrics) const;
+    void paintMarks(QPainter& painter, double ratio);
+    void paintCells(QPainter& painter, bool hasFocus) const;
+    void paintLegendColumn(QPainter& painter, const MatrixView& view);
+};
+
+/// How a mark of a layer looks, about the origin.
+void paintMatrixMark(QPainter& painter, MatrixView::Layer layer, const QPointF& middle, double radius);
+
+} // namespace quadrille::widgets
