@@ -3,7 +3,11 @@
 #include "editor/documents/sequencemedia.h"
 
 #include "editor/jobs/jobrunner.h"
+#include "model/project/clipparts.h"
+#include "model/project/clipresult.h"
 #include "model/project/paths.h"
+#include "model/project/resultstore.h"
+#include "model/project/stage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +102,7 @@ void SequenceMedia::follow(const ChangeEvent& event)
             m_items.insert(std::move(node));
         }
         update();
-    } else if (event.kind != ChangeEvent::Kind::File && event.entry.section != Section::Exports) {
+    } else if (event.entry.section != Section::Exports) {
         update();
     }
 }
@@ -115,13 +119,17 @@ SequenceMedia::Source SequenceMedia::sourceOf(const SequenceEntry& entry) const
         source.character.mesh = character->mesh;
         source.character.texture = character->texture;
     }
-    // A clip of another sequence changes with it.
-    const SequenceEntry* next = &entry;
-    while (const auto clip = clipOfSource(next->source)) {
-        next = m_document.sequence(QString::fromStdString(clip->substr(clip->find('/') + 1)));
-        if (next == nullptr)
-            break;
-        source.clips.push_back(*next);
+    if (const auto clip = clipOfSource(entry.source)) {
+        source.entry.character = entry.character;
+        source.parts = partsOfClip(m_document.project(), *clip);
+        if (!source.parts->animations.empty() && !m_document.isUntitled())
+            source.results = cacheFolder(m_document.file());
+        const ResultStore store(source.results);
+        for (const AnimationEntry& animation : source.parts->animations) {
+            std::error_code missing;
+            source.computed.push_back(
+                std::filesystem::last_write_time(store.fileOf(clipStageOf(animation.name)), missing));
+        }
     }
     source.settings.fps = m_document.project().settings.fps;
     source.settings.axes = m_document.project().settings.axes;
@@ -166,15 +174,11 @@ void SequenceMedia::update()
 
 OpenedSequence SequenceMedia::openWhole(const Source& source, const Progress& progress)
 {
-    if (!clipOfSource(source.entry.source))
+    if (!source.parts)
         return openSource(source.entry, &source.character, source.settings, {}, progress);
-    Project project;
-    project.settings = source.settings;
-    project.characters = {source.character};
-    project.sequences = source.clips;
-    for (SequenceEntry& clip : project.sequences)
-        clip.character.clear();
-    return openSequence(project, {}, source.entry, progress);
+    Project project = *source.parts;
+    project.sequences.push_back(source.entry);
+    return *SequenceOpener(std::move(project), {}, source.results).open(source.entry.name, progress);
 }
 
 void SequenceMedia::open(const QString& name, Item& item)

@@ -17,7 +17,8 @@ class Job;
 class JobRunner;
 
 /// The sequences of a document as meshes that can be shown: opened in jobs as soon as the project names them,
-/// and opened again when their source changes. Trimming and marking does not open anything.
+/// and opened again when their source changes. Clips of
+/// animations are read from the project's results. Trimming and marking does not open anything.
 class SequenceMedia : public QObject
 {
     Q_OBJECT
@@ -57,6 +58,8 @@ public:
     std::optional<FrameRange> sourceRange(const QString& name, FrameRange used) const;
     /// Opens a failed sequence again.
     void retry(const QString& name);
+    /// Opens those sequences again that show clips of animations which were computed meanwhile.
+    void refresh() { update(); }
     bool isLoading() const;
     UpAxis upAxis() const { return m_document.project().settings.axes.up; }
 
@@ -71,7 +74,10 @@ private:
         SequenceEntry entry; ///< without name, range, labels, contacts
         CharacterEntry character;
         ProjectSettings settings;
-        std::vector<SequenceEntry> clips; ///< that it is a clip of, one of the other
+        std::optional<Project> parts; ///< that it is a clip of
+        std::filesystem::path results;
+        /// When the clips of animations that it shows were computed; the least time for those that were not.
+        std::vector<std::filesystem::file_time_type> computed;
         bool operator==(const Source&) const = default;
     };
     struct Item

@@ -25,17 +25,18 @@ ResultStage exportStage(const StageMaking& making, const ExportEntry& entry)
     const auto opener = making.opener;
     const Project& project = opener->project();
     const std::string clip = entry.what;
-    const std::string name = clip.substr(clip.find('/') + 1);
     ResultStage stage;
     stage.name = "exports/" + entry.name;
     stage.dataPrefix = stage.name;
     stage.settings = entryText(entry);
-    if (clip.starts_with("animations/")) {
-        stage.inputs = {clipStageOf(name)};
-    } else if (const SequenceEntry* sequence = findSequence(project, name)) {
-        stage.settings += sequenceSettings(project, *sequence);
-        stage.inputs = clipInputs(project, {name});
-        stage.files = [opener, name](const Progress& progress) { return opener->filesOf(name, progress); };
+    if (const auto animation = nameOfClip(clip, "animations"))
+        stage.inputs = {clipStageOf(*animation)};
+    if (const auto sequence = nameOfClip(clip, "sequences"); sequence && findSequence(project, *sequence)) {
+        stage.settings += sequenceSettings(project, *findSequence(project, *sequence));
+        stage.inputs = clipInputs(project, {*sequence});
+        stage.files = [opener, name = *sequence](const Progress& progress) {
+            return opener->filesOf(name, progress);
+        };
     }
     stage.compute = [opener, clip, entry](const StageContext& context, const Progress& progress) {
         const auto opened = opener->openClip(clip, progress.part(0, 0.1));

@@ -3,6 +3,7 @@
 #include "model/project/opensequence.h"
 
 #include "model/core/message.h"
+#include "model/project/clipparts.h"
 #include "model/project/clipresult.h"
 #include "model/project/paths.h"
 #include "model/sequence/io/findtextures.h"
@@ -233,6 +234,9 @@ OpenedSequence SequenceOpener::openEntry(const SequenceEntry& entry, const Progr
     if (const auto clip = clipOfSource(entry.source)) {
         if (!clip->starts_with(sequencesSection) && !clip->starts_with(animationsSection))
             throwInvalid({}, "Clips of “" + *clip + "” cannot be used by this version", "");
+        if (isMadeOfItself(m_project, std::string(sequencesSection) + entry.name))
+            throwInvalid({}, "“" + entry.name + "” is its own source",
+                         QUADRILLE_MESSAGE("Break the circle."));
         opened = *openClip(*clip, progress);
         opened.issues.clear();
     } else {

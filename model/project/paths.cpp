@@ -41,4 +41,11 @@ std::optional<std::string> clipOfSource(std::string_view source)
     return std::string(source.substr(prefix.size()));
 }
 
+std::optional<std::string> nameOfClip(std::string_view clip, std::string_view section)
+{
+    if (!clip.starts_with(section) || !clip.substr(section.size()).starts_with('/'))
+        return std::nullopt;
+    return std::string(clip.substr(section.size() + 1));
+}
+
 } // namespace quadrille

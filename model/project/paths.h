@@ -21,4 +21,7 @@ std::filesystem::path projectFolder(const std::filesystem::path& projectFile);
 /// The clip that a source "clip:SECTION/NAME" means, as "SECTION/NAME"; empty when it is a file.
 std::optional<std::string> clipOfSource(std::string_view source);
 
+/// The name in a clip "SECTION/NAME" where it is of a section ("sequences", "animations"); else empty.
+std::optional<std::string> nameOfClip(std::string_view clip, std::string_view section);
+
 } // namespace quadrille

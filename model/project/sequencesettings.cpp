@@ -24,7 +24,9 @@ nlohmann::json settingsJson(const Project& project, const SequenceEntry& entry)
     if (entry.range)
         json["range"] = {entry.range->first.value, entry.range->last.value};
     if (const auto clip = clipOfSource(entry.source)) {
-        const SequenceEntry* source = findSequence(project, clip->substr(clip->find('/') + 1));
+        // The clip of an animation is an input by itself.
+        const auto name = nameOfClip(*clip, "sequences");
+        const SequenceEntry* source = name ? findSequence(project, *name) : nullptr;
         json["clip_source"] = source ? settingsJson(project, *source) : nlohmann::json();
         return json;
     }

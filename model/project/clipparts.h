@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/project.h"
+
+#include <string>
+
+namespace quadrille {
+
+/// The parts of a project that a clip is made of: settings, characters, and the sequences and
+/// animations that it shows, directly or through others. Where it has animations, the clip is there only once
+/// they are computed.
+/// \param clip  "sequences/NAME" or "animations/NAME".
+Project partsOfClip(const Project& project, const std::string& clip);
+
+/// Whether a clip is, through others, made of itself.
+bool isMadeOfItself(const Project& project, const std::string& clip);
+
+} // namespace quadrille
