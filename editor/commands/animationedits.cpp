@@ -21,8 +21,7 @@ void insert(ProjectDocument& document, const QString& text, std::size_t place, A
 {
     ProjectPart part;
     part.animations.emplace_back(place, std::move(animation));
-    document.push(
-        std::make_unique<InsertPart>(document, text, std::move(part), InsertPart::Direction::Insert));
+    document.push(std::make_unique<InsertPart>(document, text, std::move(part)));
 }
 
 } // namespace

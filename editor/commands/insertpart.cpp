@@ -37,14 +37,9 @@ std::size_t ProjectPart::bytes() const
     return memoryOfAll(characters) + memoryOfAll(sequences) + memoryOfAll(animations) + memoryOfAll(exports);
 }
 
-InsertPart::InsertPart(ProjectDocument& document, const QString& text, ProjectPart part, Direction direction)
-    : ProjectCommand(document, text), m_part(std::move(part)), m_direction(direction)
+InsertPart::InsertPart(ProjectDocument& document, const QString& text, ProjectPart part)
+    : ProjectCommand(document, text), m_part(std::move(part))
 {
-}
-
-void InsertPart::redo()
-{
-    run(m_direction == Direction::Insert);
 }
 
 void InsertPart::undo()
@@ -52,7 +47,7 @@ void InsertPart::undo()
     if (isExpired())
         setObsolete(true);
     else
-        run(m_direction == Direction::Remove);
+        run(false);
 }
 
 void InsertPart::run(bool insert)

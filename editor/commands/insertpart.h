@@ -14,7 +14,7 @@ namespace quadrille {
 template <typename Entry>
 using PlacedEntries = std::vector<std::pair<std::size_t, Entry>>;
 
-/// Entries that come and go together: a sequence with its new character, a character with what needs it.
+/// Entries that come and go together: a sequence with its new character.
 struct ProjectPart
 {
     PlacedEntries<CharacterEntry> characters;
@@ -32,19 +32,13 @@ struct ProjectPart
     std::size_t bytes() const;
 };
 
-/// Puts a part into the project, or takes it out.
+/// Puts a part into the project.
 class InsertPart : public ProjectCommand
 {
 public:
-    enum class Direction
-    {
-        Insert,
-        Remove,
-    };
+    InsertPart(ProjectDocument& document, const QString& text, ProjectPart part);
 
-    InsertPart(ProjectDocument& document, const QString& text, ProjectPart part, Direction direction);
-
-    void redo() override;
+    void redo() override { run(true); }
     void undo() override;
     std::size_t bytes() const override { return sizeof(*this) + m_part.bytes(); }
     bool changesNothing() const override { return m_part.isEmpty(); }
@@ -56,7 +50,6 @@ private:
     void run(bool insert);
 
     ProjectPart m_part;
-    Direction m_direction;
 };
 
 } // namespace quadrille

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "editor/commands/projectedits.h"
 
+#include "editor/commands/changeproject.h"
 #include "editor/commands/insertpart.h"
 #include "editor/commands/relinkmedia.h"
-#include "editor/commands/renameentry.h"
+#include "model/project/references.h"
 
 #include <QCoreApplication>
 #include <cmath>
-#include <set>
 
 namespace quadrille {
 
@@ -44,16 +44,22 @@ bool isTaken(const Project& project, Section section, const QString& name)
     return false;
 }
 
-/// The entries for which `isWanted` holds, with their places.
-template <typename Entry, typename Predicate>
-PlacedEntries<Entry> placed(const std::vector<Entry>& entries, const Predicate& isWanted)
+/// The kind of the entries of a section; nothing where nobody refers to them.
+std::optional<NamedKind> kindOf(Section section)
 {
-    PlacedEntries<Entry> result;
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (isWanted(entries[i]))
-            result.emplace_back(i, entries[i]);
+    switch (section) {
+    case Section::Characters:
+        return NamedKind::Character;
+    case Section::Sequences:
+        return NamedKind::Sequence;
+    case Section::Animations:
+        return NamedKind::Animation;
+    case Section::Project:
+    case Section::Graphs:
+    case Section::Exports:
+        break;
     }
-    return result;
+    return std::nullopt;
 }
 
 /// Moves spans and cuts them to 0 … last; those outside go.
@@ -128,40 +134,22 @@ QStringList addSequences(ProjectDocument& document, std::vector<SequenceEntry> s
     const QString text = names.size() == 1
                              ? Texts::tr("Add “%1”").arg(names.front())
                              : Texts::tr("Add %n sequences", nullptr, static_cast<int>(names.size()));
-    document.push(
-        std::make_unique<InsertPart>(document, text, std::move(part), InsertPart::Direction::Insert));
+    document.push(std::make_unique<InsertPart>(document, text, std::move(part)));
     return names;
 }
 
 void removeEntries(ProjectDocument& document, Section section, const QStringList& names)
 {
-    const Project& project = document.project();
-    std::set<std::string> wanted;
+    std::vector<std::string> gone;
     for (const QString& name : names)
-        wanted.insert(name.toStdString());
-    ProjectPart part;
-    std::set<std::string> exported;
-    const auto takeSequences = [&](const auto& isWanted) {
-        part.sequences = placed(project.sequences, isWanted);
-        for (const auto& [place, sequence] : part.sequences)
-            exported.insert("sequences/" + sequence.name);
-    };
-    if (section == Section::Characters) {
-        part.characters = placed(project.characters, [&](const auto& c) { return wanted.contains(c.name); });
-        const bool takesOnly = project.characters.size() == 1 && !part.characters.empty();
-        takeSequences([&](const SequenceEntry& s) {
-            return s.character.empty() ? takesOnly : wanted.contains(s.character);
-        });
-    } else if (section == Section::Sequences) {
-        takeSequences([&](const SequenceEntry& s) { return wanted.contains(s.name); });
-    }
-    if (section == Section::Animations)
-        part.animations = placed(project.animations, [&](const auto& a) { return wanted.contains(a.name); });
-    part.exports = placed(project.exports, [&](const ExportEntry& e) {
-        return section == Section::Exports ? wanted.contains(e.name) : exported.contains(e.what);
-    });
-    document.push(std::make_unique<InsertPart>(document, removalText(section, names), std::move(part),
-                                               InsertPart::Direction::Remove));
+        gone.push_back(name.toStdString());
+    Project after = document.project();
+    if (const auto kind = kindOf(section))
+        removeEntries(after, *kind, gone);
+    else
+        std::erase_if(after.exports,
+                      [&](const ExportEntry& e) { return std::ranges::count(gone, e.name) > 0; });
+    document.push(std::make_unique<ChangeProject>(document, removalText(section, names), std::move(after)));
 }
 
 QString duplicateSequence(ProjectDocument& document, const QString& name)
@@ -173,8 +161,8 @@ QString duplicateSequence(ProjectDocument& document, const QString& name)
     const auto original = std::ranges::find(project.sequences, name.toStdString(), &SequenceEntry::name);
     ProjectPart part;
     part.sequences.emplace_back(original - project.sequences.begin() + 1, std::move(copy));
-    document.push(std::make_unique<InsertPart>(document, Texts::tr("Duplicate “%1”").arg(name),
-                                               std::move(part), InsertPart::Direction::Insert));
+    document.push(
+        std::make_unique<InsertPart>(document, Texts::tr("Duplicate “%1”").arg(name), std::move(part)));
     return copyName;
 }
 
@@ -185,8 +173,14 @@ bool renameEntry(ProjectDocument& document, const EntryRef& entry, const QString
         return true;
     if (name.isEmpty() || isTaken(document.project(), entry.section, name))
         return false;
-    document.push(std::make_unique<RenameEntry>(
-        document, Texts::tr("Rename “%1” to “%2”").arg(entry.name, name), entry, name));
+    Project changed = document.project();
+    if (const auto kind = kindOf(entry.section))
+        renameEntry(changed, *kind, entry.name.toStdString(), name.toStdString());
+    else
+        entryOf<ExportEntry>(changed, entry.name).name = name.toStdString();
+    document.push(std::make_unique<ChangeProject>(
+        document, Texts::tr("Rename “%1” to “%2”").arg(entry.name, name), std::move(changed),
+        std::pair(EntryRef{entry.section, name}, entry.name)));
     return true;
 }
 
@@ -294,8 +288,8 @@ QString addExport(ProjectDocument& document, ExportEntry entry)
     entry.name = name.toStdString();
     ProjectPart part;
     part.exports.emplace_back(project.exports.size(), std::move(entry));
-    document.push(std::make_unique<InsertPart>(document, Texts::tr("Add export “%1”").arg(name),
-                                               std::move(part), InsertPart::Direction::Insert));
+    document.push(
+        std::make_unique<InsertPart>(document, Texts::tr("Add export “%1”").arg(name), std::move(part)));
     return name;
 }
 

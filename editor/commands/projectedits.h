@@ -20,7 +20,8 @@ QString freeName(const Project& project, Section section, const QString& wanted)
 /// \return the names that the sequences got.
 QStringList addSequences(ProjectDocument& document, std::vector<SequenceEntry> sequences,
                          std::vector<CharacterEntry> characters = {}, std::optional<double> fps = {});
-/// Removes entries and the exports (of sequences) or sequences (of characters) that need them.
+/// Removes entries, and everything of the project that cannot be without them: exports and sequences that
+/// show them, constraints of animations.
 void removeEntries(ProjectDocument& document, Section section, const QStringList& names);
 /// \return the copy's name.
 QString duplicateSequence(ProjectDocument& document, const QString& name);

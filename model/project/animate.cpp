@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/animate.h"
 
+#include "model/core/message.h"
 #include "model/project/clippost.h"
 #include "model/project/walkrequest.h"
 #include "model/synthesis/makeclip.h"
@@ -35,6 +36,12 @@ AnimationWalk animationWalk(const AnimationEntry& animation, const CharacterGrap
     try {
         if (animation.walk)
             return {.constraints = {}, .solution = acceptedSolution(*animation.walk, graph)};
+        if (animation.constraints.empty())
+            throw Error(ErrorCode::ProjectInvalid,
+                        {{},
+                         {},
+                         {{"reason", "The animation “" + animation.name + "” asks for nothing"},
+                          {"remedy", QUADRILLE_MESSAGE("Give it a path, keys or actions.")}}});
         AnimationWalk walk{.constraints = walkConstraints(animation, graph), .solution = {}};
         walk.solution = findWalk(graph.material(blendSettings(animation)), walk.constraints,
                                  searchSettings(animation.search), progress, found);

@@ -31,8 +31,8 @@ public:
         if (!checkCharacter())
             return;
         if (m_animation.constraints.empty() && !m_animation.walk)
-            invalid("", "The animation asks for nothing",
-                    "Give it “constraints” (a path, keys or actions) or a “walk”.");
+            m_problems.push_back(warningAt(m_pointer, "The animation asks for nothing",
+                                           "Give it “constraints” (a path, keys or actions) or a “walk”."));
         if (m_animation.start)
             checkChoice(*m_animation.start, "/start");
         for (std::size_t i = 0; i < m_animation.constraints.size(); ++i)
@@ -102,8 +102,9 @@ private:
                 labels.push_back(span.label);
         }
         if (std::find(labels.begin(), labels.end(), choice.label) == labels.end())
-            invalid(place + "/label", "No sequence has the label " + quoted(choice.label),
-                    meantOr(choice.label, labels, "Give some frames of a sequence this label."));
+            m_problems.push_back(
+                warningAt(m_pointer + place + "/label", "No sequence has the label " + quoted(choice.label),
+                          meantOr(choice.label, labels, "Give some frames of a sequence this label.")));
     }
 
     void checkPositive(const std::optional<double>& number, const std::string& place, const char* what)

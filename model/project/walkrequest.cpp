@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/walkrequest.h"
 
+#include "model/core/message.h"
 #include "model/project/animationjson.h"
 
 #include <numbers>
@@ -57,6 +58,12 @@ private:
                     set.spans.push_back(m_graph.span(name, span.frames));
             }
         }
+        if (set.spans.empty())
+            throw Error(ErrorCode::ProjectInvalid,
+                        {{},
+                         {},
+                         {{"reason", "No sequence has the label “" + choice.label + "”"},
+                          {"remedy", QUADRILLE_MESSAGE("Give some frames of a sequence this label.")}}});
         return set;
     }
 

@@ -31,6 +31,10 @@ Project exampleProject()
     };
     project.exports = {{.name = "for Blender", .what = "sequences/walk", .path = "/out/walk.glb"},
                        {.name = "cache", .what = "sequences/kick", .path = "/out/kick.pc2"}};
+    KeyEntry key;
+    key.sequence = "jump";
+    project.animations = {{.name = "waltz", .character = "Ada", .constraints = {key}}};
+    project.exports.push_back({.name = "dance", .what = "animations/waltz", .path = "/out/waltz.glb"});
     return project;
 }
 
@@ -60,18 +64,18 @@ const std::vector<Edit>& edits()
                     p.characters[2].name == "Ada 2";
          }},
         {"Remove “walk”", [](auto& d) { removeEntries(d, Section::Sequences, {"walk"}); },
-         [](const Project& p) { return p.sequences.size() == 2 && p.exports.size() == 1; }},
+         [](const Project& p) { return p.sequences.size() == 2 && p.exports.size() == 2; }},
         {"Remove 2 sequences",
          [](auto& d) {
              removeEntries(d, Section::Sequences, {"kick", "walk"});
          },
-         [](const Project& p) { return p.sequences.size() == 1 && p.exports.empty(); }},
+         [](const Project& p) { return p.sequences.size() == 1 && p.exports.size() == 1; }},
         {"Remove “Ada”", [](auto& d) { removeEntries(d, Section::Characters, {"Ada"}); },
          [](const Project& p) {
              return p.characters.size() == 1 && p.sequences.size() == 1 && p.exports.size() == 1;
          }},
         {"Remove “cache”", [](auto& d) { removeEntries(d, Section::Exports, {"cache"}); },
-         [](const Project& p) { return p.exports.size() == 1 && p.sequences.size() == 3; }},
+         [](const Project& p) { return p.exports.size() == 2 && p.sequences.size() == 3; }},
         {"Duplicate “walk”", [](auto& d) { duplicateSequence(d, "walk"); },
          [](const Project& p) {
              return p.sequences[1].name == "walk 2" && p.sequences[1].source == "/data/walk.pc2";
@@ -83,6 +87,17 @@ const std::vector<Edit>& edits()
          [](const Project& p) {
              return p.sequences[0].name == "stroll" && p.exports[0].what == "sequences/stroll";
          }},
+        {"Rename “waltz” to “polka”",
+         [](auto& d) {
+             renameEntry(d, {Section::Animations, "waltz"}, "polka");
+         },
+         [](const Project& p) {
+             return p.animations[0].name == "polka" && p.exports[2].what == "animations/polka";
+         }},
+        {"Remove “jump”", [](auto& d) { removeEntries(d, Section::Sequences, {"jump"}); },
+         [](const Project& p) { return p.sequences.size() == 2 && p.animations[0].constraints.empty(); }},
+        {"Remove “waltz”", [](auto& d) { removeEntries(d, Section::Animations, {"waltz"}); },
+         [](const Project& p) { return p.animations.empty() && p.exports.size() == 2; }},
         {"Rename “Ada” to “Eva”",
          [](auto& d) {
              renameEntry(d, {Section::Characters, "Ada"}, "Eva");
@@ -134,7 +149,7 @@ const std::vector<Edit>& edits()
         {"Change the project settings", [](auto& d) { setSettings(d, {.fps = 60}); },
          [](const Project& p) { return p.settings.fps == 60; }},
         {"Add export “cache 2”", [](auto& d) { addExport(d, {.name = "cache", .what = "sequences/walk"}); },
-         [](const Project& p) { return p.exports.size() == 3 && p.exports[2].name == "cache 2"; }},
+         [](const Project& p) { return p.exports.size() == 4 && p.exports[3].name == "cache 2"; }},
         {"Change export “cache”",
          [](auto& d) { setExport(d, "cache", {.name = "cache", .what = "sequences/jump"}); },
          [](const Project& p) { return p.exports[1].what == "sequences/jump"; }},

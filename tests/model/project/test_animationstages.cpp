@@ -292,3 +292,14 @@ TEST_F(AnimationStages, ThatAreNotComputedSaySo)
         EXPECT_THAT(error.what(), HasSubstr("not computed yet"));
     }
 }
+
+TEST_F(AnimationStages, SayWhatAnUnfinishedAnimationLacks)
+{
+    animation().walk.reset();
+    EXPECT_THAT(problem(), HasSubstr("“dance” asks for nothing"));
+    ActionEntry action;
+    action.frames.label = "kick";
+    animation().constraints = {action};
+    EXPECT_THAT(problem(), HasSubstr("No sequence has the label “kick”"));
+    EXPECT_FALSE(hasErrors(validate(project))); // it can be opened and mended
+}

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/commands/changeproject.h"
+
+#include "editor/commands/entryaccess.h"
+
+namespace quadrille {
+
+namespace {
+
+std::size_t memoryOfAll(const Project& project)
+{
+    std::size_t bytes = memoryOf(project.graphs);
+    const auto add = [&](const auto& entries) {
+        for (const auto& entry : entries)
+            bytes += memoryOf(entry);
+    };
+    add(project.characters);
+    add(project.sequences);
+    add(project.animations);
+    add(project.exports);
+    return bytes + project.evaluations.size() * sizeof(EvaluationEntry);
+}
+
+} // namespace
+
+ChangeProject::ChangeProject(ProjectDocument& document, const QString& text, Project after,
+                             std::optional<std::pair<EntryRef, QString>> renamed)
+    : ProjectCommand(document, text)
+    , m_before(document.project())
+    , m_after(std::move(after))
+    , m_renamed(std::move(renamed))
+{
+}
+
+void ChangeProject::redo()
+{
+    std::vector<ChangeEvent> events;
+    if (m_renamed)
+        events = {ChangeEvent::renamed(m_renamed->first.section, m_renamed->second, m_renamed->first.name)};
+    show(m_after, std::move(events));
+}
+
+void ChangeProject::undo()
+{
+    if (isExpired()) {
+        setObsolete(true);
+        return;
+    }
+    std::vector<ChangeEvent> events;
+    if (m_renamed)
+        events = {ChangeEvent::renamed(m_renamed->first.section, m_renamed->first.name, m_renamed->second)};
+    show(m_before, std::move(events));
+}
+
+std::size_t ChangeProject::bytes() const
+{
+    return sizeof(*this) + memoryOfAll(m_before) + memoryOfAll(m_after);
+}
+
+void ChangeProject::show(const Project& project, std::vector<ChangeEvent> events)
+{
+    const auto tell = [&](Section section, bool isSame) {
+        if (!isSame && !(m_renamed && m_renamed->first.section == section))
+            events.push_back(ChangeEvent::list(section));
+    };
+    tell(Section::Characters, m_before.characters == m_after.characters);
+    tell(Section::Sequences, m_before.sequences == m_after.sequences);
+    tell(Section::Graphs, m_before.graphs == m_after.graphs);
+    tell(Section::Animations, m_before.animations == m_after.animations);
+    tell(Section::Exports, m_before.exports == m_after.exports);
+    apply([&](Project& shown) { shown = project; }, events);
+}
+
+} // namespace quadrille

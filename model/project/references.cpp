@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/references.h"
+
+#include "model/project/paths.h"
+
+#include <algorithm>
+
+namespace quadrille {
+
+namespace {
+
+/// One walk over a project. The `keeps…` functions rename in place and are false where what they look at has
+/// to go.
+class ReferenceChanger
+{
+public:
+    ReferenceChanger(Project& project, NamedKind kind, const NameChange& change)
+        : m_project(project), m_kind(kind), m_change(change)
+    {
+        if (project.characters.size() == 1)
+            m_onlyCharacter = project.characters.front().name;
+    }
+
+    LostEntries run()
+    {
+        LostEntries lost;
+        std::erase_if(m_project.sequences, [&](SequenceEntry& entry) {
+            return !(keepsCharacter(entry.character) && keepsSource(entry.source)) &&
+                   (lost.sequences.push_back(entry.name), true);
+        });
+        std::erase_if(m_project.graphs, [&](GraphEntry& graph) { return !keepsCharacter(graph.character); });
+        std::erase_if(m_project.animations, [&](AnimationEntry& entry) {
+            return !keepsCharacter(entry.character) && (lost.animations.push_back(entry.name), true);
+        });
+        // An evaluation without a character is of all of them.
+        std::erase_if(m_project.evaluations, [&](EvaluationEntry& entry) {
+            return !entry.character.empty() && !keepsCharacter(entry.character);
+        });
+        std::erase_if(m_project.exports, [&](ExportEntry& entry) { return !keepsClip(entry.what); });
+        if (m_kind == NamedKind::Sequence) {
+            for (AnimationEntry& animation : m_project.animations)
+                changeSequences(animation);
+            for (EvaluationEntry& evaluation : m_project.evaluations)
+                changeSequences(evaluation);
+        }
+        return lost;
+    }
+
+private:
+    bool keeps(std::string& name) const
+    {
+        if (name.empty())
+            return true;
+        auto changed = m_change(name);
+        if (changed)
+            name = std::move(*changed);
+        return changed.has_value();
+    }
+
+    /// No name stands for the only character.
+    bool keepsCharacter(std::string& name) const
+    {
+        if (m_kind != NamedKind::Character)
+            return true;
+        return name.empty() ? !m_onlyCharacter || m_change(*m_onlyCharacter) : keeps(name);
+    }
+
+    bool keepsClip(std::string& clip) const
+    {
+        if (m_kind == NamedKind::Character)
+            return true;
+        const std::string section = m_kind == NamedKind::Sequence ? "sequences" : "animations";
+        auto name = nameOfClip(clip, section);
+        if (!name)
+            return true;
+        if (!keeps(*name))
+            return false;
+        clip = section + "/" + *name;
+        return true;
+    }
+
+    bool keepsSource(std::string& source) const
+    {
+        auto clip = clipOfSource(source);
+        if (!clip)
+            return true;
+        if (!keepsClip(*clip))
+            return false;
+        source = "clip:" + *clip;
+        return true;
+    }
+
+    bool keepsConstraint(ConstraintEntry& constraint) const
+    {
+        if (auto* key = std::get_if<KeyEntry>(&constraint))
+            return keeps(key->sequence);
+        if (auto* action = std::get_if<ActionEntry>(&constraint))
+            return keeps(action->frames.sequence);
+        std::erase_if(std::get<PathEntry>(constraint).spans, [&](PathSpanEntry& span) {
+            if (span.frames && !keeps(span.frames->sequence))
+                span.frames.reset();
+            return !span.frames && !span.duration;
+        });
+        return true;
+    }
+
+    void changeSequences(AnimationEntry& animation) const
+    {
+        if (animation.start && !keeps(animation.start->sequence))
+            animation.start.reset();
+        std::erase_if(animation.constraints, [&](ConstraintEntry& each) { return !keepsConstraint(each); });
+        for (auto* junctions :
+             {&animation.junctions.banned, &animation.junctions.locked, &animation.junctions.chosen})
+            std::erase_if(*junctions, [&](JunctionEntry& junction) {
+                const bool keepsFrom = keeps(junction.from.sequence);
+                return !keeps(junction.to.sequence) || !keepsFrom;
+            });
+        // A walk with a part missing is none.
+        if (animation.walk && !std::all_of(animation.walk->spans.begin(), animation.walk->spans.end(),
+                                           [&](WalkSpanEntry& span) { return keeps(span.sequence); }))
+            animation.walk.reset();
+    }
+
+    void changeSequences(EvaluationEntry& evaluation) const
+    {
+        const auto before = evaluation.sequences.size();
+        std::erase_if(evaluation.sequences, [&](std::string& name) { return !keeps(name); });
+        // The other tables are of two sequences.
+        if (evaluation.table != "table2" && evaluation.sequences.size() != before)
+            evaluation.sequences.clear();
+    }
+
+    Project& m_project;
+    NamedKind m_kind;
+    const NameChange& m_change;
+    std::optional<std::string> m_onlyCharacter;
+};
+
+/// Calls a function with the entries of a kind.
+template <typename Function>
+void withEntries(Project& project, NamedKind kind, const Function& function)
+{
+    switch (kind) {
+    case NamedKind::Character:
+        function(project.characters);
+        return;
+    case NamedKind::Sequence:
+        function(project.sequences);
+        return;
+    case NamedKind::Animation:
+        function(project.animations);
+        return;
+    }
+}
+
+} // namespace
+
+LostEntries changeReferences(Project& project, NamedKind kind, const NameChange& change)
+{
+    return ReferenceChanger(project, kind, change).run();
+}
+
+void renameEntry(Project& project, NamedKind kind, const std::string& before, const std::string& after)
+{
+    changeReferences(project, kind, [&](const std::string& name) { return name == before ? after : name; });
+    withEntries(project, kind, [&](auto& entries) {
+        for (auto& entry : entries) {
+            if (entry.name == before)
+                entry.name = after;
+        }
+    });
+}
+
+void removeEntries(Project& project, NamedKind kind, const std::vector<std::string>& names)
+{
+    if (names.empty())
+        return;
+    const auto isGone = [&](const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    const LostEntries lost = changeReferences(project, kind, [&](const std::string& name) {
+        return isGone(name) ? std::nullopt : std::optional(name);
+    });
+    withEntries(project, kind, [&](auto& entries) {
+        std::erase_if(entries, [&](const auto& entry) { return isGone(entry.name); });
+    });
+    removeEntries(project, NamedKind::Sequence, lost.sequences);
+    removeEntries(project, NamedKind::Animation, lost.animations);
+}
+
+} // namespace quadrille
