@@ -122,8 +122,8 @@ SequenceMedia::Source SequenceMedia::sourceOf(const SequenceEntry& entry) const
     if (const auto clip = clipOfSource(entry.source)) {
         source.entry.character = entry.character;
         source.parts = partsOfClip(m_document.project(), *clip);
-        if (!source.parts->animations.empty() && !m_document.isUntitled())
-            source.results = cacheFolder(m_document.file());
+        if (!source.parts->animations.empty())
+            source.results = cacheFolder(m_document.workingFile());
         const ResultStore store(source.results);
         for (const AnimationEntry& animation : source.parts->animations) {
             std::error_code missing;

@@ -3,16 +3,14 @@
 #include "editor/exporting/exportdialog.h"
 
 #include "editor/application/editorcontext.h"
-#include "editor/commands/projectedits.h"
+#include "editor/documents/animationresult.h"
 #include "editor/documents/projectpaths.h"
-#include "editor/errors/errortext.h"
 #include "editor/exporting/picturefields.h"
 #include "editor/fields/axesfields.h"
 #include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/pictures/takepreview.h"
 #include "model/project/exportentry.h"
-#include "model/project/opensequence.h"
 #include "model/project/pictureoptions.h"
 #include "model/sequence/io/registry.h"
 #include "widgets/controls/messagestrip.h"
@@ -25,7 +23,6 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -52,6 +49,7 @@ ExportDialog::ExportDialog(EditorContext& context, ExportPlan plan, QWidget* par
     , m_strip(new widgets::MessageStrip)
     , m_preview(new TakePreview(context.jobs))
     , m_form(new QFormLayout)
+    , m_clip(new QComboBox)
     , m_format(new QComboBox)
     , m_place(new QLineEdit)
     , m_choosePlace(new QToolButton)
@@ -79,6 +77,7 @@ ExportDialog::ExportDialog(EditorContext& context, ExportPlan plan, QWidget* par
 void ExportDialog::makeControls()
 {
     const auto name = [](QWidget* widget, const char* text) { widget->setObjectName(QLatin1String(text)); };
+    name(m_clip, "exportClip");
     name(m_format, "exportFormat");
     name(m_place, "exportPlace");
     name(m_choosePlace, "exportChoosePlace");
@@ -96,6 +95,16 @@ void ExportDialog::makeControls()
         m_format->addItem(QString::fromStdString(info.name + " (" + info.extensions.front() + ")"),
                           QString::fromStdString(info.id));
     }
+    const auto addClips = [&](const auto& entries, const char* section) {
+        for (const auto& entry : entries) {
+            const QString clip = QString::fromStdString(section + entry.name);
+            if (m_plan.clips.size() == 1 || m_plan.clips.front() == clip)
+                m_clip->addItem(QString::fromStdString(entry.name), clip);
+        }
+    };
+    addClips(m_context.document.project().sequences, "sequences/");
+    addClips(m_context.document.project().animations, "animations/");
+    m_clip->setEnabled(m_plan.clips.size() == 1);
     m_choosePlace->setIcon(widgets::icons::icon(QStringLiteral("folder")));
     m_files->setWordWrap(true);
     m_files->setForegroundRole(QPalette::PlaceholderText);
@@ -107,6 +116,7 @@ void ExportDialog::makeControls()
 
     m_form->setSpacing(8);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_form->addRow(new QLabel, m_clip);
     m_form->addRow(new QLabel, m_format);
     m_form->addRow(new QLabel, pairOf(m_place, m_choosePlace, 0));
     m_form->addRow(QString(), m_files);
@@ -146,6 +156,7 @@ void ExportDialog::connectAll()
         readControls();
         showFacts();
     };
+    connect(m_clip, &QComboBox::activated, this, &ExportDialog::chooseClip);
     connect(m_format, &QComboBox::activated, this, &ExportDialog::chooseFormat);
     connect(m_place, &QLineEdit::textEdited, this, edited);
     connect(m_choosePlace, &QToolButton::clicked, this, &ExportDialog::choosePlace);
@@ -162,14 +173,18 @@ void ExportDialog::connectAll()
 
 const MeshSequence* ExportDialog::sequence() const
 {
-    return m_context.media.sequence(m_plan.sequences.front());
+    const QString& clip = m_plan.clips.front();
+    if (clip.startsWith(QLatin1String("sequences/")))
+        return m_context.media.sequence(nameOfClip(clip));
+    const auto result = m_context.animations.result(nameOfClip(clip));
+    return result && result->isFinal ? &result->sequence : nullptr;
 }
 
-std::int64_t ExportDialog::framesWritten() const
+std::optional<std::int64_t> ExportDialog::framesWritten() const
 {
     const MeshSequence* shown = sequence();
     if (shown == nullptr)
-        return 1;
+        return std::nullopt;
     const MeshSequence cut = m_plan.entry.range ? shown->cutTo(*m_plan.entry.range) : *shown;
     return m_plan.entry.fps ? resampled(cut, *m_plan.entry.fps).frameCount() : cut.frameCount();
 }
@@ -185,7 +200,7 @@ void ExportDialog::readControls()
     const FrameRange range{FrameIndex(m_first->value()), FrameIndex(m_last->value())};
     const MeshSequence* shown = sequence();
     const bool isWhole = shown == nullptr || range == FrameRange::all(shown->frameCount());
-    entry.range = isWhole || m_plan.sequences.size() > 1 ? std::nullopt : std::optional(range);
+    entry.range = isWhole || m_plan.clips.size() > 1 ? std::nullopt : std::optional(range);
     if (m_plan.isPicture())
         entry.picture = pictureToJson(m_picture->settings());
     m_first->setMaximum(m_last->value());
@@ -198,6 +213,7 @@ void ExportDialog::showPlan()
     const ExportEntry& entry = m_plan.entry;
     const QSignalBlocker blocks[] = {QSignalBlocker(m_first), QSignalBlocker(m_last), QSignalBlocker(m_fps),
                                      QSignalBlocker(m_textures)};
+    m_clip->setCurrentIndex(m_clip->findData(m_plan.clips.front()));
     m_format->setCurrentIndex(m_format->findData(QString::fromStdString(m_plan.format().id)));
     m_place->setText(QString::fromStdString(entry.path));
     if (const MeshSequence* shown = sequence()) {
@@ -208,7 +224,7 @@ void ExportDialog::showPlan()
         m_first->setValue(static_cast<int>(range.first.value));
         m_last->setValue(static_cast<int>(range.last.value));
     }
-    m_first->setEnabled(m_plan.sequences.size() == 1 && sequence() != nullptr);
+    m_first->setEnabled(m_plan.clips.size() == 1 && sequence() != nullptr);
     m_last->setEnabled(m_first->isEnabled());
     m_fps->setValue(entry.fps.value_or(settings.fps));
     m_axes->setProjectAxes(settings.axes);
@@ -229,13 +245,16 @@ void ExportDialog::showFacts()
     m_picture->setTransparencyPossible(m_plan.format().id == "png");
     m_axes->setEnabled(!isPicture);
     m_textures->setEnabled(!isPicture && !m_plan.format().needsMesh);
-    const std::int64_t frames = framesWritten();
-    const double seconds = static_cast<double>(frames) / m_plan.entry.fps.value_or(settings.fps);
-    QString text = m_plan.filesText(m_plan.entries().front(), frames);
-    if (m_plan.sequences.size() > 1)
-        text = tr("%1, and %n more", nullptr, static_cast<int>(m_plan.sequences.size() - 1)).arg(text);
-    m_files->setText(tr("%1 · %n frame(s), %2 s", "files · frames, seconds", static_cast<int>(frames))
-                         .arg(text, QLocale().toString(seconds, 'f', 2)));
+    const auto frames = framesWritten();
+    QString text = m_plan.filesText(m_plan.entries().front(), frames.value_or(1));
+    if (m_plan.clips.size() > 1)
+        text = tr("%1, and %n more", nullptr, static_cast<int>(m_plan.clips.size() - 1)).arg(text);
+    if (frames) {
+        const double seconds = static_cast<double>(*frames) / m_plan.entry.fps.value_or(settings.fps);
+        text = tr("%1 · %n frame(s), %2 s", "files · frames, seconds", static_cast<int>(*frames))
+                   .arg(text, QLocale().toString(seconds, 'f', 2));
+    }
+    m_files->setText(text);
     m_export->setEnabled(!m_plan.entry.path.empty());
     if (const MeshSequence* shown = sequence()) {
         RenderOptions look = m_picture->settings().look;
@@ -254,9 +273,23 @@ void ExportDialog::chooseFormat()
     const bool hasOwnName = !m_plan.edited.isEmpty();
     m_plan.entry.format = m_format->currentData().toString().toStdString();
     m_plan.entry.path = withEndingOf(m_plan.entry.path, m_plan.format());
-    const ExportPlan fresh = planExport(m_plan.sequences, m_plan.entry.format, {});
+    const ExportPlan fresh = planExport(m_plan.clips, m_plan.entry.format, {});
     m_plan.entry.name = hasOwnName ? before : fresh.entry.name;
     m_plan.entry.picture = m_plan.isPicture() ? pictureToJson(m_picture->settings()) : UnknownKeys();
+    showPlan();
+}
+
+void ExportDialog::chooseClip()
+{
+    readControls();
+    m_plan.clips = {m_clip->currentData().toString()};
+    m_plan.entry.range.reset();
+    if (m_plan.edited.isEmpty()) {
+        const auto folder = toQString(std::filesystem::path(m_plan.entry.path).parent_path());
+        const ExportPlan fresh = planExport(m_plan.clips, m_plan.format().id, folder);
+        m_plan.entry.name = fresh.entry.name;
+        m_plan.entry.path = fresh.entry.path;
+    }
     showPlan();
 }
 
@@ -276,77 +309,6 @@ void ExportDialog::choosePlace()
     showFacts();
 }
 
-bool ExportDialog::mayWriteOver()
-{
-    const QStringList files = m_plan.filesInTheWay(framesWritten());
-    if (files.isEmpty() || !m_plan.edited.isEmpty())
-        return true;
-    const QString what = files.size() == 1 ? tr("“%1” is there already.").arg(files.front())
-                                           : tr("“%1” and %n more are there already.", nullptr,
-                                                static_cast<int>(files.size() - 1))
-                                                 .arg(files.front());
-    QMessageBox box(QMessageBox::Warning, tr("Write over files?"), what, QMessageBox::Cancel, this);
-    box.setObjectName(QStringLiteral("exportOverwrite"));
-    box.setInformativeText(tr("Exporting writes over them."));
-    QPushButton* overwrite = box.addButton(tr("Write over"), QMessageBox::AcceptRole);
-    box.exec();
-    return box.clickedButton() == overwrite;
-}
-
-void ExportDialog::start()
-{
-    readControls();
-    if (!mayWriteOver())
-        return;
-    setBusy(true);
-    m_context.jobs.start(
-        {.name = tr("Exporting %1").arg(toQString(std::filesystem::path(m_plan.entry.path).filename())),
-         .receiver = this,
-         .failed =
-             [this](const Error& error) {
-                 setBusy(false);
-                 const ErrorText text = describe(error);
-                 m_strip->show(widgets::MessageStrip::Kind::Error,
-                               text.where.isEmpty() ? text.sentence
-                                                    : tr("%1 (%2)").arg(text.sentence, text.where),
-                               text.remedy);
-             }},
-        [project = m_context.document.project(), entries = m_plan.entries()](const Progress& progress) {
-            std::vector<ExportResult> results;
-            SequenceOpener opener(project, {});
-            const auto count = static_cast<double>(entries.size());
-            for (const ExportEntry& entry : entries) {
-                const auto at = static_cast<double>(results.size());
-                const Progress part = progress.part(at / count, (at + 1) / count);
-                const auto opened =
-                    opener.open(entry.what.substr(entry.what.find('/') + 1), part.part(0, 0.1));
-                results.push_back(
-                    writeExport(entry, opened->sequence, project.settings, {}, part.part(0.1, 1)));
-            }
-            return results;
-        },
-        [this](const std::vector<ExportResult>& results) { finish(results); });
-}
-
-void ExportDialog::finish(const std::vector<ExportResult>& results)
-{
-    QStringList files;
-    for (const ExportResult& result : results) {
-        for (const auto& file : result.files)
-            files += toQString(file);
-        for (const Issue& issue : result.issues)
-            m_context.issues.add(issue, QString::fromStdString(m_plan.entry.name));
-    }
-    if (!m_plan.edited.isEmpty()) {
-        setExport(m_context.document, m_plan.edited, m_plan.entry);
-    } else if (m_plan.isKept) {
-        for (ExportEntry& entry : m_plan.entries())
-            addExport(m_context.document, std::move(entry));
-    }
-    emit exported(files);
-    accept();
-}
-
 void ExportDialog::setBusy(bool busy)
 {
     m_strip->clear();
@@ -357,9 +319,9 @@ void ExportDialog::setBusy(bool busy)
 void ExportDialog::retranslate()
 {
     setWindowTitle(m_plan.edited.isEmpty() ? tr("Export") : tr("Export “%1”").arg(m_plan.edited));
-    const QStringList labels{tr("Format"), tr("File"),    {}, tr("Frames"), tr("Rate"),
-                             tr("Axes"),   tr("Textures")};
-    const QList<QWidget*> fields{m_format, m_place, m_files, m_first, m_fps, m_axes, m_textures};
+    const QStringList labels{tr("Clip"),   tr("Format"), tr("File"), {},
+                             tr("Frames"), tr("Rate"),   tr("Axes"), tr("Textures")};
+    const QList<QWidget*> fields{m_clip, m_format, m_place, m_files, m_first, m_fps, m_axes, m_textures};
     for (int row = 0; row < labels.size(); ++row) {
         auto* item = m_form->itemAt(row, QFormLayout::LabelRole);
         auto* label = item == nullptr ? nullptr : qobject_cast<QLabel*>(item->widget());

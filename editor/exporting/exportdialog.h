@@ -27,8 +27,8 @@ namespace widgets {
 class MessageStrip;
 } // namespace widgets
 
-/// How sequences go out: format, place, frames, rate, axes, textures, and the look of pictures. Stays open
-/// until everything is written, and shows what went wrong.
+/// How sequences and animations go out: format, place, frames, rate, axes, textures, and the look of
+/// pictures. Stays open until everything is written, and shows what went wrong.
 class ExportDialog : public QDialog
 {
     Q_OBJECT
@@ -55,15 +55,18 @@ private:
     void finish(const std::vector<ExportResult>& results);
     void setBusy(bool busy);
     void retranslate();
-    /// Frames of the first sequence as the project has it; null while it is not ready.
+    void chooseClip();
+    /// Frames of the first clip as the project has it; null while it is not ready.
     const MeshSequence* sequence() const;
-    std::int64_t framesWritten() const;
+    /// Nothing while the clip is not ready.
+    std::optional<std::int64_t> framesWritten() const;
 
     EditorContext& m_context;
     ExportPlan m_plan;
     widgets::MessageStrip* m_strip;
     TakePreview* m_preview;
     QFormLayout* m_form;
+    QComboBox* m_clip;
     QComboBox* m_format;
     QLineEdit* m_place;
     QToolButton* m_choosePlace;

@@ -18,7 +18,10 @@ ExportFlow::ExportFlow(EditorContext& context, QWidget* window)
         {"file.export",
          [] { return tr("File"); },
          [] { return tr("&Export…"); },
-         [] { return tr("Write the selected sequences in another format, or as pictures or video"); },
+         [] {
+             return tr(
+                 "Write the selected sequences or animation in another format, or as pictures or video");
+         },
          "export",
          {QKeySequence(Qt::CTRL | Qt::Key_E)}},
         [this] { exportSelection(); });
@@ -31,8 +34,7 @@ void ExportFlow::updateAction()
 {
     const bool isExport = m_context.selection.current().section == Section::Exports &&
                           !m_context.selection.current().name.isEmpty();
-    m_context.actions.action("file.export")
-        ->setEnabled(isExport || !m_context.selection.shownSequence().isEmpty());
+    m_context.actions.action("file.export")->setEnabled(isExport || !selectedClips().isEmpty());
 }
 
 void ExportFlow::exportSelection()
@@ -42,13 +44,26 @@ void ExportFlow::exportSelection()
         editExport(current.name);
         return;
     }
-    QStringList names = m_context.selection.sequences();
-    if (names.isEmpty())
-        names = {m_context.selection.shownSequence()};
-    exportSequences(names);
+    exportClips(selectedClips());
 }
 
-void ExportFlow::exportSequences(const QStringList& names)
+QStringList ExportFlow::selectedClips() const
+{
+    const Selection& selection = m_context.selection;
+    if (selection.current().section == Section::Animations && !selection.current().name.isEmpty())
+        return {QStringLiteral("animations/") + selection.current().name};
+    QStringList names = selection.sequences();
+    if (names.isEmpty() && !selection.shownSequence().isEmpty())
+        names = {selection.shownSequence()};
+    for (QString& name : names)
+        name.prepend(QStringLiteral("sequences/"));
+    const auto& animations = m_context.document.project().animations;
+    if (names.isEmpty() && !animations.empty())
+        names = {QStringLiteral("animations/") + QString::fromStdString(animations.front().name)};
+    return names;
+}
+
+void ExportFlow::exportClips(const QStringList& clips)
 {
     QString folder = m_folder;
     if (folder.isEmpty()) {
@@ -56,7 +71,7 @@ void ExportFlow::exportSequences(const QStringList& names)
                      ? QDir::homePath()
                      : toQString(m_context.document.file().parent_path() / "exports");
     }
-    auto* dialog = new ExportDialog(m_context, planExport(names, m_format.toStdString(), folder), m_window);
+    auto* dialog = new ExportDialog(m_context, planExport(clips, m_format.toStdString(), folder), m_window);
     connect(dialog, &ExportDialog::exported, this, [this, dialog](const QStringList& files) {
         m_format = QString::fromStdString(dialog->plan().format().id);
         m_folder = QFileInfo(QString::fromStdString(dialog->plan().entry.path)).path();
@@ -70,7 +85,7 @@ void ExportFlow::editExport(const QString& name)
     ExportPlan plan;
     plan.entry = *m_context.document.exportEntry(name);
     plan.edited = name;
-    plan.sequences = {QString::fromStdString(plan.entry.what.substr(plan.entry.what.find('/') + 1))};
+    plan.clips = {QString::fromStdString(plan.entry.what)};
     auto* dialog = new ExportDialog(m_context, std::move(plan), m_window);
     connect(dialog, &ExportDialog::exported, this, &ExportFlow::exported);
     dialog->open();

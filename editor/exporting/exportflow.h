@@ -11,7 +11,7 @@ namespace quadrille {
 
 struct EditorContext;
 
-/// Lets sequences and the project's exports go out.
+/// Lets sequences, animations and the project's exports go out.
 class ExportFlow : public QObject
 {
     Q_OBJECT
@@ -20,8 +20,8 @@ public:
     /// \param window what dialogs belong to.
     ExportFlow(EditorContext& context, QWidget* window);
 
-    /// Asks how some sequences shall go out.
-    void exportSequences(const QStringList& names);
+    /// Asks how some clips shall go out, each "sequences/NAME" or "animations/NAME".
+    void exportClips(const QStringList& clips);
     /// Shows an export of the project, to be changed and written again.
     void editExport(const QString& name);
 
@@ -30,6 +30,8 @@ signals:
 
 private:
     void exportSelection();
+    /// What is selected, else what is shown.
+    QStringList selectedClips() const;
     void updateAction();
 
     EditorContext& m_context;

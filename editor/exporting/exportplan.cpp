@@ -21,9 +21,9 @@ QString fileNameOf(QString name)
     return name.replace(QLatin1Char(' '), QLatin1Char('_'));
 }
 
-std::string nameOf(const QString& sequence, const FormatInfo& format)
+std::string nameOf(const QString& clip, const FormatInfo& format)
 {
-    return (sequence + QLatin1Char(' ') +
+    return (nameOfClip(clip) + QLatin1Char(' ') +
             QString::fromStdString(format.extensions.front().substr(1)).toUpper())
         .toStdString();
 }
@@ -44,14 +44,14 @@ std::vector<ExportEntry> ExportPlan::entries() const
 {
     std::vector<ExportEntry> result;
     const std::filesystem::path path = entry.path;
-    for (const QString& sequence : sequences) {
+    for (const QString& clip : clips) {
         ExportEntry each = entry;
-        each.what = "sequences/" + sequence.toStdString();
-        if (sequences.size() > 1) {
-            each.name = nameOf(sequence, format());
-            each.path =
-                (path.parent_path() / (fileNameOf(sequence).toStdString() + path.extension().string()))
-                    .string();
+        each.what = clip.toStdString();
+        if (clips.size() > 1) {
+            each.name = nameOf(clip, format());
+            each.path = (path.parent_path() /
+                         (fileNameOf(nameOfClip(clip)).toStdString() + path.extension().string()))
+                            .string();
             each.range.reset();
         }
         result.push_back(std::move(each));
@@ -82,15 +82,20 @@ QStringList ExportPlan::filesInTheWay(std::int64_t frames) const
     return files;
 }
 
-ExportPlan planExport(const QStringList& sequences, const std::string& format, const QString& folder)
+QString nameOfClip(const QString& clip)
+{
+    return clip.section(QLatin1Char('/'), 1);
+}
+
+ExportPlan planExport(const QStringList& clips, const std::string& format, const QString& folder)
 {
     ExportPlan plan;
-    plan.sequences = sequences;
+    plan.clips = clips;
     plan.entry.format = format;
     const FormatInfo& info = plan.format();
-    plan.entry.name = nameOf(sequences.front(), info);
+    plan.entry.name = nameOf(clips.front(), info);
     plan.entry.path =
-        QDir(folder).filePath(fileNameOf(sequences.front())).toStdString() + info.extensions.front();
+        QDir(folder).filePath(fileNameOf(nameOfClip(clips.front()))).toStdString() + info.extensions.front();
     return plan;
 }
 

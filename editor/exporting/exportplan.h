@@ -11,11 +11,11 @@
 
 namespace quadrille {
 
-/// What an export dialog decides: one entry, and the sequences that it is repeated for.
+/// What an export dialog decides: one entry, and the clips that it is repeated for.
 struct ExportPlan
 {
-    QStringList sequences;
-    /// The entry of the first sequence; the others' differ by name, `what` and file name only.
+    QStringList clips; ///< "sequences/NAME" or "animations/NAME"
+    /// The entry of the first clip; the others' differ by name, `what` and file name only.
     ExportEntry entry;
     /// The entry of the project that is edited; empty for a new one.
     QString edited;
@@ -23,7 +23,7 @@ struct ExportPlan
 
     const FormatInfo& format() const;
     bool isPicture() const;
-    /// The entries that are written, one for each sequence.
+    /// The entries that are written, one for each clip.
     std::vector<ExportEntry> entries() const;
     /// Files that an entry will write, for people: one, or first and last of a series.
     QString filesText(const ExportEntry& entry, std::int64_t frames) const;
@@ -31,8 +31,10 @@ struct ExportPlan
     QStringList filesInTheWay(std::int64_t frames) const;
 };
 
-/// A new export of some sequences in a format, beside the project or in a folder.
-ExportPlan planExport(const QStringList& sequences, const std::string& format, const QString& folder);
+/// A new export of some clips in a format, beside the project or in a folder.
+ExportPlan planExport(const QStringList& clips, const std::string& format, const QString& folder);
+/// The name in "sequences/NAME" or "animations/NAME".
+QString nameOfClip(const QString& clip);
 /// The same path with the ending of another format.
 std::string withEndingOf(const std::string& path, const FormatInfo& format);
 

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/exportentry.h"
 
+#include "model/project/clipresult.h"
 #include "model/project/paths.h"
 #include "model/project/pictureoptions.h"
+#include "model/project/stage.h"
 #include "model/sequence/io/registry.h"
 
 #include <algorithm>
@@ -21,6 +23,14 @@ const Exporter& exporterOf(const ExportEntry& entry)
     if (found == all.end())
         throw Error(ErrorCode::FormatUnknown, {entry.path, {}, {}});
     return **found;
+}
+
+std::vector<std::string> stagesOf(const Project& project, const ExportEntry& entry)
+{
+    if (const auto animation = nameOfClip(entry.what, "animations"))
+        return {clipStageOf(*animation)};
+    const auto sequence = nameOfClip(entry.what, "sequences");
+    return sequence ? clipInputs(project, {*sequence}) : std::vector<std::string>();
 }
 
 ExportResult writeExport(const ExportEntry& entry, const MeshSequence& sequence,

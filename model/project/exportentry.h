@@ -11,6 +11,9 @@ namespace quadrille {
 /// \throws Error FormatUnknown.
 const Exporter& exporterOf(const ExportEntry& entry);
 
+/// The stages whose results an export reads. \return empty where it needs files only.
+std::vector<std::string> stagesOf(const Project& project, const ExportEntry& entry);
+
 /// Writes a clip as an entry says.
 /// \param folder the project file's.
 /// \throws Error as exportSequence.

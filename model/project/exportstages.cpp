@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/contenthash.h"
-#include "model/project/clipresult.h"
 #include "model/project/exportentry.h"
 #include "model/project/paths.h"
 #include "model/project/projectjson.h"
@@ -29,11 +28,9 @@ ResultStage exportStage(const StageMaking& making, const ExportEntry& entry)
     stage.name = "exports/" + entry.name;
     stage.dataPrefix = stage.name;
     stage.settings = entryText(entry);
-    if (const auto animation = nameOfClip(clip, "animations"))
-        stage.inputs = {clipStageOf(*animation)};
+    stage.inputs = stagesOf(project, entry);
     if (const auto sequence = nameOfClip(clip, "sequences"); sequence && findSequence(project, *sequence)) {
         stage.settings += sequenceSettings(project, *findSequence(project, *sequence));
-        stage.inputs = clipInputs(project, {*sequence});
         stage.files = [opener, name = *sequence](const Progress& progress) {
             return opener->filesOf(name, progress);
         };

@@ -10,12 +10,15 @@
 #include <QAbstractButton>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QProcess>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTimer>
+#include <numeric>
 
 namespace quadrille {
 
@@ -114,6 +117,88 @@ private slots:
         document().undo();
         QVERIFY(document().project().exports.empty());
         document().save();
+    }
+
+    void exportsAnAnimationThatTheProgramRepeatsByteForByte()
+    {
+        QList<int> numbers(16);
+        std::iota(numbers.begin(), numbers.end(), 1);
+        test::writeSeries(m_folder->path(), numbers);
+        SequenceEntry walk = document().project().sequences.front();
+        walk.source = place("walk_*.obj").toStdString();
+        Project project = document().project();
+        project.sequences.front() = walk;
+        AnimationEntry stroll; // called as the sequence
+        stroll.name = walk.name;
+        stroll.walk = WalkEntry{.spans = {{walk.name, {FrameIndex(4), FrameIndex(11)}}}};
+        stroll.character = walk.character;
+        project.animations = {stroll};
+        project.settings.fps = 12;
+        document().recover(project, document().file());
+        QVERIFY(test::waitForSequence(*m_window, "walk"));
+
+        openDialog();
+        auto* clip = test::find<QComboBox>("exportClip");
+        QCOMPARE(clip->count(), 2);
+        QCOMPARE(clip->currentData().toString(), QString("sequences/walk"));
+        clip->setFocus();
+        QTest::keyClick(clip, Qt::Key_End);
+        QCOMPARE(clip->currentData().toString(), QString("animations/walk"));
+        choose("pc2");
+        type(place("out/stroll.pc2"));
+        accept();
+        QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, 20000);
+        QCOMPARE(document().project().exports.size(), 1U);
+        QCOMPARE(document().project().exports.front().what, std::string("animations/walk"));
+        const std::string written(readFile(place("out/stroll.pc2").toStdString()).text());
+        const auto back =
+            openSequences(place("out/stroll.pc2").toStdString(), {.mesh = place("walk_1.obj").toStdString()});
+        QCOMPARE(back.sequences.at(0).frameCount(), 8);
+
+        // The program makes the same of the saved project, in another place.
+        document().save();
+        QVERIFY(QDir().mkpath(place("elsewhere")));
+        for (const int number : numbers) {
+            const QString name = QStringLiteral("walk_%1.obj").arg(number);
+            QVERIFY(QFile::copy(place(name), place("elsewhere/" + name)));
+        }
+        QVERIFY(QFile::copy(place("project.quadrille"), place("elsewhere/p.quadrille")));
+        QProcess program;
+        program.start(QStringLiteral(QUADRILLE_PROGRAM), {"rebuild", place("elsewhere/p.quadrille")});
+        QVERIFY(program.waitForFinished());
+        QVERIFY2(program.exitCode() == 0, program.readAllStandardError().constData());
+        QVERIFY(readFile(place("elsewhere/out/stroll.pc2").toStdString()).text() == written);
+
+        // Changing the export opens the animation, not the sequence of its name.
+        m_window->context().selection.select({Section::Exports, "walk PC2"});
+        openDialog();
+        QCOMPARE(test::find<QComboBox>("exportClip")->currentData().toString(), QString("animations/walk"));
+        QTest::keyClick(dialog(), Qt::Key_Escape);
+        QTRY_VERIFY(dialog() == nullptr);
+        document().save();
+    }
+
+    void exportsAnAnimationOfAnUntitledProject()
+    {
+        Project project = document().project();
+        AnimationEntry still;
+        still.name = "still";
+        still.character = project.sequences.front().character;
+        still.walk = WalkEntry{.spans = {{"walk", {FrameIndex(1), FrameIndex(3)}}}};
+        project.animations = {still};
+        project.settings.fps = 6;
+        document().reset(project);
+        QVERIFY(test::waitForSequence(*m_window, "walk"));
+        m_window->context().selection.select({Section::Animations, "still"});
+        openDialog();
+        QCOMPARE(test::find<QComboBox>("exportClip")->currentData().toString(), QString("animations/still"));
+        choose("pc2");
+        type(place("still.pc2"));
+        accept();
+        QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, 20000);
+        QVERIFY(QFile::exists(place("still.pc2")));
+        document().undo();
+        QVERIFY(document().project().exports.empty());
     }
 
     void namesTheFilesOfASeriesAndAsksBeforeWritingOver()
