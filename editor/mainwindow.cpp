@@ -21,7 +21,10 @@
 #include "editor/properties/propertiespanel.h"
 #include "editor/relinking/relinkflow.h"
 #include "editor/welcome/welcomepage.h"
+#include "editor/workspaces/animate/animateworkspace.h"
+#include "editor/workspaces/graph/graphworkspace.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
+#include "editor/workspaces/workspacetabs.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/icons.h"
 
@@ -54,22 +57,24 @@ MainWindow::MainWindow(QWidget* parent)
     resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
     makeCentre();
     makeDocks();
+    makeWorkspaces();
     makeActions();
     makeThemeActions();
     makeMenus();
     connectAll();
     m_autosave.setInterval(m_context.settings.autosaveSeconds());
     restoreGeometry(m_context.settings.windowGeometry());
-    restoreState(m_context.settings.windowState());
+    m_workspaces->setStates(m_context.settings.docks());
+    m_workspaces->begin();
     followDocument(ChangeEvent::reset());
-    m_session = new SessionKeeper(m_context, *m_sequences, *this);
+    m_session = new SessionKeeper(m_context, *m_workspaces, *m_sequences, *this);
 }
 
 MainWindow::~MainWindow() = default;
 
 void MainWindow::open(const QStringList& files)
 {
-    m_sequences->playWhenReady();
+    m_sequences->view().playWhenReady();
     QStringList sequences = files;
     openProjects(sequences);
     if (!sequences.isEmpty())
@@ -93,17 +98,20 @@ void MainWindow::openProjects(QStringList& files)
 
 void MainWindow::openSample()
 {
-    m_sequences->playWhenReady();
+    m_sequences->view().playWhenReady();
     m_files->openSample();
 }
 
 void MainWindow::makeCentre()
 {
     m_welcome = new WelcomePage(m_context.settings);
+    m_workspaces = new WorkspaceTabs(m_context, *this);
     m_sequences = new SequencesWorkspace(m_context);
+    m_graph = new GraphWorkspace(m_context);
+    m_animate = new AnimateWorkspace(m_context);
     m_pages = new QStackedWidget;
     m_pages->addWidget(m_welcome);
-    m_pages->addWidget(m_sequences);
+    m_pages->addWidget(m_workspaces);
     auto* centre = new QWidget;
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
@@ -160,6 +168,26 @@ void MainWindow::makeDocks()
     resizeDocks({project, properties}, {240, 280}, Qt::Horizontal);
 }
 
+void MainWindow::makeWorkspaces()
+{
+    const auto add = [this](const char* id, ActionRegistry::Text title, Workspace* workspace) {
+        QList<QDockWidget*> docks;
+        for (const Workspace::Panel& panel : workspace->panels()) {
+            docks += addDock(panel.name, panel.title, panel.content, panel.area);
+            docks.back()->setProperty("isShownFirst", panel.isShown);
+        }
+        m_workspaces->add({QLatin1String(id), std::move(title), workspace, docks});
+    };
+    add(
+        "sequences", [] { return tr("&Sequences"); }, m_sequences);
+    add(
+        "graph", [] { return tr("&Graph"); }, m_graph);
+    add(
+        "animate", [] { return tr("&Animate"); }, m_animate);
+    m_pictures = new PictureFlow(
+        m_context, [this] { return &m_workspaces->currentWorkspace()->viewport(); }, this);
+}
+
 void MainWindow::makeMenus()
 {
     QList<QAction*> toggles;
@@ -188,7 +216,7 @@ void MainWindow::connectAll()
     connect(m_export, &ExportFlow::exported, this, [this](const QStringList& files) {
         showMessage(tr("Exported to %1").arg(files.value(0)), files);
     });
-    connect(&m_sequences->pictures(), &PictureFlow::saved, this,
+    connect(m_pictures, &PictureFlow::saved, this,
             [this](const QStringList& files) { showMessage(tr("Saved to %1").arg(files.value(0)), files); });
     connect(m_import, &ImportFlow::failed, this, [this](const Error& error) {
         m_context.issues.add(error);
@@ -267,7 +295,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     m_session->keep();
-    m_context.settings.setWindow(saveGeometry(), saveState());
+    m_context.settings.setWindow(saveGeometry(), m_workspaces->states());
     m_context.jobs.cancelAll();
     event->accept();
 }

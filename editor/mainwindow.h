@@ -12,14 +12,18 @@ class QStackedWidget;
 
 namespace quadrille {
 
+class AnimateWorkspace;
 class ExportFlow;
+class GraphWorkspace;
 class ImportFlow;
+class PictureFlow;
 class ProjectFiles;
 class RelinkFlow;
 class SequencesWorkspace;
 class SessionKeeper;
 class StatusJobs;
 class WelcomePage;
+class WorkspaceTabs;
 
 namespace widgets {
 class ActionPalette;
@@ -41,7 +45,11 @@ public:
     void offerRecovery();
 
     EditorContext& context() { return m_context; }
+    WorkspaceTabs& workspaces() { return *m_workspaces; }
     SequencesWorkspace& sequences() { return *m_sequences; }
+    GraphWorkspace& graph() { return *m_graph; }
+    AnimateWorkspace& animate() { return *m_animate; }
+    PictureFlow& pictures() { return *m_pictures; }
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -51,6 +59,7 @@ protected:
 private:
     void makeCentre();
     void makeDocks();
+    void makeWorkspaces();
     QDockWidget* addDock(const char* name, std::function<QString()> title, QWidget* content,
                          Qt::DockWidgetArea area);
     void makeActions();
@@ -73,7 +82,11 @@ private:
     RelinkFlow* m_relink;
     QStackedWidget* m_pages = nullptr;
     WelcomePage* m_welcome = nullptr;
+    WorkspaceTabs* m_workspaces = nullptr;
     SequencesWorkspace* m_sequences = nullptr;
+    GraphWorkspace* m_graph = nullptr;
+    AnimateWorkspace* m_animate = nullptr;
+    PictureFlow* m_pictures = nullptr;
     QList<QDockWidget*> m_docks;
     QDockWidget* m_issuesDock = nullptr;
     QLabel* m_message = nullptr;

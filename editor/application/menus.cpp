@@ -21,7 +21,11 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
             {"edit.undo", "edit.redo", "", "edit.rename", "edit.duplicate", "edit.remove", "",
              "edit.trimStart", "edit.trimEnd", "edit.untrim", "", "edit.label", "edit.proposeContacts",
              "edit.clearContacts", "", "edit.preferences"});
-    QMenu* view = addMenu([] { return tr("&View"); }, {"view.textured",
+    QMenu* view = addMenu([] { return tr("&View"); }, {"workspace.sequences",
+                                                       "workspace.graph",
+                                                       "workspace.animate",
+                                                       "",
+                                                       "view.textured",
                                                        "view.clay",
                                                        "view.wire",
                                                        "",
@@ -50,6 +54,8 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
                                                        "",
                                                        "view.jobs"});
     view->addActions(docks);
+    addMenu([] { return tr("&Animate"); },
+            {"animate.new", "animate.duplicate", "", "animate.solve", "animate.stop"});
     addMenu([] { return tr("&Playback"); },
             {"play.toggle", "", "play.previous", "play.next", "play.first", "play.last", "", "play.backwards",
              "play.pause", "play.forwards"});

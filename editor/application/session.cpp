@@ -50,7 +50,7 @@ Session loadSession(const std::filesystem::path& project)
     const QJsonObject stored = QJsonDocument::fromJson(file.readAll()).object();
     Session session;
     session.windowGeometry = bytes(stored["windowGeometry"]);
-    session.windowState = bytes(stored["windowState"]);
+    session.docks = stored["docks"].toObject();
     session.workspace = stored["workspace"].toString();
     const QJsonArray selected = stored["selected"].toArray();
     for (const auto& name : selected)
@@ -68,7 +68,7 @@ void saveSession(const Session& session, const std::filesystem::path& project)
         return;
     const QJsonObject stored{
         {"windowGeometry", text(session.windowGeometry)},
-        {"windowState", text(session.windowState)},
+        {"docks", session.docks},
         {"workspace", session.workspace},
         {"selected", QJsonArray::fromStringList(session.selected)},
         {"shownSequence", session.shownSequence},

@@ -14,7 +14,7 @@ namespace quadrille {
 struct Session
 {
     QByteArray windowGeometry;
-    QByteArray windowState;
+    QJsonObject docks; ///< their arrangement in each workspace
     QString workspace;
     QStringList selected;
     QString shownSequence;

@@ -6,7 +6,7 @@
 #include "editor/documents/projectpaths.h"
 #include "editor/playback/player.h"
 #include "editor/playback/sequencestage.h"
-#include "editor/workspaces/sequences/sequencesworkspace.h"
+#include "editor/workspaces/workspacetabs.h"
 #include "widgets/viewport/viewport.h"
 
 #include <QJsonArray>
@@ -47,28 +47,29 @@ widgets::Turntable cameraFrom(const QJsonObject& json, widgets::Turntable camera
 
 } // namespace
 
-SessionKeeper::SessionKeeper(EditorContext& context, SequencesWorkspace& workspace, QMainWindow& window)
-    : QObject(&window), m_context(context), m_workspace(workspace), m_window(window)
+SessionKeeper::SessionKeeper(EditorContext& context, WorkspaceTabs& workspaces, Workspace& sequences,
+                             QMainWindow& window)
+    : QObject(&window), m_context(context), m_workspaces(workspaces), m_sequences(sequences), m_window(window)
 {
     connect(&context.document, &ProjectDocument::changed, this, &SessionKeeper::follow);
-    connect(&workspace.stage(), &SequenceStage::frameShown, this, &SessionKeeper::showView);
+    connect(&sequences.stage(), &SequenceStage::frameShown, this, &SessionKeeper::showView);
 }
 
 void SessionKeeper::keep()
 {
     if (m_context.document.isUntitled())
         return;
-    const widgets::Viewport& viewport = m_workspace.viewport();
+    const widgets::Viewport& viewport = m_sequences.viewport();
     Session session;
     session.windowGeometry = m_window.saveGeometry();
-    session.windowState = m_window.saveState();
-    session.workspace = QStringLiteral("sequences");
+    session.docks = m_workspaces.states();
+    session.workspace = m_workspaces.current();
     session.selected = m_context.selection.sequences();
     session.shownSequence = m_context.selection.shownSequence();
-    session.frame = m_workspace.player().frame().value;
+    session.frame = m_sequences.player().frame().value;
     session.view = {{"camera", toJson(viewport.camera())}, {"shading", static_cast<int>(viewport.shading())}};
     saveSession(session, m_context.document.file());
-    const QImage picture = m_workspace.viewport().snapshot({.size = thumbnailSize, .annotations = false});
+    const QImage picture = m_sequences.viewport().snapshot({.size = thumbnailSize, .annotations = false});
     if (!picture.isNull())
         picture.save(thumbnailFile(toQString(m_context.document.file())));
 }
@@ -84,7 +85,8 @@ void SessionKeeper::follow(const ChangeEvent& event)
     if (session == Session{})
         return;
     m_window.restoreGeometry(session.windowGeometry);
-    m_window.restoreState(session.windowState);
+    m_workspaces.setStates(session.docks);
+    m_workspaces.select(session.workspace);
     session.selected.removeIf(
         [this](const QString& name) { return m_context.document.sequence(name) == nullptr; });
     if (!session.selected.isEmpty())
@@ -97,14 +99,14 @@ void SessionKeeper::showView()
     const auto session = std::exchange(m_pending, std::nullopt);
     if (!session || m_context.selection.shownSequence() != session->shownSequence)
         return;
-    widgets::Viewport& viewport = m_workspace.viewport();
+    widgets::Viewport& viewport = m_sequences.viewport();
     viewport.setCamera(cameraFrom(session->view["camera"].toObject(), viewport.camera()));
     const int shading = session->view["shading"].toInt();
     if (shading >= 0 && shading < static_cast<int>(shadings.size()))
         m_context.actions.action(QLatin1String(shadings.at(static_cast<std::size_t>(shading))))
             ->setChecked(true);
-    if (session->frame > 0 && session->frame < m_workspace.stage().frameCount())
-        m_workspace.player().goTo(session->frame);
+    if (session->frame > 0 && session->frame < m_sequences.stage().frameCount())
+        m_sequences.player().goTo(session->frame);
 }
 
 } // namespace quadrille

@@ -11,7 +11,8 @@ class QMainWindow;
 
 namespace quadrille {
 
-class SequencesWorkspace;
+class Workspace;
+class WorkspaceTabs;
 struct ChangeEvent;
 struct EditorContext;
 
@@ -21,7 +22,9 @@ class SessionKeeper : public QObject
     Q_OBJECT
 
 public:
-    SessionKeeper(EditorContext& context, SequencesWorkspace& workspace, QMainWindow& window);
+    /// \param sequences  the workspace whose view is remembered.
+    SessionKeeper(EditorContext& context, WorkspaceTabs& workspaces, Workspace& sequences,
+                  QMainWindow& window);
 
     /// Remembers the open project, if it has a file, with a picture of it.
     void keep();
@@ -31,7 +34,8 @@ private:
     void showView();
 
     EditorContext& m_context;
-    SequencesWorkspace& m_workspace;
+    WorkspaceTabs& m_workspaces;
+    Workspace& m_sequences;
     QMainWindow& m_window;
     std::optional<Session> m_pending; ///< camera and frame wait for the first picture
 };

@@ -3,6 +3,7 @@
 #include "editor/application/settings.h"
 
 #include <QFileInfo>
+#include <QJsonDocument>
 
 namespace quadrille {
 
@@ -17,7 +18,7 @@ constexpr auto historyKey = "historyMegabytes";
 constexpr auto loopKey = "loopPlayback";
 constexpr auto recentKey = "recentProjects";
 constexpr auto geometryKey = "window/geometry";
-constexpr auto stateKey = "window/state";
+constexpr auto docksKey = "window/docks";
 
 QString shortcutKey(const QString& action)
 {
@@ -145,15 +146,15 @@ QByteArray Settings::windowGeometry() const
     return m_store.value(geometryKey).toByteArray();
 }
 
-QByteArray Settings::windowState() const
+QJsonObject Settings::docks() const
 {
-    return m_store.value(stateKey).toByteArray();
+    return QJsonDocument::fromJson(m_store.value(docksKey).toByteArray()).object();
 }
 
-void Settings::setWindow(const QByteArray& geometry, const QByteArray& state)
+void Settings::setWindow(const QByteArray& geometry, const QJsonObject& docks)
 {
     m_store.setValue(geometryKey, geometry);
-    m_store.setValue(stateKey, state);
+    m_store.setValue(docksKey, QJsonDocument(docks).toJson(QJsonDocument::Compact));
 }
 
 } // namespace quadrille

@@ -5,6 +5,7 @@
 #include "widgets/theme/theme.h"
 
 #include <QByteArray>
+#include <QJsonObject>
 #include <QKeySequence>
 #include <QObject>
 #include <QSettings>
@@ -50,8 +51,8 @@ public:
 
     /// Size, place and docks of the window of a project without a session of its own.
     QByteArray windowGeometry() const;
-    QByteArray windowState() const;
-    void setWindow(const QByteArray& geometry, const QByteArray& state);
+    QJsonObject docks() const; ///< see WorkspaceTabs::states
+    void setWindow(const QByteArray& geometry, const QJsonObject& docks);
 
 signals:
     /// One of the values above the shortcuts is another now.

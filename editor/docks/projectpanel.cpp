@@ -3,6 +3,7 @@
 #include "editor/docks/projectpanel.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/commands/animationedits.h"
 #include "editor/commands/projectedits.h"
 #include "editor/docks/projecttreemodel.h"
 #include "editor/errors/errortext.h"
@@ -20,8 +21,28 @@ namespace quadrille {
 
 namespace {
 
-ProjectTreeModel::EntryStatus statusOf(const SequenceMedia& media, const EntryRef& entry)
+ProjectTreeModel::EntryStatus statusOf(const AnimationMedia::Medium* medium)
 {
+    using State = AnimationMedia::State;
+    ProjectTreeModel::EntryStatus status{.state = EntryState::Stale, .problem = {}};
+    if (medium == nullptr)
+        return status;
+    if (medium->state == State::Ready)
+        status.state = EntryState::Fresh;
+    else if (medium->state == State::Failed)
+        status.state = EntryState::Failed;
+    else if (medium->state != State::Idle)
+        status.state = EntryState::Computing;
+    if (medium->error)
+        status.problem = describe(*medium->error).oneLine();
+    return status;
+}
+
+ProjectTreeModel::EntryStatus statusOf(const EditorContext& context, const EntryRef& entry)
+{
+    if (entry.section == Section::Animations)
+        return statusOf(context.animations.medium(entry.name));
+    const SequenceMedia& media = context.media;
     ProjectTreeModel::EntryStatus status;
     const auto* medium = entry.section == Section::Sequences ? media.medium(entry.name) : nullptr;
     if (!medium || medium->state == SequenceMedia::State::Ready)
@@ -38,8 +59,7 @@ ProjectPanel::ProjectPanel(EditorContext& context, QWidget* parent)
     : QWidget(parent)
     , m_context(context)
     , m_model(new ProjectTreeModel(
-          context.document, [&context](const EntryRef& entry) { return statusOf(context.media, entry); },
-          this))
+          context.document, [&context](const EntryRef& entry) { return statusOf(context, entry); }, this))
     , m_tree(new QTreeView)
 {
     setObjectName(QStringLiteral("projectPanel"));
@@ -60,6 +80,9 @@ ProjectPanel::ProjectPanel(EditorContext& context, QWidget* parent)
     });
     connect(&context.media, &SequenceMedia::changed, this, [this](const QString& name) {
         m_model->updateStatus({Section::Sequences, name});
+    });
+    connect(&context.animations, &AnimationMedia::changed, this, [this](const QString& name) {
+        m_model->updateStatus({Section::Animations, name});
     });
     connect(m_tree->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &ProjectPanel::takeSelection);
@@ -86,7 +109,7 @@ void ProjectPanel::makeActions()
         actions.add({"edit.duplicate",
                      edit,
                      [] { return tr("&Duplicate"); },
-                     [] { return tr("Add a copy of the selected sequence, to cut or mark otherwise"); },
+                     [] { return tr("Add a copy of the selected sequence or animation, to change it"); },
                      "copy",
                      {QKeySequence(Qt::CTRL | Qt::Key_D)}},
                     [this] { duplicateSelected(); });
@@ -111,7 +134,9 @@ void ProjectPanel::updateActions()
     const bool isEntry = !current.name.isEmpty();
     m_context.actions.action("edit.rename")->setEnabled(isEntry);
     m_context.actions.action("edit.remove")->setEnabled(isEntry);
-    m_context.actions.action("edit.duplicate")->setEnabled(isEntry && current.section == Section::Sequences);
+    m_context.actions.action("edit.duplicate")
+        ->setEnabled(isEntry &&
+                     (current.section == Section::Sequences || current.section == Section::Animations));
 }
 
 QStringList ProjectPanel::selectedNames(Section section) const
@@ -130,8 +155,11 @@ void ProjectPanel::takeSelection()
     if (m_isFollowing)
         return;
     const QStringList names = selectedNames(Section::Sequences);
+    const QStringList animations = selectedNames(Section::Animations);
     if (!names.isEmpty())
         m_context.selection.selectSequences(names);
+    else if (!animations.isEmpty())
+        m_context.selection.selectAnimations(animations);
     else if (m_tree->currentIndex().isValid())
         m_context.selection.select(m_model->entry(m_tree->currentIndex()));
 }
@@ -140,7 +168,8 @@ void ProjectPanel::showSelection()
 {
     updateActions();
     const EntryRef& current = m_context.selection.current();
-    QStringList names = m_context.selection.sequences();
+    QStringList names = current.section == Section::Animations ? m_context.selection.animations()
+                                                               : m_context.selection.sequences();
     if (names.isEmpty())
         names = {current.name};
     QItemSelection selection;
@@ -166,8 +195,11 @@ void ProjectPanel::removeSelected()
 
 void ProjectPanel::duplicateSelected()
 {
-    m_context.selection.selectSequences(
-        {duplicateSequence(m_context.document, m_context.selection.current().name)});
+    const EntryRef current = m_context.selection.current();
+    if (current.section == Section::Animations)
+        m_context.selection.selectAnimations({duplicateAnimation(m_context.document, current.name)});
+    else
+        m_context.selection.selectSequences({duplicateSequence(m_context.document, current.name)});
 }
 
 void ProjectPanel::activate(const QModelIndex& index)
@@ -176,6 +208,8 @@ void ProjectPanel::activate(const QModelIndex& index)
     const auto* medium = entry.section == Section::Sequences ? m_context.media.medium(entry.name) : nullptr;
     if (medium != nullptr && medium->state == SequenceMedia::State::Failed)
         m_context.media.retry(entry.name);
+    else if (entry.section == Section::Animations && !entry.name.isEmpty())
+        m_context.actions.action("workspace.animate")->trigger();
     else if (entry.section == Section::Exports && !entry.name.isEmpty())
         m_context.actions.action("file.export")->trigger();
 }

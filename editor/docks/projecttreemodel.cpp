@@ -11,7 +11,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr std::array sections{Section::Characters, Section::Sequences, Section::Exports};
+constexpr std::array sections{Section::Characters, Section::Sequences, Section::Animations, Section::Exports};
 /// Marks the index of a section; entries carry their section's row.
 constexpr quintptr sectionId = ~quintptr{0};
 
@@ -37,6 +37,8 @@ QString iconOf(Section section)
         return QStringLiteral("character");
     case Section::Sequences:
         return QStringLiteral("sequence");
+    case Section::Animations:
+        return QStringLiteral("trajectory");
     default:
         return QStringLiteral("export");
     }
@@ -115,6 +117,8 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const
             return tr("Characters (%1)").arg(count);
         case Section::Sequences:
             return tr("Sequences (%1)").arg(count);
+        case Section::Animations:
+            return tr("Animations (%1)").arg(count);
         default:
             return tr("Exports (%1)").arg(count);
         }
@@ -175,6 +179,8 @@ QStringList ProjectTreeModel::namesOf(int section) const
         return names(project.characters);
     case Section::Sequences:
         return names(project.sequences);
+    case Section::Animations:
+        return names(project.animations);
     default:
         return names(project.exports);
     }

@@ -17,6 +17,10 @@ void Selection::select(const EntryRef& entry)
         selectSequences({entry.name});
         return;
     }
+    if (entry.section == Section::Animations && !entry.name.isEmpty()) {
+        selectAnimations({entry.name});
+        return;
+    }
     if (m_current == entry && m_sequences.isEmpty())
         return;
     m_current = entry;
@@ -36,6 +40,18 @@ void Selection::selectSequences(const QStringList& names, const QString& current
     m_current = entry;
     m_sequences = names;
     m_shown = entry.name;
+    emit changed();
+}
+
+void Selection::selectAnimations(const QStringList& names)
+{
+    const EntryRef entry{Section::Animations, names.value(names.size() - 1)};
+    if (entry.name.isEmpty() || (m_current == entry && m_animations == names))
+        return;
+    m_current = entry;
+    m_sequences.clear();
+    m_animations = names;
+    m_shownAnimation = entry.name;
     emit changed();
 }
 
@@ -61,10 +77,17 @@ bool Selection::exists(const EntryRef& entry) const
 
 void Selection::showExisting()
 {
-    if (m_document.sequence(m_shown) != nullptr)
-        return;
-    const auto& all = m_document.project().sequences;
-    m_shown = all.empty() ? QString() : QString::fromStdString(all.front().name);
+    const auto first = [](const auto& entries) {
+        return entries.empty() ? QString() : QString::fromStdString(entries.front().name);
+    };
+    if (m_document.sequence(m_shown) == nullptr)
+        m_shown = first(m_document.project().sequences);
+    m_animations.removeIf([this](const QString& name) { return m_document.animation(name) == nullptr; });
+    if (m_document.animation(m_shownAnimation) == nullptr)
+        m_shownAnimation =
+            m_animations.isEmpty() ? first(m_document.project().animations) : m_animations.back();
+    if (m_animations.isEmpty() && !m_shownAnimation.isEmpty())
+        m_animations = {m_shownAnimation};
 }
 
 void Selection::follow(const ChangeEvent& event)
@@ -77,16 +100,24 @@ void Selection::follow(const ChangeEvent& event)
             if (m_shown == event.before)
                 m_shown = event.entry.name;
         }
+        if (event.entry.section == Section::Animations) {
+            std::ranges::replace(m_animations, event.before, event.entry.name);
+            if (m_shownAnimation == event.before)
+                m_shownAnimation = event.entry.name;
+        }
         emit changed();
     } else if (event.kind == ChangeEvent::Kind::List || event.kind == ChangeEvent::Kind::Reset) {
         const QString shownBefore = m_shown;
+        const QString animationBefore = m_shownAnimation;
+        const auto animationsBefore = m_animations.size();
         const auto countBefore = m_sequences.size();
         m_sequences.removeIf([this](const QString& name) { return m_document.sequence(name) == nullptr; });
         showExisting();
         const bool currentIsThere = exists(m_current);
         if (!currentIsThere)
             m_current = m_sequences.isEmpty() ? EntryRef{} : EntryRef{Section::Sequences, m_sequences.back()};
-        if (!currentIsThere || m_shown != shownBefore || m_sequences.size() != countBefore)
+        if (!currentIsThere || m_shown != shownBefore || m_sequences.size() != countBefore ||
+            m_shownAnimation != animationBefore || m_animations.size() != animationsBefore)
             emit changed();
     }
 }

@@ -24,10 +24,15 @@ public:
     const QStringList& sequences() const { return m_sequences; }
     /// The sequence that the viewport and the timeline show: the last one selected that still exists.
     const QString& shownSequence() const { return m_shown; }
+    /// The selected animations in the order of selecting; those of the last time one was selected.
+    const QStringList& animations() const { return m_animations; }
+    /// The animation that its workspace works on: the last one selected that still exists.
+    const QString& shownAnimation() const { return m_shownAnimation; }
 
     void select(const EntryRef& entry);
     /// \param current one of `names`, or empty for the last.
     void selectSequences(const QStringList& names, const QString& current = {});
+    void selectAnimations(const QStringList& names);
     void clear() { select({}); }
 
 signals:
@@ -42,6 +47,8 @@ private:
     EntryRef m_current;
     QStringList m_sequences;
     QString m_shown;
+    QStringList m_animations;
+    QString m_shownAnimation;
 };
 
 } // namespace quadrille

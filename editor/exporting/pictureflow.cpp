@@ -15,8 +15,8 @@
 
 namespace quadrille {
 
-PictureFlow::PictureFlow(EditorContext& context, widgets::Viewport& viewport, QWidget* window)
-    : QObject(window), m_context(context), m_viewport(viewport), m_window(window)
+PictureFlow::PictureFlow(EditorContext& context, ViewportInFront viewport, QWidget* window)
+    : QObject(window), m_context(context), m_viewport(std::move(viewport)), m_window(window)
 {
     const auto view = [] { return tr("View"); };
     context.actions.add({"view.copy",
@@ -37,7 +37,13 @@ PictureFlow::PictureFlow(EditorContext& context, widgets::Viewport& viewport, QW
 
 void PictureFlow::copy()
 {
-    QGuiApplication::clipboard()->setImage(m_viewport.snapshot());
+    QGuiApplication::clipboard()->setImage(picture());
+}
+
+QImage PictureFlow::picture() const
+{
+    widgets::Viewport* viewport = m_viewport();
+    return viewport == nullptr ? QImage() : viewport->snapshot();
 }
 
 void PictureFlow::askAndSave()
@@ -60,9 +66,7 @@ void PictureFlow::save(const QString& file)
 {
     m_context.jobs.start(
         {.name = tr("Saving %1").arg(QFileInfo(file).fileName()), .receiver = this},
-        [picture = m_viewport.snapshot(), path = toPath(file)](const Progress&) {
-            writeImage(toImage(picture), path);
-        },
+        [picture = picture(), path = toPath(file)](const Progress&) { writeImage(toImage(picture), path); },
         [this, file] { emit saved({file}); });
 }
 

@@ -4,7 +4,9 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 
+class QImage;
 class QWidget;
 
 namespace quadrille {
@@ -15,12 +17,15 @@ namespace widgets {
 class Viewport;
 }
 
-/// Takes the viewport's picture as it is: onto the clipboard, or into a file.
+/// Takes the picture of the viewport in front as it is: onto the clipboard, or into a file.
 class PictureFlow : public QObject
 {
     Q_OBJECT
 public:
-    PictureFlow(EditorContext& context, widgets::Viewport& viewport, QWidget* window);
+    using ViewportInFront = std::function<widgets::Viewport*()>;
+
+    /// \param viewport  null when there is none.
+    PictureFlow(EditorContext& context, ViewportInFront viewport, QWidget* window);
 
     /// Draws the picture and writes it in a job. \param file  PNG, JPEG or TIFF by its ending.
     void save(const QString& file);
@@ -33,7 +38,9 @@ private:
     void askAndSave();
 
     EditorContext& m_context;
-    widgets::Viewport& m_viewport;
+    QImage picture() const;
+
+    ViewportInFront m_viewport;
     QWidget* m_window;
     QString m_folder; ///< of the picture saved last
 };

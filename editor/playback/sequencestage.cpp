@@ -63,10 +63,9 @@ std::vector<widgets::Ghost> makeGhosts(const MeshSequence& sequence, std::int64_
 
 } // namespace
 
-SequenceStage::SequenceStage(Viewport& viewport, SequenceMedia& media, JobRunner& jobs, QObject* parent)
-    : QObject(parent), m_viewport(viewport), m_media(media), m_jobs(jobs)
+SequenceStage::SequenceStage(Viewport& viewport, Source source, JobRunner& jobs, QObject* parent)
+    : QObject(parent), m_viewport(viewport), m_source(std::move(source)), m_jobs(jobs)
 {
-    connect(&media, &SequenceMedia::changed, this, &SequenceStage::update);
     connect(&m_loader, &FrameLoader::loaded, this, &SequenceStage::applyFrame);
     connect(&Theme::instance(), &Theme::changed, this, &SequenceStage::colorFigures);
 }
@@ -93,7 +92,7 @@ void SequenceStage::update(const QString& name)
 {
     if (!m_names.contains(name))
         return;
-    const MeshSequence* sequence = isComparing() ? m_media.sequence(name) : m_media.untrimmed(name);
+    const MeshSequence* sequence = m_source.clip(name, isComparing());
     Actor* actor = actorOf(name);
     if (actor != nullptr && (sequence == nullptr || sequence->topology != actor->sequence.topology)) {
         removeActor(name);
@@ -243,7 +242,7 @@ void SequenceStage::survey(const Actor& actor)
          .receiver = this,
          .failed = [](const Error&) { /* told when the frame is shown */ },
          .background = true},
-        [sequence = actor.sequence, up = m_media.upAxis()](const Progress& progress) {
+        [sequence = actor.sequence, up = m_source.upAxis()](const Progress& progress) {
             return surveySequence(sequence, up, surveyedFrames, progress);
         },
         [this, figure = actor.figure](const Survey& survey) {
@@ -252,7 +251,7 @@ void SequenceStage::survey(const Actor& actor)
                 return;
             surveyed->path.clear();
             for (Vec3f centroid : survey.centroids) {
-                centroid[static_cast<int>(m_media.upAxis())] = survey.lowest;
+                centroid[static_cast<int>(m_source.upAxis())] = survey.lowest;
                 surveyed->path.push_back(toVector(centroid));
             }
             surveyed->lowest = survey.lowest;

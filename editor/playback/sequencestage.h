@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/documents/sequencemedia.h"
 #include "editor/playback/frameloader.h"
+#include "model/core/error.h"
+#include "model/sequence/axes.h"
 #include "widgets/viewport/viewport.h"
 
 #include <QObject>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -14,20 +16,28 @@ namespace quadrille {
 
 class JobRunner;
 
-/// What a viewport shows of a document: one sequence, or several to compare. Keeps the figures in step with
-/// the media, feeds them frames and textures, and draws trajectories and ghosts.
+/// What a viewport shows of a document: one clip, or several to compare. Feeds the figures with frames and
+/// textures, and draws trajectories and ghosts. Whoever owns the clips says when one is another: `update`.
 class SequenceStage : public QObject
 {
     Q_OBJECT
 
 public:
-    SequenceStage(widgets::Viewport& viewport, SequenceMedia& media, JobRunner& jobs,
-                  QObject* parent = nullptr);
+    /// Where clips come from.
+    struct Source
+    {
+        /// A clip by its name, alone or compared with others; null until it can be shown.
+        std::function<const MeshSequence*(const QString& name, bool isComparing)> clip;
+        std::function<UpAxis()> upAxis;
+    };
+
+    SequenceStage(widgets::Viewport& viewport, Source source, JobRunner& jobs, QObject* parent = nullptr);
     ~SequenceStage() override;
 
-    /// Shows these sequences, in this order; those that are not ready come as soon as they are. One alone is
-    /// shown untrimmed, several as the project uses them.
+    /// Shows these clips, in this order; those that are not ready come as soon as they are.
     void show(const QStringList& names);
+    /// A clip is ready, or another than before.
+    void update(const QString& name);
     /// Whether one of them can be seen.
     bool isEmpty() const { return m_actors.empty(); }
     bool isComparing() const { return m_names.size() > 1; }
@@ -74,7 +84,6 @@ private:
         bool hasFailed = false;
     };
 
-    void update(const QString& name);
     void addActor(const QString& name, const MeshSequence& sequence);
     void removeActor(const QString& name);
     void applyFrame(int stream, const LoadedFrame& loaded);
@@ -88,7 +97,7 @@ private:
     void frameAll();
 
     widgets::Viewport& m_viewport;
-    SequenceMedia& m_media;
+    Source m_source;
     JobRunner& m_jobs;
     FrameLoader m_loader;
     QStringList m_names;

@@ -6,7 +6,6 @@
 #include "editor/playback/poseheatmap.h"
 #include "widgets/viewport/viewport.h"
 
-#include <QActionGroup>
 #include <utility>
 
 namespace quadrille {
@@ -14,22 +13,15 @@ namespace quadrille {
 using widgets::Shading;
 
 PoseComparison::PoseComparison(EditorContext& context, widgets::Viewport& viewport, SequenceStage& stage,
-                               QActionGroup& shadings, QObject* parent)
+                               QObject* parent)
     : QObject(parent)
     , m_context(context)
     , m_viewport(viewport)
     , m_stage(stage)
     , m_heatMap(new PoseHeatMap(viewport, stage, context.jobs, this))
 {
-    m_action = context.actions.addToggle(
-        {"view.heatMap",
-         [] { return tr("View"); },
-         [] { return tr("&Pose distance"); },
-         [] { return tr("Colours two takes by how much each part of their poses differs"); },
-         "scalar",
-         {Qt::SHIFT | Qt::Key_D}},
-        false, [this](bool on) { setOn(on); });
-    shadings.addAction(m_action);
+    m_action = context.actions.action(QStringLiteral("view.heatMap"));
+    connect(m_action, &QAction::toggled, this, &PoseComparison::setOn);
     // One of a group stays checked when it is triggered again: then it gives way to the one before it.
     connect(m_action, &QAction::triggered, this, [this] {
         if (!std::exchange(m_isNew, false))

@@ -7,7 +7,6 @@
 #include <QObject>
 
 class QAction;
-class QActionGroup;
 
 namespace quadrille {
 
@@ -26,10 +25,9 @@ class PoseComparison : public QObject
     Q_OBJECT
 
 public:
-    /// Registers the action.
-    /// \param shadings  the group of the ways of shading, of which it becomes one.
+    /// \pre The action "view.heatMap" is registered, as one of the ways of shading.
     PoseComparison(EditorContext& context, widgets::Viewport& viewport, SequenceStage& stage,
-                   QActionGroup& shadings, QObject* parent = nullptr);
+                   QObject* parent = nullptr);
 
     const PoseHeatMap& heatMap() const { return *m_heatMap; }
     /// Why there are no colours, in a sentence; empty while there is nothing to say.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "editor/workspaces/sequences/viewtools.h"
+#include "editor/workspaces/view/viewtools.h"
 
 #include "editor/application/actionregistry.h"
 #include "editor/language/retranslate.h"

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/animate/animateworkspace.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/documents/animationresult.h"
+#include "editor/errors/errortext.h"
+#include "editor/language/retranslate.h"
+#include "editor/workspaces/animate/animationbar.h"
+#include "editor/workspaces/animate/currentanimation.h"
+#include "widgets/controls/messagestrip.h"
+
+#include <QVBoxLayout>
+
+namespace quadrille {
+
+namespace {
+
+SequenceStage::Source sourceOf(const EditorContext& context)
+{
+    return {.clip = [&context](const QString& name, bool) -> const MeshSequence* {
+                const auto* medium = context.animations.medium(name);
+                return medium == nullptr || medium->result == nullptr ? nullptr : &medium->result->sequence;
+            },
+            .upAxis = [&context] { return context.media.upAxis(); }};
+}
+
+} // namespace
+
+AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
+    : Workspace(parent)
+    , m_context(context)
+    , m_view(new StageView(context, sourceOf(context), QStringLiteral("animate")))
+    , m_animation(new CurrentAnimation(context, *m_view, this))
+{
+    setObjectName(QStringLiteral("animateWorkspace"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(new AnimationBar(*m_animation));
+    column->addWidget(m_view, 1);
+    connect(m_animation, &CurrentAnimation::changed, this, &AnimateWorkspace::followAnimations);
+    connect(&context.animations, &AnimationMedia::changed, this, &AnimateWorkspace::followResult);
+    connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this,
+            [this] { m_context.animations.retry(m_animation->name()); });
+    retranslates(this, [this] { showState(); });
+    followAnimations();
+}
+
+std::vector<Workspace::Panel> AnimateWorkspace::panels()
+{
+    return m_panels;
+}
+
+void AnimateWorkspace::setActive(bool active)
+{
+    m_isActive = active;
+    followAnimations();
+}
+
+/// Animations are sought only while somebody looks.
+void AnimateWorkspace::followAnimations()
+{
+    if (!m_isActive)
+        return;
+    const QStringList& names = m_context.selection.animations();
+    m_context.animations.want(names);
+    m_view->show(names);
+    m_view->setCurrent(m_animation->name());
+    showState();
+}
+
+void AnimateWorkspace::followResult(const QString& name)
+{
+    stage().update(name);
+    if (name == m_animation->name())
+        showState();
+}
+
+/// Says what is on its way, missing or went wrong, where it will be seen.
+void AnimateWorkspace::showState()
+{
+    using State = AnimationMedia::State;
+    const auto* medium = m_context.animations.medium(m_animation->name());
+    const AnimationEntry* entry = m_animation->entry();
+    QString notice;
+    if (m_context.document.project().sequences.empty())
+        notice = tr("Import sequences first: animations are made from them.");
+    else if (entry == nullptr)
+        notice = tr("No animation yet.");
+    else if (!entry->walk && entry->constraints.empty())
+        notice = tr("Draw a path, drop poses onto the timeline, or line up takes in the storyboard.");
+    else if (medium != nullptr && medium->result == nullptr && medium->state == State::Waiting)
+        notice = tr("Computing the graph of transitions…");
+    else if (medium != nullptr && medium->result == nullptr && medium->state == State::Solving)
+        notice = tr("Seeking a walk…");
+    viewport().setNotice(notice);
+    widgets::MessageStrip& message = m_view->message();
+    if (medium != nullptr && medium->error) {
+        const ErrorText text = describe(*medium->error);
+        message.show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
+        message.setAction(tr("Try Again"));
+    } else {
+        message.clear();
+    }
+}
+
+} // namespace quadrille

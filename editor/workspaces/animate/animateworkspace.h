@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/workspaces/workspace.h"
+
+namespace quadrille {
+
+class CurrentAnimation;
+
+/// The workspace in which new performances are made: what is asked of an animation, and what came out.
+class AnimateWorkspace : public Workspace
+{
+    Q_OBJECT
+
+public:
+    explicit AnimateWorkspace(EditorContext& context, QWidget* parent = nullptr);
+
+    StageView& view() override { return *m_view; }
+    std::vector<Panel> panels() override;
+    void setActive(bool active) override;
+    CurrentAnimation& animation() { return *m_animation; }
+
+private:
+    void followAnimations();
+    void followResult(const QString& name);
+    void showState();
+
+    EditorContext& m_context;
+    StageView* m_view;
+    CurrentAnimation* m_animation;
+    std::vector<Panel> m_panels;
+    bool m_isActive = false;
+};
+
+} // namespace quadrille

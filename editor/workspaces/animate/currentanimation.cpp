@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/animate/currentanimation.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/commands/animationedits.h"
+
+namespace quadrille {
+
+CurrentAnimation::CurrentAnimation(EditorContext& context, StageView& view, QObject* parent)
+    : QObject(parent), m_context(context), m_view(view)
+{
+    connect(&context.document, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
+        if (event.touches(Section::Animations) || event.touches(Section::Sequences))
+            emit changed();
+    });
+    connect(&context.selection, &Selection::changed, this, [this] {
+        emit changed();
+        emit resultChanged();
+    });
+    connect(&context.animations, &AnimationMedia::changed, this, [this](const QString& name) {
+        if (name == this->name())
+            emit resultChanged();
+    });
+    connect(&context.graphs, &GraphMedia::changed, this, &CurrentAnimation::resultChanged);
+}
+
+const QString& CurrentAnimation::name() const
+{
+    return m_context.selection.shownAnimation();
+}
+
+const AnimationEntry* CurrentAnimation::entry() const
+{
+    return m_context.document.animation(name());
+}
+
+AnimationMedia::State CurrentAnimation::state() const
+{
+    const auto* medium = m_context.animations.medium(name());
+    return medium == nullptr ? AnimationMedia::State::Idle : medium->state;
+}
+
+std::shared_ptr<const AnimationResult> CurrentAnimation::result() const
+{
+    return m_context.animations.result(name());
+}
+
+std::shared_ptr<const OpenedCharacter> CurrentAnimation::character() const
+{
+    const QString character =
+        entry() == nullptr ? m_context.graphs.firstCharacter() : m_context.animations.characterOf(name());
+    const auto* medium = m_context.graphs.medium(character);
+    return medium == nullptr ? nullptr : medium->opened;
+}
+
+void CurrentAnimation::edit(const QString& text, const QString& property, const Edit& edit, EditPhase phase)
+{
+    const QString edited = entry() == nullptr ? add() : name();
+    AnimationEntry after = *m_context.document.animation(edited);
+    edit(after);
+    setAnimation(m_context.document, edited, text, property, std::move(after), phase);
+}
+
+QString CurrentAnimation::add()
+{
+    AnimationEntry animation;
+    animation.name = tr("animation").toStdString();
+    if (m_context.document.project().characters.size() > 1)
+        animation.character = m_context.graphs.firstCharacter().toStdString();
+    const QString added = addAnimation(m_context.document, std::move(animation));
+    m_context.selection.selectAnimations({added});
+    return added;
+}
+
+} // namespace quadrille

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/commands/changeentry.h"
+#include "editor/documents/animationmedia.h"
+
+#include <QObject>
+#include <functional>
+
+namespace quadrille {
+
+class StageView;
+struct EditorContext;
+
+/// The animation that the Animate workspace works on: all that its tools and panels know of the program.
+class CurrentAnimation : public QObject
+{
+    Q_OBJECT
+
+public:
+    using Edit = std::function<void(AnimationEntry&)>;
+
+    CurrentAnimation(EditorContext& context, StageView& view, QObject* parent = nullptr);
+
+    EditorContext& context() const { return m_context; }
+    StageView& view() const { return m_view; }
+    const QString& name() const;
+    /// Null without an animation.
+    const AnimationEntry* entry() const;
+    AnimationMedia::State state() const;
+    /// What is shown now; null without one. It may be of the entry as it was before the last edits.
+    std::shared_ptr<const AnimationResult> result() const;
+    /// The opened graph of its character; null where there is none yet.
+    std::shared_ptr<const OpenedCharacter> character() const;
+    /// Changes the animation, undoably; without one, a new one is made first.
+    /// \param text  what the history calls it, translated. \param property  see setAnimation.
+    void edit(const QString& text, const QString& property, const Edit& edit,
+              EditPhase phase = EditPhase::Final);
+    /// Adds an animation and works on it. \return its name.
+    QString add();
+
+signals:
+    /// Another animation is worked on, or this one has other values.
+    void changed();
+    /// State or result of the animation are others now, or its graph is.
+    void resultChanged();
+
+private:
+    EditorContext& m_context;
+    StageView& m_view;
+};
+
+} // namespace quadrille

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/playback/player.h"
+#include "editor/playback/sequencestage.h"
+#include "widgets/timeline/timeline.h"
+#include "widgets/viewport/viewport.h"
+
+#include <QWidget>
+
+class QVBoxLayout;
+
+namespace quadrille {
+
+class ViewTools;
+struct EditorContext;
+
+namespace widgets {
+class MessageStrip;
+class PlaybackBar;
+} // namespace widgets
+
+/// A viewport with its tools above a timeline with its buttons: where a workspace shows clips and plays them.
+/// The actions of the menus View and Playback act on the one that is in front (see ViewActions).
+class StageView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// \param name  what the object names of its parts begin with; may be empty.
+    StageView(EditorContext& context, SequenceStage::Source source, const QString& name,
+              QWidget* parent = nullptr);
+
+    widgets::Viewport& viewport() { return *m_viewport; }
+    widgets::Timeline& timeline() { return *m_timeline; }
+    SequenceStage& stage() { return *m_stage; }
+    Player& player() { return *m_player; }
+    widgets::MessageStrip& message() { return *m_message; }
+    ViewTools& tools() { return *m_tools; }
+    /// Puts a widget below the timeline.
+    void addBelowTimeline(QWidget* widget);
+
+    /// Shows these clips; the last is what following and framing are about unless setCurrent says another.
+    void show(const QStringList& names);
+    using QWidget::show;
+    void setCurrent(const QString& name);
+    /// Takes the frames that play from the timeline.
+    void updateRange();
+    /// Plays the next clip that is shown as soon as it is ready.
+    void playWhenReady() { m_playsWhenReady = true; }
+
+    void setNamesShown(bool shown);
+    void setFollowing(bool follows);
+    void setGhostsShown(bool shown);
+    void setLayoutMode(widgets::Viewport::Layout layout);
+    void frameCurrent();
+
+signals:
+    /// Clips came, went or changed their length; the timeline has not followed yet.
+    void stageChanged();
+    /// Textures would look alike where figures stand in one place: clay has a colour for each.
+    void clayAsked();
+
+private:
+    void arrangeWidgets();
+    void connectPlayback();
+    void followDocument();
+    void followStage();
+    void followCharacter();
+    void updateNames();
+
+    EditorContext& m_context;
+    widgets::Viewport* m_viewport;
+    widgets::Timeline* m_timeline;
+    widgets::PlaybackBar* m_bar;
+    SequenceStage* m_stage;
+    Player* m_player;
+    widgets::MessageStrip* m_message;
+    ViewTools* m_tools;
+    QVBoxLayout* m_lower = nullptr;
+    QString m_current;
+    bool m_namesShown = true;
+    bool m_follows = false;
+    bool m_ghostsShown = false;
+    bool m_playsWhenReady = false;
+};
+
+} // namespace quadrille

@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/view/viewactions.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/viewtools.h"
+
+#include <QActionGroup>
+#include <array>
+#include <utility>
+
+namespace quadrille {
+
+namespace {
+
+using widgets::Shading;
+using Layout = widgets::Viewport::Layout;
+using Tool = widgets::Viewport::Tool;
+
+constexpr std::array shadings{std::pair{"view.textured", Shading::Textured},
+                              std::pair{"view.clay", Shading::Clay},
+                              std::pair{"view.wire", Shading::Wireframe}};
+
+} // namespace
+
+ViewActions::ViewActions(EditorContext& context, QObject* parent) : QObject(parent), m_context(context)
+{
+    makePlaybackActions();
+    makeShadingActions();
+    makeToggles();
+    makeCameraActions();
+    makeComparingActions();
+}
+
+void ViewActions::setView(StageView* view)
+{
+    if (view == m_view)
+        return;
+    if (m_view != nullptr) {
+        m_view->player().pause();
+        m_view->disconnect(this);
+        m_view->viewport().disconnect(this);
+    }
+    m_view = view;
+    if (view == nullptr)
+        return;
+    apply();
+    connect(&view->viewport(), &widgets::Viewport::toolChanged, this, [this](Tool tool) {
+        m_context.actions.action("view.measure")->setChecked(tool == Tool::Measure);
+    });
+    connect(view, &StageView::stageChanged, this, &ViewActions::applyComparing);
+    connect(view, &StageView::clayAsked, this, [this] { m_context.actions.action("view.clay")->trigger(); });
+}
+
+bool ViewActions::isOn(const char* id) const
+{
+    return m_context.actions.action(QLatin1String(id))->isChecked();
+}
+
+void ViewActions::apply()
+{
+    widgets::Viewport& viewport = m_view->viewport();
+    applyShading();
+    applyComparing();
+    viewport.setGridVisible(isOn("view.grid"));
+    viewport.setTrajectoriesVisible(isOn("view.trajectory"));
+    viewport.setTool(isOn("view.measure") ? Tool::Measure : Tool::Navigate);
+    viewport.setLayoutMode(isOn("view.overlay") ? Layout::Overlay : Layout::SideBySide);
+    m_view->setNamesShown(isOn("view.names"));
+    m_view->setGhostsShown(isOn("view.ghosts"));
+    m_view->setFollowing(isOn("view.follow"));
+}
+
+/// Tools for several clips are there where several are shown.
+void ViewActions::applyComparing()
+{
+    m_view->tools().setComparing(m_view->stage().isComparing());
+}
+
+void ViewActions::applyShading()
+{
+    for (const auto& [id, shading] : shadings) {
+        if (isOn(id))
+            m_view->viewport().setShading(shading);
+    }
+}
+
+void ViewActions::makePlaybackActions()
+{
+    ActionRegistry& actions = m_context.actions;
+    const auto add = [this, &actions](const char* id, ActionRegistry::Text text, const char* icon,
+                                      Qt::Key key, std::function<void(Player&)> run) {
+        actions.add({QLatin1String(id),
+                     [] { return tr("Playback"); },
+                     std::move(text),
+                     {},
+                     QLatin1String(icon),
+                     {key}},
+                    [this, run = std::move(run)] {
+                        if (m_view != nullptr)
+                            run(m_view->player());
+                    });
+    };
+    add(
+        "play.toggle", [] { return tr("&Play or pause"); }, "play", Qt::Key_Space,
+        [](Player& player) { player.toggle(); });
+    add(
+        "play.previous", [] { return tr("P&revious frame"); }, "stepback", Qt::Key_Left,
+        [](Player& player) { player.step(-1); });
+    add(
+        "play.next", [] { return tr("&Next frame"); }, "step", Qt::Key_Right,
+        [](Player& player) { player.step(1); });
+    add(
+        "play.first", [] { return tr("&First frame"); }, "first", Qt::Key_Home,
+        [](Player& player) { player.goToStart(); });
+    add(
+        "play.last", [] { return tr("&Last frame"); }, "last", Qt::Key_End,
+        [](Player& player) { player.goToEnd(); });
+    add(
+        "play.backwards", [] { return tr("Play &backwards, faster"); }, "stepback", Qt::Key_J,
+        [](Player& player) { player.shuttle(-1); });
+    add(
+        "play.pause", [] { return tr("P&ause"); }, "pause", Qt::Key_K,
+        [](Player& player) { player.pause(); });
+    add(
+        "play.forwards", [] { return tr("Play f&orwards, faster"); }, "step", Qt::Key_L,
+        [](Player& player) { player.shuttle(1); });
+}
+
+void ViewActions::makeShadingActions()
+{
+    const std::array texts{ActionRegistry::Text([] { return tr("&Textured"); }),
+                           ActionRegistry::Text([] { return tr("&Clay"); }),
+                           ActionRegistry::Text([] { return tr("&Wireframe"); })};
+    const auto view = [] { return tr("View"); };
+    auto* group = new QActionGroup(this);
+    for (std::size_t i = 0; i < shadings.size(); ++i) {
+        const QString id = QLatin1String(shadings.at(i).first);
+        group->addAction(m_context.actions.addToggle(
+            {id, view, texts.at(i), {}, id.section(QLatin1Char('.'), 1), {}}, i == 0, [this](bool on) {
+                if (on && m_view != nullptr)
+                    applyShading();
+            }));
+    }
+    group->addAction(m_context.actions.addToggle(
+        {"view.heatMap",
+         view,
+         [] { return tr("&Pose distance"); },
+         [] { return tr("Colours two takes by how much each part of their poses differs"); },
+         "scalar",
+         {Qt::SHIFT | Qt::Key_D}},
+        false, [](bool) { /* who compares poses listens to it */ }));
+}
+
+void ViewActions::makeToggles()
+{
+    ActionRegistry& actions = m_context.actions;
+    const auto add = [this, &actions](const char* id, ActionRegistry::Text text, const char* icon,
+                                      QList<QKeySequence> keys, bool on,
+                                      std::function<void(StageView&, bool)> run) {
+        actions.addToggle({QLatin1String(id),
+                           [] { return tr("View"); },
+                           std::move(text),
+                           {},
+                           QLatin1String(icon),
+                           std::move(keys)},
+                          on, [this, run = std::move(run)](bool isNowOn) {
+                              if (m_view != nullptr)
+                                  run(*m_view, isNowOn);
+                          });
+    };
+    add(
+        "view.grid", [] { return tr("&Grid"); }, "grid", {Qt::Key_G}, true,
+        [](StageView& view, bool on) { view.viewport().setGridVisible(on); });
+    add(
+        "view.trajectory", [] { return tr("Trajector&y"); }, "trajectory", {}, true,
+        [](StageView& view, bool on) { view.viewport().setTrajectoriesVisible(on); });
+    add(
+        "view.names", [] { return tr("&Names"); }, "names", {}, true,
+        [](StageView& view, bool on) { view.setNamesShown(on); });
+    add(
+        "view.ghosts", [] { return tr("G&hosts"); }, "ghost", {Qt::Key_H}, false,
+        [](StageView& view, bool on) { view.setGhostsShown(on); });
+    add(
+        "view.measure", [] { return tr("&Measure"); }, "measure", {}, false,
+        [](StageView& view, bool on) { view.viewport().setTool(on ? Tool::Measure : Tool::Navigate); });
+    add(
+        "view.follow", [] { return tr("&Follow the character"); }, "follow", {}, false,
+        [](StageView& view, bool on) { view.setFollowing(on); });
+}
+
+void ViewActions::makeCameraActions()
+{
+    ActionRegistry& actions = m_context.actions;
+    const auto add = [this, &actions](const char* id, ActionRegistry::Text text, const char* icon,
+                                      QKeySequence key, std::function<void(StageView&)> run) {
+        actions.add({QLatin1String(id),
+                     [] { return tr("View"); },
+                     std::move(text),
+                     {},
+                     QLatin1String(icon),
+                     {std::move(key)}},
+                    [this, run = std::move(run)] {
+                        if (m_view != nullptr)
+                            run(*m_view);
+                    });
+    };
+    const auto look = [](widgets::StandardView side) {
+        return [side](StageView& view) { view.viewport().lookFrom(side); };
+    };
+    add(
+        "view.frame", [] { return tr("Fra&me the selection"); }, "frame", Qt::Key_F,
+        [](StageView& view) { view.frameCurrent(); });
+    add(
+        "view.frameAll", [] { return tr("Frame &all"); }, "frameall", Qt::SHIFT | Qt::Key_F,
+        [](StageView& view) { view.viewport().frameAll(); });
+    add(
+        "view.front", [] { return tr("From the f&ront"); }, "viewfront", Qt::Key_1,
+        look(widgets::StandardView::Front));
+    add(
+        "view.side", [] { return tr("From the &side"); }, "viewside", Qt::Key_3,
+        look(widgets::StandardView::Right));
+    add(
+        "view.top", [] { return tr("From a&bove"); }, "viewtop", Qt::Key_7, look(widgets::StandardView::Top));
+}
+
+void ViewActions::makeComparingActions()
+{
+    ActionRegistry& actions = m_context.actions;
+    const auto view = [] { return tr("View"); };
+    auto* layouts = new QActionGroup(this);
+    const auto chooses = [this](Layout layout) {
+        return [this, layout](bool on) {
+            if (on && m_view != nullptr)
+                m_view->setLayoutMode(layout);
+        };
+    };
+    layouts->addAction(
+        actions.addToggle({"view.sideBySide", view, [] { return tr("Side by s&ide"); }, {}, "sidebyside", {}},
+                          true, chooses(Layout::SideBySide)));
+    layouts->addAction(actions.addToggle({"view.overlay",
+                                          view,
+                                          [] { return tr("&Overlaid"); },
+                                          [] { return tr("Overlaid, each in a colour of its own"); },
+                                          "overlay",
+                                          {}},
+                                         false, chooses(Layout::Overlay)));
+}
+
+} // namespace quadrille

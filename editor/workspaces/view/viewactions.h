@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+
+namespace quadrille {
+
+class StageView;
+struct EditorContext;
+
+/// The actions of the menus View and Playback. They act on the view of the workspace in front; what can be on
+/// or off is so in all of them.
+class ViewActions : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit ViewActions(EditorContext& context, QObject* parent = nullptr);
+
+    /// The view that the actions act on from now on; it takes their states. Null: none.
+    void setView(StageView* view);
+    StageView* view() const { return m_view; }
+
+private:
+    void makePlaybackActions();
+    void makeShadingActions();
+    void makeToggles();
+    void makeCameraActions();
+    void makeComparingActions();
+    bool isOn(const char* id) const;
+    void apply();
+    void applyComparing();
+    void applyShading();
+
+    EditorContext& m_context;
+    QPointer<StageView> m_view;
+};
+
+} // namespace quadrille

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/workspaces/view/stageview.h"
+
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+namespace quadrille {
+
+/// One of the window's workspaces: a page with a view in its centre, and docks of its own around it.
+class Workspace : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// A panel that only this workspace has; the window gives it a place and a title.
+    struct Panel
+    {
+        const char* name; ///< object name of the dock
+        std::function<QString()> title;
+        QWidget* content;
+        Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
+        bool isShown = true; ///< the first time
+    };
+
+    using QWidget::QWidget;
+
+    /// What the actions of the menus View and Playback act on.
+    virtual StageView& view() = 0;
+    virtual std::vector<Panel> panels() { return {}; }
+    /// The workspace comes to the front, or goes.
+    virtual void setActive(bool /*active*/) {}
+
+    SequenceStage& stage() { return view().stage(); }
+    Player& player() { return view().player(); }
+    widgets::Viewport& viewport() { return view().viewport(); }
+};
+
+} // namespace quadrille

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/workspacetabs.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/language/retranslate.h"
+#include "editor/workspaces/view/viewactions.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QSignalBlocker>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace quadrille {
+
+WorkspaceTabs::WorkspaceTabs(EditorContext& context, QMainWindow& window)
+    : m_context(context)
+    , m_window(window)
+    , m_bar(new QTabBar)
+    , m_pages(new QStackedWidget)
+    , m_viewActions(new ViewActions(context, this))
+{
+    setObjectName(QStringLiteral("workspaces"));
+    m_bar->setObjectName(QStringLiteral("workspaceTabs"));
+    m_bar->setDrawBase(false);
+    m_bar->setExpanding(false);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_bar);
+    column->addWidget(m_pages, 1);
+    connect(m_bar, &QTabBar::currentChanged, this, &WorkspaceTabs::show);
+    retranslates(this, [this] { retranslate(); });
+}
+
+void WorkspaceTabs::add(Entry entry)
+{
+    const QSignalBlocker blocker(m_bar);
+    const auto index = static_cast<int>(m_entries.size());
+    m_pages->addWidget(entry.workspace);
+    m_bar->addTab(entry.title());
+    m_context.actions.add({QStringLiteral("workspace.") + entry.id,
+                           [] { return tr("Workspace"); },
+                           entry.title,
+                           {},
+                           {},
+                           {QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + index))}},
+                          [this, index] { m_bar->setCurrentIndex(index); });
+    m_entries.push_back(std::move(entry));
+}
+
+void WorkspaceTabs::begin()
+{
+    show(0);
+}
+
+void WorkspaceTabs::select(const QString& id)
+{
+    const auto found = std::ranges::find(m_entries, id, &Entry::id);
+    if (found != m_entries.end())
+        m_bar->setCurrentIndex(static_cast<int>(found - m_entries.begin()));
+}
+
+QString WorkspaceTabs::current() const
+{
+    return m_current < 0 ? QString() : m_entries[static_cast<std::size_t>(m_current)].id;
+}
+
+Workspace* WorkspaceTabs::currentWorkspace() const
+{
+    return m_current < 0 ? nullptr : m_entries[static_cast<std::size_t>(m_current)].workspace;
+}
+
+void WorkspaceTabs::show(int index)
+{
+    if (index == m_current || index < 0)
+        return;
+    if (m_current >= 0) {
+        m_states[current()] = m_window.saveState();
+        currentWorkspace()->setActive(false);
+    }
+    m_current = index;
+    m_pages->setCurrentIndex(index);
+    arrangeDocks(index);
+    m_viewActions->setView(&currentWorkspace()->view());
+    currentWorkspace()->setActive(true);
+    emit currentChanged(current());
+}
+
+void WorkspaceTabs::arrangeDocks(int index)
+{
+    const auto place = static_cast<std::size_t>(index);
+    const QByteArray state = m_states.value(m_entries[place].id);
+    const bool isKnown = !state.isEmpty() && m_window.restoreState(state);
+    for (std::size_t i = 0; i < m_entries.size(); ++i) {
+        for (QDockWidget* dock : m_entries[i].docks) {
+            const bool isOwn = i == place;
+            dock->toggleViewAction()->setVisible(isOwn);
+            if (!isOwn)
+                dock->hide();
+            else if (!isKnown)
+                dock->setVisible(dock->property("isShownFirst").toBool());
+        }
+    }
+}
+
+QJsonObject WorkspaceTabs::states()
+{
+    m_states[current()] = m_window.saveState();
+    QJsonObject json;
+    for (auto it = m_states.cbegin(); it != m_states.cend(); ++it)
+        json[it.key()] = QString::fromLatin1(it.value().toBase64());
+    return json;
+}
+
+void WorkspaceTabs::setStates(const QJsonObject& states)
+{
+    for (auto it = states.begin(); it != states.end(); ++it)
+        m_states[it.key()] = QByteArray::fromBase64(it.value().toString().toLatin1());
+    if (m_current >= 0)
+        arrangeDocks(m_current);
+}
+
+void WorkspaceTabs::retranslate()
+{
+    m_bar->setAccessibleName(tr("Workspaces"));
+    for (std::size_t i = 0; i < m_entries.size(); ++i)
+        m_bar->setTabText(static_cast<int>(i), m_entries[i].title().remove(QLatin1Char('&')));
+}
+
+} // namespace quadrille
