@@ -106,6 +106,8 @@ void MainWindow::makeCentre()
 {
     m_welcome = new WelcomePage(m_context.settings);
     m_workspaces = new WorkspaceTabs(m_context, *this);
+    m_pictures = new PictureFlow(
+        m_context, [this] { return &m_workspaces->currentWorkspace()->viewport(); }, this);
     m_sequences = new SequencesWorkspace(m_context);
     m_graph = new GraphWorkspace(m_context);
     m_animate = new AnimateWorkspace(m_context);
@@ -184,8 +186,6 @@ void MainWindow::makeWorkspaces()
         "graph", [] { return tr("&Graph"); }, m_graph);
     add(
         "animate", [] { return tr("&Animate"); }, m_animate);
-    m_pictures = new PictureFlow(
-        m_context, [this] { return &m_workspaces->currentWorkspace()->viewport(); }, this);
 }
 
 void MainWindow::makeMenus()

@@ -47,7 +47,7 @@ void WorkspaceTabs::add(Entry entry)
                            entry.title,
                            {},
                            {},
-                           {QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + index))}},
+                           {QKeySequence(static_cast<Qt::Key>(Qt::Key_F5 + index))}},
                           [this, index] { m_bar->setCurrentIndex(index); });
     m_entries.push_back(std::move(entry));
 }

@@ -32,14 +32,22 @@ inline void writeSeries(const QString& folder, const QList<int>& numbers)
     }
 }
 
-/// A widget of the program by its object name; fails the test when there is none.
+/// A widget of the program by its object name, where there are several the one that is seen; fails the test
+/// when there is none.
 template <typename Widget>
 Widget* find(const QString& name)
 {
+    Widget* hidden = nullptr;
     for (QWidget* widget : QApplication::allWidgets()) {
-        if (auto* found = qobject_cast<Widget*>(widget); found != nullptr && found->objectName() == name)
+        auto* found = qobject_cast<Widget*>(widget);
+        if (found == nullptr || found->objectName() != name)
+            continue;
+        if (found->isVisible())
             return found;
+        hidden = found;
     }
+    if (hidden != nullptr)
+        return hidden;
     QTest::qFail(qPrintable(QStringLiteral("no widget called ") + name), __FILE__, __LINE__);
     return nullptr;
 }

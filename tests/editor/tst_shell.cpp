@@ -161,14 +161,14 @@ private slots:
         const QString file = m_folder->filePath("view.png");
         const auto& viewport = m_window->sequences().viewport();
         const QSize size = viewport.size() * viewport.devicePixelRatioF();
-        m_window->sequences().pictures().save(file);
+        m_window->pictures().save(file);
         auto* message = test::find<QLabel>("message");
         QTRY_COMPARE(message->text(), QString("Saved to %1").arg(file));
         const QImage picture(file);
         QCOMPARE(picture.size(), size);
         QVERIFY(picture.pixelColor(picture.rect().center()) != picture.pixelColor(0, 0));
 
-        m_window->sequences().pictures().save(m_folder->filePath("walk_1.obj/view.png"));
+        m_window->pictures().save(m_folder->filePath("walk_1.obj/view.png"));
         QTRY_COMPARE(context().issues.count(IssueLog::Severity::Error), 1);
     }
 

@@ -41,6 +41,8 @@ AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
     column->addWidget(m_view, 1);
     connect(m_animation, &CurrentAnimation::changed, this, &AnimateWorkspace::followAnimations);
     connect(&context.animations, &AnimationMedia::changed, this, &AnimateWorkspace::followResult);
+    connect(m_view, &StageView::stageChanged, this,
+            [this] { m_view->timeline().setFrameCount(static_cast<int>(stage().frameCount())); });
     connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this,
             [this] { m_context.animations.retry(m_animation->name()); });
     retranslates(this, [this] { showState(); });
