@@ -205,7 +205,7 @@ private slots:
 
     void comparesInBothLayouts()
     {
-        auto* overlay = test::find<QToolButton>("tool.view.overlay");
+        auto* overlay = m_window->sequences().findChild<QToolButton*>("tool.view.overlay");
         clickTreeRow(0, Qt::NoModifier);
         QVERIFY(!overlay->isVisible());
         clickTreeRow(1, Qt::ControlModifier);
@@ -267,7 +267,7 @@ private slots:
     void ghostsComeAtTheIntervalThatIsSet()
     {
         show("far");
-        auto* interval = test::find<QSpinBox>("ghostInterval");
+        auto* interval = m_window->sequences().findChild<QSpinBox*>("ghostInterval");
         QVERIFY(!interval->isVisible());
         QTest::keyClick(&viewport(), Qt::Key_H);
         QTRY_VERIFY(interval->isVisible());
