@@ -54,6 +54,8 @@ QString GraphMedia::firstCharacter() const
 
 void GraphMedia::ask(const QString& character)
 {
+    if (m_delay.isActive())
+        update();
     const auto found = m_items.find(character);
     if (found == m_items.end())
         return;

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+// Graphs and animations of an open project: computed when asked for, followed through edits, cancelled.
+#include "animatedproject.h"
+#include "editor/commands/animationedits.h"
+#include "editor/commands/projectedits.h"
+#include "editor/documents/projectpaths.h"
+#include "editor/jobs/jobrunner.h"
+
+#include <QSignalSpy>
+#include <memory>
+
+namespace quadrille {
+
+class AnimationMediaTest : public QObject
+{
+    Q_OBJECT
+
+private:
+    using GraphState = GraphMedia::State;
+    using State = AnimationMedia::State;
+
+    EditorContext& context() { return *m_context; }
+    const GraphMedia::Medium& graph() { return *context().graphs.medium("spire"); }
+    const AnimationMedia::Medium& dance() { return *context().animations.medium("dance"); }
+    bool waitForGraph()
+    {
+        return QTest::qWaitFor([&] { return graph().state == GraphState::Ready; }, 30000);
+    }
+    bool waitForDance() { return test::waitForResult(context(), "dance"); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<EditorContext> m_context;
+
+private slots:
+    void initTestCase() { test::isolate(); }
+
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        test::writeSwayingTakes(m_folder->path());
+        m_context = std::make_unique<EditorContext>();
+        context().document.reset(test::swayingProject(m_folder->path()));
+    }
+
+    void cleanup()
+    {
+        m_context.reset();
+        m_folder.reset();
+    }
+
+    void aGraphIsComputedWhenAskedForAndNotBefore()
+    {
+        QTRY_VERIFY(graph().state == GraphState::Missing);
+        context().graphs.ask("spire");
+        QVERIFY(graph().state == GraphState::Computing);
+        QVERIFY(waitForGraph());
+        QCOMPARE(graph().opened->graph.layout().frameCount(), 180);
+        QCOMPARE(graph().opened->graph.graph().nodeCount(), 180);
+    }
+
+    void aComputedGraphIsThereAgainWhenTheProjectIsOpened()
+    {
+        const auto file = toPath(m_folder->filePath("p.quadrille"));
+        context().document.saveAs(file);
+        context().graphs.ask("spire");
+        QVERIFY(waitForGraph());
+        m_context = std::make_unique<EditorContext>();
+        context().document.load(file);
+        QVERIFY(waitForGraph());
+    }
+
+    void aGraphFollowsItsSettingsAndUndo()
+    {
+        context().graphs.ask("spire");
+        QVERIFY(waitForGraph());
+        const auto edges = graph().opened->graph.graph().edges().size();
+        GraphEntry entry = graphEntry(context().document.project(), "spire");
+        entry.alpha = 0.3;
+        setGraph(context().document, "alpha", "alpha", entry);
+        QTRY_COMPARE(graph().opened->graph.alpha(), 0.3);
+        QVERIFY(graph().state == GraphState::Ready);
+        QVERIFY(graph().opened->graph.graph().edges().size() > edges);
+        context().document.undo();
+        QTRY_COMPARE(graph().opened->graph.alpha(), GraphEntry().alpha);
+    }
+
+    void aCancelledGraphCanBeAskedForAgain()
+    {
+        QTRY_VERIFY(graph().state == GraphState::Missing);
+        context().graphs.ask("spire");
+        context().jobs.cancelAll();
+        QTRY_VERIFY(graph().state == GraphState::Missing);
+        context().graphs.ask("spire");
+        QVERIFY(waitForGraph());
+    }
+
+    void aGraphThatCannotBeComputedSaysWhy()
+    {
+        GraphEntry entry = graphEntry(context().document.project(), "spire");
+        entry.slope = -3;
+        setGraph(context().document, "slope", "slope", entry);
+        context().graphs.ask("spire");
+        QTRY_VERIFY(graph().state == GraphState::Failed);
+        QVERIFY(graph().error.has_value());
+        context().document.undo();
+        QVERIFY(waitForGraph());
+    }
+
+    void anAnimationThatIsWantedIsSolvedWithItsGraph()
+    {
+        context().animations.want({"dance"});
+        QVERIFY(dance().state == State::Waiting);
+        QVERIFY(waitForDance());
+        QVERIFY(dance().result->isFinal);
+        const MeshSequence& clip = dance().result->sequence;
+        QCOMPARE(clip.frameCount(), dance().result->plan.frameCount());
+        QCOMPARE(clip.frameCount(), static_cast<std::int64_t>(dance().result->origins.size()));
+        QCOMPARE(dance().result->walk.solution.actions.size(), 2U);
+    }
+
+    void anEditedAnimationIsSolvedAgainAndUndoBringsTheFirstBack()
+    {
+        context().animations.want({"dance"});
+        QVERIFY(waitForDance());
+        const auto walk = dance().result->walk.solution.walk;
+        AnimationEntry entry = *context().document.animation("dance");
+        std::get<ActionEntry>(entry.constraints[1]).frames.range = FrameRange{FrameIndex(2), FrameIndex(50)};
+        setAnimation(context().document, "dance", "range", "range", entry);
+        QVERIFY(waitForDance());
+        QVERIFY(dance().result->walk.solution.walk != walk);
+        context().document.undo();
+        QVERIFY(waitForDance());
+        QVERIFY(dance().result->walk.solution.walk == walk);
+    }
+
+    void postProcessingKeepsTheWalk()
+    {
+        context().animations.want({"dance"});
+        QVERIFY(waitForDance());
+        const auto solution = dance().result->walk.solution;
+        const auto frames = dance().result->sequence.frameCount();
+        AnimationEntry entry = *context().document.animation("dance");
+        entry.post.steps.retime = RetimeSettings{.time = RetimeFactor{2}};
+        setAnimation(context().document, "dance", "retime", "retime", entry);
+        QVERIFY(waitForDance());
+        QVERIFY(dance().result->walk.solution == solution);
+        QCOMPARE(dance().result->sequence.frameCount(), 2 * frames - 1);
+    }
+
+    void whatCannotBeMetIsSaidAndTheLastResultStays()
+    {
+        context().animations.want({"dance"});
+        QVERIFY(waitForDance());
+        AnimationEntry entry = *context().document.animation("dance");
+        entry.constraints.push_back(
+            ActionEntry{.frames = {.label = "somersault", .sequence = {}, .range = {}}});
+        setAnimation(context().document, "dance", "action", "action", entry);
+        QTRY_VERIFY(dance().state == State::Failed);
+        QVERIFY(dance().error.has_value());
+        QVERIFY(dance().result != nullptr);
+        context().document.undo();
+        QVERIFY(waitForDance());
+    }
+
+    void aStoppedSearchStaysAsItIsUntilAskedAgain()
+    {
+        context().animations.want({"dance"});
+        QTRY_VERIFY(dance().state == State::Solving || dance().state == State::Ready);
+        context().animations.stop("dance");
+        if (dance().state != State::Ready)
+            QVERIFY(dance().state == State::Idle);
+        context().animations.retry("dance");
+        QVERIFY(waitForDance());
+    }
+
+    void renamedAndRemovedAnimationsAreFollowed()
+    {
+        context().animations.want({"dance"});
+        QVERIFY(waitForDance());
+        QVERIFY(renameEntry(context().document, {Section::Animations, "dance"}, "waltz"));
+        QVERIFY(test::waitForResult(context(), "waltz"));
+        QVERIFY(context().animations.medium("dance") == nullptr);
+        QCOMPARE(context().animations.result("waltz")->sequence.name, std::string("waltz"));
+        removeEntries(context().document, Section::Animations, {"waltz"});
+        QTRY_VERIFY(context().animations.medium("waltz") == nullptr);
+    }
+
+    void closingWhileSearchingIsSafe()
+    {
+        context().animations.want({"dance"});
+        QTRY_VERIFY(dance().state == State::Solving || dance().state == State::Ready);
+        m_context.reset();
+    }
+};
+
+} // namespace quadrille
+
+QTEST_MAIN(quadrille::AnimationMediaTest)
+#include "tst_animationmedia.moc"
