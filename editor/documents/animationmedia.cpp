@@ -41,6 +41,7 @@ ResultPointer makeResult(const AnimationEntry& entry, std::shared_ptr<const Open
     PostProcessed processed = animationClip(entry, graph, character->frames, result->plan, progress);
     result->origins = processed.clip.origins;
     result->travel = processed.travel;
+    result->framesBeforeRetime = processed.framesBeforeRetime;
     result->sequence = toSequence(entry.name, std::move(processed.clip), character->frames);
     result->entry = entry;
     result->walk = std::move(walk);

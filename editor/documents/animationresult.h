@@ -21,6 +21,7 @@ struct AnimationResult
     MeshSequence sequence;              ///< after it
     std::vector<FrameOrigin> origins;   ///< of the frames of `sequence`
     std::optional<GroundMotion> travel; ///< of a loop, see PostProcessed
+    std::int64_t framesBeforeRetime = 0; ///< see PostProcessed
     bool isFinal = false;               ///< otherwise the best walk so far
 };
 

@@ -117,14 +117,19 @@ PostProcessed processedLoop(const Clip& clip, const PostProcessing& settings,
         loop = inPlace(std::move(loop), up);
     loop.cycle = repeated(loop, settings.repeats, up);
     loop.travel = repeatedTravel(loop.travel, settings.repeats);
+    const std::int64_t frames = loop.cycle.frameCount();
     if (settings.retime && !goesRound(*settings.retime, loop.cycle))
         return {.clip = retimed(closedCycle(loop, up), *settings.retime, up, inputs.method.interpolation,
                                 steps.next()),
                 .travel = {},
-                .closure = std::move(loop.closure)};
+                .closure = std::move(loop.closure),
+                .framesBeforeRetime = frames};
     if (settings.retime)
         loop = retimed(loop, *settings.retime, up, inputs.method.interpolation, steps.next());
-    return {.clip = std::move(loop.cycle), .travel = loop.travel, .closure = std::move(loop.closure)};
+    return {.clip = std::move(loop.cycle),
+            .travel = loop.travel,
+            .closure = std::move(loop.closure),
+            .framesBeforeRetime = frames};
 }
 
 } // namespace
@@ -154,9 +159,10 @@ PostProcessed postProcessed(Clip clip, const PostProcessing& settings, const Pos
         const Symmetry symmetry = symmetryOf(clip, inputs, step.part(0, 0.6));
         clip = mirrored(clip, symmetry, mirrorLine(clip, symmetry, up), up, step.part(0.6, 1));
     }
+    const std::int64_t frames = std::max<std::int64_t>(clip.frameCount() - 1, 0);
     if (settings.retime)
         clip = retimed(clip, *settings.retime, up, inputs.method.interpolation, steps.next());
-    return {.clip = std::move(clip), .travel = {}, .closure = {}};
+    return {.clip = std::move(clip), .travel = {}, .closure = {}, .framesBeforeRetime = frames};
 }
 
 Loop contactsCorrected(Loop loop, const ContactCorrectionSettings& settings,

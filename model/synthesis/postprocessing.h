@@ -35,6 +35,8 @@ struct PostProcessed
     std::optional<GroundMotion> travel;
     /// What closes the loop, in frames of the clip before.
     std::optional<Transition> closure;
+    /// That the clip lasts before it is retimed: until its last frame, a loop until its first comes again.
+    std::int64_t framesBeforeRetime = 0;
 };
 
 /// Applies all steps that are asked for, in the order of PostProcessing. A loop whose contacts are corrected

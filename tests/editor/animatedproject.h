@@ -4,6 +4,7 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/documents/animationresult.h"
+#include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
 
 #include <QDir>
@@ -65,6 +66,19 @@ inline void writeSwayingTakes(const QString& folder)
     writeSwaying(QDir(folder).filePath("first"), 60, 0);
     writeSwaying(QDir(folder).filePath("second"), 60, 0.7);
     writeSwaying(QDir(folder).filePath("third"), 60, 1.9);
+}
+
+/// A window with that project, in the Animate workspace with “dance”.
+inline std::unique_ptr<MainWindow> openAnimated(const QString& folder)
+{
+    auto window = std::make_unique<MainWindow>();
+    window->show();
+    if (!QTest::qWaitForWindowExposed(window.get()))
+        return nullptr;
+    window->context().document.reset(swayingProject(folder));
+    window->context().selection.selectAnimations({"dance"});
+    window->workspaces().select("animate");
+    return window;
 }
 
 /// Waits until the last word on an animation as it is now was spoken.

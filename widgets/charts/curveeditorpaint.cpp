@@ -41,7 +41,7 @@ QString numberText(double seconds, double step)
 QRectF CurveEditor::area() const
 {
     const QFontMetricsF metrics(font());
-    const double left = metrics.horizontalAdvance(QStringLiteral("00.0")) + 2 * gap;
+    const double left = metrics.horizontalAdvance(QStringLiteral("00.0")) + 3 * gap;
     return QRectF(rect()).adjusted(left, metrics.height() + margin, -margin - pointRadius,
                                    -2 * metrics.height() - 2 * gap);
 }
@@ -88,7 +88,7 @@ void CurveEditor::paintGrid(QPainter& painter) const
         painter.setPen(line);
         painter.drawLine(QPointF(place.left(), y), QPointF(place.right(), y));
         painter.setPen(text);
-        painter.drawText(QRectF(0, y - metrics.height() / 2, place.left() - gap, metrics.height()),
+        painter.drawText(QRectF(0, y - metrics.height() / 2, place.left() - 2 * gap, metrics.height()),
                          Qt::AlignRight | Qt::AlignVCenter, numberText(i * upwards, upwards));
     }
     painter.setPen(text);

@@ -28,7 +28,10 @@ QPalette OutlineStyle::outlined(const QPalette& palette) const
                          Theme::color(ColorRole::Divider).lighter(fusionDarkens));
         found = m_outlined.insert(palette.cacheKey(), changed);
     }
-    return *found;
+    // One identity serves widgets that are enabled and others that are not.
+    QPalette result = *found;
+    result.setCurrentColorGroup(palette.currentColorGroup());
+    return result;
 }
 
 void OutlineStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,

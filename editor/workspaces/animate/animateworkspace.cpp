@@ -8,6 +8,7 @@
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/animationbar.h"
 #include "editor/workspaces/animate/currentanimation.h"
+#include "editor/workspaces/animate/postpanel.h"
 #include "widgets/controls/messagestrip.h"
 
 #include <QVBoxLayout>
@@ -46,6 +47,7 @@ AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
     connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this,
             [this] { m_context.animations.retry(m_animation->name()); });
     retranslates(this, [this] { showState(); });
+    m_panels.push_back({"finishDock", [] { return tr("Finish"); }, new PostPanel(*m_animation)});
     followAnimations();
 }
 

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/animate/postpanel.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/documents/animationresult.h"
+#include "editor/errors/errortext.h"
+#include "editor/help/helpviewer.h"
+#include "editor/language/retranslate.h"
+#include "editor/workspaces/animate/currentanimation.h"
+#include "widgets/charts/curveeditor.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QScopedValueRollback>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace quadrille {
+
+PostPanel::PostPanel(CurrentAnimation& animation, QWidget* parent)
+    : QWidget(parent)
+    , m_animation(animation)
+    , m_form(new SettingForm)
+    , m_scroll(new QScrollArea)
+    , m_empty(new QWidget)
+    , m_emptyText(new QLabel)
+{
+    setObjectName(QStringLiteral("postPanel"));
+    setHelpPage(this, QStringLiteral("animate-finish"));
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setWidget(m_form);
+    makeEmpty();
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_scroll, 1);
+    column->addWidget(m_empty, 1);
+
+    addLoop();
+    addRetime();
+    addContacts();
+    addMirror();
+    addBlending();
+    addSearch();
+    connect(&animation, &CurrentAnimation::changed, this, &PostPanel::refresh);
+    connect(&animation, &CurrentAnimation::resultChanged, this, &PostPanel::refresh);
+    retranslates(this, [this] { retranslate(); });
+}
+
+/// What stands here while there is no animation, with the button that makes one.
+void PostPanel::makeEmpty()
+{
+    auto* make = new QToolButton;
+    make->setObjectName(QStringLiteral("postNew"));
+    make->setDefaultAction(m_animation.context().actions.action("animate.new"));
+    make->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_emptyText->setObjectName(QStringLiteral("postEmpty"));
+    m_emptyText->setWordWrap(true);
+    m_emptyText->setAlignment(Qt::AlignCenter);
+    m_emptyText->setForegroundRole(QPalette::PlaceholderText);
+    auto* column = new QVBoxLayout(m_empty);
+    column->setContentsMargins(16, 16, 16, 16);
+    column->setSpacing(12);
+    column->addStretch(1);
+    column->addWidget(m_emptyText);
+    column->addWidget(make, 0, Qt::AlignHCenter);
+    column->addStretch(1);
+}
+
+double PostPanel::fps() const
+{
+    return m_animation.context().document.project().settings.fps;
+}
+
+double PostPanel::clipSeconds() const
+{
+    const auto result = m_animation.result();
+    return result == nullptr ? 0 : static_cast<double>(result->framesBeforeRetime) / fps();
+}
+
+void PostPanel::change(const QString& what, const char* property, const Edit& edit, EditPhase phase)
+{
+    if (!m_isShowing && m_animation.entry() != nullptr)
+        m_animation.edit(tr("Set “%1”").arg(what), QLatin1String(property), edit, phase);
+}
+
+QDoubleSpinBox* PostPanel::addNumber(Property<std::optional<double>> property, NumberRange range)
+{
+    auto* field = new QDoubleSpinBox;
+    // An empty value stands one step below the lowest.
+    const double empty = range.lowest - range.step;
+    const bool mayBeEmpty = static_cast<bool>(range.automatic);
+    field->setDecimals(range.decimals);
+    field->setRange(mayBeEmpty ? empty : range.lowest, range.highest);
+    field->setSingleStep(range.step);
+    field->setKeyboardTracking(false);
+    field->setGroupSeparatorShown(true);
+    field->setAlignment(Qt::AlignRight);
+    field->setFocusPolicy(Qt::StrongFocus);
+    const auto set = [this, property](std::optional<double> value) {
+        change(property.label(), property.name, [&](AnimationEntry& entry) { property.set(entry, value); });
+    };
+    connect(field, &QDoubleSpinBox::valueChanged, this, [=](double value) {
+        set(mayBeEmpty && value < range.lowest ? std::nullopt : std::optional(std::max(value, range.lowest)));
+    });
+    m_form->add(property.name, property.label, property.tip, field,
+                [set, get = property.get] { set(get(AnimationEntry())); });
+    m_bindings.push_back(
+        {field,
+         [field, get = property.get, empty](const AnimationEntry& entry) {
+             field->setValue(get(entry).value_or(empty));
+         },
+         [get = property.get](const AnimationEntry& entry) { return get(entry) == get(AnimationEntry()); },
+         property.isShown});
+    m_texts.emplace_back([field, range] {
+        if (range.unit)
+            field->setSuffix(range.unit());
+        if (range.automatic)
+            field->setSpecialValueText(range.automatic());
+    });
+    return field;
+}
+
+QCheckBox* PostPanel::addSwitch(Property<bool> property)
+{
+    auto* field = new QCheckBox;
+    const auto set = [this, property](bool on) {
+        QString name = property.label();
+        change(name.remove(QLatin1Char('&')), property.name,
+               [&](AnimationEntry& entry) { property.set(entry, on); });
+    };
+    connect(field, &QCheckBox::toggled, this, set);
+    m_form->add(property.name, {}, property.tip, field,
+                [set, get = property.get] { set(get(AnimationEntry())); });
+    m_bindings.push_back(
+        {field, [field, get = property.get](const AnimationEntry& entry) { field->setChecked(get(entry)); },
+         [get = property.get](const AnimationEntry& entry) { return get(entry) == get(AnimationEntry()); },
+         property.isShown});
+    m_texts.emplace_back([field, text = property.label] { field->setText(text()); });
+    return field;
+}
+
+QComboBox* PostPanel::addChoice(Property<int> property, std::vector<Text> choices)
+{
+    auto* field = new QComboBox;
+    field->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    field->setFocusPolicy(Qt::StrongFocus);
+    for (const Text& choice : choices)
+        field->addItem(choice());
+    const auto set = [this, property](int index) {
+        change(property.label(), property.name, [&](AnimationEntry& entry) { property.set(entry, index); });
+    };
+    connect(field, &QComboBox::currentIndexChanged, this, set);
+    m_form->add(property.name, property.label, property.tip, field,
+                [set, get = property.get] { set(get(AnimationEntry())); });
+    m_bindings.push_back(
+        {field,
+         [field, get = property.get](const AnimationEntry& entry) { field->setCurrentIndex(get(entry)); },
+         [get = property.get](const AnimationEntry& entry) { return get(entry) == get(AnimationEntry()); },
+         property.isShown});
+    m_texts.emplace_back([field, choices = std::move(choices)] {
+        for (std::size_t i = 0; i < choices.size(); ++i)
+            field->setItemText(static_cast<int>(i), choices[i]());
+    });
+    return field;
+}
+
+void PostPanel::refresh()
+{
+    const AnimationEntry* shown = m_animation.entry();
+    m_scroll->setVisible(shown != nullptr);
+    m_empty->setVisible(shown == nullptr);
+    if (shown == nullptr)
+        return;
+    const QScopedValueRollback showing(m_isShowing, true);
+    for (const Binding& binding : m_bindings) {
+        m_form->setRowVisible(binding.field, !binding.isShown || binding.isShown(*shown));
+        binding.show(*shown);
+        m_form->setUsual(binding.field, binding.isUsual(*shown));
+    }
+    refreshCurve(*shown);
+    refreshProblems(*shown);
+}
+
+/// Says beside a setting why it does nothing, or why the clip could not be made with it.
+void PostPanel::refreshProblems(const AnimationEntry& entry)
+{
+    const auto* medium = m_animation.context().animations.medium(m_animation.name());
+    const std::optional<Error> error = medium == nullptr ? std::nullopt : medium->error;
+    const auto failure = [&](std::initializer_list<ErrorCode> codes) {
+        const bool isOurs = error && std::ranges::find(codes, error->code()) != codes.end();
+        return isOurs ? describe(*error).oneLine() : QString();
+    };
+    m_form->setProblem(m_loop, failure({ErrorCode::LoopTooShort, ErrorCode::LoopCutTooShort}));
+    const bool isOfSymmetryFile =
+        error && !entry.post.symmetry.empty() && error->context().file == entry.post.symmetry;
+    m_form->setProblem(m_mirror, isOfSymmetryFile
+                                     ? describe(*error).oneLine()
+                                     : failure({ErrorCode::NoSymmetry, ErrorCode::SymmetryMapWrong}));
+    m_form->setProblem(m_retime, failure({ErrorCode::TimeCurveNotMonotone}));
+    m_repeats->setEnabled(entry.post.steps.loop.has_value());
+    m_form->setProblem(
+        m_repeats, entry.post.steps.loop ? QString() : tr("Only a loop can be repeated: ask for one above."));
+}
+
+void PostPanel::retranslate()
+{
+    const QScopedValueRollback showing(m_isShowing, true);
+    m_emptyText->setText(tr("Here an animation is looped, retimed, mirrored and blended."));
+    for (const auto& set : m_texts)
+        set();
+    m_curve->setAxisTitles(tr("Time in the result (s)"), tr("Moment of the clip (s)"));
+    m_curve->setAccessibleName(tr("Curve of times"));
+    if (m_animation.entry() != nullptr)
+        refreshProblems(*m_animation.entry());
+}
+
+} // namespace quadrille

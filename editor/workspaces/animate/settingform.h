@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+class QToolButton;
+
+namespace quadrille {
+
+/// Rows of settings under headings: label, field, a button that brings the usual value back, and a sentence
+/// where something cannot be done. Texts are functions, so that they follow the language.
+class SettingForm : public QWidget
+{
+    Q_OBJECT
+
+public:
+    using Text = std::function<QString()>;
+
+    explicit SettingForm(QWidget* parent = nullptr);
+
+    void addHeading(Text text);
+    /// \param name  object name of the field; its button is called the same with "Reset" behind.
+    /// \param label  empty: the field says itself what it is, as a check box does.
+    /// \param tip  what the setting does, in one sentence.
+    void add(const char* name, Text label, Text tip, QWidget* field, std::function<void()> reset);
+    /// Whether a field has its usual value: the button shows only where it has not.
+    void setUsual(const QWidget* field, bool usual);
+    /// Why a setting does nothing, or failed; empty for nothing.
+    void setProblem(const QWidget* field, const QString& sentence);
+    void setRowVisible(const QWidget* field, bool visible);
+
+    /// The wheel scrolls the form and turns only the field that has the keyboard.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    struct Row
+    {
+        QLabel* label;
+        QWidget* field;
+        QToolButton* reset;
+        QLabel* problem;
+        Text text;
+        Text tip;
+        bool isVisible = true;
+    };
+
+    Row& rowOf(const QWidget* field);
+    void retranslate();
+
+    QGridLayout* m_grid;
+    std::vector<Row> m_rows;
+    std::vector<std::pair<QLabel*, Text>> m_headings;
+};
+
+} // namespace quadrille
