@@ -257,7 +257,9 @@ void MainWindow::followDocument(const ChangeEvent& event)
     m_context.actions.action("edit.undo")->setEnabled(document.canUndo());
     m_context.actions.action("edit.redo")->setEnabled(document.undoStack()->canRedo());
     const auto& sequences = document.project().sequences;
-    m_pages->setCurrentIndex(sequences.empty() && document.isUntitled() ? 0 : 1);
+    const bool isWelcoming = sequences.empty() && document.isUntitled();
+    m_pages->setCurrentIndex(isWelcoming ? 0 : 1);
+    m_workspaces->showStrip(!isWelcoming);
     if (event.kind == ChangeEvent::Kind::Reset) {
         m_message->clear();
         if (!sequences.empty())

@@ -5,6 +5,7 @@
 #include "editor/application/editorcontext.h"
 #include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
+#include "editor/properties/animationpage.h"
 #include "editor/properties/characterpage.h"
 #include "editor/properties/exportpage.h"
 #include "editor/properties/projectpage.h"
@@ -28,6 +29,7 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
     , m_character(new CharacterPage(context))
     , m_sequence(new SequencePage(context))
     , m_export(new ExportPage(context))
+    , m_animation(new AnimationPage(context))
 {
     setObjectName(QStringLiteral("propertiesPanel"));
     setHelpPage(this, QStringLiteral("project"));
@@ -42,7 +44,8 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
     m_several->setMargin(12);
     m_several->setWordWrap(true);
     m_several->setAlignment(Qt::AlignTop | Qt::AlignLeading);
-    for (QWidget* page : std::initializer_list<QWidget*>{m_project, m_character, m_sequence, m_export}) {
+    for (QWidget* page :
+         std::initializer_list<QWidget*>{m_project, m_character, m_sequence, m_export, m_animation}) {
         auto* scroll = new QScrollArea;
         scroll->setWidgetResizable(true);
         scroll->setFrameShape(QFrame::NoFrame);
@@ -93,6 +96,8 @@ void PropertiesPanel::refresh()
         show(2, *m_sequence, current.name, current.name);
     } else if (current.section == Section::Exports && document.exportEntry(current.name) != nullptr) {
         show(3, *m_export, current.name, current.name);
+    } else if (current.section == Section::Animations && document.animation(current.name) != nullptr) {
+        show(4, *m_animation, current.name, current.name);
     } else {
         show(0, *m_project, {}, tr("Project"));
     }

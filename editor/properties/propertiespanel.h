@@ -32,6 +32,7 @@ private:
     PropertyForm* m_character;
     PropertyForm* m_sequence;
     PropertyForm* m_export;
+    PropertyForm* m_animation;
 };
 
 } // namespace quadrille

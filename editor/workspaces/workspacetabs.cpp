@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QTabBar>
+#include <QToolBar>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -19,6 +20,7 @@ namespace quadrille {
 WorkspaceTabs::WorkspaceTabs(EditorContext& context, QMainWindow& window)
     : m_context(context)
     , m_window(window)
+    , m_strip(new QToolBar(&window))
     , m_bar(new QTabBar)
     , m_pages(new QStackedWidget)
     , m_viewActions(new ViewActions(context, this))
@@ -27,11 +29,15 @@ WorkspaceTabs::WorkspaceTabs(EditorContext& context, QMainWindow& window)
     m_bar->setObjectName(QStringLiteral("workspaceTabs"));
     m_bar->setDrawBase(false);
     m_bar->setExpanding(false);
+    m_strip->setObjectName(QStringLiteral("workspaceStrip"));
+    m_strip->setMovable(false);
+    m_strip->toggleViewAction()->setVisible(false);
+    m_strip->addWidget(m_bar);
+    window.addToolBar(m_strip);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(m_bar);
-    column->addWidget(m_pages, 1);
+    column->addWidget(m_pages);
     connect(m_bar, &QTabBar::currentChanged, this, &WorkspaceTabs::show);
     retranslates(this, [this] { retranslate(); });
 }
@@ -55,6 +61,11 @@ void WorkspaceTabs::add(Entry entry)
 void WorkspaceTabs::begin()
 {
     show(0);
+}
+
+void WorkspaceTabs::showStrip(bool shown)
+{
+    m_strip->setVisible(shown);
 }
 
 void WorkspaceTabs::select(const QString& id)
@@ -94,7 +105,9 @@ void WorkspaceTabs::arrangeDocks(int index)
 {
     const auto place = static_cast<std::size_t>(index);
     const QByteArray state = m_states.value(m_entries[place].id);
+    const bool stripIsShown = m_strip->isVisibleTo(&m_window);
     const bool isKnown = !state.isEmpty() && m_window.restoreState(state);
+    m_strip->setVisible(stripIsShown);
     for (std::size_t i = 0; i < m_entries.size(); ++i) {
         for (QDockWidget* dock : m_entries[i].docks) {
             const bool isOwn = i == place;
@@ -127,6 +140,7 @@ void WorkspaceTabs::setStates(const QJsonObject& states)
 void WorkspaceTabs::retranslate()
 {
     m_bar->setAccessibleName(tr("Workspaces"));
+    m_strip->setWindowTitle(tr("Workspaces"));
     for (std::size_t i = 0; i < m_entries.size(); ++i)
         m_bar->setTabText(static_cast<int>(i), m_entries[i].title().remove(QLatin1Char('&')));
 }

@@ -13,6 +13,7 @@ class QDockWidget;
 class QMainWindow;
 class QStackedWidget;
 class QTabBar;
+class QToolBar;
 
 namespace quadrille {
 
@@ -40,6 +41,8 @@ public:
     void add(Entry entry);
     /// Shows the first workspace; all have been added.
     void begin();
+    /// The tabs are hidden while there is no project to work on.
+    void showStrip(bool shown);
     void select(const QString& id);
     QString current() const;
     Workspace* currentWorkspace() const;
@@ -60,6 +63,7 @@ private:
 
     EditorContext& m_context;
     QMainWindow& m_window;
+    QToolBar* m_strip;
     QTabBar* m_bar;
     QStackedWidget* m_pages;
     ViewActions* m_viewActions;
