@@ -55,7 +55,9 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
                                                        "view.jobs"});
     view->addActions(docks);
     addMenu([] { return tr("&Animate"); },
-            {"animate.new", "animate.duplicate", "", "animate.solve", "animate.stop"});
+            {"animate.new", "animate.duplicate", "", "animate.path.draw", "animate.path.span",
+             "animate.path.disc", "animate.path.polygon", "animate.path.reverse", "animate.path.close",
+             "animate.path.remove", "animate.path.deviation", "", "animate.solve", "animate.stop"});
     addMenu([] { return tr("&Playback"); },
             {"play.toggle", "", "play.previous", "play.next", "play.first", "play.last", "", "play.backwards",
              "play.pause", "play.forwards"});

@@ -49,14 +49,14 @@ QVector3D toVector(const Vec3f& v)
 
 /// Positions of every `interval`-th frame.
 std::vector<widgets::Ghost> makeGhosts(const MeshSequence& sequence, std::int64_t interval,
-                                       const QColor& color, const Progress& progress)
+                                       const Progress& progress)
 {
     std::vector<widgets::Ghost> ghosts;
     for (std::int64_t frame = 0; frame < sequence.frameCount(); frame += interval) {
         progress.report(frame, sequence.frameCount());
         const Frame loaded = sequence.frame(FrameIndex(frame));
         const auto floats = toFloats(loaded.positions());
-        ghosts.push_back({{floats.begin(), floats.end()}, color});
+        ghosts.push_back({{floats.begin(), floats.end()}, QColor()});
     }
     return ghosts;
 }
@@ -293,19 +293,26 @@ void SequenceStage::updateGhosts()
         }
         const std::int64_t interval =
             std::max<std::int64_t>(m_ghostInterval, actor.sequence.frameCount() / maximalGhosts);
-        QColor color = Theme::color(widgets::ColorRole::Original);
-        color.setAlpha(ghostAlpha);
         m_jobs.start(
             {.name = tr("Ghosts of “%1”").arg(actor.name),
              .receiver = this,
              .failed = [](const Error&) { /* told when the frame is shown */ },
              .background = true},
-            [sequence = actor.sequence, interval, color](const Progress& progress) {
-                return makeGhosts(sequence, interval, color, progress);
+            [sequence = actor.sequence, interval](const Progress& progress) {
+                return makeGhosts(sequence, interval, progress);
             },
-            [this, figure = actor.figure](const std::vector<widgets::Ghost>& ghosts) {
-                if (actorOfFigure(figure) != nullptr && m_ghostInterval > 0)
-                    m_viewport.setGhosts(figure, ghosts);
+            [this, figure = actor.figure, interval](std::vector<widgets::Ghost> ghosts) {
+                const Actor* shown = actorOfFigure(figure);
+                if (shown == nullptr || m_ghostInterval <= 0)
+                    return;
+                std::int64_t frame = 0;
+                for (widgets::Ghost& ghost : ghosts) {
+                    ghost.color = m_source.ghostColor ? m_source.ghostColor(shown->name, frame)
+                                                      : Theme::color(widgets::ColorRole::Original);
+                    ghost.color.setAlpha(ghostAlpha);
+                    frame += interval;
+                }
+                m_viewport.setGhosts(figure, ghosts);
             });
     }
 }
@@ -316,7 +323,8 @@ void SequenceStage::colorFigures()
         const auto index = static_cast<int>(m_names.indexOf(actor.name));
         const QColor color = m_names.size() > 1 ? Theme::categorical(index) : QColor();
         m_viewport.setFigureColor(actor.figure, color);
-        m_viewport.setTrajectory(actor.figure, actor.path,
+        const bool isDrawn = m_source.drawsWay || m_names.size() > 1;
+        m_viewport.setTrajectory(actor.figure, isDrawn ? actor.path : std::vector<QVector3D>(),
                                  color.isValid() ? color : Theme::color(widgets::ColorRole::Original));
     }
 }

@@ -29,6 +29,9 @@ public:
         /// A clip by its name, alone or compared with others; null until it can be shown.
         std::function<const MeshSequence*(const QString& name, bool isComparing)> clip;
         std::function<UpAxis()> upAxis;
+        /// The colour of a frame's ghost; that of captured frames where empty.
+        std::function<QColor(const QString& name, std::int64_t frame)> ghostColor = {};
+        bool drawsWay = true; ///< of one clip alone, over the ground
     };
 
     SequenceStage(widgets::Viewport& viewport, Source source, JobRunner& jobs, QObject* parent = nullptr);

@@ -4,15 +4,13 @@
 
 #include "model/core/message.h"
 #include "model/project/animationjson.h"
+#include "model/project/pathcurve.h"
 
 #include <numbers>
 
 namespace quadrille {
 
 namespace {
-
-/// Between the points of a curve that is followed, metres.
-constexpr double curveSpacing = 0.02;
 
 /// Turns the constraints of one animation into frames, one by one.
 class Request
@@ -85,7 +83,7 @@ private:
 
     void add(const PathEntry& path)
     {
-        PathConstraint constraint{.points = pointsOf(path), .inSpace = path.inSpace};
+        PathConstraint constraint{.points = curveOf(path), .inSpace = path.inSpace};
         for (const PathSpanEntry& span : path.spans) {
             PathSpan& own = constraint.spans.emplace_back();
             own.from = span.from;
@@ -113,25 +111,6 @@ private:
                                          .repetitions = action.repeat,
                                          .duration = frameCount(action.duration),
                                          .leastShare = action.leastShare.value_or(usual.leastShare)});
-    }
-
-    static std::vector<Vec3d> pointsOf(const PathEntry& path)
-    {
-        switch (path.curve) {
-        case PathCurve::Polyline:
-            return path.points;
-        case PathCurve::CatmullRom:
-            return sampleCurve(path.points, curveSpacing);
-        case PathCurve::Bezier:
-            break;
-        }
-        std::vector<Vec3d> points;
-        for (std::size_t i = 0; i + 3 < path.points.size(); i += 3) {
-            const std::vector<Vec3d> piece = sampleBezier(
-                path.points[i], path.points[i + 1], path.points[i + 2], path.points[i + 3], curveSpacing);
-            points.insert(points.end(), piece.begin() + (points.empty() ? 0 : 1), piece.end());
-        }
-        return points;
     }
 
     const AnimationEntry& m_animation;

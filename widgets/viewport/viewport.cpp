@@ -374,10 +374,13 @@ void Viewport::setUpAxis(UpAxis axis)
 
 void Viewport::setGroundHeight(float metres)
 {
+    if (d->groundHeight == metres)
+        return;
     d->groundHeight = metres;
     d->scene.ground().setHeight(metres);
     d->scene.setCamera(d->gestures->camera());
     redraw();
+    emit groundHeightChanged(metres);
 }
 
 float Viewport::groundHeight() const

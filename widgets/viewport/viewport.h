@@ -150,6 +150,7 @@ signals:
     void measured(double metres);
     void toolChanged(quadrille::widgets::Viewport::Tool tool);
     void cameraChanged();
+    void groundHeightChanged(float metres);
     void contextMenuAsked(const QPoint& globalPosition);
     /// A picture was drawn. \param milliseconds  what drawing took.
     void rendered(double milliseconds);

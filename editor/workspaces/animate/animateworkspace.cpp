@@ -8,8 +8,12 @@
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/animationbar.h"
 #include "editor/workspaces/animate/currentanimation.h"
+#include "editor/workspaces/animate/pathpanel.h"
+#include "editor/workspaces/animate/pathresult.h"
+#include "editor/workspaces/animate/pathtool.h"
 #include "editor/workspaces/animate/postpanel.h"
 #include "widgets/controls/messagestrip.h"
+#include "widgets/theme/theme.h"
 
 #include <QVBoxLayout>
 
@@ -23,7 +27,17 @@ SequenceStage::Source sourceOf(const EditorContext& context)
                 const auto* medium = context.animations.medium(name);
                 return medium == nullptr || medium->result == nullptr ? nullptr : &medium->result->sequence;
             },
-            .upAxis = [&context] { return context.media.upAxis(); }};
+            .upAxis = [&context] { return context.media.upAxis(); },
+            .ghostColor =
+                [&context](const QString& name, std::int64_t frame) {
+                    const auto result = context.animations.result(name);
+                    const auto index = static_cast<std::size_t>(frame);
+                    const bool isCaptured =
+                        !result || index >= result->origins.size() || result->origins[index].isCaptured();
+                    return widgets::Theme::color(isCaptured ? widgets::ColorRole::Original
+                                                            : widgets::ColorRole::Synthetic);
+                },
+            .drawsWay = false};
 }
 
 } // namespace
@@ -33,6 +47,7 @@ AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
     , m_context(context)
     , m_view(new StageView(context, sourceOf(context), QStringLiteral("animate")))
     , m_animation(new CurrentAnimation(context, *m_view, this))
+    , m_path(new PathTool(*m_animation, this))
 {
     setObjectName(QStringLiteral("animateWorkspace"));
     auto* column = new QVBoxLayout(this);
@@ -46,6 +61,9 @@ AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
             [this] { m_view->timeline().setFrameCount(static_cast<int>(stage().frameCount())); });
     connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this,
             [this] { m_context.animations.retry(m_animation->name()); });
+    new PathResult(*m_animation, this);
+    m_panels.push_back({"pathDock", [] { return tr("Path"); }, new PathPanel(*m_path)});
+    connect(&m_path->editor(), &widgets::PathEditor::modeChanged, this, &AnimateWorkspace::showState);
     retranslates(this, [this] { showState(); });
     m_panels.push_back({"finishDock", [] { return tr("Finish"); }, new PostPanel(*m_animation)});
     followAnimations();
@@ -98,6 +116,8 @@ void AnimateWorkspace::showState()
         notice = tr("Computing the graph of transitions…");
     else if (medium != nullptr && medium->result == nullptr && medium->state == State::Solving)
         notice = tr("Seeking a walk…");
+    if (m_path->editor().mode() != widgets::PathEditor::Mode::Edit)
+        notice.clear();
     viewport().setNotice(notice);
     widgets::MessageStrip& message = m_view->message();
     if (medium != nullptr && medium->error) {

@@ -7,6 +7,7 @@
 namespace quadrille {
 
 class CurrentAnimation;
+class PathTool;
 
 /// The workspace in which new performances are made: what is asked of an animation, and what came out.
 class AnimateWorkspace : public Workspace
@@ -20,6 +21,7 @@ public:
     std::vector<Panel> panels() override;
     void setActive(bool active) override;
     CurrentAnimation& animation() { return *m_animation; }
+    PathTool& path() { return *m_path; }
 
 private:
     void followAnimations();
@@ -29,6 +31,7 @@ private:
     EditorContext& m_context;
     StageView* m_view;
     CurrentAnimation* m_animation;
+    PathTool* m_path;
     std::vector<Panel> m_panels;
     bool m_isActive = false;
 };

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/animate/pathfields.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/workspaces/animate/currentanimation.h"
+#include "editor/workspaces/animate/pathtool.h"
+#include "model/project/lengthunit.h"
+
+#include <QDoubleSpinBox>
+#include <QSignalBlocker>
+
+namespace quadrille {
+
+QDoubleSpinBox* numberField(double lowest, int decimals, double step)
+{
+    auto* field = new QDoubleSpinBox;
+    field->setRange(lowest, farthestPlace);
+    field->setDecimals(decimals);
+    field->setSingleStep(step);
+    field->setKeyboardTracking(false);
+    return field;
+}
+
+void setValue(QDoubleSpinBox* field, double value)
+{
+    const QSignalBlocker quiet(field);
+    field->setValue(value);
+}
+
+const ProjectSettings& settingsOf(const PathTool& tool)
+{
+    return tool.animation().context().document.project().settings;
+}
+
+QString unitOf(const PathTool& tool)
+{
+    return QString::fromStdString(unitText(settingsOf(tool).axes.metresPerUnit));
+}
+
+void setUnit(const PathTool& tool, std::initializer_list<QDoubleSpinBox*> fields)
+{
+    for (QDoubleSpinBox* field : fields)
+        field->setSuffix(QLatin1Char(' ') + unitOf(tool));
+}
+
+} // namespace quadrille

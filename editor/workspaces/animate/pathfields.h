@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/project.h"
+
+#include <QString>
+#include <initializer_list>
+
+class QDoubleSpinBox;
+
+namespace quadrille {
+
+class PathTool;
+
+/// The greatest coordinate or length that can be entered, in the project's unit.
+inline constexpr double farthestPlace = 10000;
+
+/// A field for a number from `lowest` up to farthestPlace.
+QDoubleSpinBox* numberField(double lowest, int decimals, double step);
+/// Without telling anybody.
+void setValue(QDoubleSpinBox* field, double value);
+const ProjectSettings& settingsOf(const PathTool& tool);
+/// The project's unit of length: "m".
+QString unitOf(const PathTool& tool);
+/// Writes the project's unit behind the numbers of fields.
+void setUnit(const PathTool& tool, std::initializer_list<QDoubleSpinBox*> fields);
+
+} // namespace quadrille

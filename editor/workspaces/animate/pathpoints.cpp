@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/animate/pathpoints.h"
+
+#include "editor/workspaces/animate/pathfields.h"
+#include "editor/workspaces/animate/pathtool.h"
+#include "widgets/theme/theme.h"
+#include "widgets/viewport/pathgeometry.h"
+
+#include <QApplication>
+#include <QDoubleSpinBox>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QScopedValueRollback>
+#include <QStyledItemDelegate>
+
+namespace quadrille {
+
+using widgets::PathPart;
+
+namespace {
+
+/// Shows millimetres of metres, and edits them in a field with limits.
+class CoordinateDelegate : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QString displayText(const QVariant& value, const QLocale& locale) const override
+    {
+        return locale.toString(value.toDouble(), 'f', 3);
+    }
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& /*option*/,
+                          const QModelIndex& /*index*/) const override
+    {
+        QDoubleSpinBox* field = numberField(-farthestPlace, 3, 0.1);
+        field->setParent(parent);
+        field->setFrame(false);
+        return field;
+    }
+};
+
+} // namespace
+
+PathPoints::PathPoints(PathTool& tool, QWidget* parent) : QTableWidget(parent), m_tool(tool)
+{
+    setObjectName(QStringLiteral("pathPoints"));
+    setItemDelegate(new CoordinateDelegate(this));
+    setFont(widgets::Theme::tabularFont(font()));
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    setAlternatingRowColors(false);
+    setShowGrid(false);
+    setTabKeyNavigation(false);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    horizontalHeader()->setHighlightSections(false);
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    constexpr int rowHeight = 24;
+    verticalHeader()->setDefaultSectionSize(rowHeight);
+    connect(this, &QTableWidget::itemChanged, this, [this](const QTableWidgetItem* item) {
+        if (!m_isFilling)
+            takeValue(*item);
+    });
+    connect(this, &QTableWidget::itemSelectionChanged, this, &PathPoints::selectRow);
+    connect(&tool.editor(), &widgets::PathEditor::selectionChanged, this, &PathPoints::refresh);
+}
+
+std::vector<int> PathPoints::axes() const
+{
+    const PathEntry* path = m_tool.path();
+    const bool inSpace = path != nullptr && path->inSpace;
+    std::vector<int> shown;
+    for (int axis = 0; axis < 3; ++axis)
+        if (inSpace || axis != static_cast<int>(settingsOf(m_tool).axes.up))
+            shown.push_back(axis);
+    return shown;
+}
+
+void PathPoints::refresh()
+{
+    const QScopedValueRollback filling(m_isFilling, true);
+    const PathEntry* path = m_tool.path();
+    const std::vector<int> columns = axes();
+    const auto rows = path == nullptr ? 0 : static_cast<int>(path->points.size());
+    const bool isOtherSize = rows != rowCount();
+    setColumnCount(static_cast<int>(columns.size()));
+    setRowCount(rows);
+    QStringList titles;
+    for (const int axis : columns)
+        titles += tr("%1 (%2)").arg(QLatin1Char(static_cast<char>('x' + axis))).arg(unitOf(m_tool));
+    setHorizontalHeaderLabels(titles);
+    QStringList names;
+    for (int row = 0; row < rows; ++row) {
+        const auto index = static_cast<std::size_t>(row);
+        const auto kind = kindOf(path->curve);
+        names += widgets::isHandle(kind, index) ? tr("handle")
+                                                : QString::number(widgets::anchorOf(kind, index) + 1);
+        for (int column = 0; column < columnCount(); ++column) {
+            if (item(row, column) == nullptr) {
+                setItem(row, column, new QTableWidgetItem);
+                item(row, column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            }
+            item(row, column)
+                ->setData(Qt::EditRole, path->points[index][columns[static_cast<std::size_t>(column)]]);
+        }
+    }
+    setVerticalHeaderLabels(names);
+    const PathPart& selected = m_tool.editor().selected();
+    if (selected.kind != PathPart::Kind::Point)
+        clearSelection();
+    else if (currentRow() != selected.index || selectedItems().isEmpty())
+        setCurrentCell(selected.index, std::max(0, currentColumn()));
+    if (isOtherSize)
+        updateGeometry();
+}
+
+void PathPoints::selectRow()
+{
+    if (m_isFilling || selectedItems().isEmpty())
+        return;
+    m_tool.editor().setSelected({PathPart::Kind::Point, currentRow(), 0});
+}
+
+void PathPoints::takeValue(const QTableWidgetItem& item)
+{
+    const double value = item.data(Qt::EditRole).toDouble();
+    const int axis = axes()[static_cast<std::size_t>(item.column())];
+    const auto row = static_cast<std::size_t>(item.row());
+    m_tool.edit(tr("Move a point of the path"), QStringLiteral("path points"), [&](PathEntry& path) {
+        std::vector<Vec3d> points = path.points;
+        points[row][axis] = value;
+        path = withPoints(path, std::move(points));
+    });
+}
+
+bool PathPoints::event(QEvent* event)
+{
+    // Delete is a shortcut of the window, too.
+    if (event->type() == QEvent::ShortcutOverride &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
+        event->accept();
+        return true;
+    }
+    return QTableWidget::event(event);
+}
+
+void PathPoints::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() != Qt::Key_Delete || m_tool.editor().selected().kind != PathPart::Kind::Point) {
+        QTableWidget::keyPressEvent(event);
+        return;
+    }
+    QKeyEvent press(QEvent::KeyPress, Qt::Key_Delete, Qt::NoModifier);
+    m_tool.editor().handle(press);
+}
+
+QSize PathPoints::sizeHint() const
+{
+    constexpr int mostRows = 8;
+    const int rows = std::clamp(rowCount(), 2, mostRows);
+    return {200, horizontalHeader()->sizeHint().height() + rows * verticalHeader()->defaultSectionSize() +
+                     2 * frameWidth()};
+}
+
+} // namespace quadrille

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/units.h"
+#include "widgets/viewport/scenemarks.h"
+
+#include <QObject>
+
+namespace quadrille {
+
+class CurrentAnimation;
+struct AnimationResult;
+
+/// Draws the way of a result into the view: captured parts drawn through, synthetic ones dashed, and for each
+/// frame how far it is from where the path wants it.
+class PathResult : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit PathResult(CurrentAnimation& animation, QObject* parent = nullptr);
+
+    /// Lines from where the body is to where it was to be.
+    void setDeviationShown(bool shown);
+
+private:
+    void refresh();
+    widgets::SceneMarks marks(const AnimationResult& result) const;
+    void addWay(const AnimationResult& result, widgets::SceneMarks& marks) const;
+    void addDeviation(const AnimationResult& result, widgets::SceneMarks& marks) const;
+
+    CurrentAnimation& m_animation;
+    bool m_isDeviationShown = true;
+};
+
+} // namespace quadrille

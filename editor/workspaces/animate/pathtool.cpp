@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/animate/pathtool.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/documents/animationresult.h"
+#include "editor/language/retranslate.h"
+#include "editor/workspaces/animate/currentanimation.h"
+#include "editor/workspaces/view/stageview.h"
+#include "widgets/viewport/pathgeometry.h"
+
+#include <QLocale>
+#include <cmath>
+
+namespace quadrille {
+
+using widgets::PathEdit;
+using widgets::PathEditor;
+using widgets::PathPart;
+
+namespace {
+
+EditPhase phaseOf(bool committed)
+{
+    return committed ? EditPhase::Final : EditPhase::Dragging;
+}
+
+} // namespace
+
+PathTool::PathTool(CurrentAnimation& animation, QObject* parent)
+    : QObject(parent), m_animation(animation), m_editor(new PathEditor(animation.view().viewport(), this))
+{
+    makeActions();
+    connectEditor();
+    animation.view().viewport().setViewTool(m_editor);
+    connect(&animation, &CurrentAnimation::changed, this, &PathTool::refresh);
+    connect(&animation.view().viewport(), &widgets::Viewport::groundHeightChanged, this, &PathTool::refresh);
+    retranslates(&animation.view(), [this] { refresh(); });
+}
+
+const PathEntry* PathTool::path() const
+{
+    const AnimationEntry* entry = m_animation.entry();
+    return entry == nullptr ? nullptr : findPath(*entry);
+}
+
+double PathTool::length() const
+{
+    return m_editor->curve().length();
+}
+
+void PathTool::edit(const QString& text, const QString& property, const Edit& edit, EditPhase phase)
+{
+    m_animation.edit(
+        text, property,
+        [&edit](AnimationEntry& animation) {
+            if (PathEntry* path = findPath(animation))
+                edit(*path);
+        },
+        phase);
+}
+
+double PathTool::usualHeight() const
+{
+    constexpr double waist = 0.95; // metres, of a grown person
+    const ProjectSettings& settings = m_animation.context().document.project().settings;
+    if (const auto result = m_animation.result(); result && !result->plan.frames.empty())
+        return result->plan.frames.front().centre[static_cast<int>(settings.axes.up)];
+    return static_cast<double>(m_space.ground) + waist / settings.axes.metresPerUnit;
+}
+
+void PathTool::connectEditor()
+{
+    connect(m_editor, &PathEditor::pointsEdited, this, &PathTool::takePoints);
+    connect(m_editor, &PathEditor::stretchEdited, this,
+            [this](int span, double from, double to, bool committed) {
+                edit(
+                    tr("Move the end of a span"), QStringLiteral("path span %1").arg(span),
+                    [&](PathEntry& path) {
+                        constexpr double finest = 1e3;
+                        path.spans[static_cast<std::size_t>(span)].from = std::round(from * finest) / finest;
+                        path.spans[static_cast<std::size_t>(span)].to = std::round(to * finest) / finest;
+                    },
+                    phaseOf(committed));
+            });
+    connect(m_editor, &PathEditor::stretchDeletionAsked, this, [this](int span) {
+        edit(tr("Delete a span of the path"), QStringLiteral("path spans"),
+             [&](PathEntry& path) { path.spans.erase(path.spans.begin() + span); });
+    });
+    connect(m_editor, &PathEditor::obstacleAdded, this, [this](const widgets::PathObstacle& obstacle) {
+        edit(tr("Add an obstacle"), QStringLiteral("path obstacles"),
+             [&](PathEntry& path) { path.obstacles.push_back(m_space.fromView(obstacle)); });
+        if (path() != nullptr)
+            m_editor->setSelected(
+                {PathPart::Kind::Obstacle, static_cast<int>(path()->obstacles.size()) - 1, 0});
+    });
+    connect(m_editor, &PathEditor::obstacleEdited, this,
+            [this](int obstacle, const widgets::PathObstacle& edited, bool committed) {
+                edit(
+                    tr("Change an obstacle"), QStringLiteral("path obstacle %1").arg(obstacle),
+                    [&](PathEntry& path) {
+                        ObstacleEntry& own = path.obstacles[static_cast<std::size_t>(obstacle)];
+                        own = m_space.fromView(edited, own);
+                    },
+                    phaseOf(committed));
+            });
+    connect(m_editor, &PathEditor::obstacleDeletionAsked, this, [this](int obstacle) {
+        edit(tr("Delete an obstacle"), QStringLiteral("path obstacles"),
+             [&](PathEntry& path) { path.obstacles.erase(path.obstacles.begin() + obstacle); });
+    });
+    connect(m_editor, &PathEditor::modeChanged, this, &PathTool::refreshActions);
+}
+
+void PathTool::takePoints(const std::vector<QVector3D>& points, PathEdit edit, bool committed)
+{
+    const auto textOf = [edit] {
+        switch (edit) {
+        case PathEdit::Add:
+            return tr("Add a point to the path");
+        case PathEdit::Insert:
+            return tr("Insert a point into the path");
+        case PathEdit::Delete:
+            return tr("Delete a point of the path");
+        case PathEdit::Draw:
+            return tr("Draw a path");
+        case PathEdit::Move:
+            break;
+        }
+        return tr("Move a point of the path");
+    };
+    m_animation.edit(
+        textOf(), QStringLiteral("path points"),
+        [&](AnimationEntry& animation) {
+            PathEntry* path = findPath(animation);
+            if (points.empty()) {
+                removePath(animation);
+                return;
+            }
+            if (path == nullptr)
+                path = &std::get<PathEntry>(animation.constraints.emplace_back(m_blank));
+            *path = withPoints(*path, m_space.fromView(points, *path));
+        },
+        phaseOf(committed));
+}
+
+void PathTool::refresh()
+{
+    const EditorContext& context = m_animation.context();
+    m_space = {.up = context.document.project().settings.axes.up,
+               .ground = m_animation.view().viewport().groundHeight()};
+    m_editor->setSampler(m_space.sampler());
+    m_editor->setUsualHeight(static_cast<float>(usualHeight()) - m_space.ground);
+    const PathEntry* entry = path();
+    const PathEntry& shown = entry == nullptr ? m_blank : *entry;
+    widgets::PathShape shape;
+    shape.kind = kindOf(shown.curve);
+    shape.inSpace = shown.inSpace;
+    shape.points = m_space.toView(shown.points, !shown.inSpace);
+    shape.clearance = static_cast<float>(shown.clearance);
+    for (const PathSpanEntry& span : shown.spans)
+        shape.stretches.push_back({.from = span.from, .to = span.to, .text = spanText(span)});
+    for (const ObstacleEntry& obstacle : shown.obstacles) {
+        shape.obstacles.push_back(m_space.toView(obstacle));
+        if (blocksAnEnd(shown, obstacle, m_space.up))
+            shape.obstacles.back().problem = tr("An end of the path is too close");
+    }
+    m_editor->setShape(shape);
+    refreshActions();
+    emit changed();
+}
+
+void PathTool::draw(PathEditor::Mode mode)
+{
+    EditorContext& context = m_animation.context();
+    context.actions.action(QStringLiteral("workspace.animate"))->trigger();
+    m_editor->setMode(m_editor->mode() == mode ? PathEditor::Mode::Edit : mode);
+    m_animation.view().viewport().setTool(widgets::Viewport::Tool::Navigate);
+    m_animation.view().viewport().setFocus();
+}
+
+void PathTool::addSpan()
+{
+    const double whole = length();
+    double from = 0;
+    for (const PathSpanEntry& span : path()->spans)
+        from = std::max(from, span.to);
+    constexpr double shortest = 0.1;
+    if (from > whole - shortest)
+        from = 0;
+    const double to = from + (whole - from) / 2;
+    edit(tr("Add a span to the path"), QStringLiteral("path spans"), [&](PathEntry& path) {
+        constexpr double finest = 1e3;
+        path.spans.push_back(
+            {.from = std::round(from * finest) / finest, .to = std::round(to * finest) / finest});
+    });
+    m_editor->setSelected({PathPart::Kind::StretchStart, static_cast<int>(path()->spans.size()) - 1, 0});
+}
+
+void PathTool::setCurve(PathCurve curve)
+{
+    m_blank.curve = curve;
+    if (path() != nullptr)
+        edit(tr("Change the kind of curve"), QStringLiteral("path curve"),
+             [&](PathEntry& path) { path = withCurve(path, curve); });
+    else
+        refresh();
+}
+
+void PathTool::setInSpace(bool inSpace)
+{
+    m_blank.inSpace = inSpace;
+    if (path() != nullptr)
+        edit(inSpace ? tr("Lead the path through space") : tr("Lead the path over the ground"),
+             QStringLiteral("path space"),
+             [&](PathEntry& path) { path = withSpace(path, inSpace, m_space.up, usualHeight()); });
+    else
+        refresh();
+}
+
+QString PathTool::framesText(const FrameChoice& frames) const
+{
+    if (!frames.label.empty())
+        return QString::fromStdString(frames.label);
+    const QString name = QString::fromStdString(frames.sequence);
+    if (!frames.range)
+        return name;
+    return tr("%1, frames %2 – %3").arg(name).arg(frames.range->first.value).arg(frames.range->last.value);
+}
+
+QString PathTool::spanText(const PathSpanEntry& span) const
+{
+    QStringList parts;
+    if (span.frames)
+        parts += framesText(*span.frames);
+    if (span.duration) {
+        const double metres =
+            (span.to - span.from) * m_animation.context().document.project().settings.axes.metresPerUnit;
+        parts += tr("%1 m/s").arg(QLocale().toString(metres / *span.duration, 'f', 2));
+    }
+    return parts.isEmpty() ? tr("any frames") : parts.join(QStringLiteral(" · "));
+}
+
+} // namespace quadrille

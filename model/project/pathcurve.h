@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/animationentry.h"
+
+#include <vector>
+
+namespace quadrille {
+
+/// The curve of a path as points close together, as walks follow it.
+/// \return the points that it passes, with others between them; none where there are fewer than two.
+std::vector<Vec3d> curveOf(PathCurve curve, const std::vector<Vec3d>& points);
+inline std::vector<Vec3d> curveOf(const PathEntry& path)
+{
+    return curveOf(path.curve, path.points);
+}
+
+} // namespace quadrille

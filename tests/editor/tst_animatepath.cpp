@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+// Paths of animations: drawn in the view, edited in numbers, followed by a clip.
+#include "animatedproject.h"
+#include "editor/workspaces/animate/animateworkspace.h"
+#include "editor/workspaces/animate/currentanimation.h"
+#include "editor/workspaces/animate/pathentries.h"
+#include "editor/workspaces/animate/pathtool.h"
+#include "model/project/pathcurve.h"
+#include "model/synthesis/pathfollowing.h"
+#include "widgets/theme/theme.h"
+#include "widgets/viewport/pathgeometry.h"
+#include "widgets/viewport/vtkview.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QToolButton>
+#include <memory>
+
+namespace quadrille {
+
+using widgets::PathPart;
+using Kind = widgets::PathPart::Kind;
+
+class AnimatePathTest : public QObject
+{
+    Q_OBJECT
+
+private:
+    ProjectDocument& document() { return m_window->context().document; }
+    widgets::Viewport& viewport() { return m_window->animate().viewport(); }
+    PathTool& tool() { return m_window->animate().path(); }
+    const PathEntry& path() { return *tool().path(); }
+
+    QPoint pixel(double x, double z)
+    {
+        QPointF at;
+        const auto place = QVector3D(static_cast<float>(x), viewport().groundHeight(), static_cast<float>(z));
+        viewport().camera().project(place, viewport().view()->size(), &at);
+        return at.toPoint();
+    }
+    QPoint pixel(const PathPart& part) { return tool().editor().pixelOf(part).value_or(QPointF()).toPoint(); }
+    void click(const QPoint& at) { QTest::mouseClick(viewport().view(), Qt::LeftButton, {}, at); }
+    void press(const QString& button) { QTest::mouseClick(test::find<QToolButton>(button), Qt::LeftButton); }
+
+    /// Looks down onto the ground about the origin.
+    void lookDown()
+    {
+        widgets::Turntable camera;
+        camera.target = {0, viewport().groundHeight(), 0.6F};
+        camera.yaw = 0;
+        camera.pitch = 60;
+        camera.distance = 6;
+        viewport().setCamera(camera);
+    }
+
+    void addPath(PathEntry path)
+    {
+        m_window->animate().animation().edit("path", "path", [&](AnimationEntry& animation) {
+            animation.constraints = {std::move(path)};
+            animation.search.budget = 3000;
+        });
+        m_window->animate().setActive(true);
+        lookDown();
+    }
+    static PathEntry straight()
+    {
+        PathEntry path;
+        path.points = {{0, 0, 0}, {0, 0, 0.5}, {0, 0, 1}};
+        path.spans = {{.from = 0.25, .to = 0.75}};
+        return path;
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<MainWindow> m_window;
+
+private slots:
+    void initTestCase()
+    {
+        test::isolate();
+        QVERIFY(widgets::VtkView::openGlAvailable());
+    }
+
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        test::writeSwayingTakes(m_folder->path());
+        Project project = test::swayingProject(m_folder->path());
+        project.animations.clear();
+        project.sequences[1].labels = {{.label = "lean", .frames = {FrameIndex(5), FrameIndex(55)}}};
+        m_window = std::make_unique<MainWindow>();
+        document().reset(project);
+        m_window->resize(1280, 900);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->context().actions.action("workspace.animate")->trigger();
+        QTRY_VERIFY(viewport().isVisible());
+        lookDown();
+    }
+
+    void cleanup()
+    {
+        document().undoStack()->setClean();
+        m_window.reset();
+        m_folder.reset();
+    }
+
+    void aDrawnPathWithADemandedLabelBecomesAClip()
+    {
+        const Project before = document().project();
+        QTest::mouseClick(test::find<QPushButton>("drawPath"), Qt::LeftButton);
+        QCOMPARE(tool().editor().mode(), widgets::PathEditor::Mode::Draw);
+        click(pixel(0, 0));
+        click(pixel(0.1, 0.6));
+        click(pixel(0, 1.2));
+        QTest::keyClick(viewport().view(), Qt::Key_Return);
+        QCOMPARE(document().project().animations.size(), 1U);
+        QCOMPARE(path().points.size(), 3U);
+        QVERIFY((path().points[1] - Vec3d(0.1, 0, 0.6)).norm() < 0.02);
+
+        press("panel.animate.path.span");
+        auto* frames = test::find<QComboBox>("spanFrames");
+        QTRY_VERIFY(frames->isVisible());
+        frames->setFocus();
+        QTest::keyClicks(frames, "lean");
+        QCOMPARE(path().spans.size(), 1U);
+        QVERIFY(path().spans[0].frames.has_value());
+        QCOMPARE(path().spans[0].frames->label, std::string("lean"));
+
+        QVERIFY(test::waitForResult(m_window->context(), m_window->animate().animation().name()));
+        const auto result = m_window->animate().animation().result();
+        QCOMPARE(result->walk.solution.spans.size(), 1U);
+        QVERIFY(!result->walk.constraints.path->spans[0].demanded->spans.empty());
+        auto* deviation = test::find<QLabel>("pathResult");
+        QTRY_VERIFY2(deviation->text().contains("cm"), qPrintable(deviation->text()));
+
+        while (document().canUndo())
+            document().undo();
+        QCOMPARE(document().project(), before);
+        QVERIFY(tool().editor().shape().points.empty());
+        while (document().undoStack()->canRedo())
+            document().redo();
+        QCOMPARE(path().points.size(), 3U);
+        QCOMPARE(path().spans[0].frames->label, std::string("lean"));
+    }
+
+    void theDeviationIsThatOfTheSearch()
+    {
+        PathEntry curved = straight();
+        curved.spans.clear();
+        curved.points[1] = {0.15, 0, 0.5};
+        addPath(curved);
+        const QString name = m_window->animate().animation().name();
+        QVERIFY(test::waitForResult(m_window->context(), name));
+        const auto result = m_window->animate().animation().result();
+        const auto frames = followPath(*result->walk.constraints.path, result->plan);
+        double sum = 0;
+        double greatest = 0;
+        for (const FollowedFrame& frame : frames) {
+            sum += frame.deviation();
+            greatest = std::max(greatest, frame.deviation());
+        }
+        // The search adds lengths in single precision.
+        QVERIFY(std::abs(sum / static_cast<double>(frames.size()) - result->walk.solution.meanDeviation) <
+                1e-3);
+        QVERIFY(std::abs(greatest - result->walk.solution.greatestDeviation) < 1e-3);
+    }
+
+    void aDragIsOneUndoStepAndEscapeIsNone()
+    {
+        addPath(straight());
+        const int steps = document().undoStack()->count();
+        const PathEntry before = path();
+        const QPoint from = pixel({Kind::Point, 1, 0});
+        QWidget* view = viewport().view();
+        QTest::mousePress(view, Qt::LeftButton, {}, from);
+        for (int step = 1; step <= 5; ++step)
+            QTest::mouseMove(view, from + QPoint(12 * step, 0));
+        QVERIFY(path().points[1].x() > 0.2);
+        QTest::keyClick(view, Qt::Key_Escape);
+        QTest::mouseRelease(view, Qt::LeftButton, {}, from + QPoint(60, 0));
+        QCOMPARE(document().undoStack()->count(), steps);
+        QCOMPARE(path(), before);
+
+        QTest::mousePress(view, Qt::LeftButton, {}, from);
+        for (int step = 1; step <= 5; ++step)
+            QTest::mouseMove(view, from + QPoint(12 * step, 0));
+        QTest::mouseRelease(view, Qt::LeftButton, {}, from + QPoint(60, 0));
+        QCOMPARE(document().undoStack()->count(), steps + 1);
+        QCOMPARE(path().points[0], before.points[0]);
+        QCOMPARE(path().points[1].y(), 0.0);
+        QVERIFY(path().points[1].x() > 0.2);
+        // The span keeps to the points that it was between: halfway before and halfway behind the middle one.
+        QVERIFY(std::abs((path().spans[0].from + path().spans[0].to) / 2 - tool().length() / 2) < 0.02);
+        document().undo();
+        QCOMPARE(path(), before);
+    }
+
+    void spansAreDraggedInTheViewAndTypedInThePanel()
+    {
+        addPath(straight());
+        auto* spans = test::find<QListWidget>("pathSpans");
+        QCOMPARE(spans->count(), 1);
+        const QPoint from = pixel({Kind::StretchEnd, 0, 0});
+        QTest::mousePress(viewport().view(), Qt::LeftButton, {}, from);
+        QTest::mouseMove(viewport().view(), pixel(0, 0.85));
+        QTest::mouseMove(viewport().view(), pixel(0, 0.9));
+        QTest::mouseRelease(viewport().view(), Qt::LeftButton, {}, pixel(0, 0.9));
+        QVERIFY2(std::abs(path().spans[0].to - 0.9) < 0.02, qPrintable(QString::number(path().spans[0].to)));
+        QCOMPARE(spans->currentRow(), 0);
+
+        auto* fromField = test::find<QDoubleSpinBox>("spanFrom");
+        fromField->setFocus();
+        fromField->selectAll();
+        QTest::keyClicks(fromField, "0.4");
+        QTest::keyClick(fromField, Qt::Key_Return);
+        QCOMPARE(path().spans[0].from, 0.4);
+        QVERIFY(std::abs(path().spans[0].to - 0.9) < 0.02);
+        auto* speed = test::find<QDoubleSpinBox>("spanSpeed");
+        speed->setFocus();
+        speed->selectAll();
+        QTest::keyClicks(speed, "0.5");
+        QTest::keyClick(speed, Qt::Key_Return);
+        QVERIFY(path().spans[0].duration.has_value());
+        QVERIFY(std::abs(*path().spans[0].duration - 1.0) < 0.05);
+        QVERIFY2(spans->item(0)->text().contains("0.5"), qPrintable(spans->item(0)->text()));
+        document().undo();
+        QVERIFY(!path().spans[0].duration);
+        QTest::keyClick(spans, Qt::Key_Delete);
+        QVERIFY(path().spans.empty());
+        QVERIFY(!speed->isVisible());
+    }
+
+    void pointsAreTypedInThePanel()
+    {
+        addPath(straight());
+        auto* points = test::find<QTableWidget>("pathPoints");
+        QCOMPARE(points->rowCount(), 3);
+        QCOMPARE(points->columnCount(), 2);
+        points->setCurrentCell(1, 0);
+        QCOMPARE(tool().editor().selected(), (PathPart{Kind::Point, 1, 0}));
+        points->item(1, 0)->setData(Qt::EditRole, 0.25);
+        QCOMPARE(path().points[1], Vec3d(0.25, 0, 0.5));
+        QCOMPARE(path().points[2], Vec3d(0, 0, 1));
+        tool().setInSpace(true);
+        QCOMPARE(points->columnCount(), 3);
+        QVERIFY(path().points[1].y() > 0.3);
+        document().undo();
+        QCOMPARE(points->columnCount(), 2);
+    }
+
+    void obstaclesAreDrawnInTheView()
+    {
+        addPath(straight());
+        press("panel.animate.path.disc");
+        const QPoint middle = pixel(0.6, 0.5);
+        QTest::mousePress(viewport().view(), Qt::LeftButton, {}, middle);
+        QTest::mouseMove(viewport().view(), pixel(0.7, 0.5));
+        QTest::mouseMove(viewport().view(), pixel(0.8, 0.5));
+        QTest::mouseRelease(viewport().view(), Qt::LeftButton, {}, pixel(0.8, 0.5));
+        QCOMPARE(path().obstacles.size(), 1U);
+        QVERIFY((path().obstacles[0].corners[0] - Vec2d(0.6, 0.5)).norm() < 0.02);
+        QVERIFY(std::abs(path().obstacles[0].radius - 0.2) < 0.02);
+        auto* radius = test::find<QDoubleSpinBox>("obstacleRadius");
+        QVERIFY(radius->isVisible());
+        QVERIFY(test::find<QDoubleSpinBox>("pathClearance")->isVisible());
+        // Where an end of the path is too close, it says so.
+        QVERIFY(tool().editor().shape().obstacles[0].problem.isEmpty());
+        radius->setValue(0.9);
+        QVERIFY(!tool().editor().shape().obstacles[0].problem.isEmpty());
+        QTest::keyClick(viewport().view(), Qt::Key_Delete);
+        QVERIFY(path().obstacles.empty());
+    }
+
+    void kindsOfCurvesChangeIntoEachOther()
+    {
+        addPath(straight());
+        tool().setCurve(PathCurve::Bezier);
+        QCOMPARE(path().points.size(), 7U);
+        QCOMPARE(tool().editor().shape().kind, widgets::PathKind::Bezier);
+        tool().setCurve(PathCurve::Polyline);
+        QCOMPARE(path().points, straight().points);
+        press("panel.animate.path.close");
+        QVERIFY(isClosed(path()));
+        QVERIFY(!m_window->context().actions.action("animate.path.close")->isEnabled());
+        document().undo();
+        press("panel.animate.path.reverse");
+        QCOMPARE(path().points.front(), Vec3d(0, 0, 1));
+        press("panel.animate.path.remove");
+        QVERIFY(tool().path() == nullptr);
+        QVERIFY(test::find<QPushButton>("drawPath")->isVisible());
+    }
+
+    void theDrawnCurveIsTheOneThatIsFollowed()
+    {
+        PathEntry curved = straight();
+        curved.points = {{0, 0, 0}, {1, 0, 1}, {-0.5, 0, 2}, {0, 0, 3}};
+        for (const UpAxis up : {UpAxis::Y, UpAxis::Z}) {
+            const PathSpace space{.up = up, .ground = -0.9F};
+            for (const PathCurve curve : {PathCurve::CatmullRom, PathCurve::Polyline, PathCurve::Bezier}) {
+                const PathEntry path = withCurve(curved, curve);
+                const auto drawn = space.sampler()(kindOf(curve), space.toView(path.points, false));
+                const auto followed = space.toView(curveOf(path), false);
+                QCOMPARE(drawn.size(), followed.size());
+                for (std::size_t i = 0; i < drawn.size(); ++i)
+                    QVERIFY((drawn[i] - followed[i]).length() < 1e-5F);
+            }
+        }
+    }
+};
+
+} // namespace quadrille
+
+int main(int argc, char** argv)
+{
+    quadrille::widgets::VtkView::setDefaultFormat();
+    QApplication application(argc, argv);
+    quadrille::AnimatePathTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "tst_animatepath.moc"
