@@ -6,12 +6,26 @@
 #include <chrono>
 #include <new>
 #include <utility>
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
 
 namespace quadrille {
 
 namespace {
 
 constexpr auto wakeInterval = std::chrono::milliseconds(50);
+
+/// Jobs, and the workers that they start (which inherit it), give way to the interface and to what it plays.
+void giveWay()
+{
+#ifdef __linux__
+    constexpr int niceness = 15;
+    // Of this thread alone, as Linux has it; where it is refused, jobs only compete more.
+    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
+#endif
+}
 
 void finish(JobTask& task)
 {
@@ -62,6 +76,7 @@ void JobThreads::dropCancelled()
 
 void JobThreads::loop()
 {
+    giveWay();
     std::unique_lock lock(m_mutex);
     while (true) {
         ++m_idle;

@@ -2,12 +2,42 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QApplication>
 #include <QElapsedTimer>
+#include <QEvent>
 #include <QObject>
 #include <QTimer>
 #include <algorithm>
 
 namespace quadrille::test {
+
+/// An application that measures its event handlers.
+class MeasuredApplication : public QApplication
+{
+public:
+    using QApplication::QApplication;
+
+    bool notify(QObject* receiver, QEvent* event) override
+    {
+        const bool paints = event->type() == QEvent::UpdateRequest || event->type() == QEvent::Paint;
+        QElapsedTimer clock;
+        clock.start();
+        const bool result = QApplication::notify(receiver, event);
+        qint64& longest = paints ? m_longestPainting : m_longestOther;
+        longest = std::max(longest, clock.elapsed());
+        return result;
+    }
+
+    void reset() { m_longestPainting = m_longestOther = 0; }
+    /// Milliseconds of the slowest handler that draws, which without a graphics card is the renderer's.
+    qint64 longestPainting() const { return m_longestPainting; }
+    /// Milliseconds of the slowest of all others.
+    qint64 longestOther() const { return m_longestOther; }
+
+private:
+    qint64 m_longestPainting = 0;
+    qint64 m_longestOther = 0;
+};
 
 /// Measures how late the interface thread handles events: asks for one every millisecond and keeps the
 /// longest wait.
