@@ -176,6 +176,9 @@ void MainWindow::makeWorkspaces()
         QList<QDockWidget*> docks;
         for (const Workspace::Panel& panel : workspace->panels()) {
             docks += addDock(panel.name, panel.title, panel.content, panel.area);
+            // Side by side they would be too low to be of use.
+            if (panel.area == Qt::RightDockWidgetArea)
+                tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("propertiesDock")), docks.back());
             docks.back()->setProperty("isShownFirst", panel.isShown);
         }
         m_workspaces->add({QLatin1String(id), std::move(title), workspace, docks});

@@ -118,6 +118,9 @@ void WorkspaceTabs::arrangeDocks(int index)
                 dock->setVisible(dock->property("isShownFirst").toBool());
         }
     }
+    const auto& docks = m_entries[place].docks;
+    if (!isKnown && !docks.empty())
+        docks.front()->raise();
 }
 
 QJsonObject WorkspaceTabs::states()
