@@ -31,6 +31,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QHash>
 #include <QLabel>
 #include <QLocale>
 #include <QMimeData>
@@ -145,7 +146,7 @@ void MainWindow::makeDocks()
 {
     auto* project = addDock(
         "projectDock", [] { return tr("Project"); }, new ProjectPanel(m_context), Qt::LeftDockWidgetArea);
-    auto* properties = addDock(
+    m_propertiesDock = addDock(
         "propertiesDock", [] { return tr("Properties"); }, new PropertiesPanel(m_context),
         Qt::RightDockWidgetArea);
     auto* cards = addDock(
@@ -161,28 +162,39 @@ void MainWindow::makeDocks()
     auto* texture = addDock(
         "textureDock", [] { return tr("Texture"); }, new TexturePanel(m_context, m_sequences->stage()),
         Qt::RightDockWidgetArea);
-    splitDockWidget(properties, texture, Qt::Vertical);
-    tabifyDockWidget(properties, history);
-    properties->raise();
+    splitDockWidget(m_propertiesDock, texture, Qt::Vertical);
+    tabifyDockWidget(m_propertiesDock, history);
+    m_propertiesDock->raise();
     history->hide();
     texture->hide();
     m_issuesDock->hide();
-    resizeDocks({project, properties}, {240, 280}, Qt::Horizontal);
+    resizeDocks({project, m_propertiesDock}, {240, 280}, Qt::Horizontal);
 }
 
 void MainWindow::makeWorkspaces()
 {
     const auto add = [this](const char* id, ActionRegistry::Text title, Workspace* workspace) {
         QList<QDockWidget*> docks;
+        QHash<Qt::DockWidgetArea, QDockWidget*> firstOf;
         for (const Workspace::Panel& panel : workspace->panels()) {
             docks += addDock(panel.name, panel.title, panel.content, panel.area);
             // Side by side they would be too low to be of use.
             if (panel.area == Qt::RightDockWidgetArea)
                 tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("propertiesDock")), docks.back());
             docks.back()->setProperty("isShownFirst", panel.isShown);
+            QDockWidget*& first = firstOf[panel.area];
+            if (first != nullptr)
+                tabifyDockWidget(first, docks.back());
+            else
+                first = docks.back();
         }
-        m_workspaces->add({QLatin1String(id), std::move(title), workspace, docks});
+        for (QDockWidget* first : std::as_const(firstOf))
+            first->raise();
+        // Its own panels take the place of the properties.
+        m_workspaces->add({QLatin1String(id), std::move(title), workspace, docks,
+                           firstOf.contains(Qt::RightDockWidgetArea)});
     };
+    m_workspaces->setPropertiesDock(m_propertiesDock);
     add(
         "sequences", [] { return tr("&Sequences"); }, m_sequences);
     add(

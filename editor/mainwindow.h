@@ -88,6 +88,7 @@ private:
     AnimateWorkspace* m_animate = nullptr;
     PictureFlow* m_pictures = nullptr;
     QList<QDockWidget*> m_docks;
+    QDockWidget* m_propertiesDock = nullptr;
     QDockWidget* m_issuesDock = nullptr;
     QLabel* m_message = nullptr;
     StatusJobs* m_jobs = nullptr;

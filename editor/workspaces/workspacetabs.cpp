@@ -108,6 +108,8 @@ void WorkspaceTabs::arrangeDocks(int index)
     const bool stripIsShown = m_strip->isVisibleTo(&m_window);
     const bool isKnown = !state.isEmpty() && m_window.restoreState(state);
     m_strip->setVisible(stripIsShown);
+    if (!isKnown)
+        m_properties->setVisible(!m_entries[place].hidesProperties);
     for (std::size_t i = 0; i < m_entries.size(); ++i) {
         for (QDockWidget* dock : m_entries[i].docks) {
             const bool isOwn = i == place;

@@ -32,11 +32,13 @@ public:
         QString id; ///< "graph": of its action "workspace.graph", of sessions
         ActionRegistry::Text title;
         Workspace* workspace;
-        QList<QDockWidget*> docks; ///< its own; hidden in all others
+        QList<QDockWidget*> docks;    ///< its own; hidden in all others
+        bool hidesProperties = false; ///< the first time
     };
 
     WorkspaceTabs(EditorContext& context, QMainWindow& window);
 
+    void setPropertiesDock(QDockWidget* dock) { m_properties = dock; }
     /// Adds a workspace at the end. \pre Called before the window's state is restored.
     void add(Entry entry);
     /// Shows the first workspace; all have been added.
@@ -67,6 +69,7 @@ private:
     QTabBar* m_bar;
     QStackedWidget* m_pages;
     ViewActions* m_viewActions;
+    QDockWidget* m_properties = nullptr;
     std::vector<Entry> m_entries;
     QHash<QString, QByteArray> m_states;
     int m_current = -1;
