@@ -57,7 +57,10 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
     addMenu([] { return tr("&Animate"); },
             {"animate.new", "animate.duplicate", "", "animate.path.draw", "animate.path.span",
              "animate.path.disc", "animate.path.polygon", "animate.path.reverse", "animate.path.close",
-             "animate.path.remove", "animate.path.deviation", "", "animate.solve", "animate.stop"});
+             "animate.path.remove", "animate.path.deviation", "", "animate.solve", "animate.stop", "",
+             "junction.previous", "junction.next", "junction.play", "", "junction.ban", "junction.choose",
+             "junction.lock", "junction.lockSegment", "junction.forget", "", "animate.acceptWalk",
+             "animate.releaseWalk"});
     addMenu([] { return tr("&Playback"); },
             {"play.toggle", "", "play.previous", "play.next", "play.first", "play.last", "", "play.backwards",
              "play.pause", "play.forwards"});

@@ -8,10 +8,12 @@
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/animationbar.h"
 #include "editor/workspaces/animate/currentanimation.h"
+#include "editor/workspaces/animate/junctionpanel.h"
 #include "editor/workspaces/animate/pathpanel.h"
 #include "editor/workspaces/animate/pathresult.h"
 #include "editor/workspaces/animate/pathtool.h"
 #include "editor/workspaces/animate/postpanel.h"
+#include "editor/workspaces/animate/transitionpreview.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/theme.h"
 
@@ -21,9 +23,11 @@ namespace quadrille {
 
 namespace {
 
-SequenceStage::Source sourceOf(const EditorContext& context)
+SequenceStage::Source sourceOf(const EditorContext& context, JunctionPanel* const& junctions)
 {
-    return {.clip = [&context](const QString& name, bool) -> const MeshSequence* {
+    return {.clip = [&context, &junctions](const QString& name, bool) -> const MeshSequence* {
+                if (name == TransitionPreview::name())
+                    return junctions->preview().clip();
                 const auto* medium = context.animations.medium(name);
                 return medium == nullptr || medium->result == nullptr ? nullptr : &medium->result->sequence;
             },
@@ -45,7 +49,7 @@ SequenceStage::Source sourceOf(const EditorContext& context)
 AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
     : Workspace(parent)
     , m_context(context)
-    , m_view(new StageView(context, sourceOf(context), QStringLiteral("animate")))
+    , m_view(new StageView(context, sourceOf(context, m_junctions), QStringLiteral("animate")))
     , m_animation(new CurrentAnimation(context, *m_view, this))
     , m_path(new PathTool(*m_animation, this))
 {
@@ -65,6 +69,9 @@ AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
     m_panels.push_back({"pathDock", [] { return tr("Path"); }, new PathPanel(*m_path)});
     connect(&m_path->editor(), &widgets::PathEditor::modeChanged, this, &AnimateWorkspace::showState);
     retranslates(this, [this] { showState(); });
+    m_junctions = new JunctionPanel(*m_animation);
+    connect(&m_junctions->preview(), &TransitionPreview::changed, this, &AnimateWorkspace::followPreview);
+    m_panels.push_back({"junctionDock", [] { return tr("Transitions"); }, m_junctions});
     m_panels.push_back({"finishDock", [] { return tr("Finish"); }, new PostPanel(*m_animation)});
     followAnimations();
 }
@@ -87,9 +94,26 @@ void AnimateWorkspace::followAnimations()
         return;
     const QStringList& names = m_context.selection.animations();
     m_context.animations.want(names);
-    m_view->show(names);
+    const bool isPreviewing = m_junctions->preview().clip() != nullptr;
+    m_view->show(isPreviewing ? QStringList{TransitionPreview::name()} : names);
     m_view->setCurrent(m_animation->name());
     showState();
+}
+
+/// While another transition is looked for, what it would be like plays in the view.
+void AnimateWorkspace::followPreview()
+{
+    const bool isPreviewing = m_junctions->preview().clip() != nullptr;
+    stage().update(TransitionPreview::name());
+    followAnimations();
+    if (!isPreviewing) {
+        player().pause();
+        player().setLooping(m_context.settings.loopsPlayback());
+        return;
+    }
+    player().setLooping(true);
+    player().goToStart();
+    player().play();
 }
 
 void AnimateWorkspace::followResult(const QString& name)

@@ -7,6 +7,7 @@
 namespace quadrille {
 
 class CurrentAnimation;
+class JunctionPanel;
 class PathTool;
 
 /// The workspace in which new performances are made: what is asked of an animation, and what came out.
@@ -25,10 +26,12 @@ public:
 
 private:
     void followAnimations();
+    void followPreview();
     void followResult(const QString& name);
     void showState();
 
     EditorContext& m_context;
+    JunctionPanel* m_junctions = nullptr;
     StageView* m_view;
     CurrentAnimation* m_animation;
     PathTool* m_path;

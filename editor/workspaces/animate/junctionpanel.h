@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/workspaces/animate/junctions.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QLabel;
+class QToolButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace quadrille {
+
+class CurrentAnimation;
+class TransitionPreview;
+
+namespace widgets {
+class MessageStrip;
+} // namespace widgets
+
+/// The transitions of the clip that is shown: where they are and what they cost, to be played, banned, locked
+/// or exchanged for others nearby; and the decisions that were made about them.
+class JunctionPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// Registers the actions.
+    explicit JunctionPanel(CurrentAnimation& animation, QWidget* parent = nullptr);
+
+    /// What is looked at in place of the clip while another transition is chosen.
+    TransitionPreview& preview() { return *m_preview; }
+
+protected:
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    void makeActions();
+    void makeDecidingActions();
+    void makeWalkActions();
+    void makeLists();
+    void arrangeWidgets();
+    void retranslate();
+
+    void refresh();
+    void refreshJunctions();
+    void refreshDecisions();
+    void refreshAlternatives();
+    void updateActions();
+    void showDetails();
+    void showState();
+    void previewAlternative(const QTreeWidgetItem* item);
+
+    /// −1 where none is selected.
+    int current() const;
+    const ClipJunction* currentJunction() const;
+    void select(int junction);
+    void step(int direction);
+    void goTo(int junction);
+    void playAround(int junction);
+    void setChoosing(bool choosing);
+    void chooseCurrent();
+    void decide(const QString& text, const std::function<void(JunctionsEntry&)>& edit);
+    void banCurrent();
+    void toggleLock();
+    void lockSegment();
+    void removeDecision();
+    void acceptWalk();
+    void releaseWalk();
+
+    CurrentAnimation& m_animation;
+    TransitionPreview* m_preview;
+    std::shared_ptr<const AnimationResult> m_result; ///< that the lists are of
+    std::vector<ClipJunction> m_junctions;
+    std::vector<PricedJunction> m_alternatives;
+    std::vector<JunctionEntry> m_decisions;
+    QTimer m_delay; ///< before what is hovered is blended
+    const QTreeWidgetItem* m_hovered = nullptr;
+    bool m_isChoosing = false;
+    bool m_isRefreshing = false;
+    bool m_playsAround = false;
+
+    widgets::MessageStrip* m_message;
+    QTreeWidget* m_list;
+    QLabel* m_details;
+    QLabel* m_alternativesTitle;
+    QTreeWidget* m_alternativesList;
+    QLabel* m_decisionsTitle;
+    QTreeWidget* m_decisionsList;
+    QLabel* m_empty;
+    QWidget* m_buttons;
+};
+
+} // namespace quadrille

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/documents/animationresult.h"
+
+#include <QObject>
+#include <QPointer>
+#include <optional>
+
+namespace quadrille {
+
+class Job;
+class JobRunner;
+
+/// A transition with some of the frames before and behind it, blended in a job to be looked at. Of several
+/// that are asked for quickly, only the last is blended.
+class TransitionPreview : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit TransitionPreview(JobRunner& jobs, QObject* parent = nullptr);
+    ~TransitionPreview() override;
+
+    /// \param entry  how it is blended.
+    void show(const std::shared_ptr<const OpenedCharacter>& character, const FramePair& transition,
+              const AnimationEntry& entry);
+    void end();
+    /// What a stage calls it; no animation has this name.
+    static QString name() { return QStringLiteral("/preview"); }
+    /// Null while there is none.
+    const MeshSequence* clip() const { return m_clip ? &*m_clip : nullptr; }
+
+signals:
+    /// There is another clip, or none any more.
+    void changed();
+
+private:
+    JobRunner& m_jobs;
+    QPointer<Job> m_job;
+    std::optional<FramePair> m_transition;
+    std::optional<MeshSequence> m_clip;
+};
+
+} // namespace quadrille
