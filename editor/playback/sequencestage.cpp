@@ -270,6 +270,12 @@ void SequenceStage::frameAll()
     m_framedView = m_viewport.camera();
 }
 
+void SequenceStage::keepCamera()
+{
+    m_frameNextFigure = false;
+    m_framedView.reset();
+}
+
 void SequenceStage::setGround()
 {
     float lowest = std::numeric_limits<float>::max();

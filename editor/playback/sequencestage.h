@@ -41,6 +41,8 @@ public:
     void show(const QStringList& names);
     /// A clip is ready, or another than before.
     void update(const QString& name);
+    /// What comes next is shown from where the camera is now.
+    void keepCamera();
     /// Whether one of them can be seen.
     bool isEmpty() const { return m_actors.empty(); }
     bool isComparing() const { return m_names.size() > 1; }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double pointReach = 12.0; // pixels
 constexpr double edgeReach = 8.0;
-constexpr double liftDistance = 30.0; // pixels above its point
+constexpr double liftDistance = 26.0; // pixels beside its point
 
 double distanceBetween(const QPointF& a, const QPointF& b)
 {
@@ -139,7 +139,7 @@ std::optional<QPointF> PathEditor::pixelOf(const PathPart& part) const
     const auto place = d->placeOf(part);
     auto pixel = place ? d->project(*place) : std::nullopt;
     if (pixel && part.kind == PathPart::Kind::Lift)
-        *pixel -= QPointF(0.0, liftDistance);
+        *pixel += QPointF(liftDistance, 0.0);
     return pixel;
 }
 

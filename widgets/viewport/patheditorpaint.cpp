@@ -178,7 +178,7 @@ void PathEditor::Private::paintSpace(QPainter& painter) const
         painter.setPen(QPen(color, 1.5));
         painter.drawEllipse(*to, pixels, pixels * flat);
         if (isActive)
-            drawWords(painter, (*from + *to) / 2.0 + QPointF(40.0, 0.0),
+            drawWords(painter, (*from + *to) / 2.0 + QPointF(44.0, 8.0),
                       lengthText(static_cast<double>((shape.points[i] - foot).length())));
     }
 }

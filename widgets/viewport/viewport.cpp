@@ -40,6 +40,14 @@ std::optional<std::pair<QVector3D, QVector3D>> Viewport::Private::bounds(std::op
             box->second[axis] = std::max(box->second[axis], upper[axis]);
         }
     }
+    if (const auto marks = scene.markBounds(); marks && !only) {
+        if (!box)
+            box = marks;
+        for (int axis = 0; axis < 3; ++axis) {
+            box->first[axis] = std::min(box->first[axis], marks->first[axis]);
+            box->second[axis] = std::max(box->second[axis], marks->second[axis]);
+        }
+    }
     return box;
 }
 

@@ -275,6 +275,24 @@ void ViewportScene::setMarks(const QString& layer, const SceneMarks& marks, doub
     own.actors->show(marks, d->up(), pixels);
 }
 
+std::optional<std::pair<QVector3D, QVector3D>> ViewportScene::markBounds() const
+{
+    std::optional<std::pair<QVector3D, QVector3D>> box;
+    for (const auto& [name, layer] : d->layers) {
+        for (const SceneCurve& curve : layer.marks.curves) {
+            for (const QVector3D& point : curve.points) {
+                if (!box)
+                    box.emplace(point, point);
+                for (int axis = 0; axis < 3; ++axis) {
+                    box->first[axis] = std::min(box->first[axis], point[axis]);
+                    box->second[axis] = std::max(box->second[axis], point[axis]);
+                }
+            }
+        }
+    }
+    return box;
+}
+
 std::vector<SceneLabel> ViewportScene::labels() const
 {
     std::vector<SceneLabel> all;

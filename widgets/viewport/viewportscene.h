@@ -70,6 +70,8 @@ public:
     void setTrajectoriesVisible(bool visible);
     /// \param pixels  of the screen for one logical pixel.
     void setMarks(const QString& layer, const SceneMarks& marks, double pixels);
+    /// The box that all curves lie in; none without any.
+    std::optional<std::pair<QVector3D, QVector3D>> markBounds() const;
     /// Those of all layers.
     std::vector<SceneLabel> labels() const;
 

@@ -69,7 +69,7 @@ QString PathForm::resultText() const
         return tr("%1 cm").arg(
             QLocale().toString(units * settingsOf(m_tool).axes.metresPerUnit * 100, 'f', 1));
     };
-    return tr("mean %1, greatest %2")
+    return tr("mean %1\ngreatest %2")
         .arg(centimetres(solution.meanDeviation), centimetres(solution.greatestDeviation));
 }
 

@@ -25,6 +25,7 @@ namespace {
 
 constexpr float wayWidth = 3.5F;   // pixels
 constexpr float dashLength = 0.1F; // metres
+constexpr std::size_t mostLines = 120;
 const auto layer = QStringLiteral("result");
 
 } // namespace
@@ -99,11 +100,12 @@ void PathResult::addDeviation(const AnimationResult& result, SceneMarks& marks) 
     const PathSpace space{.up = result.plan.up, .ground = m_animation.view().viewport().groundHeight()};
     const bool onGround = !result.walk.constraints.path->inSpace;
     const auto frames = followPath(*result.walk.constraints.path, result.plan);
-    SceneCurve lines{.points = {}, .color = Theme::color(ColorRole::TextMuted), .colors = {}, .width = 1.0F};
+    SceneCurve lines{.points = {}, .color = Theme::color(ColorRole::Line), .colors = {}, .width = 1.0F};
     lines.pairs = true;
-    for (const FollowedFrame& frame : frames) {
-        lines.points.push_back(space.toView(frame.centre, onGround));
-        lines.points.push_back(space.toView(frame.wanted, onGround));
+    const std::size_t step = frames.size() / mostLines + 1;
+    for (std::size_t i = 0; i < frames.size(); i += step) {
+        lines.points.push_back(space.toView(frames[i].centre, onGround));
+        lines.points.push_back(space.toView(frames[i].wanted, onGround));
     }
     marks.curves.push_back(std::move(lines));
     const auto worst = std::max_element(frames.begin(), frames.end(), [](const auto& a, const auto& b) {

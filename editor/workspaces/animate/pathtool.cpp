@@ -128,6 +128,7 @@ void PathTool::takePoints(const std::vector<QVector3D>& points, PathEdit edit, b
         }
         return tr("Move a point of the path");
     };
+    m_animation.view().stage().keepCamera(); // who draws has chosen the view
     m_animation.edit(
         textOf(), QStringLiteral("path points"),
         [&](AnimationEntry& animation) {
