@@ -279,6 +279,25 @@ void PathEditor::Private::paintDrawing(QPainter& painter) const
         dot(*pointer);
 }
 
+QString PathEditor::Private::hint() const
+{
+    switch (mode) {
+    case Mode::Draw:
+        return shape.kind == PathKind::Bezier
+                   ? PathEditor::tr(
+                         "Click for a point, pull for its handles · Return ends · Backspace takes one back")
+                   : PathEditor::tr(
+                         "Click for points, or drag a stroke · Return ends · Backspace takes one back");
+    case Mode::Disc:
+        return PathEditor::tr("Drag from the middle of the obstacle · Esc gives up");
+    case Mode::Polygon:
+        return PathEditor::tr("Click the corners of the obstacle · Return ends · Esc gives up");
+    case Mode::Edit:
+        break;
+    }
+    return {};
+}
+
 void PathEditor::paint(QPainter& painter) const
 {
     if (!d->active)
@@ -288,8 +307,11 @@ void PathEditor::paint(QPainter& painter) const
     if (d->shape.inSpace)
         d->paintSpace(painter);
     d->paintHandles(painter);
-    if (d->mode != Mode::Edit)
-        d->paintDrawing(painter);
+    if (d->mode == Mode::Edit)
+        return;
+    d->paintDrawing(painter);
+    constexpr double margin = 24.0;
+    drawWords(painter, {viewSize().width() / 2.0, viewSize().height() - margin}, d->hint());
 }
 
 } // namespace quadrille::widgets

@@ -74,6 +74,8 @@ struct PathEditor::Private
     void paintSpace(QPainter& painter) const;
     void paintHandles(QPainter& painter) const;
     void paintDrawing(QPainter& painter) const;
+    /// What mouse and keys do now.
+    QString hint() const;
     static Qt::CursorShape cursorFor(const PathPart& part, Mode mode);
 };
 

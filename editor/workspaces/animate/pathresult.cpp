@@ -23,8 +23,8 @@ using widgets::Theme;
 
 namespace {
 
-constexpr float wayWidth = 3.5F;   // pixels
-constexpr float dashLength = 0.1F; // metres
+constexpr float wayWidth = 3.5F;    // pixels
+constexpr float dashLength = 0.06F; // metres
 constexpr std::size_t mostLines = 120;
 const auto layer = QStringLiteral("result");
 
@@ -101,6 +101,7 @@ void PathResult::addDeviation(const AnimationResult& result, SceneMarks& marks) 
     const bool onGround = !result.walk.constraints.path->inSpace;
     const auto frames = followPath(*result.walk.constraints.path, result.plan);
     SceneCurve lines{.points = {}, .color = Theme::color(ColorRole::Line), .colors = {}, .width = 1.0F};
+    lines.color.setAlphaF(0.6F); // many lie side by side
     lines.pairs = true;
     const std::size_t step = frames.size() / mostLines + 1;
     for (std::size_t i = 0; i < frames.size(); i += step) {
