@@ -143,6 +143,9 @@ void LineChart::paintSeries(QPainter& painter) const
         painter.setPen(linePen(series));
         painter.setBrush(Qt::NoBrush);
         painter.drawPolyline(line);
+        // Signs that touch each other would be a band.
+        if (static_cast<double>(line.size()) * 3 * signRadius > plotArea().width())
+            continue;
         for (const QPointF& point : line)
             paintSign(painter, series.sign, point, series.color);
     }

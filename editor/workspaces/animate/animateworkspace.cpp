@@ -13,6 +13,7 @@
 #include "editor/workspaces/animate/pathresult.h"
 #include "editor/workspaces/animate/pathtool.h"
 #include "editor/workspaces/animate/postpanel.h"
+#include "editor/workspaces/animate/reportpanel.h"
 #include "editor/workspaces/animate/transitionpreview.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/theme.h"
@@ -73,6 +74,7 @@ AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
     connect(&m_junctions->preview(), &TransitionPreview::changed, this, &AnimateWorkspace::followPreview);
     m_panels.push_back({"junctionDock", [] { return tr("Transitions"); }, m_junctions});
     m_panels.push_back({"finishDock", [] { return tr("Finish"); }, new PostPanel(*m_animation)});
+    m_panels.push_back({"reportDock", [] { return tr("Report"); }, new ReportPanel(*m_animation)});
     followAnimations();
 }
 
