@@ -22,6 +22,7 @@
 #include "editor/relinking/relinkflow.h"
 #include "editor/welcome/welcomepage.h"
 #include "editor/workspaces/animate/animateworkspace.h"
+#include "editor/workspaces/animate/keysandstoryboard.h"
 #include "editor/workspaces/graph/graphworkspace.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editor/workspaces/workspacetabs.h"
@@ -112,6 +113,8 @@ void MainWindow::makeCentre()
     m_sequences = new SequencesWorkspace(m_context);
     m_graph = new GraphWorkspace(m_context);
     m_animate = new AnimateWorkspace(m_context);
+    m_animate->keysAndStoryboard().setShownPose(
+        [this] { return m_workspaces->currentWorkspace()->shownPose(); });
     m_pages = new QStackedWidget;
     m_pages->addWidget(m_welcome);
     m_pages->addWidget(m_workspaces);

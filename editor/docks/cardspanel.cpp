@@ -9,6 +9,7 @@
 #include "editor/language/retranslate.h"
 #include "widgets/theme/icons.h"
 
+#include <QDrag>
 #include <QLineEdit>
 #include <QListView>
 #include <QMenu>
@@ -22,6 +23,30 @@ namespace {
 
 constexpr int pictureMilliseconds = 110;
 
+/// Cards whose picture is what is dragged.
+class CardsView : public QListView
+{
+protected:
+    void startDrag(Qt::DropActions actions) override
+    {
+        const QModelIndexList cards = selectedIndexes();
+        const auto pictures = currentIndex().data(SequenceCards::PicturesRole).value<QList<QImage>>();
+        if (cards.isEmpty())
+            return;
+        auto* drag = new QDrag(this);
+        drag->setMimeData(model()->mimeData(cards));
+        const auto* delegate = static_cast<const CardDelegate*>(itemDelegate());
+        const int phase = delegate->moving() == currentIndex() ? delegate->phase() : 0;
+        if (!pictures.isEmpty()) {
+            QPixmap picture = QPixmap::fromImage(pictures[(pictures.size() / 3 + phase) % pictures.size()]);
+            picture.setDevicePixelRatio(devicePixelRatioF());
+            drag->setPixmap(picture);
+            drag->setHotSpot({SequenceCards::pictureSize / 2, SequenceCards::pictureSize / 2});
+        }
+        drag->exec(actions, Qt::CopyAction);
+    }
+};
+
 } // namespace
 
 CardsPanel::CardsPanel(EditorContext& context, QWidget* parent)
@@ -30,7 +55,7 @@ CardsPanel::CardsPanel(EditorContext& context, QWidget* parent)
     , m_cards(new SequenceCards(context, this))
     , m_found(new QSortFilterProxyModel(this))
     , m_search(new QLineEdit)
-    , m_view(new QListView)
+    , m_view(new CardsView)
     , m_delegate(new CardDelegate(this))
 {
     setObjectName(QStringLiteral("cardsPanel"));
@@ -51,6 +76,8 @@ CardsPanel::CardsPanel(EditorContext& context, QWidget* parent)
     m_view->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     m_view->setMouseTracking(true);
+    m_view->setDragEnabled(true);
+    m_view->setDragDropMode(QAbstractItemView::DragOnly);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
@@ -64,7 +91,7 @@ CardsPanel::CardsPanel(EditorContext& context, QWidget* parent)
     connect(&context.selection, &Selection::changed, this, &CardsPanel::showSelection);
     connect(m_found, &QAbstractItemModel::modelReset, this, &CardsPanel::showSelection);
     connect(m_view, &QListView::entered, this, [this](const QModelIndex& card) {
-        m_delegate->setMoving(card, 0);
+        setMoving(card, 0);
         if (widgets::Theme::animationMilliseconds() > 0)
             m_clock.start();
     });
@@ -77,6 +104,12 @@ CardsPanel::CardsPanel(EditorContext& context, QWidget* parent)
     });
 }
 
+void CardsPanel::setMoving(const QModelIndex& card, int phase)
+{
+    m_delegate->setMoving(card, phase);
+    m_cards->setMoving(m_found->mapToSource(card), phase);
+}
+
 /// Shows the next picture of the card under the pointer.
 void CardsPanel::animate()
 {
@@ -84,10 +117,10 @@ void CardsPanel::animate()
     const bool goesOn = card.isValid() && m_view->viewport()->underMouse() &&
                         m_view->indexAt(m_view->viewport()->mapFromGlobal(QCursor::pos())) == card;
     if (goesOn) {
-        m_delegate->setMoving(card, m_delegate->phase() + 1);
+        setMoving(card, m_delegate->phase() + 1);
     } else {
         m_clock.stop();
-        m_delegate->setMoving({}, 0);
+        setMoving({}, 0);
     }
     m_view->update(card);
 }

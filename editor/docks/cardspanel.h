@@ -16,7 +16,8 @@ class SequenceCards;
 struct EditorContext;
 
 /// The sequences as cards that move while the pointer is over them, with a field that finds them by name and
-/// label. Selecting shows a sequence, selecting several compares them.
+/// label. Selecting shows a sequence, selecting several compares them; dragged, a card takes the frame along
+/// that its picture shows.
 class CardsPanel : public QWidget
 {
     Q_OBJECT
@@ -33,6 +34,7 @@ private:
     void showSelection();
     void showMenu(const QPoint& position);
     QStringList selectedNames() const;
+    void setMoving(const QModelIndex& card, int phase);
     void animate();
 
     EditorContext& m_context;

@@ -8,8 +8,10 @@
 #include "editor/pictures/pictures.h"
 #include "model/render/thumbnail.h"
 #include "widgets/theme/theme.h"
+#include "widgets/timeline/draggedframes.h"
 
 #include <QLocale>
+#include <QMimeData>
 #include <set>
 
 namespace quadrille {
@@ -64,7 +66,46 @@ int SequenceCards::rowCount(const QModelIndex& parent) const
 
 Qt::ItemFlags SequenceCards::flags(const QModelIndex& index) const
 {
-    return QAbstractListModel::flags(index) | Qt::ItemIsEditable;
+    return QAbstractListModel::flags(index) | Qt::ItemIsEditable | Qt::ItemIsDragEnabled;
+}
+
+void SequenceCards::setMoving(const QModelIndex& index, int phase)
+{
+    m_moving = name(index);
+    m_phase = phase;
+}
+
+int SequenceCards::shownPicture(const QModelIndex& index) const
+{
+    const auto found = m_pictures.find(name(index));
+    const int count = found == m_pictures.end() ? 0 : static_cast<int>(found->second.images.size());
+    const int phase = name(index) == m_moving ? m_phase : 0;
+    return count == 0 ? 0 : (count / 3 + phase) % count;
+}
+
+FrameIndex SequenceCards::shownFrame(const QModelIndex& index) const
+{
+    const MeshSequence* sequence = m_context.media.sequence(name(index));
+    const auto found = m_pictures.find(name(index));
+    if (sequence == nullptr)
+        return FrameIndex(0);
+    const std::int64_t frames = sequence->frameCount();
+    const std::int64_t count =
+        found == m_pictures.end() ? 0 : static_cast<std::int64_t>(found->second.images.size());
+    return FrameIndex(count == 0 ? frames / 3 : shownPicture(index) * frames / count);
+}
+
+QStringList SequenceCards::mimeTypes() const
+{
+    return {widgets::draggedFramesType()};
+}
+
+QMimeData* SequenceCards::mimeData(const QModelIndexList& indexes) const
+{
+    std::vector<widgets::DraggedFrames> frames;
+    for (const QModelIndex& index : indexes)
+        frames.push_back({.sequence = name(index), .frame = static_cast<int>(shownFrame(index).value)});
+    return widgets::toMimeData(frames).release();
 }
 
 QVariant SequenceCards::data(const QModelIndex& index, int role) const

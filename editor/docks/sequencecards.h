@@ -46,12 +46,20 @@ public:
 
     QString name(const QModelIndex& index) const;
     QModelIndex indexOf(const QString& name) const;
+    /// Which of a card's pictures is looked at: the frame of it is what a drag takes along.
+    void setMoving(const QModelIndex& index, int phase);
+    /// The frame of the sequence that the picture shows which is looked at.
+    FrameIndex shownFrame(const QModelIndex& index) const;
     /// Draws pictures only while true.
     void setActive(bool active, double devicePixelRatio);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
+    QStringList mimeTypes() const override;
+    /// See widgets::DraggedFrames.
+    QMimeData* mimeData(const QModelIndexList& indexes) const override;
+    Qt::DropActions supportedDragActions() const override { return Qt::CopyAction; }
     /// Renames. \return false when the name is taken or empty.
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
@@ -63,6 +71,8 @@ private:
         QList<QImage> images;
     };
 
+    /// The place of the picture that is looked at among a card's; 0 while there are none.
+    int shownPicture(const QModelIndex& index) const;
     void follow(const ChangeEvent& event);
     void changed(const QString& name);
     void drawNext();
@@ -75,6 +85,8 @@ private:
     std::map<QString, Pictures> m_pictures;
     QPointer<Job> m_job;
     QTimer m_soon;
+    QString m_moving;
+    int m_phase = 0;
     bool m_isActive = false;
     int m_pixels = pictureSize;
 };

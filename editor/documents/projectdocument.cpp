@@ -30,7 +30,11 @@ ProjectDocument::ProjectDocument(QObject* parent) : QObject(parent)
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, [this] { emit changed(ChangeEvent::file()); });
 }
 
-ProjectDocument::~ProjectDocument() = default;
+ProjectDocument::~ProjectDocument()
+{
+    // The history says that it is clean when it goes; nobody may be told by then.
+    m_undoStack.disconnect(this);
+}
 
 const SequenceEntry* ProjectDocument::sequence(const QString& name) const
 {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "editor/workspaces/view/stageview.h"
+#include "model/project/animationentry.h"
 
 #include <QWidget>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace quadrille {
@@ -31,6 +33,8 @@ public:
     /// What the actions of the menus View and Playback act on.
     virtual StageView& view() = 0;
     virtual std::vector<Panel> panels() { return {}; }
+    /// The captured frame that is shown now, or that is nearest to what is shown; none without any.
+    virtual std::optional<NamedFrame> shownPose() { return std::nullopt; }
     /// The workspace comes to the front, or goes.
     virtual void setActive(bool /*active*/) {}
 

@@ -155,6 +155,20 @@ void RangeStrip::finishDrag(bool commit)
     emit rangeEdited(m_first, m_last, true);
 }
 
+bool RangeStrip::event(QEvent* event)
+{
+    // Keys that move the ends come before shortcuts of the window.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_PageUp || key == Qt::Key_PageDown ||
+            key == Qt::Key_Up || key == Qt::Key_Down) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
 void RangeStrip::keyPressEvent(QKeyEvent* event)
 {
     const bool both = event->modifiers().testFlag(Qt::ControlModifier);

@@ -41,6 +41,7 @@ signals:
     void rangeEdited(int first, int last, bool committed);
 
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;

@@ -73,6 +73,7 @@ signals:
     void menuAsked(int card, const QPoint& globalPosition);
 
 protected:
+    bool event(QEvent* event) override;
     bool viewportEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;

@@ -14,6 +14,24 @@
 
 namespace quadrille::widgets {
 
+bool Storyboard::event(QEvent* event)
+{
+    // Keys that act on cards come before shortcuts of the window.
+    if (event->type() == QEvent::ShortcutOverride && count() > 0) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        const bool copies = key.key() == Qt::Key_D && key.modifiers() == Qt::ControlModifier;
+        const bool acts = key.key() == Qt::Key_Left || key.key() == Qt::Key_Right ||
+                          key.key() == Qt::Key_Home || key.key() == Qt::Key_End ||
+                          key.key() == Qt::Key_Delete || key.key() == Qt::Key_Backspace ||
+                          key.key() == Qt::Key_F2;
+        if (acts || copies) {
+            event->accept();
+            return true;
+        }
+    }
+    return QAbstractScrollArea::event(event);
+}
+
 void Storyboard::setInsertion(int before)
 {
     m_insertion = before;

@@ -8,6 +8,7 @@
 #include <QAccessible>
 #include <QEvent>
 #include <QHelpEvent>
+#include <QKeyEvent>
 #include <QLocale>
 #include <QNativeGestureEvent>
 #include <QPainter>
@@ -238,6 +239,17 @@ QString Timeline::tipOf(const SpanRef& ref) const
 
 bool Timeline::event(QEvent* event)
 {
+    // Keys that act on what is selected come before shortcuts of the window.
+    if (event->type() == QEvent::ShortcutOverride && d->selected) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        const bool moves = (key.key() == Qt::Key_Left || key.key() == Qt::Key_Right) &&
+                           (key.modifiers() & (Qt::ControlModifier | Qt::ShiftModifier));
+        if (moves || key.key() == Qt::Key_Delete || key.key() == Qt::Key_Backspace ||
+            key.key() == Qt::Key_F2) {
+            event->accept();
+            return true;
+        }
+    }
     if (event->type() == QEvent::NativeGesture) {
         const auto& gesture = *static_cast<QNativeGestureEvent*>(event);
         if (gesture.gestureType() == Qt::ZoomNativeGesture) {

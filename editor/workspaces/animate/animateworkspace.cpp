@@ -9,6 +9,7 @@
 #include "editor/workspaces/animate/animationbar.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/junctionpanel.h"
+#include "editor/workspaces/animate/keysandstoryboard.h"
 #include "editor/workspaces/animate/pathpanel.h"
 #include "editor/workspaces/animate/pathresult.h"
 #include "editor/workspaces/animate/pathtool.h"
@@ -52,6 +53,7 @@ AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
     , m_context(context)
     , m_view(new StageView(context, sourceOf(context, m_junctions), QStringLiteral("animate")))
     , m_animation(new CurrentAnimation(context, *m_view, this))
+    , m_keysAndStoryboard(new KeysAndStoryboard(*m_animation, this))
     , m_path(new PathTool(*m_animation, this))
 {
     setObjectName(QStringLiteral("animateWorkspace"));
@@ -62,10 +64,10 @@ AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
     column->addWidget(m_view, 1);
     connect(m_animation, &CurrentAnimation::changed, this, &AnimateWorkspace::followAnimations);
     connect(&context.animations, &AnimationMedia::changed, this, &AnimateWorkspace::followResult);
-    connect(m_view, &StageView::stageChanged, this,
-            [this] { m_view->timeline().setFrameCount(static_cast<int>(stage().frameCount())); });
     connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this,
             [this] { m_context.animations.retry(m_animation->name()); });
+    for (Panel& panel : m_keysAndStoryboard->panels())
+        m_panels.push_back(std::move(panel));
     new PathResult(*m_animation, this);
     m_panels.push_back({"pathDock", [] { return tr("Path"); }, new PathPanel(*m_path)});
     connect(&m_path->editor(), &widgets::PathEditor::modeChanged, this, &AnimateWorkspace::showState);
@@ -81,6 +83,15 @@ AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
 std::vector<Workspace::Panel> AnimateWorkspace::panels()
 {
     return m_panels;
+}
+
+std::optional<NamedFrame> AnimateWorkspace::shownPose()
+{
+    const auto result = m_animation->result();
+    const auto frame = static_cast<std::size_t>(player().frame().value);
+    if (result == nullptr || frame >= result->origins.size())
+        return std::nullopt;
+    return result->character->graph.nameOf(result->origins[frame].nearest());
 }
 
 void AnimateWorkspace::setActive(bool active)

@@ -8,6 +8,7 @@ namespace quadrille {
 
 class CurrentAnimation;
 class JunctionPanel;
+class KeysAndStoryboard;
 class PathTool;
 
 /// The workspace in which new performances are made: what is asked of an animation, and what came out.
@@ -20,8 +21,10 @@ public:
 
     StageView& view() override { return *m_view; }
     std::vector<Panel> panels() override;
+    std::optional<NamedFrame> shownPose() override;
     void setActive(bool active) override;
     CurrentAnimation& animation() { return *m_animation; }
+    KeysAndStoryboard& keysAndStoryboard() { return *m_keysAndStoryboard; }
     PathTool& path() { return *m_path; }
 
 private:
@@ -34,6 +37,7 @@ private:
     JunctionPanel* m_junctions = nullptr;
     StageView* m_view;
     CurrentAnimation* m_animation;
+    KeysAndStoryboard* m_keysAndStoryboard;
     PathTool* m_path;
     std::vector<Panel> m_panels;
     bool m_isActive = false;

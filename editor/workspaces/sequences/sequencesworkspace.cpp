@@ -72,6 +72,19 @@ void SequencesWorkspace::makeEditActions()
                 [this] { m_sequenceTimeline->addLabel(); });
 }
 
+std::optional<NamedFrame> SequencesWorkspace::shownPose()
+{
+    const QString& name = m_context.selection.shownSequence();
+    const MeshSequence* sequence = m_context.media.sequence(name);
+    if (sequence == nullptr)
+        return std::nullopt;
+    // One sequence alone is shown with all frames of its source.
+    const std::int64_t first = stage().isComparing() ? 0 : m_context.media.usedFrames(name).first.value;
+    const std::int64_t frame = player().frame().value - first;
+    return NamedFrame{name.toStdString(),
+                      FrameIndex(std::clamp<std::int64_t>(frame, 0, sequence->frameCount() - 1))};
+}
+
 void SequencesWorkspace::followSelection()
 {
     const QStringList& names = m_context.selection.sequences();

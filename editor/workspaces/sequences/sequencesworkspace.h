@@ -19,6 +19,7 @@ public:
     explicit SequencesWorkspace(EditorContext& context, QWidget* parent = nullptr);
 
     StageView& view() override { return *m_view; }
+    std::optional<NamedFrame> shownPose() override;
     const PoseComparison& comparison() const { return *m_comparison; }
 
 private:

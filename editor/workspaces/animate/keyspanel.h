@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QWidget>
+
+class QCheckBox;
+class QLabel;
+class QStackedWidget;
+class QTableView;
+class QToolButton;
+
+namespace quadrille {
+
+class CurrentAnimation;
+class FramePictures;
+class KeysModel;
+
+/// The keys of the animation as a table of wanted and obtained times.
+class KeysPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    KeysPanel(CurrentAnimation& animation, FramePictures& pictures, QWidget* parent = nullptr);
+
+    /// −1 for none. Emits nothing.
+    void selectKey(int key);
+    /// Opens the field of its wanted time.
+    void editKey(int key);
+
+signals:
+    void keySelected(int key);
+    /// Double click: to be shown.
+    void keyChosen(int key);
+    void removalAsked(int key);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void arrange();
+    void follow();
+    int selected() const;
+
+    CurrentAnimation& m_animation;
+    KeysModel* m_model;
+    QTableView* m_table;
+    QStackedWidget* m_pages;
+    QLabel* m_empty;
+    QLabel* m_summary;
+    QToolButton* m_add;
+    QToolButton* m_remove;
+    QCheckBox* m_global;
+    bool m_isTaking = false;
+};
+
+} // namespace quadrille
