@@ -137,6 +137,7 @@ private slots:
         QVERIFY(!result->walk.constraints.path->spans[0].demanded->spans.empty());
         auto* deviation = test::find<QLabel>("pathResult");
         QTRY_VERIFY2(deviation->text().contains("cm"), qPrintable(deviation->text()));
+        QTRY_VERIFY(test::find<QLabel>("spanObtained")->text().contains("m/s"));
 
         while (document().canUndo())
             document().undo();

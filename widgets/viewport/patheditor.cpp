@@ -341,6 +341,7 @@ std::vector<PathPart> PathEditor::Private::parts() const
 {
     using Kind = PathPart::Kind;
     std::vector<PathPart> all;
+    all.reserve(shape.points.size() + 2 * shape.stretches.size() + shape.obstacles.size());
     for (int i = 0; i < static_cast<int>(shape.points.size()); ++i)
         all.push_back({Kind::Point, i, 0});
     if (shape.inSpace && selected.kind == Kind::Point)

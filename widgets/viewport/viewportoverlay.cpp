@@ -166,11 +166,9 @@ void ViewportOverlay::setTool(ViewTool* tool)
 void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
 {
     QPainter painter(this);
-    if (m_tool) {
-        painter.setRenderHint(QPainter::Antialiasing);
-        m_tool->paint(painter);
-    }
     paintAnnotations(painter, size(), m_annotations);
+    if (m_tool)
+        m_tool->paint(painter);
 }
 
 } // namespace quadrille::widgets

@@ -53,7 +53,7 @@ public:
     explicit ViewportOverlay(QWidget* parent);
     void show(const Annotations& annotations);
     const Annotations& annotations() const { return m_annotations; }
-    /// Paints its handles beneath the words; null for none.
+    /// Paints its handles over the words; null for none.
     void setTool(ViewTool* tool);
 
 protected:

@@ -58,6 +58,7 @@ private:
     void fillFrames();
     void chooseFrames(int index);
     void chooseRange();
+    QString obtainedText() const;
 
     PathTool& m_tool;
     int m_span = -1;
@@ -69,6 +70,7 @@ private:
     QDoubleSpinBox* m_to;
     QDoubleSpinBox* m_duration;
     QDoubleSpinBox* m_speed;
+    QLabel* m_obtained = nullptr;
 };
 
 /// Where one obstacle is.

@@ -83,7 +83,10 @@ PathPanel::PathPanel(PathTool& tool, QWidget* parent)
     m_pages->addWidget(makeContent());
     connectLists();
     connect(&tool, &PathTool::changed, this, &PathPanel::refresh);
-    connect(&tool.animation(), &CurrentAnimation::resultChanged, m_form, [this] { m_form->show(); });
+    connect(&tool.animation(), &CurrentAnimation::resultChanged, this, [this] {
+        m_form->show();
+        m_span->show();
+    });
     connect(&tool.editor(), &widgets::PathEditor::selectionChanged, this, &PathPanel::refreshSelection);
     retranslates(this, [this] { retranslate(); });
 }

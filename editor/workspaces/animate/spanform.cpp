@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "editor/application/editorcontext.h"
+#include "editor/documents/animationresult.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathfields.h"
 #include "editor/workspaces/animate/pathforms.h"
@@ -10,6 +11,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
+#include <QLocale>
 #include <QSignalBlocker>
 #include <algorithm>
 
@@ -56,6 +58,7 @@ SpanForm::SpanForm(PathTool& tool)
     addField(
         "spanSpeed", [] { return tr("Speed"); }, m_speed,
         [] { return tr("How fast the body is to go there; 0: as fast as it goes"); });
+    m_obtained = addFact("spanObtained", [] { return tr("Result"); });
     connect(m_frames, &QComboBox::activated, this, &SpanForm::chooseFrames);
     const auto ends = [this] {
         edit(tr("Move the end of a span"), "ends", [this](PathSpanEntry& span) {
@@ -150,6 +153,22 @@ void SpanForm::chooseRange()
     });
 }
 
+/// What the walk that is shown makes of the span.
+QString SpanForm::obtainedText() const
+{
+    const auto result = m_tool.animation().result();
+    const auto index = static_cast<std::size_t>(m_span);
+    if (!result || index >= result->walk.solution.spans.size() ||
+        result->walk.solution.spans[index].count() == 0)
+        return QStringLiteral("–");
+    const auto frames = static_cast<double>(result->walk.solution.spans[index].count());
+    const double seconds = frames / settingsOf(m_tool).fps;
+    const PathSpanEntry& own = *span();
+    const double metres = (own.to - own.from) * settingsOf(m_tool).axes.metresPerUnit;
+    return tr("%1 s, %2 m/s")
+        .arg(QLocale().toString(seconds, 'f', 2), QLocale().toString(metres / seconds, 'f', 2));
+}
+
 void SpanForm::show(const QString& /*name*/)
 {
     const PathSpanEntry* shown = span();
@@ -166,6 +185,7 @@ void SpanForm::show(const QString& /*name*/)
     setValue(m_duration, shown->duration.value_or(0));
     const double metres = (shown->to - shown->from) * settingsOf(m_tool).axes.metresPerUnit;
     setValue(m_speed, shown->duration ? metres / *shown->duration : 0);
+    m_obtained->setText(obtainedText());
     fillFrames();
     QStringList wanted;
     if (shown->frames && !shown->frames->label.empty())
