@@ -201,6 +201,36 @@ private slots:
         QCOMPARE(path(), before);
     }
 
+    void undoingWhileDraggingIsSafe()
+    {
+        addPath(straight());
+        PathEntry more = straight();
+        more.spans.push_back({.from = 0.8, .to = 1});
+        tool().edit("more", "more", [&](PathEntry& path) { path = more; });
+        const QPoint from = pixel({Kind::StretchEnd, 1, 0});
+        QWidget* view = viewport().view();
+        QTest::mousePress(view, Qt::LeftButton, {}, from);
+        QTest::mouseMove(view, from + QPoint(0, -10));
+        while (document().canUndo())
+            document().undo();
+        QTest::mouseMove(view, from + QPoint(0, -20));
+        QTest::mouseRelease(view, Qt::LeftButton, {}, from + QPoint(0, -20));
+        QVERIFY(tool().path() == nullptr);
+    }
+
+    void anotherAnimationEndsDrawing()
+    {
+        addPath(straight());
+        const QString first = m_window->animate().animation().name();
+        press("panel.animate.path.draw");
+        QCOMPARE(tool().editor().mode(), widgets::PathEditor::Mode::Draw);
+        m_window->animate().animation().add();
+        QCOMPARE(tool().editor().mode(), widgets::PathEditor::Mode::Edit);
+        QVERIFY(tool().editor().shape().points.empty());
+        m_window->context().selection.selectAnimations({first});
+        QCOMPARE(tool().editor().shape().points.size(), 3U);
+    }
+
     void spansAreDraggedInTheViewAndTypedInThePanel()
     {
         addPath(straight());

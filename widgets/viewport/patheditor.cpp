@@ -50,6 +50,12 @@ void PathEditor::setSampler(PathSampler sampler)
 
 void PathEditor::setShape(const PathShape& shape)
 {
+    const PathShape& dragged = d->drag.before;
+    const bool isOther = shape.points.size() != dragged.points.size() ||
+                         shape.stretches.size() != dragged.stretches.size() ||
+                         shape.obstacles.size() != dragged.obstacles.size();
+    if (d->drag.kind == PathDrag::Kind::Part && isOther) // undone under the pointer
+        d->drag = {};
     d->shape = shape;
     d->curve =
         SampledCurve(shape.points.empty() ? std::vector<QVector3D>() : d->sampler(shape.kind, shape.points));

@@ -11,6 +11,7 @@
 
 #include <QLocale>
 #include <cmath>
+#include <utility>
 
 namespace quadrille {
 
@@ -151,6 +152,11 @@ void PathTool::refresh()
                .ground = m_animation.view().viewport().groundHeight()};
     m_editor->setSampler(m_space.sampler());
     m_editor->setUsualHeight(static_cast<float>(usualHeight()) - m_space.ground);
+    if (const QString before = std::exchange(m_shown, m_animation.name());
+        before != m_shown && !before.isEmpty()) {
+        m_editor->setMode(PathEditor::Mode::Edit);
+        m_editor->setSelected({});
+    }
     const PathEntry* entry = path();
     const PathEntry& shown = entry == nullptr ? m_blank : *entry;
     widgets::PathShape shape;
@@ -222,7 +228,7 @@ QString PathTool::framesText(const FrameChoice& frames) const
 {
     if (!frames.label.empty())
         return QString::fromStdString(frames.label);
-    const QString name = QString::fromStdString(frames.sequence);
+    QString name = QString::fromStdString(frames.sequence);
     if (!frames.range)
         return name;
     return tr("%1, frames %2 – %3").arg(name).arg(frames.range->first.value).arg(frames.range->last.value);

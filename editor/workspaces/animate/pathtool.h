@@ -68,6 +68,7 @@ private:
     widgets::PathEditor* m_editor;
     PathEntry m_blank;
     PathSpace m_space;
+    QString m_shown; ///< the animation that the view shows the path of
 };
 
 } // namespace quadrille
