@@ -235,7 +235,9 @@ void AnimationMedia::solve(const QString& name, Item& item, const AnimationEntry
         const auto show = [&](const WalkSolution& solution) {
             if (sinceShown.isValid() && sinceShown.elapsed() < showingMilliseconds)
                 return;
-            mailbox->post(name, search, makeResult(entry, character, {{}, solution}, progress.part(0, 0)));
+            mailbox->post(name, search,
+                          makeResult(entry, character, {walkConstraints(entry, character->graph), solution},
+                                     progress.part(0, 0)));
             sinceShown.start();
         };
         constexpr double searching = 0.8;

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace quadrille {
@@ -18,12 +17,12 @@ namespace {
 
 /// Ends that the range of colours may have, radians: few, so that colours stay the same while poses change.
 constexpr std::array ends = {0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 1.5, 2.0};
-constexpr double nearlyAll = 0.98;
+constexpr double nearlyAll = 0.95;
 
 double endFor(double high)
 {
     const auto found = std::ranges::lower_bound(ends, high);
-    return found == ends.end() ? std::numbers::pi : *found;
+    return found == ends.end() ? ends.back() : *found;
 }
 
 } // namespace

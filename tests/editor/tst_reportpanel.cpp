@@ -133,6 +133,27 @@ private slots:
         QTRY_VERIFY(player.frame().value >= result().plan.frameCount() - 2);
     }
 
+    void walksOnTheWayTellWhatWasAskedToo()
+    {
+        QVERIFY(waitForResult());
+        int onTheWay = 0;
+        bool areComplete = true;
+        const QObject listener;
+        connect(&context().animations, &AnimationMedia::changed, &listener, [&] {
+            const auto now = context().animations.result("dance");
+            onTheWay += now->isFinal ? 0 : 1;
+            areComplete &= now->walk.constraints.actions.size() == now->walk.solution.actions.size();
+        });
+        set([](AnimationEntry& entry) {
+            PathEntry path;
+            path.points = {{0, 0, 0}, {0, 0, 1}, {0.4, 0, 2}};
+            entry.constraints.emplace_back(path);
+            entry.search.budget = 200'000;
+        });
+        QVERIFY(onTheWay > 0);
+        QVERIFY(areComplete);
+    }
+
     void isCopiedAndSaved()
     {
         QVERIFY(waitForResult());
