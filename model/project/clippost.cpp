@@ -46,7 +46,7 @@ PostProcessingInputs postProcessingInputs(const AnimationEntry& animation, const
     const auto& sequences = frames.sequences();
     if (std::any_of(sequences.begin(), sequences.end(),
                     [](const MeshSequence& sequence) { return !sequence.contacts.empty(); }))
-        inputs.contactsOf = [frames](const Clip& clip) { return toSequence("", clip, frames).contacts; };
+        inputs.contactsOf = [frames](const Clip& clip) { return contactsOf(clip, frames); };
     inputs.symmetry = [animation, work, frames](const Progress& progress) {
         return symmetryOf(animation, work, frames, progress);
     };

@@ -72,14 +72,12 @@ Result clipResult(const Clip& clip, const FrameLayout& layout, const std::vector
     positions.name = "positions";
     positions.description = "Positions of all vertices in each frame of the clip.";
     positions.unit = unit;
-    positions.columns = {"x", "y", "z"};
     const auto vertexCount = static_cast<std::int64_t>(clip.topology->vertexCount());
     positions.shape = {clip.frameCount(), vertexCount, 3};
     std::vector<float> values(clip.positions.size() * 3);
     for (std::size_t v = 0; v < clip.positions.size(); ++v)
         std::copy_n(clip.positions[v].data(), 3, values.begin() + static_cast<std::ptrdiff_t>(3 * v));
     positions.values = std::move(values);
-    positions.columns.clear();
     Result result;
     result.arrays = {std::move(positions)};
     result.tables = {std::move(table).table()};

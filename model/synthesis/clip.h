@@ -43,5 +43,7 @@ struct Clip
 /// clip; otherwise it has one for each frame (of the first material). \param character  the frames that the
 /// origins count.
 MeshSequence toSequence(std::string name, Clip clip, const CharacterFrames& character);
+/// Its contacts alone.
+std::vector<ContactSpan> contactsOf(const Clip& clip, const CharacterFrames& character);
 
 } // namespace quadrille

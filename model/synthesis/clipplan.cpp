@@ -2,18 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/clipplan.h"
 
-#include "model/core/error.h"
+#include "model/core/badargument.h"
 
 #include <cassert>
 
 namespace quadrille {
 
 namespace {
-
-[[noreturn]] void refuse(const std::string& reason, const std::string& remedy)
-{
-    throw Error(ErrorCode::BadArgument, {.values = {{"reason", reason}, {"remedy", remedy}}});
-}
 
 /// Appends spans and transitions, each where the one before it ends.
 class Planner

@@ -118,14 +118,20 @@ std::vector<Span> spansOf(const std::vector<std::set<std::string>>& names)
 
 } // namespace
 
+std::vector<ContactSpan> contactsOf(const Clip& clip, const CharacterFrames& character)
+{
+    std::vector<std::set<std::string>> contacts;
+    for (const FrameOrigin& origin : clip.origins)
+        contacts.push_back(contactsAt(origin, character));
+    return spansOf<ContactSpan>(contacts);
+}
+
 MeshSequence toSequence(std::string name, Clip clip, const CharacterFrames& character)
 {
     std::vector<std::set<std::string>> labels;
-    std::vector<std::set<std::string>> contacts;
-    for (const FrameOrigin& origin : clip.origins) {
+    for (const FrameOrigin& origin : clip.origins)
         labels.push_back(labelsAt(origin, character));
-        contacts.push_back(contactsAt(origin, character));
-    }
+    std::vector<ContactSpan> contacts = contactsOf(clip, character);
     TextureSet textures = texturesOf(clip, character);
     const std::uint32_t vertexCount = clip.topology->vertexCount();
     MeshSequence sequence =
@@ -133,7 +139,7 @@ MeshSequence toSequence(std::string name, Clip clip, const CharacterFrames& char
                      std::make_shared<MemoryFrames>(std::move(clip.positions), vertexCount), clip.fps);
     sequence.textures = std::move(textures);
     sequence.labels = spansOf<LabelSpan>(labels);
-    sequence.contacts = spansOf<ContactSpan>(contacts);
+    sequence.contacts = std::move(contacts);
     return sequence;
 }
 

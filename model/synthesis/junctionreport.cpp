@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/junctionreport.h"
 
-#include "model/core/error.h"
+#include "model/core/badargument.h"
 #include "model/core/ranks.h"
 #include "model/transition/acceleration.h"
 
@@ -15,11 +15,6 @@
 namespace quadrille {
 
 namespace {
-
-[[noreturn]] void refuse(const std::string& reason, const std::string& remedy)
-{
-    throw Error(ErrorCode::BadArgument, {.values = {{"reason", reason}, {"remedy", remedy}}});
-}
 
 JunctionRow rowOf(const JunctionInputs& inputs, const JunctionOptions& options, const Transition& transition,
                   JunctionMeasures measures)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/retime.h"
 
+#include "model/core/badargument.h"
 #include "model/core/error.h"
 #include "model/core/message.h"
 #include "model/synthesis/frameorigins.h"
@@ -16,11 +17,6 @@ namespace quadrille {
 namespace {
 
 constexpr double mostFrames = 1e6;
-
-[[noreturn]] void refuse(const char* reason, const char* remedy)
-{
-    throw Error(ErrorCode::BadArgument, {{}, {}, {{"reason", reason}, {"remedy", remedy}}});
-}
 
 /// Frames of the result for a length in frames, which need not be whole.
 std::int64_t frameSteps(double length)

@@ -31,10 +31,8 @@ public:
                 cheapest = &stage;
         }
         assert(cheapest);
-        if (cheapest) {
-            m_solution.cost.edges += cheapest->edges;
-            m_solution.cost.timing += cheapest->timing;
-        }
+        m_solution.cost.edges += cheapest->edges;
+        m_solution.cost.timing += cheapest->timing;
         if (settled.key > arrived.key)
             m_solution.keys.push_back({m_constraints.keys[static_cast<std::size_t>(arrived.key)].time, time});
         const bool begins = arrived.span == StageState::free &&

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/walkgraph.h"
 
-#include "model/core/error.h"
+#include "model/core/badargument.h"
 
 #include <algorithm>
 #include <functional>
@@ -13,11 +13,6 @@
 namespace quadrille {
 
 namespace {
-
-[[noreturn]] void refuse(const std::string& reason, const std::string& remedy)
-{
-    throw Error(ErrorCode::BadArgument, {.values = {{"reason", reason}, {"remedy", remedy}}});
-}
 
 std::string toString(const FramePair& pair)
 {

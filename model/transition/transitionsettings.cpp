@@ -2,24 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "model/transition/transitionsettings.h"
 
-#include "model/core/error.h"
+#include "model/core/badargument.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 namespace quadrille {
-
-namespace {
-
-[[noreturn]] void refuse(std::string reason, std::string remedy)
-{
-    throw Error(
-        ErrorCode::BadArgument,
-        {.file = {}, .place = {}, .values = {{"reason", std::move(reason)}, {"remedy", std::move(remedy)}}});
-}
-
-} // namespace
 
 int TransitionSettings::shortest() const
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/transition/warppath.h"
 
+#include "model/core/badargument.h"
 #include "model/core/error.h"
 #include "model/transition/pathprogramme.h"
 
@@ -11,17 +12,6 @@
 #include <string>
 
 namespace quadrille {
-
-namespace {
-
-[[noreturn]] void refuse(std::string reason, std::string remedy)
-{
-    throw Error(
-        ErrorCode::BadArgument,
-        {.file = {}, .place = {}, .values = {{"reason", std::move(reason)}, {"remedy", std::move(remedy)}}});
-}
-
-} // namespace
 
 WarpPaths::WarpPaths(const Table<float>& distances, FrameLayout layout, const TransitionSettings& settings)
     : m_distances(distances)

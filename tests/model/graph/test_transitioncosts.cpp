@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
+#include "tests/model/codeof.h"
 #include "tests/model/graph/randomtransitions.h"
 
 #include <array>
@@ -9,6 +10,8 @@
 using namespace quadrille;
 
 namespace {
+
+using test::codeOf;
 
 constexpr float none = std::numeric_limits<float>::infinity();
 
@@ -19,16 +22,6 @@ TransitionCosts onePair(float cost, double largestDistance)
     costs(1, 3) = cost;
     lengths(1, 3) = 2;
     return {costs, lengths, largestDistance, FrameLayout(std::array<std::int64_t, 2>{2, 2})};
-}
-
-ErrorCode codeOf(const std::function<void()>& action)
-{
-    try {
-        action();
-    } catch (const Error& error) {
-        return error.code();
-    }
-    return ErrorCode::Unexpected;
 }
 
 } // namespace

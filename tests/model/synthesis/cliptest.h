@@ -4,6 +4,7 @@
 
 #include "model/synthesis/makeclip.h"
 #include "model/transition/posedistance.h"
+#include "tests/model/largestdistance.h"
 #include "tests/model/transition/swayingtube.h"
 
 #include <memory>
@@ -77,14 +78,6 @@ inline Transition advancingTogether(NodeIndex source, NodeIndex destination, int
     for (int t = 0; t < length; ++t)
         transition.path.push_back({source + t, destination - length + 1 + t});
     return transition;
-}
-
-inline double largestDistance(Positions a, Positions b)
-{
-    double largest = 0;
-    for (std::size_t v = 0; v < a.size(); ++v)
-        largest = std::max(largest, static_cast<double>((a[v] - b[v]).norm()));
-    return largest;
 }
 
 } // namespace quadrille::testing

@@ -4,6 +4,7 @@
 
 #include "model/synthesis/clip.h"
 #include "model/synthesis/ground.h"
+#include "tests/model/largestdistance.h"
 #include "tests/model/transition/swayingtube.h"
 
 namespace quadrille::testing {
@@ -43,15 +44,6 @@ inline Clip stridingTube(const Stride& stride, const GroundMotion& start = {})
         place = place * stride.pace;
     }
     return clip;
-}
-
-/// The largest distance of a vertex between two frames.
-inline double largestStep(Positions a, Positions b)
-{
-    double largest = 0;
-    for (std::size_t v = 0; v < a.size(); ++v)
-        largest = std::max(largest, static_cast<double>((a[v] - b[v]).norm()));
-    return largest;
 }
 
 inline std::vector<Vec3f> movedBy(const GroundMotion& motion, Positions positions, UpAxis up)

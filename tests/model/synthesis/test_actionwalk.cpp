@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/synthesis/findwalk.h"
+#include "tests/model/codeof.h"
 #include "tests/model/synthesis/walkreference.h"
 #include "tests/model/synthesis/walkworld.h"
 
@@ -14,22 +15,14 @@ using quadrille::testing::WalkWorld;
 
 namespace {
 
+using test::codeOf;
+
 constexpr double alpha = WalkWorld::alpha;
 
 WalkSolution find(const WalkWorld& world, const WalkConstraints& constraints,
                   const SearchSettings& settings = {})
 {
     return findWalk(world.material(), constraints, settings);
-}
-
-ErrorCode codeOf(const std::function<void()>& call)
-{
-    try {
-        call();
-    } catch (const Error& error) {
-        return error.code();
-    }
-    return ErrorCode::Unexpected;
 }
 
 /// Every walk as the frames that it comes to, its moves between them.

@@ -19,7 +19,7 @@ namespace {
 using testing::clipOf;
 using testing::errorCodeOf;
 using testing::footSkate;
-using testing::largestStep;
+using testing::largestDistance;
 using testing::movedBy;
 using testing::sampleTake;
 
@@ -131,8 +131,8 @@ TEST(LegDeformation, IsThatOfTheTextbook)
         testing::deformLegPlainly(*clip.topology, legs.vertices[side], foot, legs.reference, shift, ground,
                                   plain);
         // Single precision of the result; a billionth part is added to the diagonal of ours.
-        EXPECT_LT(largestStep(ours, plain), 1e-5);
-        EXPECT_GT(largestStep(ours, clip.frame(7)), 0.04);
+        EXPECT_LT(largestDistance(ours, plain), 1e-5);
+        EXPECT_GT(largestDistance(ours, clip.frame(7)), 0.04);
     }
 }
 
@@ -195,7 +195,7 @@ TEST(ContactCorrection, LeavesFramesAloneThatNeedNone)
     const Clip result = contactsCorrected(s.clip, one);
     int changed = 0;
     for (std::int64_t f = 0; f < result.frameCount(); ++f) {
-        const bool isSame = largestStep(result.frame(f), s.clip.frame(f)) == 0;
+        const bool isSame = largestDistance(result.frame(f), s.clip.frame(f)) == 0;
         changed += isSame ? 0 : 1;
         const bool isFar = f < 20 - 5 || f > 26 + 5;
         EXPECT_TRUE(isSame || !isFar) << f;
@@ -231,7 +231,7 @@ TEST(ContactCorrection, CorrectsTheFramesAskedFor)
     const Clip whole = contactsCorrected(s.clip, s.contacts);
     const Clip part = contactsCorrected(s.clip, s.contacts, {}, {.frames = frames(10, 19)});
     for (std::int64_t f = 0; f < part.frameCount(); ++f)
-        EXPECT_EQ(largestStep(part.frame(f), (f >= 10 && f <= 19 ? whole : s.clip).frame(f)), 0) << f;
+        EXPECT_EQ(largestDistance(part.frame(f), (f >= 10 && f <= 19 ? whole : s.clip).frame(f)), 0) << f;
 }
 
 TEST(ContactCorrection, MovesWithItsClip)
@@ -242,7 +242,7 @@ TEST(ContactCorrection, MovesWithItsClip)
     there.positions = movedBy(elsewhere, s.clip.positions, UpAxis::Y);
     const Clip a = contactsCorrected(s.clip, s.contacts);
     const Clip b = contactsCorrected(there, s.contacts);
-    EXPECT_LT(largestStep(movedBy(elsewhere, a.positions, UpAxis::Y), b.positions), 1e-3);
+    EXPECT_LT(largestDistance(movedBy(elsewhere, a.positions, UpAxis::Y), b.positions), 1e-3);
     // With another axis upwards, too.
     Clip upended = s.clip;
     for (Vec3f& p : upended.positions)
@@ -274,7 +274,7 @@ TEST(ContactCorrection, KnowsTheLegsOfACharacterThatDoesNotStand)
     const Legs legs = findLegs(
         *standing.topology, upright(standing.positions, standing.topology->vertexCount(), UpAxis::Y), 0.07);
     const Clip result = contactsCorrected(fallen, contacts, {}, {.legs = &legs});
-    EXPECT_GT(largestStep(result.frame(5), fallen.frame(5)), 0.001);
+    EXPECT_GT(largestDistance(result.frame(5), fallen.frame(5)), 0.001);
 }
 
 TEST(ContactCorrection, SaysWhatItCannotDo)

@@ -3,6 +3,7 @@
 #include "model/core/error.h"
 #include "model/graph/essentialgraph.h"
 #include "model/synthesis/keywalk.h"
+#include "tests/model/codeof.h"
 #include "tests/model/graph/randomtransitions.h"
 #include "tests/model/synthesis/walkreference.h"
 
@@ -14,6 +15,8 @@ namespace quadrille {
 using namespace testing;
 
 namespace {
+
+using test::codeOf;
 
 constexpr double alpha = 0.05;
 
@@ -41,16 +44,6 @@ std::int64_t elapsed(const WalkGraph& graph, const WalkRoute& route)
         sum += graph.move(index).elapsed;
     }
     return sum;
-}
-
-ErrorCode codeOf(const std::function<void()>& call)
-{
-    try {
-        call();
-    } catch (const Error& error) {
-        return error.code();
-    }
-    return ErrorCode::Unexpected;
 }
 
 TEST(KeyWalk, IsTheCheapestOfAllWalksBetweenEachPair)

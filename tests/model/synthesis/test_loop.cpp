@@ -14,7 +14,7 @@ namespace quadrille {
 namespace {
 
 using testing::errorCodeOf;
-using testing::largestStep;
+using testing::largestDistance;
 using testing::movedBy;
 using testing::stridingTube;
 
@@ -36,7 +36,7 @@ TEST(Loop, OfAPeriodicMotionIsAWholeNumberOfPeriods)
     longer.frames = 200;
     const Clip expected = stridingTube(longer);
     for (int f = 0; f < 2 * count; ++f)
-        EXPECT_LT(largestStep(twice.frame(f), expected.frame(loop.closure.frames.destination + f)), 2e-4)
+        EXPECT_LT(largestDistance(twice.frame(f), expected.frame(loop.closure.frames.destination + f)), 2e-4)
             << f;
     EXPECT_NEAR(wrappedAngle(loop.travel.turn - count * curved.pace.turn), 0, 1e-5);
 }
@@ -66,10 +66,10 @@ TEST(Loop, HasNoSeamWhereTheMotionIsNotQuitePeriodic)
     const Clip clip = stridingTube(growing);
     double captured = 0;
     for (std::int64_t f = 1; f < clip.frameCount(); ++f)
-        captured = std::max(captured, largestStep(clip.frame(f - 1), clip.frame(f)));
+        captured = std::max(captured, largestDistance(clip.frame(f - 1), clip.frame(f)));
     const Clip twice = repeated(seamlessLoop(clip, {}, upright), 2, UpAxis::Z);
     for (std::int64_t f = 1; f < twice.frameCount(); ++f)
-        EXPECT_LT(largestStep(twice.frame(f - 1), twice.frame(f)), 1.2 * captured) << f;
+        EXPECT_LT(largestDistance(twice.frame(f - 1), twice.frame(f)), 1.2 * captured) << f;
 }
 
 TEST(Loop, CutsNoMoreThanItMay)
@@ -88,7 +88,7 @@ TEST(Loop, MovesWithItsClip)
     const Loop there = seamlessLoop(stridingTube(curved, elsewhere), {}, upright);
     ASSERT_EQ(here.closure.frames, there.closure.frames);
     for (std::int64_t f = 0; f < here.cycle.frameCount(); ++f)
-        EXPECT_LT(largestStep(movedBy(elsewhere, here.cycle.frame(f), UpAxis::Z), there.cycle.frame(f)),
+        EXPECT_LT(largestDistance(movedBy(elsewhere, here.cycle.frame(f), UpAxis::Z), there.cycle.frame(f)),
                   1e-4);
     const GroundMotion expected = elsewhere * here.travel * elsewhere.inverse();
     EXPECT_LT((expected.shift - there.travel.shift).norm(), 1e-3);
@@ -105,9 +105,9 @@ TEST(Loop, InPlaceComesBackToWhereItBegan)
     // An even pace is taken out whole: what stays is the sway, of the size of 0.3 m.
     for (std::int64_t f = 0; f < around.frameCount(); ++f) {
         EXPECT_LT((ground.of(centroid(around.frame(f))) - ground.of(centroid(around.frame(0)))).norm(), 0.7);
-        EXPECT_LT(largestStep(around.frame(f), around.frame(f % loop.cycle.frameCount())), 1e-6);
+        EXPECT_LT(largestDistance(around.frame(f), around.frame(f % loop.cycle.frameCount())), 1e-6);
         const auto later = (f + curved.period) % around.frameCount();
-        EXPECT_LT(largestStep(around.frame(f), around.frame(later)), 1e-3) << f;
+        EXPECT_LT(largestDistance(around.frame(f), around.frame(later)), 1e-3) << f;
     }
 }
 
@@ -149,14 +149,14 @@ TEST(Loop, LeavesAClipThatGoesRoundAsItIs)
         EXPECT_TRUE(loop.closure.path.empty());
         EXPECT_EQ(loop.cycle.origins.front(), clip.origins.front());
         for (std::int64_t f = 0; f < 40; ++f)
-            EXPECT_EQ(largestStep(loop.cycle.frame(f), clip.frame(f)), 0);
+            EXPECT_EQ(largestDistance(loop.cycle.frame(f), clip.frame(f)), 0);
         testing::Stride longer = curved;
         longer.frames = 80;
         const Clip twice = repeated(loop, 2, UpAxis::Z);
         const Clip expected = stridingTube(longer);
         // Where the third period is not seen to begin, the pace over the seam is the mean of those around it.
         for (std::int64_t f = 40; f < 80; ++f)
-            EXPECT_LT(largestStep(twice.frame(f), expected.frame(f)), frames == 41 ? 1e-4 : 0.03) << f;
+            EXPECT_LT(largestDistance(twice.frame(f), expected.frame(f)), frames == 41 ? 1e-4 : 0.03) << f;
     }
 }
 
@@ -181,14 +181,15 @@ TEST(Loop, IsNotFrozenByMeanCosts)
         const Clip clip = testing::clipOf(*testing::realTake(take));
         double least = 1;
         for (std::int64_t f = 1; f < clip.frameCount(); ++f)
-            least = std::min(least, largestStep(clip.frame(f - 1), clip.frame(f)));
+            least = std::min(least, largestDistance(clip.frame(f - 1), clip.frame(f)));
         for (const TransitionCost cost : {TransitionCost::Sum, TransitionCost::Mean}) {
             BlendMethod method;
             method.transitions.cost = cost;
             const Loop loop = seamlessLoop(clip, {}, method);
             const Clip twice = repeated(loop, 2, UpAxis::Y);
             for (std::int64_t f = 1; f < twice.frameCount(); ++f)
-                EXPECT_GT(largestStep(twice.frame(f - 1), twice.frame(f)), 0.5 * least) << take << " " << f;
+                EXPECT_GT(largestDistance(twice.frame(f - 1), twice.frame(f)), 0.5 * least)
+                    << take << " " << f;
         }
     }
 }

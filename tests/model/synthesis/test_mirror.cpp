@@ -14,7 +14,7 @@ namespace {
 
 using testing::clipOf;
 using testing::errorCodeOf;
-using testing::largestStep;
+using testing::largestDistance;
 using testing::movedBy;
 using testing::sample;
 using testing::sampleTake;
@@ -60,8 +60,8 @@ TEST(Mirror, TwiceChangesNothing)
         const Clip twice = mirroredInPlace(once, sampleSymmetry(), UpAxis::Y);
         EXPECT_EQ(twice.origins, clip.origins);
         for (std::int64_t f = 0; f < clip.frameCount(); ++f)
-            EXPECT_LT(largestStep(twice.frame(f), clip.frame(f)), 1e-5);
-        EXPECT_GT(largestStep(once.frame(5), clip.frame(5)), 0.01);
+            EXPECT_LT(largestDistance(twice.frame(f), clip.frame(f)), 1e-5);
+        EXPECT_GT(largestDistance(once.frame(5), clip.frame(5)), 0.01);
     }
 }
 
@@ -90,7 +90,7 @@ TEST(Mirror, StandsStillAlongItsOwnPlane)
         const auto pose = movedBy({turn, Vec2d(3, 1)}, sample().body.rest, UpAxis::Y);
         const Clip clip{.topology = sample().body.topology, .fps = 25, .positions = pose, .origins = {{}}};
         const Clip mirror = mirroredInPlace(clip, sampleSymmetry(), UpAxis::Y);
-        EXPECT_LT(largestStep(mirror.frame(0), clip.frame(0)), 1e-4);
+        EXPECT_LT(largestDistance(mirror.frame(0), clip.frame(0)), 1e-4);
     }
 }
 
@@ -102,7 +102,7 @@ TEST(Mirror, MovesWithItsClip)
     there.positions = movedBy(elsewhere, clip.positions, UpAxis::Y);
     const Clip a = mirroredInPlace(clip, sampleSymmetry(), UpAxis::Y);
     const Clip b = mirroredInPlace(there, sampleSymmetry(), UpAxis::Y);
-    EXPECT_LT(largestStep(movedBy(elsewhere, a.positions, UpAxis::Y), b.positions), 1e-4);
+    EXPECT_LT(largestDistance(movedBy(elsewhere, a.positions, UpAxis::Y), b.positions), 1e-4);
 }
 
 TEST(Mirror, OfALoopGoesOnAsItDoes)
@@ -153,8 +153,8 @@ TEST(Mirror, OfARealWalkIsAsGoodAsTheWalk)
     RecordProperty("meanDistance", std::to_string(mean));
     EXPECT_LT(mean, 0.001);
     for (std::int64_t f = 1; f < clip.frameCount(); ++f)
-        EXPECT_LT(largestStep(once.frame(f - 1), once.frame(f)),
-                  1.3 * largestStep(clip.frame(f - 1), clip.frame(f)) + 0.005);
+        EXPECT_LT(largestDistance(once.frame(f - 1), once.frame(f)),
+                  1.3 * largestDistance(clip.frame(f - 1), clip.frame(f)) + 0.005);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "model/core/error.h"
 #include "model/synthesis/findwalk.h"
 #include "model/synthesis/transitionmotion.h"
+#include "tests/model/codeof.h"
 #include "tests/model/synthesis/pathreference.h"
 #include "tests/model/synthesis/walkworld.h"
 
@@ -14,6 +15,8 @@ using quadrille::testing::BranchAndBound;
 using quadrille::testing::WalkWorld;
 
 namespace {
+
+using test::codeOf;
 
 PathConstraint curve(double length)
 {
@@ -76,16 +79,6 @@ Deviations plainDeviations(const WalkWorld& world, const WalkSolution& solution,
         result.mean += distance / static_cast<double>(centres.size());
     }
     return result;
-}
-
-ErrorCode codeOf(const std::function<void()>& call)
-{
-    try {
-        call();
-    } catch (const Error& error) {
-        return error.code();
-    }
-    return ErrorCode::Unexpected;
 }
 
 WalkSolution find(const WalkWorld& world, const WalkConstraints& constraints, const SearchSettings& settings)

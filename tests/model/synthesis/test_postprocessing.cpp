@@ -20,7 +20,7 @@ namespace {
 using testing::clipOf;
 using testing::errorCodeOf;
 using testing::footSkate;
-using testing::largestStep;
+using testing::largestDistance;
 using testing::sampleTake;
 
 const Clip& walk()
@@ -53,7 +53,7 @@ double largestFrameStep(const Clip& clip)
 {
     double largest = 0;
     for (std::int64_t f = 1; f < clip.frameCount(); ++f)
-        largest = std::max(largest, largestStep(clip.frame(f - 1), clip.frame(f)));
+        largest = std::max(largest, largestDistance(clip.frame(f - 1), clip.frame(f)));
     return largest;
 }
 

@@ -14,7 +14,7 @@ namespace quadrille {
 namespace {
 
 using testing::errorCodeOf;
-using testing::largestStep;
+using testing::largestDistance;
 using testing::movedBy;
 using testing::stridingTube;
 
@@ -80,11 +80,11 @@ TEST(Retime, ByTwoShowsEachFrameAndOneBetween)
     const Clip slow = retimed(clip, by(2), UpAxis::Z);
     ASSERT_EQ(slow.frameCount(), 41);
     for (std::int64_t f = 0; f < 21; ++f)
-        EXPECT_EQ(largestStep(slow.frame(2 * f), clip.frame(f)), 0) << f;
+        EXPECT_EQ(largestDistance(slow.frame(2 * f), clip.frame(f)), 0) << f;
     for (std::int64_t f = 0; f < 20; ++f) {
         const auto expected = interpolatePoses(clip.topology, clip.frame(f), clip.frame(f + 1), 0.5,
                                                InterpolationMethod::Poisson);
-        EXPECT_LT(largestStep(slow.frame(2 * f + 1), expected), 1e-6);
+        EXPECT_LT(largestDistance(slow.frame(2 * f + 1), expected), 1e-6);
         EXPECT_EQ(slow.origins[static_cast<std::size_t>(2 * f + 1)],
                   (FrameOrigin{static_cast<NodeIndex>(f), static_cast<NodeIndex>(f + 1), 0.5, false}));
     }
@@ -96,7 +96,7 @@ TEST(Retime, ByAHalfShowsEverySecondFrame)
     const Clip fast = retimed(clip, by(0.5), UpAxis::Z);
     ASSERT_EQ(fast.frameCount(), 11);
     for (std::int64_t f = 0; f < 11; ++f)
-        EXPECT_EQ(largestStep(fast.frame(f), clip.frame(2 * f)), 0);
+        EXPECT_EQ(largestDistance(fast.frame(f), clip.frame(2 * f)), 0);
 }
 
 TEST(Retime, KeepsTheSpeedOfTheRoot)
@@ -120,7 +120,7 @@ TEST(Retime, GoesOnWhereTimeStandsStillIfItKeepsTheSpeed)
     const Clip held = retimed(clip, settings, UpAxis::Z);
     ASSERT_EQ(held.frameCount(), 21);
     for (std::int64_t f = 11; f < 21; ++f)
-        EXPECT_EQ(largestStep(held.frame(f), clip.frame(10)), 0);
+        EXPECT_EQ(largestDistance(held.frame(f), clip.frame(10)), 0);
     settings.keepsRootSpeed = true;
     const Clip gliding = retimed(clip, settings, UpAxis::Z);
     const Vec2d pace = placeOf(clip, 11) - placeOf(clip, 10);
@@ -139,8 +139,8 @@ TEST(Retime, FollowsACurve)
     EXPECT_DOUBLE_EQ(moments[30], 20);
     EXPECT_TRUE(std::ranges::is_sorted(moments));
     const Clip result = retimed(clip, settings, UpAxis::Z);
-    EXPECT_EQ(largestStep(result.frame(0), clip.frame(5)), 0);
-    EXPECT_EQ(largestStep(result.frame(30), clip.frame(20)), 0);
+    EXPECT_EQ(largestDistance(result.frame(0), clip.frame(5)), 0);
+    EXPECT_EQ(largestDistance(result.frame(30), clip.frame(20)), 0);
 }
 
 TEST(Retime, MovesWithItsClip)
@@ -150,7 +150,7 @@ TEST(Retime, MovesWithItsClip)
         const Clip here = retimed(stridingTube(stride), by(1.7, keeps), UpAxis::Z);
         const Clip there = retimed(stridingTube(stride, elsewhere), by(1.7, keeps), UpAxis::Z);
         for (std::int64_t f = 0; f < here.frameCount(); ++f)
-            EXPECT_LT(largestStep(movedBy(elsewhere, here.frame(f), UpAxis::Z), there.frame(f)), 1e-4);
+            EXPECT_LT(largestDistance(movedBy(elsewhere, here.frame(f), UpAxis::Z), there.frame(f)), 1e-4);
     }
 }
 
@@ -167,8 +167,8 @@ TEST(Retime, OfALoopClosesAsBefore)
         const Clip twice = repeated(slow, 2, UpAxis::Z);
         double largest = 0;
         for (std::int64_t f = 1; f < 30; ++f)
-            largest = std::max(largest, largestStep(twice.frame(f - 1), twice.frame(f)));
-        EXPECT_LT(largestStep(twice.frame(29), twice.frame(30)), 1.01 * largest);
+            largest = std::max(largest, largestDistance(twice.frame(f - 1), twice.frame(f)));
+        EXPECT_LT(largestDistance(twice.frame(29), twice.frame(30)), 1.01 * largest);
         EXPECT_NEAR(slow.travel.turn, loop.travel.turn, 1e-12);
     }
     // Straight on, three halves of the time at the same speed lead three halves as far.
@@ -210,7 +210,7 @@ TEST(Retime, OfOneFrame)
         EXPECT_EQ(retimed(clip, by(3, keeps), UpAxis::Z).frameCount(), 1);
         const Clip still = retimed(clip, {.time = Seconds{0.4}, .keepsRootSpeed = keeps}, UpAxis::Z);
         ASSERT_EQ(still.frameCount(), 11);
-        EXPECT_EQ(largestStep(still.frame(10), clip.frame(0)), 0);
+        EXPECT_EQ(largestDistance(still.frame(10), clip.frame(0)), 0);
     }
 }
 

@@ -4,12 +4,15 @@
 
 #include "model/core/error.h"
 #include "model/transition/posedistance.h"
+#include "tests/model/codeof.h"
 
 #include <Eigen/Geometry>
 #include <functional>
 #include <gtest/gtest.h>
 
 namespace quadrille::testing {
+
+using test::codeOf;
 
 using Pose = std::vector<Vec3f>;
 
@@ -62,17 +65,6 @@ inline Pose moved(const Pose& pose, const Eigen::Affine3d& motion)
 inline Eigen::Affine3d someMotion()
 {
     return Eigen::Translation3d(4, -2, 1) * Eigen::AngleAxisd(2.5, Vec3d(1, 2, -1).normalized());
-}
-
-inline ErrorCode codeOf(const std::function<void()>& call)
-{
-    try {
-        call();
-    } catch (const Error& error) {
-        return error.code();
-    }
-    ADD_FAILURE() << "nothing was thrown";
-    return ErrorCode::Unexpected;
 }
 
 } // namespace quadrille::testing

@@ -4,6 +4,7 @@
 
 #include "model/core/file.h"
 #include "model/sequence/io/format.h"
+#include "tests/model/codeof.h"
 
 #include <cstring>
 #include <filesystem>
@@ -14,6 +15,8 @@
 #include <vector>
 
 namespace quadrille {
+
+using test::codeOf;
 
 /// A folder of its own, removed at the end.
 class TemporaryFolder
@@ -49,20 +52,6 @@ inline SourceFiles fileSource(const std::filesystem::path& path)
     source.files = {path};
     source.stem = path.stem().string();
     return source;
-}
-
-/// Code of the Error that a call throws; fails the test when it throws none.
-template <typename Call>
-ErrorCode codeOf(Call&& call)
-{
-    try {
-        call();
-    } catch (const Error& error) {
-        EXPECT_STRNE(error.what(), "");
-        return error.code();
-    }
-    ADD_FAILURE() << "no error was thrown";
-    return ErrorCode::BadArgument;
 }
 
 inline std::filesystem::path dataDirectory()

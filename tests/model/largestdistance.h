@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/units.h"
+
+#include <algorithm>
+
+namespace quadrille::testing {
+
+/// The largest distance of a vertex between two frames.
+inline double largestDistance(Positions a, Positions b)
+{
+    double largest = 0;
+    for (std::size_t v = 0; v < a.size(); ++v)
+        largest = std::max(largest, static_cast<double>((a[v] - b[v]).norm()));
+    return largest;
+}
+
+} // namespace quadrille::testing
