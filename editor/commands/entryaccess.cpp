@@ -65,6 +65,9 @@ std::size_t memoryOf(const AnimationEntry& animation)
     }
     if (animation.walk)
         bytes += animation.walk->spans.size() * sizeof(WalkSpanEntry);
+    if (animation.audio)
+        bytes += animation.audio->file.capacity();
+    bytes += animation.camera.size() * sizeof(CameraKeyEntry);
     return bytes;
 }
 

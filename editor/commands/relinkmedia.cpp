@@ -11,7 +11,7 @@ namespace quadrille {
 RelinkMedia::RelinkMedia(ProjectDocument& document, const QString& text,
                          const std::vector<std::pair<std::string, std::string>>& newPaths)
     : ProjectCommand(document, text)
-    , m_before{document.project().characters, document.project().sequences}
+    , m_before{document.project().characters, document.project().sequences, document.project().animations}
     , m_after(m_before)
 {
     const auto replace = [&](std::string& path) {
@@ -27,6 +27,10 @@ RelinkMedia::RelinkMedia(ProjectDocument& document, const QString& text,
         replace(sequence.source);
         replace(sequence.jointAngles);
         std::ranges::for_each(sequence.texture.paths, replace);
+    }
+    for (AnimationEntry& animation : m_after.animations) {
+        if (animation.audio)
+            replace(animation.audio->file);
     }
 }
 
@@ -46,6 +50,8 @@ std::size_t RelinkMedia::bytes() const
             sum += memoryOf(character);
         for (const SequenceEntry& sequence : entries->sequences)
             sum += memoryOf(sequence);
+        for (const AnimationEntry& animation : entries->animations)
+            sum += memoryOf(animation);
     }
     return sum;
 }
@@ -56,8 +62,10 @@ void RelinkMedia::show(const Entries& entries)
         [&](Project& project) {
             project.characters = entries.characters;
             project.sequences = entries.sequences;
+            project.animations = entries.animations;
         },
-        {ChangeEvent::list(Section::Characters), ChangeEvent::list(Section::Sequences)});
+        {ChangeEvent::list(Section::Characters), ChangeEvent::list(Section::Sequences),
+         ChangeEvent::list(Section::Animations)});
 }
 
 } // namespace quadrille

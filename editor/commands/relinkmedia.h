@@ -31,6 +31,7 @@ private:
     {
         std::vector<CharacterEntry> characters;
         std::vector<SequenceEntry> sequences;
+        std::vector<AnimationEntry> animations;
         bool operator==(const Entries&) const = default;
     };
     void show(const Entries& entries);

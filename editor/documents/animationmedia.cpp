@@ -32,6 +32,14 @@ bool haveSameWalk(const AnimationResult& before, const AnimationEntry& entry)
            walkSettings(entry, before.character->graph.work());
 }
 
+/// Sound and camera make no other frames.
+AnimationEntry withoutSoundAndCamera(AnimationEntry entry)
+{
+    entry.audio.reset();
+    entry.camera.clear();
+    return entry;
+}
+
 ResultPointer makeResult(const AnimationEntry& entry, std::shared_ptr<const OpenedCharacter> character,
                          AnimationWalk walk, const Progress& progress)
 {
@@ -189,7 +197,7 @@ void AnimationMedia::update()
 
 void AnimationMedia::update(const QString& name, Item& item)
 {
-    const AnimationEntry& entry = *m_document.animation(name);
+    const AnimationEntry entry = withoutSoundAndCamera(*m_document.animation(name));
     if (!asksForSomething(entry)) {
         item.solved = entry;
         item.medium.result.reset();

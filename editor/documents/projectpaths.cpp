@@ -27,8 +27,11 @@ Project rewritten(Project project, const Rewrite& rewrite)
         sequence.jointAngles = rewrite(sequence.jointAngles);
         rewriteTexture(sequence.texture, rewrite);
     }
-    for (AnimationEntry& animation : project.animations)
+    for (AnimationEntry& animation : project.animations) {
         animation.post.symmetry = rewrite(animation.post.symmetry);
+        if (animation.audio)
+            animation.audio->file = rewrite(animation.audio->file);
+    }
     for (ExportEntry& entry : project.exports)
         entry.path = rewrite(entry.path);
     return project;

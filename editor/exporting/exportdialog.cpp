@@ -202,9 +202,19 @@ void ExportDialog::readControls()
     const bool isWhole = shown == nullptr || range == FrameRange::all(shown->frameCount());
     entry.range = isWhole || m_plan.clips.size() > 1 ? std::nullopt : std::optional(range);
     if (m_plan.isPicture())
-        entry.picture = pictureToJson(m_picture->settings());
+        entry.picture = picture();
     m_first->setMaximum(m_last->value());
     m_last->setMinimum(m_first->value());
+}
+
+UnknownKeys ExportDialog::picture() const
+{
+    UnknownKeys json = pictureToJson(m_picture->settings());
+    if (m_picture->takesKeys()) {
+        for (const char* key : {"camera", "revolutions", "view"})
+            json.erase(key);
+    }
+    return json;
 }
 
 void ExportDialog::showPlan()
@@ -234,6 +244,10 @@ void ExportDialog::showPlan()
         ProjectProblems ignored;
         m_picture->setSettings(pictureFromJson(entry.picture, "/picture", ignored));
     }
+    const AnimationEntry* animation = m_context.document.animation(nameOfClip(m_plan.clips.front()));
+    const bool hasKeys = animation != nullptr && !animation->camera.empty() &&
+                         m_plan.clips.front().startsWith(QLatin1String("animations/"));
+    m_picture->setKeysPossible(hasKeys, hasKeys && !entry.picture.contains("camera"));
     showFacts();
 }
 
@@ -275,7 +289,7 @@ void ExportDialog::chooseFormat()
     m_plan.entry.path = withEndingOf(m_plan.entry.path, m_plan.format());
     const ExportPlan fresh = planExport(m_plan.clips, m_plan.entry.format, {});
     m_plan.entry.name = hasOwnName ? before : fresh.entry.name;
-    m_plan.entry.picture = m_plan.isPicture() ? pictureToJson(m_picture->settings()) : UnknownKeys();
+    m_plan.entry.picture = m_plan.isPicture() ? picture() : UnknownKeys();
     showPlan();
 }
 

@@ -48,6 +48,8 @@ private:
     void readControls();
     void showPlan();
     void showFacts();
+    /// What the picture's fields say, as an entry holds it.
+    UnknownKeys picture() const;
     void choosePlace();
     void chooseFormat();
     bool mayWriteOver();

@@ -15,6 +15,8 @@ namespace quadrille {
 namespace {
 
 constexpr int largestSide = 8192;
+/// Of the camera that goes along keys, behind the modes.
+constexpr int keysIndex = 3;
 
 } // namespace
 
@@ -71,7 +73,8 @@ RenderSettings PictureFields::settings() const
     settings.look.height = m_height->value();
     settings.look.background = static_cast<RenderOptions::Background>(m_background->currentIndex());
     settings.look.shading = static_cast<RenderOptions::Shading>(m_shading->currentIndex());
-    settings.camera = static_cast<CameraMode>(m_camera->currentIndex());
+    if (!takesKeys())
+        settings.camera = static_cast<CameraMode>(m_camera->currentIndex());
     settings.revolutions = m_turns->value();
     return settings;
 }
@@ -84,8 +87,27 @@ void PictureFields::setSettings(const RenderSettings& settings)
     m_height->setValue(settings.look.height);
     m_background->setCurrentIndex(static_cast<int>(settings.look.background));
     m_shading->setCurrentIndex(static_cast<int>(settings.look.shading));
-    m_camera->setCurrentIndex(static_cast<int>(settings.camera));
+    if (!takesKeys())
+        m_camera->setCurrentIndex(static_cast<int>(settings.camera));
     m_turns->setValue(settings.revolutions);
+}
+
+void PictureFields::setKeysPossible(bool possible, bool taken)
+{
+    const QSignalBlocker blocker(this);
+    if (!possible && m_camera->count() > keysIndex)
+        m_camera->removeItem(keysIndex);
+    else if (possible && m_camera->count() == keysIndex)
+        m_camera->addItem(tr("Goes along its keys"));
+    if (possible && taken)
+        m_camera->setCurrentIndex(keysIndex);
+    else if (m_camera->currentIndex() < 0 || takesKeys())
+        m_camera->setCurrentIndex(static_cast<int>(m_settings.camera));
+}
+
+bool PictureFields::takesKeys() const
+{
+    return m_camera->currentIndex() == keysIndex;
 }
 
 void PictureFields::setTransparencyPossible(bool possible)
@@ -117,6 +139,8 @@ void PictureFields::retranslate()
     name(*m_background, {tr("Light"), tr("Dark"), tr("Transparent")});
     name(*m_shading, {tr("Textured"), tr("Texture without light"), tr("Clay"), tr("Wireframe")});
     name(*m_camera, {tr("Turns around the figure"), tr("Stands still"), tr("Follows the figure")});
+    if (m_camera->count() > keysIndex)
+        m_camera->setItemText(keysIndex, tr("Goes along its keys"));
     m_turns->setToolTip(tr("Full turns of the camera over the clip; negative ones go the other way round"));
 }
 

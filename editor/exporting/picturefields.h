@@ -23,6 +23,10 @@ public:
 
     RenderSettings settings() const;
     void setSettings(const RenderSettings& settings);
+    /// Offers the camera keys of an animation, and takes them or not.
+    void setKeysPossible(bool possible, bool taken);
+    /// The camera is that of the animation's keys.
+    bool takesKeys() const;
     /// Video holds no transparency.
     void setTransparencyPossible(bool possible);
 

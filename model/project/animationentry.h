@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/core/units.h"
+#include "model/render/camerakeys.h"
 #include "model/synthesis/postprocessingsettings.h"
 #include "model/transition/interpolationmethod.h"
 
@@ -173,6 +174,26 @@ struct PostProcessingEntry
     bool operator==(const PostProcessingEntry&) const = default;
 };
 
+/// A sound that is heard with an animation.
+struct AudioEntry
+{
+    std::string file;
+    double offset = 0; ///< when it begins, seconds from the start; below zero: its beginning is not heard
+    double gain = 0;   ///< decibels
+    UnknownKeys unknown;
+
+    bool operator==(const AudioEntry&) const = default;
+};
+
+/// Where the camera of pictures and videos stands at a time, in the project's axes and unit.
+struct CameraKeyEntry
+{
+    CameraKey key;
+    UnknownKeys unknown;
+
+    bool operator==(const CameraKeyEntry&) const = default;
+};
+
 /// A performance made from captured ones.
 struct AnimationEntry
 {
@@ -186,6 +207,8 @@ struct AnimationEntry
     InterpolationMethod interpolation = InterpolationMethod::Poisson;
     bool gentleBlend = false; ///< BlendSettings::gentle instead of the paper's
     PostProcessingEntry post;
+    std::optional<AudioEntry> audio;
+    std::vector<CameraKeyEntry> camera; ///< in the order of their times
     UnknownKeys unknown;
 
     bool operator==(const AnimationEntry&) const = default;

@@ -9,7 +9,7 @@ namespace quadrille {
 /// An entry of the section “animations”. Points of paths come out in the project's axes.
 AnimationEntry readAnimation(const ObjectReader& reader, UpAxis up);
 Json animationToJson(const AnimationEntry& animation, UpAxis up);
-/// The same as one line of text, for the key of a result.
+/// All that its frames depend on as one line of text, for the key of a result: no sound and no camera.
 std::string animationSettings(const AnimationEntry& animation, UpAxis up);
 
 /// A point of the ground as the file has it, in the two axes of the project that are not up, in their order.

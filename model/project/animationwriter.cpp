@@ -221,6 +221,32 @@ Json toJson(const PostProcessingEntry& post)
     return json;
 }
 
+Json toJson(const AudioEntry& audio)
+{
+    Json json = Json::object();
+    json["file"] = audio.file;
+    if (audio.offset != 0)
+        json["offset"] = audio.offset;
+    if (audio.gain != 0)
+        json["gain"] = audio.gain;
+    addUnknown(json, audio.unknown);
+    return json;
+}
+
+Json toJson(const CameraKeyEntry& entry)
+{
+    const CameraKey& key = entry.key;
+    Json json = Json::object();
+    json["time"] = key.time;
+    json["target"] = Json::array({key.target.x(), key.target.y(), key.target.z()});
+    json["distance"] = key.distance;
+    json["azimuth"] = key.azimuth;
+    json["elevation"] = key.elevation;
+    json["fov"] = key.fieldOfView;
+    addUnknown(json, entry.unknown);
+    return json;
+}
+
 } // namespace
 
 Json animationToJson(const AnimationEntry& animation, UpAxis up)
@@ -246,13 +272,20 @@ Json animationToJson(const AnimationEntry& animation, UpAxis up)
     if (animation.gentleBlend)
         json["blend"] = "gentle";
     addMember("post", toJson(animation.post));
+    if (animation.audio)
+        json["audio"] = toJson(*animation.audio);
+    for (const CameraKeyEntry& key : animation.camera)
+        json["camera"].push_back(toJson(key));
     addUnknown(json, animation.unknown);
     return json;
 }
 
 std::string animationSettings(const AnimationEntry& animation, UpAxis up)
 {
-    return animationToJson(animation, up).dump(-1, ' ', true, Json::error_handler_t::replace);
+    AnimationEntry shown = animation;
+    shown.audio.reset();
+    shown.camera.clear();
+    return animationToJson(shown, up).dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
 } // namespace quadrille

@@ -12,6 +12,16 @@
 
 namespace quadrille {
 
+namespace {
+
+const AnimationEntry* animationOf(const Project& project, const ExportEntry& entry)
+{
+    const auto name = nameOfClip(entry.what, "animations");
+    return name ? findAnimation(project, *name) : nullptr;
+}
+
+} // namespace
+
 const Exporter& exporterOf(const ExportEntry& entry)
 {
     if (entry.format.empty())
@@ -33,22 +43,49 @@ std::vector<std::string> stagesOf(const Project& project, const ExportEntry& ent
     return sequence ? clipInputs(project, {*sequence}) : std::vector<std::string>();
 }
 
-ExportResult writeExport(const ExportEntry& entry, const MeshSequence& sequence,
-                         const ProjectSettings& settings, const std::filesystem::path& folder,
-                         const Progress& progress)
+const AudioEntry* soundOf(const Project& project, const ExportEntry& entry)
+{
+    const AnimationEntry* animation =
+        exporterOf(entry).format().id == "mp4" ? animationOf(project, entry) : nullptr;
+    return animation != nullptr && animation->audio ? &*animation->audio : nullptr;
+}
+
+std::vector<CameraKey> cameraKeysOf(const Project& project, const ExportEntry& entry)
+{
+    const std::string& format = exporterOf(entry).format().id;
+    const bool namesCamera = entry.picture.contains("camera") || entry.picture.contains("view");
+    std::vector<CameraKey> keys;
+    if (const auto* animation = animationOf(project, entry);
+        animation != nullptr && !namesCamera && (format == "mp4" || format == "png")) {
+        for (const CameraKeyEntry& key : animation->camera)
+            keys.push_back(key.key);
+    }
+    return keys;
+}
+
+ExportResult writeExport(const ExportEntry& entry, const MeshSequence& sequence, const Project& project,
+                         const std::filesystem::path& folder, const Progress& progress)
 {
     const Exporter& exporter = exporterOf(entry);
     ExportOptions options;
     options.range = entry.range;
     options.fps = entry.fps;
-    options.from = settings.axes;
-    options.to = entry.axes.value_or(settings.axes);
+    options.from = project.settings.axes;
+    options.to = entry.axes.value_or(options.from);
     options.textures = entry.textures;
     ProjectProblems problems;
     options.render = pictureFromJson(entry.picture, "/picture", problems);
     if (hasErrors(problems))
         throw Error(problems.front().code, problems.front().context);
     options.render.look.axes = options.to;
+    const double start = entry.range ? static_cast<double>(entry.range->first.value) / sequence.fps : 0;
+    options.render.keys = cameraKeysOf(project, entry);
+    for (CameraKey& key : options.render.keys) {
+        key = converted(key, options.from, options.to);
+        key.time -= start;
+    }
+    if (const AudioEntry* audio = soundOf(project, entry))
+        options.sound = SoundTrack{resolvePath(audio->file, folder), audio->offset - start, audio->gain};
     MeshSequence prepared = entry.range ? sequence.cutTo(*entry.range) : sequence;
     if (entry.fps)
         prepared = resampled(prepared, *entry.fps);

@@ -14,11 +14,15 @@ const Exporter& exporterOf(const ExportEntry& entry);
 /// The stages whose results an export reads. \return empty where it needs files only.
 std::vector<std::string> stagesOf(const Project& project, const ExportEntry& entry);
 
+/// The sound that is written with an export: that of the animation, into videos; null without one.
+const AudioEntry* soundOf(const Project& project, const ExportEntry& entry);
+/// The camera keys of pictures and videos: those of the animation, where the entry names no camera itself.
+std::vector<CameraKey> cameraKeysOf(const Project& project, const ExportEntry& entry);
+
 /// Writes a clip as an entry says.
 /// \param folder the project file's.
 /// \throws Error as exportSequence.
-ExportResult writeExport(const ExportEntry& entry, const MeshSequence& sequence,
-                         const ProjectSettings& settings, const std::filesystem::path& folder,
-                         const Progress& progress);
+ExportResult writeExport(const ExportEntry& entry, const MeshSequence& sequence, const Project& project,
+                         const std::filesystem::path& folder, const Progress& progress);
 
 } // namespace quadrille

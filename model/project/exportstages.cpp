@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/contenthash.h"
+#include "model/project/animationjson.h"
 #include "model/project/exportentry.h"
 #include "model/project/paths.h"
 #include "model/project/projectjson.h"
@@ -19,6 +20,27 @@ std::string entryText(const ExportEntry& entry)
     return writeJson(projectToJson(project)["exports"][0]);
 }
 
+/// What an export takes from its animation beside the frames.
+void addSoundAndCamera(ResultStage& stage, const SequenceOpener& opener, const ExportEntry& entry)
+{
+    const Project& project = opener.project();
+    AnimationEntry beside;
+    try {
+        if (const AudioEntry* audio = soundOf(project, entry)) {
+            beside.audio = *audio;
+            stage.files = [file = resolvePath(audio->file, opener.folder())](const Progress&) {
+                return std::vector{file};
+            };
+        }
+        for (const CameraKey& key : cameraKeysOf(project, entry))
+            beside.camera.push_back({.key = key});
+    } catch (const Error&) {
+        return; // of a format that is not known: the stage says so when it computes
+    }
+    if (beside != AnimationEntry())
+        stage.settings += animationToJson(beside, project.settings.axes.up).dump();
+}
+
 ResultStage exportStage(const StageMaking& making, const ExportEntry& entry)
 {
     const auto opener = making.opener;
@@ -29,6 +51,8 @@ ResultStage exportStage(const StageMaking& making, const ExportEntry& entry)
     stage.dataPrefix = stage.name;
     stage.settings = entryText(entry);
     stage.inputs = stagesOf(project, entry);
+    if (clip.starts_with("animations/"))
+        addSoundAndCamera(stage, *opener, entry);
     if (const auto sequence = nameOfClip(clip, "sequences"); sequence && findSequence(project, *sequence)) {
         stage.settings += sequenceSettings(project, *findSequence(project, *sequence));
         stage.files = [opener, name = *sequence](const Progress& progress) {
@@ -37,8 +61,8 @@ ResultStage exportStage(const StageMaking& making, const ExportEntry& entry)
     }
     stage.compute = [opener, clip, entry](const StageContext& context, const Progress& progress) {
         const auto opened = opener->openClip(clip, progress.part(0, 0.1));
-        const auto written = writeExport(entry, opened->sequence, opener->project().settings,
-                                         opener->folder(), progress.part(0.1, 0.95));
+        const auto written = writeExport(entry, opened->sequence, opener->project(), opener->folder(),
+                                         progress.part(0.1, 0.95));
         for (const Issue& issue : written.issues)
             context.tell(issue);
         Result result;

@@ -39,6 +39,12 @@ void visitMedia(ProjectType& project, const Visit& visit)
         visitTexture(sequence.texture, owner, pointer);
         visit(sequence.jointAngles, owner, pointer + "/joint_angles");
     }
+    for (std::size_t i = 0; i < project.animations.size(); ++i) {
+        auto& animation = project.animations[i];
+        if (animation.audio)
+            visit(animation.audio->file, "animations/" + animation.name,
+                  "/animations/" + std::to_string(i) + "/audio/file");
+    }
 }
 
 } // namespace

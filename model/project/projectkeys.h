@@ -21,9 +21,12 @@ inline constexpr std::array<std::string_view, 12> sequence{
     "source_up_axis", "source_unit", "texture", "labels", "contacts", "joint_angles"};
 inline constexpr std::array<std::string_view, 9> graph{
     "character", "metric", "stretch_weight", "cost", "cost_scale", "slope", "durations", "alpha", "d_max"};
-inline constexpr std::array<std::string_view, 10> animation{"name",   "character", "start", "constraints",
+inline constexpr std::array<std::string_view, 12> animation{"name",   "character", "start", "constraints",
                                                             "search", "junctions", "walk",  "interpolation",
-                                                            "blend",  "post"};
+                                                            "blend",  "post",      "audio", "camera"};
+inline constexpr std::array<std::string_view, 3> audio{"file", "offset", "gain"};
+inline constexpr std::array<std::string_view, 6> cameraKey{"time",    "target",    "distance",
+                                                           "azimuth", "elevation", "fov"};
 inline constexpr std::array<std::string_view, 5> key{"kind", "sequence", "frame", "time", "tolerance"};
 inline constexpr std::array<std::string_view, 6> path{"kind",  "curve",     "points",
                                                       "spans", "obstacles", "clearance"};

@@ -40,7 +40,7 @@ std::vector<ExportResult> runExports(const Project& project, const std::filesyst
         const double at = 0.5 + 0.5 * static_cast<double>(results.size()) / count;
         const Progress part = progress.part(at, at + 0.5 / count);
         const auto opened = opener.openClip(entry.what, part.part(0, 0.1));
-        results.push_back(writeExport(entry, opened->sequence, project.settings, folder, part.part(0.1, 1)));
+        results.push_back(writeExport(entry, opened->sequence, project, folder, part.part(0.1, 1)));
     }
     return results;
 }

@@ -46,6 +46,9 @@ public:
         if (m_animation.walk)
             checkWalk(*m_animation.walk);
         checkPost(m_animation.post.steps);
+        if (m_animation.audio)
+            checkAudio(*m_animation.audio);
+        checkCamera();
     }
 
 private:
@@ -230,6 +233,36 @@ private:
                 !(curve[i].clip.value >= curve[i - 1].clip.value))
                 invalid(place + "/" + std::to_string(i), "The times of the curve do not increase",
                         "Sort its points by their times.");
+        }
+    }
+
+    void checkAudio(const AudioEntry& audio)
+    {
+        if (!std::isfinite(audio.offset))
+            invalid("/audio/offset", "The offset of the sound is not a finite number");
+        if (!(audio.gain >= -100 && audio.gain <= 40))
+            invalid("/audio/gain", "The gain must be from -100 to 40 decibels");
+    }
+
+    void checkCamera()
+    {
+        for (std::size_t i = 0; i < m_animation.camera.size(); ++i) {
+            const CameraKey& key = m_animation.camera[i].key;
+            const std::string place = "/camera/" + std::to_string(i);
+            if (!(key.time >= 0) || !std::isfinite(key.time))
+                invalid(place + "/time", "The time of a camera key is below zero",
+                        "Write seconds from the start.");
+            else if (i > 0 && key.time <= m_animation.camera[i - 1].key.time)
+                invalid(place + "/time",
+                        "The camera keys are out of order: this one is not later than the one before",
+                        "Sort the keys by their times.");
+            checkPositive(key.distance, place + "/distance", "The distance of a camera");
+            if (!(std::abs(key.elevation) <= 90))
+                invalid(place + "/elevation", "The elevation must be from -90 to 90 degrees");
+            if (!std::isfinite(key.azimuth))
+                invalid(place + "/azimuth", "The azimuth is not a finite number");
+            if (!(key.fieldOfView >= 1 && key.fieldOfView <= 170))
+                invalid(place + "/fov", "The field of view must be from 1 to 170 degrees");
         }
     }
 

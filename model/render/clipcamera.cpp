@@ -69,6 +69,12 @@ std::vector<Camera> clipCameras(const MeshSequence& sequence, const RenderSettin
 {
     const UpAxis up = settings.look.axes.up;
     const auto count = static_cast<std::size_t>(sequence.frameCount());
+    if (!settings.keys.empty()) {
+        std::vector<Camera> cameras(count);
+        for (std::size_t f = 0; f < count; ++f)
+            cameras[f] = toCamera(cameraAt(settings.keys, static_cast<double>(f) / sequence.fps), up);
+        return cameras;
+    }
     if (settings.camera == CameraMode::Fixed && settings.view)
         return std::vector<Camera>(count, *settings.view);
     const Travel travel = travelOf(sequence, up, progress);

@@ -15,9 +15,9 @@ namespace quadrille {
 /// \throws Error as MeshSequence::frame, Cancelled.
 std::vector<Vec3d> followPath(const MeshSequence& sequence, UpAxis up, const Progress& progress = {});
 
-/// One camera for each frame of a clip. The turntable turns evenly and does not repeat its first view at the
-/// end, so that the clip can be looped. Without an explicit view, cameras frame what they shall see.
-/// \throws Error as MeshSequence::frame, Cancelled.
+/// One camera for each frame of a clip. Keys say where it stands; otherwise the turntable turns evenly and
+/// does not repeat its first view at the end, so that the clip can be looped. Without an explicit view,
+/// cameras frame what they shall see. \throws Error as MeshSequence::frame, Cancelled.
 std::vector<Camera> clipCameras(const MeshSequence& sequence, const RenderSettings& settings,
                                 const Progress& progress = {});
 

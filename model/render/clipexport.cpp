@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/render/clipexport.h"
 
+#include "model/audio/mp4sound.h"
+#include "model/audio/soundtrack.h"
 #include "model/core/file.h"
 #include "model/core/message.h"
 #include "model/core/stagedfiles.h"
@@ -68,12 +70,30 @@ public:
     {
         const RenderSettings settings = settingsFor(options);
         check(settings.look, out);
-        writeAtomically(
-            out, [&](const fs::path& temporary) { encode(sequence, settings, out, temporary, progress); });
-        return {{out}, {}};
+        writeAtomically(out, [&](const fs::path& temporary) {
+            encode(sequence, settings, out, temporary, progress.part(0, 0.95));
+            if (options.sound && holdsSound(out))
+                addSound(temporary, soundOf(sequence, *options.sound, progress.part(0.95, 1)));
+        });
+        ExportResult result{{out}, {}};
+        if (options.sound && !holdsSound(out)) {
+            Issue& issue = result.issues.emplace_back();
+            issue.context.file = out;
+            issue.context.values = {{"text", "The sound was left out: only MP4 videos hold it."}};
+        }
+        return result;
     }
 
 private:
+    static bool holdsSound(const fs::path& out) { return out.extension() != ".avi"; }
+
+    static Mp3Stream soundOf(const MeshSequence& sequence, const SoundTrack& track, const Progress& progress)
+    {
+        const double seconds = static_cast<double>(sequence.frameCount()) / sequence.fps;
+        const Sound sound = readSound(track.file, progress.part(0, 0.3));
+        return encodeMp3(soundOfClip(sound, track, seconds), progress.part(0.3, 1));
+    }
+
     static void check(const RenderOptions& look, const fs::path& out)
     {
         if (look.background == RenderOptions::Background::Transparent) {

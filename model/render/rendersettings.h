@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/render/camera.h"
+#include "model/render/camerakeys.h"
 #include "model/sequence/axes.h"
 
 #include <optional>
@@ -57,6 +57,8 @@ struct RenderSettings
     double revolutions = 1; ///< of the turntable over the clip
     /// Where the camera stands at the first frame; empty: where it frames the figure.
     std::optional<Camera> view;
+    /// Where it stands over the clip; where there are any, they take the place of what is above.
+    std::vector<CameraKey> keys;
 
     bool operator==(const RenderSettings&) const = default;
 };

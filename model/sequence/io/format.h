@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/core/error.h"
+#include "model/audio/soundtrack.h"
 #include "model/core/progress.h"
 #include "model/render/rendersettings.h"
 #include "model/sequence/axes.h"
@@ -94,6 +95,7 @@ struct ExportOptions
     bool textures = true;
     /// Of pictures and videos; its axes follow `to`.
     RenderSettings render;
+    std::optional<SoundTrack> sound; ///< of videos
 };
 
 struct ExportResult

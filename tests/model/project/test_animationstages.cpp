@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/clipresult.h"
+#include "model/project/exportentry.h"
+#include "model/project/media.h"
 #include "model/project/validate.h"
+#include "tests/model/audio/tone.h"
 #include "tests/model/project/stripproject.h"
 
 #include <gmock/gmock.h>
@@ -302,4 +305,74 @@ TEST_F(AnimationStages, SayWhatAnUnfinishedAnimationLacks)
     animation().constraints = {action};
     EXPECT_THAT(problem(), HasSubstr("No sequence has the label “kick”"));
     EXPECT_FALSE(hasErrors(validate(project))); // it can be opened and mended
+}
+
+TEST_F(AnimationStages, TakeSoundAndCameraIntoVideosWithoutMakingTheClipAgain)
+{
+    folder.write("tone.wav", wavOf(tone(0.5)));
+    ExportEntry video;
+    video.name = "film";
+    video.what = "animations/dance";
+    video.path = "film.mp4";
+    video.picture = {{"width", 64}, {"height", 48}};
+    project.exports = {video};
+    computed(run("exports"));
+    const std::string plain = textOf(folder / "film.mp4");
+    EXPECT_THAT(computed(run("exports")), ElementsAre());
+
+    animation().audio = AudioEntry{.file = "tone.wav", .offset = 0.25};
+    EXPECT_THAT(computed(run("exports")), ElementsAre("exports/film"));
+    const std::string loud = textOf(folder / "film.mp4");
+    EXPECT_THAT(loud, HasSubstr("soun"));
+    EXPECT_THAT(plain, ::testing::Not(HasSubstr("soun")));
+
+    // Another sound under the same name is another film.
+    folder.write("tone.wav", wavOf(tone(0.25)));
+    EXPECT_THAT(computed(run("exports")), ElementsAre("exports/film"));
+    EXPECT_NE(textOf(folder / "film.mp4"), loud);
+
+    animation().camera = {{.key = {.time = 0, .target = {2, 0, 0.5}, .distance = 8}}};
+    EXPECT_THAT(computed(run("exports")), ElementsAre("exports/film"));
+    // An export that says itself what the camera does follows no keys.
+    project.exports.front().picture["camera"] = "fixed";
+    EXPECT_TRUE(cameraKeysOf(project, project.exports.front()).empty());
+    computed(run("exports"));
+    animation().camera.front().key.distance = 9;
+    EXPECT_THAT(computed(run("exports")), ElementsAre());
+}
+
+TEST_F(AnimationStages, StartSoundAndCameraWithTheFramesThatAreWritten)
+{
+    ExportEntry pictures;
+    pictures.name = "pictures";
+    pictures.what = "animations/dance";
+    pictures.path = "out/p.png";
+    pictures.picture = {{"width", 64}, {"height", 48}};
+    CameraKey still{.time = 0, .target = {2, 0, 0.5}, .distance = 8};
+    animation().camera = {{.key = still}, {.key = {.time = 0.5, .target = {2, 0, 0.5}, .distance = 2}}};
+    ExportEntry part = pictures;
+    part.name = "part";
+    part.path = "out/q.png";
+    part.range = FrameRange{FrameIndex(3), FrameIndex(4)}; // 0.5 s
+    project.exports = {pictures, part};
+    computed(run("exports"));
+    EXPECT_EQ(textOf(folder / "out/p_0003.png"), textOf(folder / "out/q_0000.png"));
+    EXPECT_NE(textOf(folder / "out/p_0000.png"), textOf(folder / "out/q_0000.png"));
+}
+
+TEST_F(AnimationStages, MissASoundThatIsNotThere)
+{
+    animation().audio = AudioEntry{.file = "none.wav"};
+    const auto media = mediaOf(project, folder.path());
+    ASSERT_EQ(std::count_if(media.begin(), media.end(), [](const MediaUse& use) { return !use.exists; }), 1);
+    EXPECT_EQ(media.back().pointer, "/animations/0/audio/file");
+    EXPECT_EQ(media.back().owner, "animations/dance");
+}
+
+TEST_F(AnimationStages, NameWhatIsWrongWithACamera)
+{
+    animation().camera = {{.key = {.time = 1}}, {.key = {.time = 1}}};
+    const auto problems = validate(project);
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_EQ(problems.front().pointer, "/animations/0/camera/1/time");
 }

@@ -78,7 +78,7 @@ TEST(References, FollowAnAnimationAndACharacter)
     project.characters[0].mesh = project.characters[0].texture.paths[0] = "a";
     project.sequences[0].source = project.sequences[0].jointAngles = "b";
     project.sequences[0].texture.paths = {"c"};
-    project.animations[0].post.symmetry = "d";
+    project.animations[0].post.symmetry = project.animations[0].audio->file = "d";
     ASSERT_EQ(files.character, "liam");
     renameEntry(project, NamedKind::Animation, "tour", "trip");
     renameEntry(project, NamedKind::Character, "liam", "noah");

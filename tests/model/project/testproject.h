@@ -118,6 +118,19 @@ inline AnimationEntry fullAnimation()
     animation.post.steps.repeats = 3;
     animation.post.steps.retime =
         RetimeSettings{RetimeSettings::Curve{{Seconds{0}, Seconds{0}}, {Seconds{2}, Seconds{1}}}, true};
+    AudioEntry audio;
+    audio.file = "liam/song.wav";
+    audio.offset = -0.5;
+    audio.gain = -6;
+    animation.audio = audio;
+    CameraKeyEntry camera;
+    camera.key = {.time = 1.5,
+                  .target = {0, 0.25, 1},
+                  .distance = 3.5,
+                  .azimuth = 45,
+                  .elevation = 10,
+                  .fieldOfView = 40};
+    animation.camera = {camera};
     return animation;
 }
 

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/audio/sound.h"
+
+#include <string>
+
+namespace quadrille {
+
+/// A sound as MPEG layer III, frame by frame, each of which can be decoded by itself and the one before it.
+struct Mp3Stream
+{
+    int rate = 48000;
+    int channels = 1;
+    int samplesPerFrame = 1152;
+    int bitsPerSecond = 0;
+    /// Sample frames that come out of a decoder before the first of the sound.
+    int delay = 0;
+    std::int64_t length = 0; ///< sample frames of the sound itself
+    std::vector<std::string> frames;
+};
+
+/// Compresses a sound of one channel or two at a constant rate; one whose rate the format does not know is
+/// resampled. \throws Error WriteFailed, Cancelled.
+Mp3Stream encodeMp3(const Sound& sound, const Progress& progress = {});
+
+} // namespace quadrille
