@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "editor/application/memory.h"
 #include "editor/application/settings.h"
 #include "editor/mainwindow.h"
 #include "widgets/theme/icons.h"
@@ -12,6 +13,7 @@
 int main(int argc, char** argv)
 {
     using namespace quadrille;
+    returnLargeBlocks();
     // Under Wayland VTK's context sharing needs XWayland.
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "xcb");
