@@ -57,6 +57,8 @@ MainWindow::MainWindow(QWidget* parent)
     setWindowIcon(widgets::icons::application());
     setAcceptDrops(true);
     resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     makeCentre();
     makeDocks();
     makeWorkspaces();

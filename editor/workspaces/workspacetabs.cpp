@@ -17,6 +17,15 @@
 
 namespace quadrille {
 
+namespace {
+
+/// Of docks below the view, the first time: the view matters more.
+constexpr int lowHeight = 150;
+/// In windows below this height such docks wait in the menu until somebody wants them.
+constexpr int roomyHeight = 840;
+
+} // namespace
+
 WorkspaceTabs::WorkspaceTabs(EditorContext& context, QMainWindow& window)
     : m_context(context)
     , m_window(window)
@@ -121,8 +130,15 @@ void WorkspaceTabs::arrangeDocks(int index)
         }
     }
     const auto& docks = m_entries[place].docks;
-    if (!isKnown && !docks.empty())
-        docks.front()->raise();
+    if (isKnown || docks.empty())
+        return;
+    docks.front()->raise();
+    for (QDockWidget* dock : docks) {
+        if (m_window.dockWidgetArea(dock) != Qt::BottomDockWidgetArea)
+            continue;
+        dock->setVisible(dock->property("isShownFirst").toBool() && m_window.height() >= roomyHeight);
+        m_window.resizeDocks({dock}, {lowHeight}, Qt::Vertical);
+    }
 }
 
 QJsonObject WorkspaceTabs::states()
