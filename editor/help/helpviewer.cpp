@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/help/helpviewer.h"
 
+#include "editor/help/helpbrowser.h"
 #include "editor/language/retranslate.h"
 
 #include <QFile>
@@ -42,7 +43,7 @@ void setHelpPage(QWidget* widget, const QString& page)
 }
 
 HelpViewer::HelpViewer(QWidget* parent)
-    : QDialog(parent), m_browser(new QTextBrowser), m_contents(new QToolButton), m_back(new QToolButton)
+    : QDialog(parent), m_browser(new HelpBrowser), m_contents(new QToolButton), m_back(new QToolButton)
 {
     setObjectName(QStringLiteral("helpViewer"));
     resize(640, 720);
