@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/graph/transitioncosts.h"
+#include "model/transition/framepair.h"
+
+namespace quadrille {
+
+struct AlternativeSettings
+{
+    int reach = 12; ///< frames of the same sequence before and after a source that are considered as well
+    int apart = 4;  ///< frames by which the source or the destination of two alternatives differ at least
+    int most = 10;  ///< how many are wanted
+};
+
+/// Other transitions that could be taken instead of one: those of least weight (see TransitionCosts::weight)
+/// that leave its sequence about where it does, each by itself and none like the one itself.
+/// \return the cheapest first (of two alike that of the earlier source, then destination).
+/// Cost: O(reach · frames · log frames).
+std::vector<FramePair> alternatives(const TransitionCosts& costs, double alpha, const FramePair& chosen,
+                                    const AlternativeSettings& settings = {});
+
+} // namespace quadrille
