@@ -54,6 +54,11 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
                                                        "",
                                                        "view.jobs"});
     view->addActions(docks);
+    addMenu([] { return tr("&Graph"); },
+            {"graph.compute", "graph.stop", "", "graph.alphaDown", "graph.alphaUp", "", "graph.matrix",
+             "graph.arcs", "graph.essentialEdges", "graph.motionEdges", "graph.fit", "", "graph.play",
+             "graph.frames", "graph.gentle", "", "graph.why", "graph.charts", "graph.gaps", "graph.settings",
+             "", "graph.saveTables"});
     addMenu([] { return tr("&Animate"); }, {"animate.new",
                                             "animate.duplicate",
                                             "",

@@ -3,22 +3,351 @@
 #include "editor/workspaces/graph/graphworkspace.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/errors/errortext.h"
+#include "editor/language/retranslate.h"
+#include "editor/workspaces/graph/gapspanel.h"
+#include "editor/workspaces/graph/graphbar.h"
+#include "editor/workspaces/graph/graphchartspanel.h"
+#include "editor/workspaces/graph/graphexplorer.h"
+#include "editor/workspaces/graph/graphmap.h"
+#include "editor/workspaces/graph/graphsettingspanel.h"
+#include "editor/workspaces/graph/graphstatepage.h"
+#include "editor/workspaces/graph/transitionpanel.h"
+#include "editor/workspaces/graph/transitionpreview.h"
+#include "widgets/controls/messagestrip.h"
+#include "widgets/graph/matrixview.h"
+#include "widgets/theme/theme.h"
 
+#include <QLabel>
+#include <QLocale>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 namespace quadrille {
 
+namespace {
+
+constexpr int dwellMilliseconds = 350;
+
+QScrollArea* scrolled(QWidget* content)
+{
+    auto* area = new QScrollArea;
+    area->setWidget(content);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    return area;
+}
+
+/// Captured, blended, captured, as the timeline shows them.
+std::vector<widgets::TimelineSpan> spansOf(const TransitionClip& clip, const GraphExplorer& explorer)
+{
+    using widgets::ColorRole;
+    using widgets::Theme;
+    const auto last = static_cast<int>(clip.sequence.frameCount()) - 1;
+    const auto first = static_cast<int>(clip.first);
+    const auto arrival = static_cast<int>(clip.last);
+    std::vector<widgets::TimelineSpan> spans{
+        {0, 0, first, frameName(explorer, clip.frames.source), Theme::color(ColorRole::Original), false}};
+    if (arrival > first + 1)
+        spans.push_back({1, first + 1, arrival - 1, GraphWorkspace::tr("blended"),
+                         Theme::color(ColorRole::Synthetic), true});
+    if (arrival > first)
+        spans.push_back({2, arrival, last, frameName(explorer, clip.frames.destination),
+                         Theme::color(ColorRole::Original), false});
+    return spans;
+}
+
+} // namespace
+
 GraphWorkspace::GraphWorkspace(EditorContext& context, QWidget* parent)
     : Workspace(parent)
+    , m_context(context)
     , m_view(new StageView(context,
-                           {.clip = [](const QString&, bool) -> const MeshSequence* { return nullptr; },
+                           {.clip = [this](const QString& name, bool) { return m_preview->sequence(name); },
                             .upAxis = [&context] { return context.media.upAxis(); }},
                            QStringLiteral("graph")))
+    , m_explorer(new GraphExplorer(context.jobs, this))
+    , m_preview(new TransitionPreview(context.jobs, this))
+    , m_bar(new GraphBar(context, *m_explorer))
+    , m_map(new GraphMap(*m_explorer, context.jobs))
+    , m_statePage(new GraphStatePage(context))
+    , m_message(new widgets::MessageStrip)
+    , m_readOut(new QLabel)
+    , m_pages(new QStackedWidget)
+    , m_tabs(new QTabWidget)
+    , m_transition(new TransitionPanel(*m_explorer))
+    , m_charts(new GraphChartsPanel(*m_explorer))
+    , m_gaps(new GapsPanel(*m_explorer))
+    , m_settings(new GraphSettingsPanel(context))
 {
     setObjectName(QStringLiteral("graphWorkspace"));
+    m_message->setObjectName(QStringLiteral("graphMessage"));
+    m_dwell.setSingleShot(true);
+    m_dwell.setInterval(dwellMilliseconds);
+    makeActions();
+    makePanels();
+    arrangeWidgets();
+    connectParts();
+    retranslates(this, [this] {
+        m_tabs->setTabText(0, tr("Transition"));
+        m_tabs->setTabText(1, tr("Charts"));
+        m_tabs->setTabText(2, tr("Gaps"));
+        m_tabs->setTabText(3, tr("Settings"));
+        showState();
+        showReadOut();
+    });
+}
+
+void GraphWorkspace::makePanels()
+{
+    m_tabs->setObjectName(QStringLiteral("graphTabs"));
+    m_tabs->setDocumentMode(true);
+    m_tabs->addTab(m_transition, {});
+    m_tabs->addTab(m_charts, {});
+    m_tabs->addTab(m_gaps, {});
+    m_tabs->addTab(scrolled(m_settings), {});
+    m_panels = {{"graphDock", [] { return tr("Transitions"); }, m_tabs, Qt::RightDockWidgetArea}};
+}
+
+void GraphWorkspace::arrangeWidgets()
+{
+    m_readOut->setObjectName(QStringLiteral("graphReadOut"));
+    m_readOut->setFont(widgets::Theme::tabularFont(m_readOut->font()));
+    m_readOut->setContentsMargins(8, 4, 8, 4);
+    m_readOut->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto* left = new QWidget;
+    auto* leftColumn = new QVBoxLayout(left);
+    leftColumn->setContentsMargins(0, 0, 0, 0);
+    leftColumn->setSpacing(0);
+    leftColumn->addWidget(m_message);
+    m_pages->addWidget(m_statePage);
+    m_pages->addWidget(m_map);
+    leftColumn->addWidget(m_pages, 1);
+    leftColumn->addWidget(m_readOut);
+    auto* splitter = new QSplitter(Qt::Horizontal);
+    splitter->setObjectName(QStringLiteral("graphSplitter"));
+    splitter->addWidget(left);
+    splitter->addWidget(m_view);
+    splitter->setStretchFactor(0, 3);
+    splitter->setStretchFactor(1, 2);
+    splitter->setChildrenCollapsible(false);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_view);
+    column->setSpacing(0);
+    column->addWidget(m_bar);
+    column->addWidget(splitter, 1);
+}
+
+void GraphWorkspace::connectParts()
+{
+    connect(&m_context.graphs, &GraphMedia::changed, this, &GraphWorkspace::followGraph);
+    connect(&m_context.document, &ProjectDocument::changed, this, &GraphWorkspace::followGraph);
+    connect(m_bar, &GraphBar::characterChosen, this, &GraphWorkspace::followGraph);
+    connect(m_explorer, &GraphExplorer::characterChanged, this, [this] {
+        m_chosen.reset();
+        m_hovered.reset();
+        m_preview->setCharacter(m_explorer->character());
+        m_view->show(QStringList());
+        m_view->timeline().setTracks({});
+        showState();
+        showReadOut();
+    });
+    connect(m_explorer, &GraphExplorer::characterReplaced, this,
+            [this] { m_preview->replaceCharacter(m_explorer->character()); });
+    connect(m_explorer, &GraphExplorer::graphsChanged, this, [this] {
+        m_charts->setAlpha(m_explorer->alpha());
+        showReadOut();
+        updateActions();
+    });
+    connect(m_explorer, &GraphExplorer::pathsChanged, this, &GraphWorkspace::updateActions);
+    connect(m_map, &GraphMap::hovered, this, &GraphWorkspace::hover);
+    connect(m_map, &GraphMap::moved, this, [this](const FramePair& pair) {
+        choose(pair);
+        showFrames(pair);
+    });
+    connect(m_map, &GraphMap::activated, this, &GraphWorkspace::activate);
+    connect(m_transition, &TransitionPanel::chosen, this, &GraphWorkspace::activate);
+    connect(m_gaps, &GapsPanel::chosen, this, [this](const FramePair& pair, bool isTransition) {
+        m_map->setCurrent(pair);
+        if (isTransition) {
+            activate(pair);
+        } else {
+            choose(pair);
+            showFrames(pair);
+        }
+    });
+    connect(m_charts, &GraphChartsPanel::alphaEdited, m_bar, &GraphBar::editAlpha);
+    connect(m_preview, &TransitionPreview::framesChanged, this, [this] {
+        stage().update(TransitionPreview::sourceName());
+        stage().update(TransitionPreview::destinationName());
+    });
+    connect(m_preview, &TransitionPreview::clipChanged, this, &GraphWorkspace::showClip);
+    connect(m_preview, &TransitionPreview::clipFailed, this, [this](const Error& error) {
+        const ErrorText text = describe(error);
+        m_view->message().show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
+    });
+    connect(m_message, &widgets::MessageStrip::actionTriggered, this, [this] {
+        const auto* medium = m_context.graphs.medium(m_bar->character());
+        const bool computes = medium != nullptr && medium->state == GraphMedia::State::Computing;
+        m_context.actions.action(computes ? "graph.stop" : "graph.compute")->trigger();
+    });
+    connect(&m_dwell, &QTimer::timeout, this, [this] {
+        if (m_hovered)
+            showFrames(*m_hovered);
+    });
+    connect(m_view, &StageView::stageChanged, this,
+            [this] { m_view->timeline().setFrameCount(static_cast<int>(stage().frameCount())); });
+}
+
+void GraphWorkspace::setActive(bool active)
+{
+    m_isActive = active;
+    followGraph();
+}
+
+/// The graph is looked at only while somebody does.
+void GraphWorkspace::followGraph()
+{
+    if (!m_isActive)
+        return;
+    const QString character = m_bar->character();
+    const double fps = m_context.document.project().settings.fps;
+    m_map->setFps(fps);
+    m_transition->setFps(fps);
+    m_settings->show(character);
+    m_statePage->show(character);
+    const auto* medium = m_context.graphs.medium(character);
+    m_explorer->setCharacter(medium != nullptr ? medium->opened : nullptr);
+    m_charts->setAlpha(m_explorer->alpha());
+    showState();
+    updateActions();
+}
+
+void GraphWorkspace::showState()
+{
+    using State = GraphMedia::State;
+    const bool isThere = m_explorer->character() != nullptr;
+    m_pages->setCurrentIndex(isThere ? 1 : 0);
+    m_readOut->setVisible(isThere);
+    viewport().setNotice(!isThere || !stage().shown().isEmpty()
+                             ? QString()
+                             : tr("Point at the map to see two frames; click to play the transition."));
+    const auto* medium = m_context.graphs.medium(m_bar->character());
+    if (!isThere || medium == nullptr || medium->state == State::Ready) {
+        m_message->clear();
+    } else if (medium->state == State::Failed && medium->error) {
+        const ErrorText text = describe(*medium->error);
+        m_message->show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
+        m_message->setAction(tr("Try Again"));
+    } else if (medium->state == State::Computing) {
+        // A graph for another α alone comes so soon that a message would only flicker.
+        if (medium->opened != nullptr && !medium->job.isNull() && !medium->job->isBackground()) {
+            m_message->show(widgets::MessageStrip::Kind::Info,
+                            tr("The graph is computed anew; this is the one before."));
+            m_message->setAction(tr("Stop"));
+        }
+    } else {
+        m_message->show(widgets::MessageStrip::Kind::Warning,
+                        tr("The settings have changed since this graph was computed."));
+        m_message->setAction(tr("Compute"));
+    }
+}
+
+void GraphWorkspace::choose(const FramePair& pair)
+{
+    m_chosen = pair;
+    m_transition->show(pair);
+    showReadOut();
+    updateActions();
+}
+
+void GraphWorkspace::activate(const FramePair& pair)
+{
+    if (!m_explorer->character())
+        return;
+    m_dwell.stop();
+    m_view->message().clear();
+    m_map->setCurrent(pair);
+    choose(pair);
+    if (m_explorer->character()->graph.costs().hasTransition(pair.source, pair.destination))
+        m_preview->makeClip(pair);
+    else
+        showFrames(pair);
+}
+
+void GraphWorkspace::hover(const std::optional<FramePair>& pair)
+{
+    m_hovered = pair;
+    showReadOut();
+    const bool isClip = stage().shown() == QStringList{TransitionPreview::clipName()};
+    if (!pair) {
+        m_dwell.stop();
+        if (m_preview->clip() != nullptr && !isClip && m_preview->clip()->frames == m_chosen)
+            showClip();
+    } else if (!isClip) {
+        showFrames(*pair);
+    } else if (pair != m_chosen) {
+        m_dwell.start();
+    }
+}
+
+void GraphWorkspace::showFrames(const FramePair& pair)
+{
+    player().pause();
+    m_preview->showFrames(pair);
+    m_view->timeline().setTracks({});
+    m_view->show({TransitionPreview::sourceName(), TransitionPreview::destinationName()});
+    showState();
+}
+
+void GraphWorkspace::showClip()
+{
+    const TransitionClip* clip = m_preview->clip();
+    if (clip == nullptr)
+        return;
+    const QString name = TransitionPreview::clipName();
+    m_view->timeline().setTracks({{QStringLiteral("transition"), tr("Transition"),
+                                   widgets::TimelineTrack::Kind::Clips, false, spansOf(*clip, *m_explorer)}});
+    m_view->show({name});
+    stage().update(name);
+    player().goToStart();
+    player().play();
+    showState();
+}
+
+QString GraphWorkspace::readOut(const FramePair& pair) const
+{
+    const CharacterGraph& graph = m_explorer->character()->graph;
+    const TransitionTable& table = graph.transitions();
+    QString text = m_map->matrix().cellText({pair.source, pair.destination});
+    if (!graph.costs().hasTransition(pair.source, pair.destination))
+        return text;
+    const double fps = m_context.document.project().settings.fps;
+    const int length = graph.costs().length()(pair.source, pair.destination);
+    //: a cell of the map, then how long its transition is in frames and seconds, and its windows in frames
+    text = tr("%1 · %2 frames (%3 s) · windows %4 and %5")
+               .arg(text)
+               .arg(length)
+               .arg(QLocale().toString((length - 1) / fps, 'f', 2))
+               .arg(table.sourceWindow(pair.source, pair.destination))
+               .arg(table.destinationWindow(pair.source, pair.destination));
+    const auto& graphs = m_explorer->graphs();
+    if (graphs && graphs->essential.find(pair.source, pair.destination) != nullptr)
+        text = tr("%1 · Essential graph").arg(text);
+    if (graphs && graphs->motion.find(pair.source, pair.destination) != nullptr)
+        text = tr("%1 · motion graph").arg(text);
+    return text;
+}
+
+void GraphWorkspace::showReadOut()
+{
+    const auto pair = m_hovered ? m_hovered : m_chosen;
+    m_readOut->setText(pair && m_explorer->character() ? readOut(*pair)
+                                                       : tr("Point at the map to read costs"));
+    m_readOut->setToolTip(m_readOut->text());
 }
 
 } // namespace quadrille

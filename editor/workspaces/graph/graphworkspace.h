@@ -3,10 +3,34 @@
 #pragma once
 
 #include "editor/workspaces/workspace.h"
+#include "model/transition/framepair.h"
+
+#include <QTimer>
+#include <optional>
+
+class QLabel;
+class QStackedWidget;
+class QTabWidget;
 
 namespace quadrille {
 
-/// The workspace in which transitions between all frames of a character are looked at.
+class GapsPanel;
+class GraphBar;
+class GraphChartsPanel;
+class GraphExplorer;
+class GraphMap;
+class GraphSettingsPanel;
+class GraphStatePage;
+class TransitionPanel;
+class TransitionPreview;
+struct EditorContext;
+
+namespace widgets {
+class MessageStrip;
+} // namespace widgets
+
+/// The workspace in which transitions between all frames of a character are looked at: a map of their costs
+/// beside a view of the frames and of the transition that is chosen.
 class GraphWorkspace : public Workspace
 {
     Q_OBJECT
@@ -15,9 +39,53 @@ public:
     explicit GraphWorkspace(EditorContext& context, QWidget* parent = nullptr);
 
     StageView& view() override { return *m_view; }
+    std::vector<Panel> panels() override { return m_panels; }
+    void setActive(bool active) override;
+
+    GraphExplorer& explorer() { return *m_explorer; }
+    GraphMap& map() { return *m_map; }
+    GraphBar& bar() { return *m_bar; }
+    /// Chooses a transition and plays it.
+    void activate(const FramePair& pair);
 
 private:
+    void makeActions();
+    void makeShowingActions();
+    void makePanels();
+    void arrangeWidgets();
+    void connectParts();
+    void followGraph();
+    void showState();
+    void updateActions();
+    void choose(const FramePair& pair);
+    void hover(const std::optional<FramePair>& pair);
+    void showFrames(const FramePair& pair);
+    void showClip();
+    void stepAlpha(double factor);
+    void saveTables();
+    QString readOut(const FramePair& pair) const;
+    void showReadOut();
+
+    EditorContext& m_context;
     StageView* m_view;
+    GraphExplorer* m_explorer;
+    TransitionPreview* m_preview;
+    GraphBar* m_bar;
+    GraphMap* m_map;
+    GraphStatePage* m_statePage;
+    widgets::MessageStrip* m_message;
+    QLabel* m_readOut;
+    QStackedWidget* m_pages;
+    QTabWidget* m_tabs;
+    TransitionPanel* m_transition;
+    GraphChartsPanel* m_charts;
+    GapsPanel* m_gaps;
+    GraphSettingsPanel* m_settings;
+    std::vector<Panel> m_panels;
+    std::optional<FramePair> m_hovered;
+    std::optional<FramePair> m_chosen;
+    QTimer m_dwell; ///< how long the pointer must rest until frames are shown instead of a clip
+    bool m_isActive = false;
 };
 
 } // namespace quadrille

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/graph/gapspanel.h"
+
+#include "editor/language/retranslate.h"
+#include "editor/workspaces/graph/graphexplorer.h"
+#include "editor/workspaces/graph/graphmap.h"
+#include "editor/workspaces/graph/transitionpanel.h"
+#include "widgets/graph/chartscale.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace quadrille {
+
+namespace {
+
+using widgets::chartNumber;
+
+constexpr int pairRole = Qt::UserRole;
+constexpr int isTransitionRole = Qt::UserRole + 1;
+
+} // namespace
+
+GapsPanel::GapsPanel(GraphExplorer& explorer, QWidget* parent)
+    : QWidget(parent), m_explorer(explorer), m_summary(new QLabel), m_tree(new QTreeWidget)
+{
+    setObjectName(QStringLiteral("gapsPanel"));
+    m_summary->setObjectName(QStringLiteral("gapsSummary"));
+    m_summary->setWordWrap(true);
+    m_summary->setForegroundRole(QPalette::PlaceholderText);
+    m_tree->setObjectName(QStringLiteral("gapsTree"));
+    m_tree->setColumnCount(2);
+    m_tree->setWordWrap(true);
+    m_tree->setTextElideMode(Qt::ElideRight);
+    m_tree->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 8, 8, 8);
+    column->setSpacing(8);
+    column->addWidget(m_summary);
+    column->addWidget(m_tree, 1);
+    connect(m_tree, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) { choose(item); });
+    connect(m_tree, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) { choose(item); });
+    connect(&explorer, &GraphExplorer::characterChanged, this, &GapsPanel::refresh);
+    connect(&explorer, &GraphExplorer::gapsChanged, this, &GapsPanel::refresh);
+    retranslates(this, [this] { refresh(); });
+}
+
+void GapsPanel::choose(QTreeWidgetItem* item)
+{
+    const QVariant pair = item->data(0, pairRole);
+    if (pair.isValid())
+        emit chosen(pair.value<FramePair>(), item->data(0, isTransitionRole).toBool());
+}
+
+void GapsPanel::refresh()
+{
+    m_tree->clear();
+    m_tree->setAccessibleName(tr("Gaps of the graphs"));
+    m_tree->setHeaderLabels({tr("Frames"), tr("What would help")});
+    const auto& gaps = m_explorer.gaps();
+    const auto& paths = m_explorer.paths();
+    m_summary->setText(gaps
+                           ? tr("Frames that walks do not reach, or do not come back from. The ends of takes "
+                                "are usual: a transition needs some frames on both sides.")
+                           : tr("Compute the graph to see which frames walks cannot reach."));
+    if (!gaps || !paths)
+        return;
+    addGraph(tr("Essential graph"), &paths->essentialConnectivity, &gaps->essential);
+    addGraph(tr("Motion graph"), &paths->motionConnectivity, &gaps->motion);
+}
+
+void GapsPanel::addGraph(const QString& name, const Connectivity* connectivity,
+                         const std::vector<GraphGap>* gaps)
+{
+    auto* top = new QTreeWidgetItem(m_tree, {name});
+    const auto largest = connectivity->components.empty() ? 0 : connectivity->components.front().size();
+    const auto all = static_cast<int>(m_explorer.character()->graph.layout().frameCount());
+    //: frames in the largest component, of all frames
+    top->setText(1, gaps->empty() ? tr("Every frame is reached from every other")
+                                  : tr("%1 of %2 frames are joined both ways")
+                                        .arg(QLocale().toString(static_cast<qulonglong>(largest)),
+                                             QLocale().toString(all)));
+    for (const GraphGap& gap : *gaps)
+        addGap(*top, gap);
+    top->setExpanded(true);
+}
+
+void GapsPanel::addGap(QTreeWidgetItem& parent, const GraphGap& gap)
+{
+    auto* item = new QTreeWidgetItem(&parent, {framesOf(gap), proposalOf(gap)});
+    item->setToolTip(0, gap.kind == GraphGap::Kind::DeadEnd
+                            ? tr("No walk leads from there to the largest part of the graph")
+                            : tr("No walk leads there from the largest part of the graph"));
+    item->setToolTip(1, item->text(1));
+    const auto pair = gap.transition ? gap.transition : gap.take;
+    if (!pair)
+        return;
+    item->setData(0, pairRole, QVariant::fromValue(*pair));
+    item->setData(0, isTransitionRole, gap.transition.has_value());
+}
+
+QString GapsPanel::framesOf(const GraphGap& gap) const
+{
+    const NamedFrame last = m_explorer.character()->graph.nameOf(gap.last);
+    const QString frames =
+        gap.first == gap.last ? frameName(m_explorer, gap.first)
+                              : tr("%1–%2").arg(frameName(m_explorer, gap.first),
+                                                QLocale().toString(static_cast<qlonglong>(last.frame.value)));
+    return gap.kind == GraphGap::Kind::DeadEnd
+               //: frames from which no walk comes back
+               ? tr("%1: dead end").arg(frames)
+               //: frames that no walk reaches
+               : tr("%1: not reached").arg(frames);
+}
+
+QString GapsPanel::proposalOf(const GraphGap& gap) const
+{
+    if (gap.transition)
+        return tr("The transition %1 → %2, which weighs %3")
+            .arg(frameName(m_explorer, gap.transition->source),
+                 frameName(m_explorer, gap.transition->destination), chartNumber(gap.weight));
+    if (gap.take)
+        return tr("A take from the pose of %1 to that of %2, which are %3 %4 apart")
+            .arg(frameName(m_explorer, gap.take->source), frameName(m_explorer, gap.take->destination),
+                 chartNumber(gap.distance), costUnit(m_explorer));
+    return tr("More takes");
+}
+
+} // namespace quadrille

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/jobs/job.h"
+#include "model/graph/comparison.h"
+#include "model/graph/gaps.h"
+#include "model/project/opencharacter.h"
+
+#include <QObject>
+#include <QPointer>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace quadrille {
+
+class JobRunner;
+
+/// Both graphs of a character at one α.
+struct ExploredGraphs
+{
+    double alpha = 0;
+    std::shared_ptr<const std::vector<FramePair>> minima; ///< transitions of the motion graph
+    Digraph essential;
+    Digraph motion;
+    PathCostSummary essentialCosts;
+};
+
+/// What takes longer to know about them.
+struct ExploredPaths
+{
+    std::shared_ptr<const ExploredGraphs> graphs;
+    PathCostSummary motionCosts;
+    Connectivity essentialConnectivity;
+    Connectivity motionConnectivity;
+};
+
+/// What would make walks come to all frames and back.
+struct ExploredGaps
+{
+    double alpha = 0;
+    std::vector<GraphGap> essential;
+    std::vector<GraphGap> motion;
+};
+
+/// Keeps both graphs of an opened character up with α while it is changed: of all values that come while one
+/// is computed only the newest is computed next. Edges come first, then path costs, then – once α rests –
+/// gaps. A comparison over many α is made when somebody asks.
+class GraphExplorer : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit GraphExplorer(JobRunner& jobs, QObject* parent = nullptr);
+    ~GraphExplorer() override;
+
+    /// Explores another character, or none. One with the same transitions as before only takes its place.
+    void setCharacter(std::shared_ptr<const OpenedCharacter> opened);
+    const std::shared_ptr<const OpenedCharacter>& character() const { return m_opened; }
+    void setAlpha(double alpha);
+    double alpha() const { return m_alpha; }
+    /// Compares the graphs over figure9Alphas and beyond, unless that was done.
+    void askForComparison();
+
+    /// The last that is known of each, maybe of an earlier α; null until there is any.
+    const std::shared_ptr<const ExploredGraphs>& graphs() const { return m_graphs; }
+    const std::shared_ptr<const ExploredPaths>& paths() const { return m_paths; }
+    const std::shared_ptr<const ExploredGaps>& gaps() const { return m_gaps; }
+    /// One for each α; empty until it was made.
+    const std::vector<GraphComparison>& comparison() const { return m_comparison; }
+    bool isComparing() const { return m_comparing != nullptr; }
+
+signals:
+    /// Other transitions, or none.
+    void characterChanged();
+    /// The same transitions, opened anew: what was opened before can be let go.
+    void characterReplaced();
+    void graphsChanged();
+    void pathsChanged();
+    void gapsChanged();
+    void comparisonChanged();
+
+private:
+    void computeGraphs();
+    void computePaths();
+    void computeGaps();
+    void take(std::shared_ptr<const ExploredGraphs> graphs);
+    void take(std::shared_ptr<const ExploredPaths> paths);
+    void cancelAll();
+
+    JobRunner& m_jobs;
+    std::shared_ptr<const OpenedCharacter> m_opened;
+    double m_alpha = 0.01;
+    std::shared_ptr<const ExploredGraphs> m_graphs;
+    std::shared_ptr<const ExploredPaths> m_paths;
+    std::shared_ptr<const ExploredGaps> m_gaps;
+    std::vector<GraphComparison> m_comparison;
+    QPointer<Job> m_graphsJob;
+    QPointer<Job> m_pathsJob;
+    QPointer<Job> m_gapsJob;
+    QPointer<Job> m_comparing;
+    int m_generation = 0; ///< of the transitions: results of earlier ones are dropped
+};
+
+} // namespace quadrille

@@ -1,0 +1,354 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/graph/graphmap.h"
+
+#include "editor/jobs/jobrunner.h"
+#include "editor/language/retranslate.h"
+#include "editor/workspaces/graph/graphexplorer.h"
+#include "widgets/graph/arcview.h"
+#include "widgets/graph/matrixview.h"
+#include "widgets/theme/theme.h"
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSpinBox>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+
+namespace {
+
+using widgets::ArcView;
+using widgets::MatrixView;
+
+constexpr int sampledCells = 200000; // for the ends of the colours
+constexpr double shownShare = 0.9;   // of the costs; dearer ones look alike
+
+struct Picture
+{
+    std::shared_ptr<const widgets::MatrixPyramid> pyramid;
+    widgets::ScalarRange range;
+    double kept = 1; ///< share of the transitions that pass the filter
+};
+
+Picture makePicture(const widgets::MatrixValues& values, const widgets::MatrixFilter& filter,
+                    const Progress& progress)
+{
+    const auto count = static_cast<std::size_t>(values.side) * static_cast<std::size_t>(values.side);
+    const std::size_t step = std::max<std::size_t>(count / sampledCells, 1);
+    std::vector<float> sample;
+    std::size_t passing = 0;
+    for (std::size_t i = 0; i < count; i += step) {
+        const float value = values.values.get()[i];
+        if (!(value < std::numeric_limits<float>::infinity()))
+            continue;
+        sample.push_back(value);
+        passing += filter.passes(value, values.lengths.get()[i]) ? 1 : 0;
+    }
+    Picture picture;
+    if (!sample.empty()) {
+        picture.kept = static_cast<double>(passing) / static_cast<double>(sample.size());
+        picture.range.minimum = *std::min_element(sample.begin(), sample.end());
+        const auto high =
+            sample.begin() + static_cast<std::ptrdiff_t>(shownShare * static_cast<double>(sample.size() - 1));
+        std::nth_element(sample.begin(), high, sample.end());
+        picture.range.maximum = *high;
+    }
+    picture.pyramid =
+        widgets::buildMatrixPyramid(values, static_cast<float>(picture.range.minimum),
+                                    static_cast<float>(picture.range.maximum), filter, [&progress] {
+                                        progress.report(0);
+                                        return false;
+                                    });
+    return picture;
+}
+
+std::shared_ptr<const std::vector<widgets::MatrixMark>> marksOf(const Digraph& graph)
+{
+    auto marks = std::make_shared<std::vector<widgets::MatrixMark>>();
+    for (const Edge& edge : graph.edges())
+        if (edge.kind == EdgeKind::Transition)
+            marks->push_back({edge.from, edge.to, static_cast<float>(edge.weight)});
+    return marks;
+}
+
+std::shared_ptr<const std::vector<widgets::Arc>> arcsOf(const Digraph& graph)
+{
+    auto arcs = std::make_shared<std::vector<widgets::Arc>>();
+    for (const Edge& edge : graph.edges())
+        if (edge.kind == EdgeKind::Transition)
+            arcs->push_back({edge.from, edge.to, static_cast<float>(edge.weight)});
+    return arcs;
+}
+
+} // namespace
+
+QString costUnit(const GraphExplorer& explorer)
+{
+    const auto& opened = explorer.character();
+    const bool isSurface = !opened || opened->graph.work().graph.pose.metric == PoseMetric::Surface;
+    return isSurface ? GraphMap::tr("rad") : GraphMap::tr("m");
+}
+
+GraphMap::GraphMap(GraphExplorer& explorer, JobRunner& jobs, QWidget* parent)
+    : QWidget(parent)
+    , m_explorer(explorer)
+    , m_jobs(jobs)
+    , m_pages(new QStackedWidget)
+    , m_matrix(new MatrixView)
+    , m_arcs(new ArcView)
+    , m_filters(new QWidget)
+    , m_costLabel(new QLabel)
+    , m_largestCost(new QDoubleSpinBox)
+    , m_lengthLabel(new QLabel)
+    , m_shortest(new QSpinBox)
+    , m_longest(new QSpinBox)
+    , m_kept(new QLabel)
+{
+    setObjectName(QStringLiteral("graphMap"));
+    m_matrix->setObjectName(QStringLiteral("graphMatrix"));
+    m_arcs->setObjectName(QStringLiteral("graphArcs"));
+    makeFilters();
+    m_pages->addWidget(m_matrix);
+    m_pages->addWidget(m_arcs);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_filters);
+    column->addWidget(m_pages, 1);
+    connectViews();
+    connect(&explorer, &GraphExplorer::characterChanged, this, &GraphMap::followCharacter);
+    connect(&explorer, &GraphExplorer::characterReplaced, this, &GraphMap::followReplacement);
+    connect(&explorer, &GraphExplorer::graphsChanged, this, &GraphMap::followGraphs);
+    retranslates(this, [this] { retranslate(); });
+}
+
+void GraphMap::makeFilters()
+{
+    m_largestCost->setObjectName(QStringLiteral("filterCost"));
+    m_largestCost->setDecimals(3);
+    m_largestCost->setRange(0, 0);
+    m_shortest->setObjectName(QStringLiteral("filterShortest"));
+    m_longest->setObjectName(QStringLiteral("filterLongest"));
+    m_kept->setObjectName(QStringLiteral("filterKept"));
+    m_kept->setForegroundRole(QPalette::PlaceholderText);
+    m_costLabel->setBuddy(m_largestCost);
+    m_lengthLabel->setBuddy(m_shortest);
+    auto* row = new QHBoxLayout(m_filters);
+    row->setContentsMargins(8, 4, 8, 4);
+    row->setSpacing(4);
+    row->addWidget(m_costLabel);
+    row->addWidget(m_largestCost);
+    row->addSpacing(8);
+    row->addWidget(m_lengthLabel);
+    row->addWidget(m_shortest);
+    row->addWidget(new QLabel(QStringLiteral("–")));
+    row->addWidget(m_longest);
+    row->addSpacing(8);
+    row->addWidget(m_kept, 1);
+    for (QAbstractSpinBox* field :
+         {static_cast<QAbstractSpinBox*>(m_largestCost), static_cast<QAbstractSpinBox*>(m_shortest),
+          static_cast<QAbstractSpinBox*>(m_longest)}) {
+        field->setFont(widgets::Theme::tabularFont(field->font()));
+        field->setAlignment(Qt::AlignRight);
+    }
+    connect(m_largestCost, &QDoubleSpinBox::valueChanged, this, &GraphMap::followFilter);
+    connect(m_shortest, &QSpinBox::valueChanged, this, &GraphMap::followFilter);
+    connect(m_longest, &QSpinBox::valueChanged, this, &GraphMap::followFilter);
+}
+
+void GraphMap::connectViews()
+{
+    const auto end = [this] { emit hovered(std::nullopt); };
+    connect(m_matrix, &MatrixView::cellHovered, this, [this](int row, int column) {
+        emit hovered(FramePair{row, column});
+    });
+    connect(m_matrix, &MatrixView::hoverEnded, this, end);
+    connect(m_matrix, &MatrixView::currentCellChanged, this, [this](int row, int column) {
+        emit moved(FramePair{row, column});
+    });
+    connect(m_matrix, &MatrixView::cellActivated, this, [this](int row, int column) {
+        emit activated(FramePair{row, column});
+    });
+    connect(m_arcs, &ArcView::arcHovered, this, [this](int from, int to) {
+        emit hovered(FramePair{from, to});
+    });
+    connect(m_arcs, &ArcView::hoverEnded, this, end);
+    connect(m_arcs, &ArcView::arcActivated, this, [this](int from, int to) {
+        emit activated(FramePair{from, to});
+    });
+}
+
+void GraphMap::setMode(Mode mode)
+{
+    m_filters->setVisible(mode == Mode::Matrix);
+    m_pages->setCurrentIndex(mode == Mode::Matrix ? 0 : 1);
+    if (mode == Mode::Arcs && m_arcsAreOld)
+        showArcs();
+}
+
+void GraphMap::setEdgesVisible(bool essential, bool motion)
+{
+    m_matrix->setMarksVisible(MatrixView::Layer::First, essential);
+    m_matrix->setMarksVisible(MatrixView::Layer::Second, motion);
+}
+
+void GraphMap::setFps(double fps)
+{
+    m_fps = fps;
+    retranslate();
+}
+
+void GraphMap::setCurrent(const std::optional<FramePair>& pair)
+{
+    if (!pair) {
+        m_matrix->setCurrentCell(std::nullopt);
+        return;
+    }
+    const widgets::MatrixCell cell{pair->source, pair->destination};
+    m_matrix->setCurrentCell(cell);
+    m_matrix->reveal(cell);
+}
+
+void GraphMap::followCharacter()
+{
+    if (m_job)
+        m_job->cancel();
+    m_job.clear();
+    m_shown.reset();
+    m_pyramid.reset();
+    const auto& opened = m_explorer.character();
+    std::vector<widgets::MatrixBlock> blocks;
+    std::vector<widgets::ArcSequence> sequences;
+    if (opened) {
+        const FrameLayout& layout = opened->graph.layout();
+        for (int s = 0; s < layout.sequenceCount(); ++s) {
+            const QString name =
+                QString::fromStdString(opened->graph.work().sequences[static_cast<std::size_t>(s)]);
+            blocks.push_back({name, layout.countOf(s)});
+            sequences.push_back({name, layout.countOf(s), widgets::Theme::categorical(s)});
+        }
+    }
+    m_matrix->setMatrix({}, nullptr, {});
+    m_matrix->setBlocks(std::move(blocks));
+    m_arcs->setSequences(std::move(sequences));
+    retranslate();
+    buildPicture();
+}
+
+void GraphMap::followReplacement()
+{
+    if (m_pyramid)
+        m_matrix->setMatrix(values(), m_pyramid, m_range);
+}
+
+widgets::MatrixValues GraphMap::values() const
+{
+    const auto& opened = m_explorer.character();
+    const TransitionCosts& costs = opened->graph.costs();
+    return {static_cast<int>(opened->graph.layout().frameCount()),
+            std::shared_ptr<const float>(opened, costs.cost().data()),
+            std::shared_ptr<const std::uint16_t>(opened, costs.length().data())};
+}
+
+void GraphMap::followGraphs()
+{
+    const auto& graphs = m_explorer.graphs();
+    if (!graphs)
+        return;
+    m_matrix->setMarks(MatrixView::Layer::First, tr("Essential graph"), marksOf(graphs->essential));
+    m_matrix->setMarks(MatrixView::Layer::Second, tr("Motion graph"), marksOf(graphs->motion));
+    m_arcsAreOld = true;
+    if (m_pages->currentIndex() == 1)
+        showArcs();
+}
+
+void GraphMap::showArcs()
+{
+    const auto& graphs = m_explorer.graphs();
+    if (!graphs)
+        return;
+    m_arcs->setArcs(ArcView::Side::Above, tr("Essential graph"), arcsOf(graphs->essential));
+    m_arcs->setArcs(ArcView::Side::Below, tr("Motion graph"), arcsOf(graphs->motion));
+    m_arcsAreOld = false;
+}
+
+widgets::MatrixFilter GraphMap::filter() const
+{
+    widgets::MatrixFilter filter;
+    if (m_largestCost->value() > 0)
+        filter.largestValue = static_cast<float>(m_largestCost->value());
+    filter.leastLength = m_shortest->value();
+    if (m_longest->value() > 0)
+        filter.greatestLength = m_longest->value();
+    return filter;
+}
+
+void GraphMap::followFilter()
+{
+    if (m_shown != filter())
+        buildPicture();
+}
+
+/// Made for the newest filter; while one is made, others wait.
+void GraphMap::buildPicture()
+{
+    if (!m_explorer.character() || (m_job && !m_job->isOver()))
+        return;
+    m_shown = filter();
+    m_job = m_jobs.start(
+        {.name = tr("Drawing the costs"), .receiver = this, .background = true},
+        [values = values(), shown = *m_shown](const Progress& progress) {
+            return makePicture(values, shown, progress);
+        },
+        [this](Picture picture) {
+            m_job.clear();
+            picture.range.title = tr("Cost");
+            picture.range.unit = costUnit(m_explorer);
+            m_pyramid = picture.pyramid;
+            m_range = picture.range;
+            m_matrix->setMatrix(values(), m_pyramid, m_range);
+            m_largestCost->setMaximum(std::max(m_range.maximum * 10, 0.001));
+            m_largestCost->setSingleStep(std::max(m_range.maximum / 20, 0.001));
+            m_kept->setText(picture.kept < 1 ? tr("%1 % in colour")
+                                                   .arg(QLocale().toString(100 * picture.kept, 'f',
+                                                                           picture.kept < 0.1 ? 1 : 0))
+                                             : QString());
+            followFilter();
+        });
+}
+
+void GraphMap::retranslate()
+{
+    m_matrix->setAccessibleName(tr("Costs of transitions"));
+    m_arcs->setAccessibleName(tr("Transitions as arcs"));
+    const QString empty = tr("Rows are the frames that transitions leave, columns those where they arrive.");
+    m_matrix->setEmptyText(empty);
+    m_arcs->setEmptyText(tr("Sequences as bars, with the transitions between their frames as arcs."));
+    m_costLabel->setText(tr("&Cost up to"));
+    m_largestCost->setSuffix(QLatin1Char(' ') + costUnit(m_explorer));
+    m_largestCost->setSpecialValueText(tr("any"));
+    m_largestCost->setToolTip(tr("Transitions that cost more are greyed; 0 shows all"));
+    m_lengthLabel->setText(tr("&Length"));
+    const QString tip = tr("Transitions that last shorter or longer, in frames (%1 a second), are greyed")
+                            .arg(QLocale().toString(m_fps));
+    for (QSpinBox* field : {m_shortest, m_longest}) {
+        field->setRange(0, 9999);
+        field->setToolTip(tip);
+        field->setSpecialValueText(tr("any"));
+    }
+    m_largestCost->setAccessibleName(tr("Greatest cost shown"));
+    m_shortest->setAccessibleName(tr("Least length shown"));
+    m_longest->setAccessibleName(tr("Greatest length shown"));
+    m_matrix->setMarks(MatrixView::Layer::First, tr("Essential graph"),
+                       m_explorer.graphs() ? marksOf(m_explorer.graphs()->essential) : nullptr);
+    m_matrix->setMarks(MatrixView::Layer::Second, tr("Motion graph"),
+                       m_explorer.graphs() ? marksOf(m_explorer.graphs()->motion) : nullptr);
+}
+
+} // namespace quadrille

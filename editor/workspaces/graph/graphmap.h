@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/jobs/job.h"
+#include "model/transition/framepair.h"
+#include "widgets/graph/matrixpyramid.h"
+#include "widgets/viewport/colormap.h"
+
+#include <QPointer>
+#include <QWidget>
+#include <optional>
+
+class QDoubleSpinBox;
+class QLabel;
+class QSpinBox;
+class QStackedWidget;
+
+namespace quadrille {
+
+class GraphExplorer;
+class JobRunner;
+
+namespace widgets {
+class ArcView;
+class MatrixView;
+} // namespace widgets
+
+/// The transitions of a character to be picked: as a table of costs with the edges of both graphs, or as arcs
+/// over the sequences; with filters for what the table shows in colour.
+class GraphMap : public QWidget
+{
+    Q_OBJECT
+
+public:
+    enum class Mode
+    {
+        Matrix,
+        Arcs,
+    };
+
+    GraphMap(GraphExplorer& explorer, JobRunner& jobs, QWidget* parent = nullptr);
+
+    widgets::MatrixView& matrix() { return *m_matrix; }
+    widgets::ArcView& arcs() { return *m_arcs; }
+    void setMode(Mode mode);
+    void setEdgesVisible(bool essential, bool motion);
+    /// The rate of the project, for lengths in seconds.
+    void setFps(double fps);
+    /// Shows what is chosen; emits nothing.
+    void setCurrent(const std::optional<FramePair>& pair);
+
+signals:
+    void hovered(const std::optional<quadrille::FramePair>& pair);
+    /// A cell or an arc was clicked, or activated by keyboard.
+    void activated(const quadrille::FramePair& pair);
+    /// The keyboard moved to a cell.
+    void moved(const quadrille::FramePair& pair);
+
+private:
+    void makeFilters();
+    void connectViews();
+    void followCharacter();
+    void followReplacement();
+    void followGraphs();
+    void showArcs();
+    void followFilter();
+    void buildPicture();
+    widgets::MatrixValues values() const;
+    widgets::MatrixFilter filter() const;
+    void retranslate();
+
+    GraphExplorer& m_explorer;
+    JobRunner& m_jobs;
+    QStackedWidget* m_pages;
+    widgets::MatrixView* m_matrix;
+    widgets::ArcView* m_arcs;
+    QWidget* m_filters;
+    QLabel* m_costLabel;
+    QDoubleSpinBox* m_largestCost;
+    QLabel* m_lengthLabel;
+    QSpinBox* m_shortest;
+    QSpinBox* m_longest;
+    QLabel* m_kept;
+    QPointer<Job> m_job;
+    std::optional<widgets::MatrixFilter> m_shown; ///< what the picture was made for
+    std::shared_ptr<const widgets::MatrixPyramid> m_pyramid;
+    widgets::ScalarRange m_range;
+    bool m_arcsAreOld = true;
+    double m_fps = 25;
+};
+
+/// "rad" or "m": in what a character's costs are.
+QString costUnit(const GraphExplorer& explorer);
+
+} // namespace quadrille

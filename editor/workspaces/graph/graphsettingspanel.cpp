@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/graph/graphsettingspanel.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/commands/animationedits.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+
+namespace {
+
+constexpr double longestSeconds = 10;
+
+template <typename Value>
+void showIn(QComboBox* box, Value value)
+{
+    const QSignalBlocker blocker(box);
+    box->setCurrentIndex(static_cast<int>(value));
+}
+
+template <typename Field, typename Value>
+void showIn(Field* field, Value value)
+{
+    const QSignalBlocker blocker(field);
+    field->setValue(value);
+}
+
+} // namespace
+
+GraphSettingsPanel::GraphSettingsPanel(EditorContext& context, QWidget* parent)
+    : PropertyForm(parent)
+    , m_context(context)
+    , m_metric(new QComboBox)
+    , m_stretch(new QDoubleSpinBox)
+    , m_cost(new QComboBox)
+    , m_scale(new QComboBox)
+    , m_slope(new QSpinBox)
+    , m_shortest(new QDoubleSpinBox)
+    , m_longest(new QDoubleSpinBox)
+    , m_greatest(new QDoubleSpinBox)
+{
+    setObjectName(QStringLiteral("graphSettingsPanel"));
+    makeFields();
+    connectFields();
+    retranslate();
+    connect(&context.document, &ProjectDocument::changed, this, &GraphSettingsPanel::refresh);
+}
+
+void GraphSettingsPanel::makeFields()
+{
+    for (QComboBox* box : {m_metric, m_cost, m_scale}) {
+        box->addItems({QString(), QString()});
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    }
+    m_stretch->setRange(0, 100);
+    m_stretch->setDecimals(3);
+    m_stretch->setSingleStep(0.01);
+    m_slope->setRange(TransitionSettings::leastSlope, TransitionSettings::greatestSlope);
+    for (QDoubleSpinBox* field : {m_shortest, m_longest}) {
+        field->setRange(0, longestSeconds); // 0 stands for automatic
+        field->setSingleStep(0.1);
+    }
+    m_greatest->setRange(0, 1e6); // 0 stands for automatic
+    m_greatest->setDecimals(4);
+    for (QAbstractSpinBox* field :
+         std::initializer_list<QAbstractSpinBox*>{m_stretch, m_slope, m_shortest, m_longest, m_greatest}) {
+        field->setKeyboardTracking(false);
+        field->setAlignment(Qt::AlignRight);
+    }
+    addField(
+        "graphMetric", [] { return tr("Poses"); }, m_metric,
+        [] { return tr("How two poses are compared, wherever the body stands"); });
+    addField(
+        "graphStretch", [] { return tr("Stretch"); }, m_stretch,
+        [] { return tr("Weight of the surface's stretch against its rotation, 0 to 100"); });
+    addField(
+        "graphCost", [] { return tr("Cost"); }, m_cost,
+        [] { return tr("Whether a transition's pose distances are summed, as published, or averaged"); });
+    addField(
+        "graphScale", [] { return tr("Weigh by"); }, m_scale,
+        [] { return tr("Whether transitions between calm takes must be better than those of lively ones"); });
+    addField(
+        "graphSlope", [] { return tr("Slope"); }, m_slope,
+        [] { return tr("How many frames in a row one take may wait for the other, 2 to 5"); });
+    addField(
+        "graphShortest", [] { return tr("Shortest window"); }, m_shortest,
+        [] { return tr("Frames of each take that a transition blends at the least, in seconds"); });
+    addField(
+        "graphLongest", [] { return tr("Longest window"); }, m_longest,
+        [] { return tr("Frames of each take that a transition blends at the most, in seconds"); });
+    addField(
+        "graphGreatest", [] { return tr("Largest distance"); }, m_greatest,
+        [] { return tr("What costs are divided by; automatic is the largest distance of two poses"); });
+}
+
+void GraphSettingsPanel::connectFields()
+{
+    connect(m_metric, &QComboBox::activated, this, [this](int index) {
+        edit(tr("Compare poses otherwise"), QStringLiteral("metric"),
+             [index](GraphEntry& entry) { entry.pose.metric = static_cast<PoseMetric>(index); });
+    });
+    connect(m_stretch, &QDoubleSpinBox::valueChanged, this, [this](double weight) {
+        edit(tr("Weigh stretch otherwise"), QStringLiteral("stretch"),
+             [weight](GraphEntry& entry) { entry.pose.stretchWeight = weight; });
+    });
+    connect(m_cost, &QComboBox::activated, this, [this](int index) {
+        edit(tr("Change the cost of transitions"), QStringLiteral("cost"),
+             [index](GraphEntry& entry) { entry.cost = static_cast<TransitionCost>(index); });
+    });
+    connect(m_scale, &QComboBox::activated, this, [this](int index) {
+        edit(tr("Weigh transitions otherwise"), QStringLiteral("scale"),
+             [index](GraphEntry& entry) { entry.costScale = static_cast<CostScale>(index); });
+    });
+    connect(m_slope, &QSpinBox::valueChanged, this, [this](int slope) {
+        edit(tr("Change the slope of transitions"), QStringLiteral("slope"),
+             [slope](GraphEntry& entry) { entry.slope = slope; });
+    });
+    connect(m_shortest, &QDoubleSpinBox::valueChanged, this, &GraphSettingsPanel::editDurations);
+    connect(m_longest, &QDoubleSpinBox::valueChanged, this, &GraphSettingsPanel::editDurations);
+    connect(m_greatest, &QDoubleSpinBox::valueChanged, this, [this](double distance) {
+        edit(tr("Change the largest distance"), QStringLiteral("greatest"), [distance](GraphEntry& entry) {
+            entry.greatestDistance = distance > 0 ? std::optional(distance) : std::nullopt;
+        });
+    });
+}
+
+void GraphSettingsPanel::edit(const QString& text, const QString& property,
+                              const std::function<void(GraphEntry&)>& change)
+{
+    GraphEntry entry = graphEntry(m_context.document.project(), m_character);
+    if (entry.character.empty())
+        entry.character = m_character.toStdString();
+    change(entry);
+    setGraph(m_context.document, text, property, entry);
+}
+
+/// Automatic windows stand in the file as none; where one of both is given, so is the other.
+void GraphSettingsPanel::editDurations()
+{
+    edit(tr("Change the windows of transitions"), QStringLiteral("durations"), [this](GraphEntry& entry) {
+        const double fps = m_context.document.project().settings.fps;
+        const TransitionSettings automatic{.fps = fps};
+        if (m_shortest->value() == 0 && m_longest->value() == 0) {
+            entry.durations.reset();
+            return;
+        }
+        const double shortest = m_shortest->value() > 0 ? m_shortest->value() : automatic.shortest() / fps;
+        const double longest = m_longest->value() > 0 ? m_longest->value() : automatic.longest() / fps;
+        entry.durations.emplace(shortest, std::max(shortest, longest));
+    });
+}
+
+void GraphSettingsPanel::show(const QString& character)
+{
+    m_character = character;
+    refresh();
+}
+
+void GraphSettingsPanel::refresh()
+{
+    const GraphEntry entry = graphEntry(m_context.document.project(), m_character);
+    showIn(m_metric, entry.pose.metric);
+    showIn(m_stretch, entry.pose.stretchWeight);
+    setFieldVisible(m_stretch, entry.pose.metric == PoseMetric::Surface);
+    showIn(m_cost, entry.cost);
+    showIn(m_scale, entry.costScale);
+    showIn(m_slope, entry.slope);
+    showIn(m_shortest, entry.durations ? entry.durations->first : 0);
+    showIn(m_longest, entry.durations ? entry.durations->second : 0);
+    showIn(m_greatest, entry.greatestDistance.value_or(0));
+    m_greatest->setSuffix(entry.pose.metric == PoseMetric::Surface ? QStringLiteral(" rad")
+                                                                   : QStringLiteral(" m"));
+    setEnabled(!m_context.graphs.characters().isEmpty());
+}
+
+void GraphSettingsPanel::retranslate()
+{
+    m_metric->setItemText(0, tr("By their surfaces"));
+    m_metric->setItemText(1, tr("By their vertices"));
+    m_cost->setItemText(0, tr("Sum of the distances"));
+    m_cost->setItemText(1, tr("Mean of the distances"));
+    m_scale->setItemText(0, tr("Nothing else"));
+    m_scale->setItemText(1, tr("Liveliness of the takes"));
+    //: after a number: steps of a warp path in a row
+    m_slope->setSuffix(tr(" frames"));
+    for (QDoubleSpinBox* field : {m_shortest, m_longest}) {
+        field->setSuffix(tr(" s"));
+        field->setSpecialValueText(tr("automatic"));
+    }
+    m_greatest->setSpecialValueText(tr("automatic"));
+    refresh();
+}
+
+} // namespace quadrille

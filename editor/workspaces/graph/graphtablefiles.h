@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/workspaces/graph/graphexplorer.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace quadrille {
+
+/// Writes what is known of both graphs as CSV files into a folder: their edges, statistics and components,
+/// and the comparison over α where there is one. On any thread.
+/// \return the files. \throws Error WriteFailed, PermissionDenied.
+std::vector<std::filesystem::path> writeGraphTables(const CharacterGraph& character,
+                                                    const ExploredPaths& paths,
+                                                    const std::vector<GraphComparison>& comparison,
+                                                    const std::filesystem::path& folder);
+
+} // namespace quadrille

@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/graph/transitionpanel.h"
+
+#include "editor/language/retranslate.h"
+#include "editor/workspaces/graph/costbar.h"
+#include "editor/workspaces/graph/graphexplorer.h"
+#include "editor/workspaces/graph/graphmap.h"
+#include "model/graph/alternatives.h"
+#include "model/graph/shortestpath.h"
+#include "widgets/graph/chartscale.h"
+#include "widgets/theme/theme.h"
+
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace quadrille {
+
+namespace {
+
+using widgets::chartNumber;
+
+enum Column
+{
+    From,
+    To,
+    Weight,
+    Deformation,
+    Frames,
+    ColumnCount,
+};
+
+constexpr int pairRole = Qt::UserRole;
+
+} // namespace
+
+QString frameName(const GraphExplorer& explorer, NodeIndex frame)
+{
+    const NamedFrame named = explorer.character()->graph.nameOf(frame);
+    //: a sequence and one of its frames
+    return TransitionPanel::tr("%1 %2").arg(QString::fromStdString(named.sequence),
+                                            QLocale().toString(static_cast<qlonglong>(named.frame.value)));
+}
+
+TransitionPanel::TransitionPanel(GraphExplorer& explorer, QWidget* parent)
+    : QWidget(parent)
+    , m_explorer(explorer)
+    , m_title(new QLabel)
+    , m_empty(new QLabel)
+    , m_content(new QWidget)
+    , m_bar(new CostBar)
+    , m_heading(new QLabel)
+    , m_alternatives(new QTreeWidget)
+{
+    setObjectName(QStringLiteral("transitionPanel"));
+    m_title->setObjectName(QStringLiteral("transitionTitle"));
+    m_title->setWordWrap(true);
+    m_empty->setObjectName(QStringLiteral("transitionEmpty"));
+    m_empty->setWordWrap(true);
+    m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setForegroundRole(QPalette::PlaceholderText);
+    QFont heavier = font();
+    heavier.setWeight(QFont::DemiBold);
+    m_title->setFont(heavier);
+    m_heading->setFont(heavier);
+    m_form = new QFormLayout;
+    m_form->setContentsMargins(0, 0, 0, 0);
+    m_form->setHorizontalSpacing(12);
+    m_form->setVerticalSpacing(4);
+    m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    m_weight = addFact("transitionWeight");
+    m_deformation = addFact("transitionDeformation");
+    m_duration = addFact("transitionDuration");
+    m_form->addRow(m_bar);
+    m_length = addFact("transitionLength");
+    m_windows = addFact("transitionWindows");
+    m_essential = addFact("transitionEssential");
+    m_motion = addFact("transitionMotion");
+    makeAlternatives();
+    auto* inner = new QVBoxLayout(m_content);
+    inner->setContentsMargins(0, 0, 0, 0);
+    inner->setSpacing(8);
+    inner->addWidget(m_title);
+    inner->addLayout(m_form);
+    inner->addSpacing(4);
+    inner->addWidget(m_heading);
+    inner->addWidget(m_alternatives, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(12, 8, 12, 12);
+    column->addWidget(m_content);
+    column->addWidget(m_empty, 1);
+    connect(&explorer, &GraphExplorer::characterChanged, this, [this] { show(std::nullopt); });
+    connect(&explorer, &GraphExplorer::graphsChanged, this, &TransitionPanel::refresh);
+    retranslates(this, [this] { retranslate(); });
+}
+
+QLabel* TransitionPanel::addFact(const char* objectName)
+{
+    auto* name = new QLabel;
+    auto* value = new QLabel;
+    value->setObjectName(QLatin1String(objectName));
+    value->setFont(widgets::Theme::tabularFont(value->font()));
+    value->setWordWrap(true);
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_form->addRow(name, value);
+    m_facts.push_back({name, value});
+    return value;
+}
+
+void TransitionPanel::makeAlternatives()
+{
+    m_alternatives->setObjectName(QStringLiteral("transitionAlternatives"));
+    m_alternatives->setColumnCount(ColumnCount);
+    m_alternatives->setRootIsDecorated(false);
+    m_alternatives->setUniformRowHeights(true);
+    m_alternatives->setMinimumHeight(120);
+    m_alternatives->header()->setStretchLastSection(false);
+    m_alternatives->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_alternatives->header()->setMinimumSectionSize(32);
+    connect(m_alternatives, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) { choose(item); });
+    connect(m_alternatives, &QTreeWidget::itemActivated, this,
+            [this](QTreeWidgetItem* item) { choose(item); });
+}
+
+void TransitionPanel::choose(QTreeWidgetItem* item)
+{
+    const auto pair = item->data(From, pairRole).value<FramePair>();
+    if (pair != m_pair)
+        emit chosen(pair);
+}
+
+void TransitionPanel::setFps(double fps)
+{
+    m_fps = fps;
+    refresh();
+}
+
+void TransitionPanel::show(const std::optional<FramePair>& pair)
+{
+    m_pair = pair;
+    refresh();
+    showAlternatives();
+}
+
+void TransitionPanel::refresh()
+{
+    const bool isShown = m_pair && m_explorer.character();
+    m_content->setVisible(isShown);
+    m_empty->setVisible(!isShown);
+    if (!isShown)
+        return;
+    //: two frames: a transition from the first to the second
+    m_title->setText(
+        tr("%1 → %2").arg(frameName(m_explorer, m_pair->source), frameName(m_explorer, m_pair->destination)));
+    showCost();
+    showMembership();
+}
+
+void TransitionPanel::showCost()
+{
+    const CharacterGraph& graph = m_explorer.character()->graph;
+    const TransitionCosts& costs = graph.costs();
+    const auto [i, j] = *m_pair;
+    const QString none = QStringLiteral("–");
+    if (!costs.hasTransition(i, j)) {
+        for (QLabel* label : {m_deformation, m_duration, m_length, m_windows})
+            label->setText(none);
+        m_weight->setText(i == j ? tr("a frame is no transition to itself")
+                                 : tr("none: no windows fit between these frames"));
+        m_bar->setParts(0, 0);
+        return;
+    }
+    const double alpha = m_explorer.alpha();
+    const double deformation = costs.weight(i, j, 0);
+    const int length = costs.length()(i, j);
+    m_weight->setText(chartNumber(costs.weight(i, j, alpha)));
+    const QString cost = chartNumber(costs.cost()(i, j));
+    const QString greatest = chartNumber(costs.cost()(i, j) / (deformation > 0 ? deformation : 1));
+    m_deformation->setText(
+        deformation > 0
+            //: a weight, then the cost and the largest distance that it is divided by
+            ? tr("%1 = %2 / %3 %4").arg(chartNumber(deformation), cost, greatest, costUnit(m_explorer))
+            : chartNumber(0));
+    //: a weight, then α times a number of frames
+    m_duration->setText(
+        tr("%1 = %2 × %3").arg(chartNumber(alpha * length), chartNumber(alpha), QLocale().toString(length)));
+    m_length->setText(
+        tr("%n frame(s), %1 s", nullptr, length).arg(QLocale().toString((length - 1) / m_fps, 'f', 2)));
+    const TransitionTable& table = graph.transitions();
+    //: frames of the source window and of the destination window
+    m_windows->setText(
+        tr("%1 and %2 frames").arg(table.sourceWindow(i, j)).arg(table.destinationWindow(i, j)));
+    m_bar->setParts(deformation, alpha * length);
+}
+
+QString TransitionPanel::replacement() const
+{
+    const CharacterGraph& graph = m_explorer.character()->graph;
+    const auto path = shortestPath(m_explorer.graphs()->essential, m_pair->source, m_pair->destination);
+    if (!path || path->edges.empty())
+        return tr("No way leads there.");
+    QStringList stops;
+    NodeIndex start = path->edges.front().from;
+    const auto stretch = [&](NodeIndex first, NodeIndex last) {
+        return first == last
+                   ? frameName(m_explorer, first)
+                   //: frames of a sequence in a row: the first with the sequence, the last alone
+                   : tr("%1–%2").arg(frameName(m_explorer, first), QLocale().toString(static_cast<qlonglong>(
+                                                                       graph.nameOf(last).frame.value)));
+    };
+    for (const Edge& edge : path->edges) {
+        if (edge.kind != EdgeKind::Transition)
+            continue;
+        stops += stretch(start, edge.from);
+        start = edge.to;
+    }
+    stops += stretch(start, path->edges.back().to);
+    //: the cost of a way and the frames that it goes through
+    return tr("A way that costs %1: %2").arg(chartNumber(path->cost), stops.join(QStringLiteral(" → ")));
+}
+
+void TransitionPanel::showMembership()
+{
+    const auto& graphs = m_explorer.graphs();
+    if (!graphs) {
+        m_essential->setText(QStringLiteral("…"));
+        m_motion->setText(QStringLiteral("…"));
+        return;
+    }
+    const auto textOf = [&](const Digraph& graph) {
+        const Edge* edge = graph.find(m_pair->source, m_pair->destination);
+        if (edge == nullptr)
+            return QString();
+        return edge->kind == EdgeKind::Original ? tr("Yes: one plays on to the other as captured")
+                                                : tr("Yes");
+    };
+    const QString essential = textOf(graphs->essential);
+    const QString motion = textOf(graphs->motion);
+    m_essential->setText(essential.isEmpty() ? tr("No. %1").arg(replacement()) : essential);
+    m_motion->setText(motion.isEmpty() ? tr("No: not a local minimum of the cost") : motion);
+}
+
+void TransitionPanel::showAlternatives()
+{
+    m_alternatives->clear();
+    if (!m_pair || !m_explorer.character())
+        return;
+    const TransitionCosts& costs = m_explorer.character()->graph.costs();
+    for (const FramePair& pair : alternatives(costs, m_explorer.alpha(), *m_pair)) {
+        auto* item = new QTreeWidgetItem(m_alternatives);
+        item->setData(From, pairRole, QVariant::fromValue(pair));
+        item->setText(From, frameName(m_explorer, pair.source));
+        item->setText(To, frameName(m_explorer, pair.destination));
+        item->setText(Weight, chartNumber(costs.weight(pair.source, pair.destination, m_explorer.alpha())));
+        item->setText(Deformation, chartNumber(costs.weight(pair.source, pair.destination, 0)));
+        item->setText(Frames, QLocale().toString(costs.length()(pair.source, pair.destination)));
+        for (const Column column : {Weight, Deformation, Frames}) {
+            item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+            item->setFont(column, widgets::Theme::tabularFont(font()));
+        }
+    }
+}
+
+void TransitionPanel::retranslate()
+{
+    m_empty->setText(tr("Click a cell of the map to see what the transition costs and why."));
+    const std::vector<std::pair<QString, QString>> names{
+        {tr("Weight"), tr("Deformation and duration together")},
+        {tr("Deformation"), tr("Cost of the warp path over the largest pose distance")},
+        {tr("Duration"), tr("α for each frame that the transition lasts")},
+        {tr("Lasts"), tr("From the last captured pose to the next")},
+        {tr("Windows"), tr("How many frames of both takes are blended")},
+        {tr("Essential graph"), tr("It holds what no cheaper way can replace")},
+        {tr("Motion graph"), tr("It holds the local minima of the cost")}};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        m_facts[i].name->setText(names[i].first);
+        m_facts[i].name->setToolTip(names[i].second);
+        m_facts[i].value->setAccessibleName(names[i].first);
+    }
+    m_heading->setText(tr("Next best from about there"));
+    m_alternatives->setAccessibleName(m_heading->text());
+    m_alternatives->setHeaderLabels({tr("From"), tr("To"), tr("Weight"), tr("Deformation"), tr("Frames")});
+    m_alternatives->headerItem()->setToolTip(Deformation, tr("Cost over the largest pose distance"));
+    show(m_pair);
+}
+
+} // namespace quadrille

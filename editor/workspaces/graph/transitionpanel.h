@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/transition/framepair.h"
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+class QFormLayout;
+class QLabel;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace quadrille {
+
+class CostBar;
+class GraphExplorer;
+
+/// Why a transition is in a graph or not: its cost in parts, its windows, the way that replaces it, and what
+/// could be taken instead.
+class TransitionPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    TransitionPanel(GraphExplorer& explorer, QWidget* parent = nullptr);
+
+    void setFps(double fps);
+    void show(const std::optional<FramePair>& pair);
+    using QWidget::show;
+    std::optional<FramePair> shown() const { return m_pair; }
+
+signals:
+    /// One of the alternatives was chosen.
+    void chosen(const quadrille::FramePair& pair);
+
+private:
+    struct Fact
+    {
+        QLabel* name;
+        QLabel* value;
+    };
+    QLabel* addFact(const char* objectName);
+    void makeAlternatives();
+    void refresh();
+    void showCost();
+    void showMembership();
+    void showAlternatives();
+    void choose(QTreeWidgetItem* item);
+    QString replacement() const;
+    void retranslate();
+
+    GraphExplorer& m_explorer;
+    std::optional<FramePair> m_pair;
+    double m_fps = 25;
+    QLabel* m_title;
+    QLabel* m_empty;
+    QWidget* m_content;
+    QFormLayout* m_form = nullptr;
+    std::vector<Fact> m_facts;
+    CostBar* m_bar;
+    QLabel* m_weight = nullptr;
+    QLabel* m_deformation = nullptr;
+    QLabel* m_duration = nullptr;
+    QLabel* m_length = nullptr;
+    QLabel* m_windows = nullptr;
+    QLabel* m_essential = nullptr;
+    QLabel* m_motion = nullptr;
+    QLabel* m_heading;
+    QTreeWidget* m_alternatives;
+};
+
+/// "walk 12".
+QString frameName(const GraphExplorer& explorer, NodeIndex frame);
+
+} // namespace quadrille
