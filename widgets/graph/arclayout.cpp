@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 namespace quadrille::widgets {
@@ -24,9 +26,11 @@ std::vector<ArcBundle> bundleArcs(const std::vector<Arc>& arcs, const std::vecto
 {
     using Pair = std::pair<int, int>;
     const int each = std::max(framesEach, 1);
-    std::map<Pair, ArcBundle> bundles;
+    std::unordered_map<std::uint64_t, ArcBundle> bundles;
     for (const Arc& arc : arcs) {
-        const auto [at, isNew] = bundles.try_emplace({arc.from / each, arc.to / each}, ArcBundle{arc, 1});
+        const auto place =
+            (static_cast<std::uint64_t>(arc.from / each) << 32U) | static_cast<std::uint64_t>(arc.to / each);
+        const auto [at, isNew] = bundles.try_emplace(place, ArcBundle{arc, 1});
         if (isNew)
             continue;
         ++at->second.count;
@@ -37,13 +41,16 @@ std::vector<ArcBundle> bundleArcs(const std::vector<Arc>& arcs, const std::vecto
     for (const auto& [place, bundle] : bundles)
         byPair[{sequenceOf(starts, bundle.lightest.from), sequenceOf(starts, bundle.lightest.to)}].push_back(
             bundle);
+    const auto isBefore = [](const ArcBundle& a, const ArcBundle& b) {
+        return std::tuple(a.lightest.weight, a.lightest.from, a.lightest.to) <
+               std::tuple(b.lightest.weight, b.lightest.from, b.lightest.to);
+    };
     // Ranks come before weights: the n-th of every pair is taken before the next of any.
     std::vector<std::tuple<std::size_t, float, const ArcBundle*>> ranked;
     for (auto& [pair, own] : byPair) {
-        std::stable_sort(own.begin(), own.end(), [](const ArcBundle& a, const ArcBundle& b) {
-            return a.lightest.weight < b.lightest.weight;
-        });
-        for (std::size_t rank = 0; rank < own.size(); ++rank)
+        const auto kept = std::min(own.size(), static_cast<std::size_t>(std::max(most, 0)));
+        std::partial_sort(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(kept), own.end(), isBefore);
+        for (std::size_t rank = 0; rank < kept; ++rank)
             ranked.emplace_back(rank, own[rank].lightest.weight, &own[rank]);
     }
     std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {

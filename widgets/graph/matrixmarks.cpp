@@ -3,7 +3,6 @@
 #include "widgets/graph/matrixmarks.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace quadrille::widgets {
 
@@ -11,17 +10,21 @@ std::vector<MatrixMark> thinMarks(const std::vector<MatrixMark>& marks, int cell
 {
     if (cells <= 1)
         return marks;
-    const auto square = [cells](const MatrixMark& mark) {
-        return std::pair(mark.row / cells, mark.column / cells);
-    };
-    std::vector<MatrixMark> thinned = marks;
-    std::stable_sort(thinned.begin(), thinned.end(), [&](const MatrixMark& a, const MatrixMark& b) {
-        return std::tuple(square(a), a.weight) < std::tuple(square(b), b.weight);
-    });
-    const auto end =
-        std::unique(thinned.begin(), thinned.end(),
-                    [&](const MatrixMark& a, const MatrixMark& b) { return square(a) == square(b); });
-    thinned.erase(end, thinned.end());
+    int last = 0;
+    for (const MatrixMark& mark : marks)
+        last = std::max({last, mark.row, mark.column});
+    const auto across = static_cast<std::size_t>(last / cells) + 1;
+    std::vector<const MatrixMark*> lightest(across * across);
+    for (const MatrixMark& mark : marks) {
+        const auto row = static_cast<std::size_t>(mark.row / cells);
+        const MatrixMark*& kept = lightest[row * across + static_cast<std::size_t>(mark.column / cells)];
+        if (kept == nullptr || mark.weight < kept->weight)
+            kept = &mark;
+    }
+    std::vector<MatrixMark> thinned;
+    for (const MatrixMark* mark : lightest)
+        if (mark != nullptr)
+            thinned.push_back(*mark);
     return thinned;
 }
 

@@ -31,7 +31,7 @@ struct MatrixCell
 };
 
 /// A square table as a picture that can be zoomed, with the names of its blocks along both sides, marks on
-/// cells and a legend. Rows are where something comes from, columns where it goes to.
+/// cells and a legend below. Rows are where something comes from, columns where it goes to.
 ///
 /// Wheel and pinch zoom at the pointer, dragging moves, a click chooses a cell and activates it. Keys: arrows
 /// move the cell that is chosen (Shift: by ten), Page Up and Page Down go to the row's block before or after,

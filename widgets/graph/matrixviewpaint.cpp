@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "widgets/controls/legendbar.h"
+#include "widgets/graph/chartscale.h"
 #include "widgets/graph/matrixviewprivate.h"
 #include "widgets/theme/theme.h"
 
@@ -14,9 +14,7 @@ namespace quadrille::widgets {
 namespace {
 
 constexpr int gap = 8;               // logical pixels
-constexpr int smallestMargin = 24;   // for the names at the left
-constexpr int largestMargin = 120;   //
-constexpr int largestLegend = 160;   //
+constexpr double barLength = 96;     // of the legend
 constexpr double markDistance = 9;   // logical pixels between marks at the least
 constexpr double smallestRadius = 2; // of marks
 constexpr double largestRadius = 5;  //
@@ -73,17 +71,12 @@ void paintMatrixMark(QPainter& painter, MatrixView::Layer layer, const QPointF& 
 void MatrixView::Private::layOut(const MatrixView& view)
 {
     const QFontMetricsF metrics(view.font());
-    double widest = metrics.horizontalAdvance(MatrixView::tr("from"));
+    double widest = metrics.horizontalAdvance(MatrixView::tr("from ↓ to →"));
     for (const MatrixBlock& block : blocks)
         widest = std::max(widest, metrics.horizontalAdvance(block.name));
-    double legend = legendSize(view.font(), range).width();
-    for (const MatrixMarkLayer& layer : layers)
-        if (!layer.title.isEmpty())
-            legend = std::max(legend, metrics.horizontalAdvance(layer.title) + 2.0 * gap);
-    legendWidth = std::min(static_cast<int>(std::ceil(legend)), largestLegend);
-    const int left = std::clamp(static_cast<int>(std::ceil(widest)), smallestMargin, largestMargin) + 2 * gap;
-    const int top = static_cast<int>(std::ceil(metrics.height())) + gap;
-    area = view.rect().adjusted(left, top, -(legendWidth + 2 * gap), -gap);
+    const int line = static_cast<int>(std::ceil(metrics.height()));
+    const int left = std::min(static_cast<int>(std::ceil(widest)), view.width() / 5) + 2 * gap;
+    area = view.rect().adjusted(left, line + gap, -gap, -(line + 2 * gap));
     area.setSize(area.size().expandedTo({16, 16}));
     if (isFitted)
         setScale(fittingScale(), {});
@@ -111,7 +104,7 @@ void MatrixView::Private::paint(QPainter& painter, const MatrixView& view)
         paintCells(painter, view.hasFocus());
         painter.restore();
         paintNames(painter, QFontMetricsF(view.font()));
-        paintLegendColumn(painter, view);
+        paintLegend(painter, view);
     }
     if (view.hasFocus()) {
         painter.setPen(QPen(Theme::color(ColorRole::AccentText), 1.0));
@@ -275,29 +268,46 @@ void MatrixView::Private::paintCells(QPainter& painter, bool hasFocus) const
     }
 }
 
-void MatrixView::Private::paintLegendColumn(QPainter& painter, const MatrixView& view)
+/// A bar of the colours between the ends of the range. \return where it ends.
+double MatrixView::Private::paintColors(QPainter& painter, double left, double middle) const
+{
+    const QFontMetricsF metrics(painter.font());
+    const auto text = [&](const QString& words) {
+        painter.setPen(Theme::color(ColorRole::Text));
+        painter.drawText(QPointF(left, middle + (metrics.ascent() - metrics.descent()) / 2), words);
+        left += metrics.horizontalAdvance(words) + gap;
+    };
+    //: title of a legend, then its unit
+    text(range.unit.isEmpty() ? range.title : MatrixView::tr("%1 (%2)").arg(range.title, range.unit));
+    text(chartNumber(range.minimum));
+    const QRectF bar(left, middle - 5, barLength, 10);
+    QLinearGradient colors(bar.topLeft(), bar.topRight());
+    constexpr int stops = 16;
+    for (int i = 0; i <= stops; ++i)
+        colors.setColorAt(static_cast<double>(i) / stops,
+                          mapColor(range.map, static_cast<double>(i) / stops));
+    painter.fillRect(bar, colors);
+    left += barLength + gap;
+    text(QStringLiteral("≥ %1").arg(chartNumber(range.maximum)));
+    return left + gap;
+}
+
+void MatrixView::Private::paintLegend(QPainter& painter, const MatrixView& view) const
 {
     const QFontMetricsF metrics(view.font());
-    const QSizeF size = legendSize(view.font(), range);
-    const double left = area.right() + 1.0 + gap;
-    painter.setRenderHint(QPainter::Antialiasing);
-    paintLegend(painter, QRectF({left, static_cast<double>(area.top())}, size), range,
-                Theme::color(ColorRole::Text));
-    double y = area.top() + size.height() + 2.0 * gap;
-    const auto entry = [&](const QString& text, const auto& paintSign) {
-        if (y + metrics.height() > view.height())
-            return;
-        paintSign(QPointF(left + 5, y + metrics.height() / 2));
+    const double middle = view.height() - gap - metrics.height() / 2;
+    double left = paintColors(painter, gap, middle);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        if (layers[i].title.isEmpty() || !layers[i].isVisible)
+            continue;
+        paintMatrixMark(painter, static_cast<Layer>(i), {left + 5, middle}, 4);
+        left += 2.0 * gap;
         painter.setPen(Theme::color(ColorRole::Text));
-        const double room = legendWidth - 2.0 * gap;
-        painter.drawText(QPointF(left + 2.0 * gap, y + metrics.ascent()),
-                         metrics.elidedText(text, Qt::ElideRight, room));
-        y += metrics.height() + gap / 2.0;
-    };
-    for (std::size_t i = 0; i < layers.size(); ++i)
-        if (!layers[i].title.isEmpty() && layers[i].isVisible)
-            entry(layers[i].title,
-                  [&](const QPointF& middle) { paintMatrixMark(painter, static_cast<Layer>(i), middle, 4); });
+        const double room = std::max(view.width() - left - gap, 0.0);
+        painter.drawText(QPointF(left, middle + (metrics.ascent() - metrics.descent()) / 2),
+                         metrics.elidedText(layers[i].title, Qt::ElideRight, room));
+        left += metrics.horizontalAdvance(layers[i].title) + 2.0 * gap;
+    }
 }
 
 } // namespace quadrille::widgets

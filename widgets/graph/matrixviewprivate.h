@@ -33,8 +33,7 @@ struct MatrixView::Private
     std::optional<MatrixCell> current;
     std::optional<MatrixCell> hovered;
 
-    QRect area; ///< where the table shows
-    int legendWidth = 0;
+    QRect area;       ///< where the table shows
     double scale = 1; ///< logical pixels for each cell
     QPointF origin;   ///< upper left corner of the table, in the area's coordinates
     bool isFitted = true;
@@ -64,7 +63,8 @@ struct MatrixView::Private
     void paintNames(QPainter& painter, const QFontMetricsF& metrics) const;
     void paintMarks(QPainter& painter, double ratio);
     void paintCells(QPainter& painter, bool hasFocus) const;
-    void paintLegendColumn(QPainter& painter, const MatrixView& view);
+    void paintLegend(QPainter& painter, const MatrixView& view) const;
+    double paintColors(QPainter& painter, double left, double middle) const;
 };
 
 /// How a mark of a layer looks, about the origin.

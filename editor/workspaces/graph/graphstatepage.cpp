@@ -19,7 +19,7 @@ namespace {
 
 using State = GraphMedia::State;
 
-constexpr int widestText = 420;
+constexpr int progressWidth = 240;
 // Distances, costs, lengths, windows and turns of a pair of frames, and what a graph is computed with.
 constexpr double bytesPerPair = 56;
 
@@ -55,13 +55,11 @@ GraphStatePage::GraphStatePage(EditorContext& context, QWidget* parent)
     for (QLabel* label : {m_title, m_text, m_memory}) {
         label->setAlignment(Qt::AlignCenter);
         label->setWordWrap(true);
-        label->setMaximumWidth(widestText);
-        label->setMinimumWidth(qMin(widestText, 240));
-        column->addWidget(label, 0, Qt::AlignHCenter);
+        column->addWidget(label);
     }
     m_text->setForegroundRole(QPalette::PlaceholderText);
     m_memory->setForegroundRole(QPalette::PlaceholderText);
-    m_progress->setMaximumWidth(widestText);
+    m_progress->setFixedWidth(progressWidth);
     m_progress->setRange(0, 1000);
     column->addWidget(m_progress, 0, Qt::AlignHCenter);
     column->addWidget(m_button, 0, Qt::AlignHCenter);

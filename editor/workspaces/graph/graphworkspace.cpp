@@ -31,6 +31,7 @@ namespace quadrille {
 namespace {
 
 constexpr int dwellMilliseconds = 350;
+constexpr int smallestPanel = 340; // pixels, so that docks above it leave room for reasons and charts
 
 QScrollArea* scrolled(QWidget* content)
 {
@@ -105,6 +106,7 @@ void GraphWorkspace::makePanels()
 {
     m_tabs->setObjectName(QStringLiteral("graphTabs"));
     m_tabs->setDocumentMode(true);
+    m_tabs->setMinimumHeight(smallestPanel);
     m_tabs->addTab(m_transition, {});
     m_tabs->addTab(m_charts, {});
     m_tabs->addTab(m_gaps, {});
@@ -134,6 +136,7 @@ void GraphWorkspace::arrangeWidgets()
     splitter->setStretchFactor(0, 3);
     splitter->setStretchFactor(1, 2);
     splitter->setChildrenCollapsible(false);
+    splitter->setSizes({600, 400});
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
