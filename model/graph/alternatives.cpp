@@ -7,6 +7,19 @@
 
 namespace quadrille {
 
+namespace {
+
+/// Whether playing on comes to the same frame for less.
+bool playsOn(const TransitionCosts& costs, double alpha, const FramePair& pair)
+{
+    const FrameLayout& layout = costs.layout();
+    return pair.destination > pair.source &&
+           layout.sequenceOf(pair.source) == layout.sequenceOf(pair.destination) &&
+           costs.weight(pair.source, pair.destination, alpha) > alpha * (pair.destination - pair.source);
+}
+
+} // namespace
+
 std::vector<FramePair> alternatives(const TransitionCosts& costs, double alpha, const FramePair& chosen,
                                     const AlternativeSettings& settings)
 {
@@ -22,7 +35,7 @@ std::vector<FramePair> alternatives(const TransitionCosts& costs, double alpha, 
     std::vector<Candidate> candidates;
     for (NodeIndex i = first; i <= last; ++i)
         for (NodeIndex j = 0; j < layout.frameCount(); ++j)
-            if (costs.hasTransition(i, j))
+            if (costs.hasTransition(i, j) && !playsOn(costs, alpha, {i, j}))
                 candidates.push_back({costs.weight(i, j, alpha), {i, j}});
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.weight < b.weight; });
@@ -32,8 +45,9 @@ std::vector<FramePair> alternatives(const TransitionCosts& costs, double alpha, 
         if (found.size() == wanted)
             break;
         const auto isAlike = [&](const FramePair& other) {
-            return std::abs(other.source - candidate.pair.source) < settings.apart &&
-                   std::abs(other.destination - candidate.pair.destination) < settings.apart;
+            const NodeIndex shift = candidate.pair.destination - candidate.pair.source;
+            return layout.sequenceOf(other.destination) == layout.sequenceOf(candidate.pair.destination) &&
+                   std::abs(other.destination - other.source - shift) < settings.apart;
         };
         if (std::none_of(found.begin(), found.end(), isAlike))
             found.push_back(candidate.pair);

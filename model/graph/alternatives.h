@@ -10,12 +10,15 @@ namespace quadrille {
 struct AlternativeSettings
 {
     int reach = 12; ///< frames of the same sequence before and after a source that are considered as well
-    int apart = 4;  ///< frames by which the source or the destination of two alternatives differ at least
-    int most = 10;  ///< how many are wanted
+    /// Frames by which two alternatives to the same sequence differ in what they skip, at least: those that
+    /// differ less are one transition, taken earlier or later.
+    int apart = 4;
+    int most = 10; ///< how many are wanted
 };
 
 /// Other transitions that could be taken instead of one: those of least weight (see TransitionCosts::weight)
-/// that leave its sequence about where it does, each by itself and none like the one itself.
+/// that leave its sequence about where it does, each by itself and none like the one itself, without those
+/// inside one sequence that are dearer than playing on.
 /// \return the cheapest first (of two alike that of the earlier source, then destination).
 /// Cost: O(reach · frames · log frames).
 std::vector<FramePair> alternatives(const TransitionCosts& costs, double alpha, const FramePair& chosen,

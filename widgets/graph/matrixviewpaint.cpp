@@ -18,7 +18,6 @@ constexpr double barLength = 96;     // of the legend
 constexpr double markDistance = 9;   // logical pixels between marks at the least
 constexpr double smallestRadius = 2; // of marks
 constexpr double largestRadius = 5;  //
-constexpr double smallestName = 18;  // of a block whose name is written
 
 std::array<QRgb, 256> shadeColors()
 {
@@ -75,8 +74,10 @@ void MatrixView::Private::layOut(const MatrixView& view)
     for (const MatrixBlock& block : blocks)
         widest = std::max(widest, metrics.horizontalAdvance(block.name));
     const int line = static_cast<int>(std::ceil(metrics.height()));
-    const int left = std::min(static_cast<int>(std::ceil(widest)), view.width() / 5) + 2 * gap;
-    area = view.rect().adjusted(left, line + gap, -gap, -(line + 2 * gap));
+    const int names = static_cast<int>(std::ceil(widest));
+    const int left = std::min(names, view.width() / 5) + 2 * gap;
+    const int top = std::max(std::min(names, view.height() / 6), line) + 2 * gap;
+    area = view.rect().adjusted(left, top, -gap, -(line + 2 * gap));
     area.setSize(area.size().expandedTo({16, 16}));
     if (isFitted)
         setScale(fittingScale(), {});
@@ -152,7 +153,7 @@ void MatrixView::Private::paintBlocks(QPainter& painter) const
 {
     const double end = side() * scale;
     QColor color = Theme::color(ColorRole::Window);
-    color.setAlphaF(0.85F);
+    color.setAlphaF(0.6F);
     painter.setPen(QPen(color, 1.0));
     for (std::size_t i = 1; i + 1 < blockStarts.size(); ++i) {
         const double at = blockStarts[i] * scale;
@@ -181,14 +182,18 @@ void MatrixView::Private::paintNames(QPainter& painter, const QFontMetricsF& met
             const QRectF place(gap, area.top() + top, area.left() - 2.0 * gap, height);
             setPen(static_cast<int>(block) == at);
             painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter,
-                             metrics.elidedText(blocks[block].name, Qt::ElideRight, place.width()));
+                             metrics.elidedText(blocks[block].name, Qt::ElideMiddle, place.width()));
         }
         const auto [left, width] = visible(block, origin.x(), area.width());
-        if (width >= smallestName) {
-            const QRectF place(area.left() + left, 0, width - 2, area.top() - 2);
+        if (width >= metrics.height() * 0.9) {
+            const double room = area.top() - 2.0 * gap;
             setPen(static_cast<int>(block) == column);
-            painter.drawText(place, Qt::AlignHCenter | Qt::AlignVCenter,
-                             metrics.elidedText(blocks[block].name, Qt::ElideRight, place.width()));
+            painter.save();
+            painter.translate(area.left() + left, area.top() - gap / 2.0);
+            painter.rotate(-90);
+            painter.drawText(QRectF(0, 0, room, width), Qt::AlignLeft | Qt::AlignVCenter,
+                             metrics.elidedText(blocks[block].name, Qt::ElideMiddle, room));
+            painter.restore();
         }
     }
     painter.setPen(Theme::color(ColorRole::TextMuted));

@@ -107,11 +107,11 @@ void GraphWorkspace::makeShowingActions()
     mode(
         "graph.matrix", [] { return tr("Show costs as a &matrix"); },
         [] { return tr("Each cell is a transition from the frame of its row to that of its column"); },
-        "grid", true, GraphMap::Mode::Matrix);
+        "matrix", true, GraphMap::Mode::Matrix);
     mode(
         "graph.arcs", [] { return tr("Show edges as &arcs"); },
-        [] { return tr("The Essential graph above the sequences, the motion graph below"); }, "trajectory",
-        false, GraphMap::Mode::Arcs);
+        [] { return tr("The Essential graph above the sequences, the motion graph below"); }, "arcs", false,
+        GraphMap::Mode::Arcs);
     const auto showEdges = [this](bool) {
         m_map->setEdgesVisible(m_context.actions.action("graph.essentialEdges")->isChecked(),
                                m_context.actions.action("graph.motionEdges")->isChecked());
@@ -122,7 +122,7 @@ void GraphWorkspace::makeShowingActions()
                            group,
                            [] { return tr("&Essential graph on the matrix"); },
                            [] { return tr("Marks transitions that no cheaper way can replace with rings"); },
-                           "visible",
+                           "essential",
                            {}},
                           true, [](bool) { /* told below, with the other */ });
     QAction* motion =
@@ -130,7 +130,7 @@ void GraphWorkspace::makeShowingActions()
                            group,
                            [] { return tr("M&otion graph on the matrix"); },
                            [] { return tr("Marks transitions of locally least cost with diamonds"); },
-                           "visible",
+                           "motiongraph",
                            {}},
                           false, [](bool) { /* as above */ });
     for (QAction* action : {essential, motion})
@@ -143,6 +143,8 @@ void GraphWorkspace::makeShowingActions()
                  "frameall",
                  {}},
                 [this] { m_map->matrix().fit(); });
+    m_map->addTools({actions.action("graph.matrix"), actions.action("graph.arcs"), nullptr, essential, motion,
+                     actions.action("graph.fit")});
     const auto tab = [&](const QString& id, ActionRegistry::Text text, ActionRegistry::Text tip, int index) {
         actions.add({id, group, std::move(text), std::move(tip), {}, {}}, [this, index] {
             m_tabs->setCurrentIndex(index);

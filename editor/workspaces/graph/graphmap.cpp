@@ -15,6 +15,7 @@
 #include <QLocale>
 #include <QSpinBox>
 #include <QStackedWidget>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -103,6 +104,7 @@ GraphMap::GraphMap(GraphExplorer& explorer, JobRunner& jobs, QWidget* parent)
     , m_matrix(new MatrixView)
     , m_arcs(new ArcView)
     , m_filters(new QWidget)
+    , m_tools(new QHBoxLayout)
     , m_costLabel(new QLabel)
     , m_largestCost(new QDoubleSpinBox)
     , m_lengthLabel(new QLabel)
@@ -119,6 +121,10 @@ GraphMap::GraphMap(GraphExplorer& explorer, JobRunner& jobs, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    m_tools->setContentsMargins(8, 4, 8, 0);
+    m_tools->setSpacing(2);
+    m_tools->addWidget(m_kept, 1);
+    column->addLayout(m_tools);
     column->addWidget(m_filters);
     column->addWidget(m_pages, 1);
     connectViews();
@@ -137,10 +143,11 @@ void GraphMap::makeFilters()
     m_longest->setObjectName(QStringLiteral("filterLongest"));
     m_kept->setObjectName(QStringLiteral("filterKept"));
     m_kept->setForegroundRole(QPalette::PlaceholderText);
+    m_kept->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_costLabel->setBuddy(m_largestCost);
     m_lengthLabel->setBuddy(m_shortest);
     auto* row = new QHBoxLayout(m_filters);
-    row->setContentsMargins(8, 4, 8, 4);
+    row->setContentsMargins(8, 0, 8, 4);
     row->setSpacing(4);
     row->addWidget(m_costLabel);
     row->addWidget(m_largestCost);
@@ -149,8 +156,7 @@ void GraphMap::makeFilters()
     row->addWidget(m_shortest);
     row->addWidget(new QLabel(QStringLiteral("–")));
     row->addWidget(m_longest);
-    row->addSpacing(8);
-    row->addWidget(m_kept, 1);
+    row->addStretch(1);
     for (QAbstractSpinBox* field :
          {static_cast<QAbstractSpinBox*>(m_largestCost), static_cast<QAbstractSpinBox*>(m_shortest),
           static_cast<QAbstractSpinBox*>(m_longest)}) {
@@ -160,6 +166,23 @@ void GraphMap::makeFilters()
     connect(m_largestCost, &QDoubleSpinBox::valueChanged, this, &GraphMap::followFilter);
     connect(m_shortest, &QSpinBox::valueChanged, this, &GraphMap::followFilter);
     connect(m_longest, &QSpinBox::valueChanged, this, &GraphMap::followFilter);
+}
+
+void GraphMap::addTools(const QList<QAction*>& actions)
+{
+    for (QAction* action : actions) {
+        if (action == nullptr) {
+            m_tools->insertSpacing(m_tools->count() - 1, 8);
+            continue;
+        }
+        auto* button = new QToolButton;
+        button->setObjectName(QStringLiteral("tool.") + action->objectName());
+        button->setDefaultAction(action);
+        button->setAutoRaise(true);
+        button->setIconSize({16, 16});
+        button->setFocusPolicy(Qt::TabFocus);
+        m_tools->insertWidget(m_tools->count() - 1, button);
+    }
 }
 
 void GraphMap::connectViews()

@@ -12,6 +12,8 @@
 #include <optional>
 
 class QDoubleSpinBox;
+class QAction;
+class QHBoxLayout;
 class QLabel;
 class QSpinBox;
 class QStackedWidget;
@@ -40,6 +42,9 @@ public:
     };
 
     GraphMap(GraphExplorer& explorer, JobRunner& jobs, QWidget* parent = nullptr);
+
+    /// Puts buttons of actions above the map; a null one is a gap.
+    void addTools(const QList<QAction*>& actions);
 
     widgets::MatrixView& matrix() { return *m_matrix; }
     widgets::ArcView& arcs() { return *m_arcs; }
@@ -76,6 +81,7 @@ private:
     widgets::MatrixView* m_matrix;
     widgets::ArcView* m_arcs;
     QWidget* m_filters;
+    QHBoxLayout* m_tools;
     QLabel* m_costLabel;
     QDoubleSpinBox* m_largestCost;
     QLabel* m_lengthLabel;

@@ -31,7 +31,7 @@ namespace quadrille {
 namespace {
 
 constexpr int dwellMilliseconds = 350;
-constexpr int smallestPanel = 340; // pixels, so that docks above it leave room for reasons and charts
+constexpr int smallestPanel = 300; // pixels, so that all tabs show
 
 QScrollArea* scrolled(QWidget* content)
 {
@@ -106,8 +106,8 @@ void GraphWorkspace::makePanels()
 {
     m_tabs->setObjectName(QStringLiteral("graphTabs"));
     m_tabs->setDocumentMode(true);
-    m_tabs->setMinimumHeight(smallestPanel);
-    m_tabs->addTab(m_transition, {});
+    m_tabs->setMinimumWidth(smallestPanel);
+    m_tabs->addTab(scrolled(m_transition), {});
     m_tabs->addTab(m_charts, {});
     m_tabs->addTab(m_gaps, {});
     m_tabs->addTab(scrolled(m_settings), {});
@@ -119,7 +119,9 @@ void GraphWorkspace::arrangeWidgets()
     m_readOut->setObjectName(QStringLiteral("graphReadOut"));
     m_readOut->setFont(widgets::Theme::tabularFont(m_readOut->font()));
     m_readOut->setContentsMargins(8, 4, 8, 4);
-    m_readOut->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_readOut->setWordWrap(true);
+    m_readOut->setMinimumHeight(2 * m_readOut->fontMetrics().lineSpacing() + 8);
+    m_readOut->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     auto* left = new QWidget;
     auto* leftColumn = new QVBoxLayout(left);
     leftColumn->setContentsMargins(0, 0, 0, 0);

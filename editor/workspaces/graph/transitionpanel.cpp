@@ -29,12 +29,12 @@ enum Column
     From,
     To,
     Weight,
-    Deformation,
     Frames,
     ColumnCount,
 };
 
 constexpr int pairRole = Qt::UserRole;
+constexpr int smallestTable = 160; // pixels
 
 } // namespace
 
@@ -117,7 +117,7 @@ void TransitionPanel::makeAlternatives()
     m_alternatives->setColumnCount(ColumnCount);
     m_alternatives->setRootIsDecorated(false);
     m_alternatives->setUniformRowHeights(true);
-    m_alternatives->setMinimumHeight(120);
+    m_alternatives->setMinimumHeight(smallestTable);
     m_alternatives->header()->setStretchLastSection(false);
     m_alternatives->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_alternatives->header()->setMinimumSectionSize(32);
@@ -256,9 +256,8 @@ void TransitionPanel::showAlternatives()
         item->setText(From, frameName(m_explorer, pair.source));
         item->setText(To, frameName(m_explorer, pair.destination));
         item->setText(Weight, chartNumber(costs.weight(pair.source, pair.destination, m_explorer.alpha())));
-        item->setText(Deformation, chartNumber(costs.weight(pair.source, pair.destination, 0)));
         item->setText(Frames, QLocale().toString(costs.length()(pair.source, pair.destination)));
-        for (const Column column : {Weight, Deformation, Frames}) {
+        for (const Column column : {Weight, Frames}) {
             item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
             item->setFont(column, widgets::Theme::tabularFont(font()));
         }
@@ -283,8 +282,7 @@ void TransitionPanel::retranslate()
     }
     m_heading->setText(tr("Next best from about there"));
     m_alternatives->setAccessibleName(m_heading->text());
-    m_alternatives->setHeaderLabels({tr("From"), tr("To"), tr("Weight"), tr("Deformation"), tr("Frames")});
-    m_alternatives->headerItem()->setToolTip(Deformation, tr("Cost over the largest pose distance"));
+    m_alternatives->setHeaderLabels({tr("From"), tr("To"), tr("Weight"), tr("Frames")});
     show(m_pair);
 }
 

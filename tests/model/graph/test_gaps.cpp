@@ -110,6 +110,7 @@ TEST(Alternatives, AreTheCheapestThatDiffer)
     takes.add(2, 4, 0.5F);
     takes.add(1, 4, 0.375F); // like the one above, and cheaper
     takes.add(3, 0, 0.75F);
+    takes.add(0, 3, 0.3F); // dearer than playing on
     takes.add(6, 0, 0.0F); // leaves the other sequence
     const TransitionCosts costs = takes.costs();
     const auto near = alternatives(costs, 0.01, {1, 6}, {.reach = 2, .apart = 2, .most = 10});

@@ -1,0 +1,385 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+// Stories of the Graph workspace, with three small takes and real keys and clicks.
+#include "animatedproject.h"
+#include "editor/commands/animationedits.h"
+#include "editor/playback/player.h"
+#include "editor/workspaces/graph/gapspanel.h"
+#include "editor/workspaces/graph/graphbar.h"
+#include "editor/workspaces/graph/graphexplorer.h"
+#include "editor/workspaces/graph/graphmap.h"
+#include "editor/workspaces/graph/graphworkspace.h"
+#include "editor/workspaces/graph/transitionpanel.h"
+#include "editor/workspaces/graph/transitionpreview.h"
+#include "model/graph/shortestpath.h"
+#include "widgets/graph/arcview.h"
+#include "widgets/graph/chartscale.h"
+#include "widgets/graph/linechart.h"
+#include "widgets/graph/logslider.h"
+#include "widgets/graph/matrixview.h"
+
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
+#include <QStyle>
+#include <QStyleOptionSlider>
+#include <QTabWidget>
+#include <QTreeWidget>
+#include <memory>
+
+namespace quadrille {
+
+class GraphWorkspaceTest : public QObject
+{
+    Q_OBJECT
+
+private:
+    EditorContext& context() { return m_window->context(); }
+    GraphWorkspace& workspace() { return *test::find<GraphWorkspace>("graphWorkspace"); }
+    GraphExplorer& explorer() { return workspace().explorer(); }
+    widgets::MatrixView& matrix() { return workspace().map().matrix(); }
+    const CharacterGraph& graph() { return explorer().character()->graph; }
+    static QString text(const char* label) { return test::find<QLabel>(label)->text(); }
+    double projectAlpha() { return graphEntry(context().document.project(), "spire").alpha; }
+
+    void compute()
+    {
+        auto* button = test::find<QPushButton>("graphStateButton");
+        QTRY_VERIFY(context().graphs.medium("spire") != nullptr);
+        QTRY_VERIFY(context().graphs.medium("spire")->state == GraphMedia::State::Missing);
+        QTest::mouseClick(button, Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(explorer().character() != nullptr, 60000);
+        waitForPaths();
+        QTRY_VERIFY(matrix().values().side == graph().layout().frameCount());
+    }
+    /// Until what shows is of the α that is set.
+    void waitForPaths()
+    {
+        QTRY_VERIFY_WITH_TIMEOUT(
+            explorer().paths() != nullptr && explorer().paths()->graphs->alpha == explorer().alpha(), 30000);
+    }
+    QPoint placeOf(const FramePair& pair)
+    {
+        return matrix().cellRect({pair.source, pair.destination}).center().toPoint();
+    }
+    FramePair someTransition()
+    {
+        for (const Edge& edge : explorer().graphs()->essential.edges())
+            if (edge.kind == EdgeKind::Transition && edge.from < 60 && edge.to > 70)
+                return {edge.from, edge.to};
+        return {};
+    }
+    static QPoint handleOf(QSlider* slider)
+    {
+        QStyleOptionSlider option;
+        option.initFrom(slider);
+        option.minimum = slider->minimum();
+        option.maximum = slider->maximum();
+        option.sliderPosition = option.sliderValue = slider->value();
+        option.orientation = Qt::Horizontal;
+        return slider->style()
+            ->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider)
+            .center();
+    }
+    void drag(QSlider* slider, int pixels)
+    {
+        const QPoint from = handleOf(slider);
+        QTest::mousePress(slider, Qt::LeftButton, {}, from);
+        for (int step = 1; step <= 8; ++step)
+            QTest::mouseMove(slider, from + QPoint(pixels * step / 8, 0));
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(pixels, 0));
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<MainWindow> m_window;
+
+private slots:
+    void initTestCase()
+    {
+        test::isolate();
+        QLocale::setDefault(QLocale::c());
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    }
+
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        test::writeSwayingTakes(m_folder->path());
+        m_window = std::make_unique<MainWindow>();
+        m_window->resize(1280, 800);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        context().document.reset(test::swayingProject(m_folder->path()));
+        m_window->workspaces().select("graph");
+        QVERIFY(test::activate(*m_window));
+    }
+
+    void cleanup()
+    {
+        m_window.reset();
+        m_folder.reset();
+    }
+
+    void anEmptyProjectOffersToImport()
+    {
+        context().document.reset(Project());
+        m_window->workspaces().select("graph");
+        QCOMPARE(text("graphStateTitle"), QString("No sequences yet"));
+        QVERIFY(!context().actions.action("graph.compute")->isEnabled());
+    }
+
+    void computingCanBeStopped()
+    {
+        auto* button = test::find<QPushButton>("graphStateButton");
+        QTRY_VERIFY(context().graphs.medium("spire")->state == GraphMedia::State::Missing);
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(text("graphStateTitle"), QString("Computing the graph"));
+        QTest::mouseClick(button, Qt::LeftButton);
+        QTRY_COMPARE(text("graphStateTitle"), QString("No graph yet"));
+        QVERIFY(explorer().character() == nullptr);
+        compute();
+    }
+
+    void draggingAlphaChangesWhatTheGraphsAmountTo()
+    {
+        compute();
+        const QString before = text("essentialDensity");
+        const double alphaBefore = projectAlpha();
+        drag(workspace().bar().alpha().slider(), 70);
+        const double alpha = projectAlpha();
+        QVERIFY(alpha > 2 * alphaBefore);
+        QCOMPARE(explorer().alpha(), alpha);
+        waitForPaths();
+        const EssentialGraph essential = essentialGraph(graph().costs(), alpha);
+        const auto minima = costMinima(graph().costs());
+        const Digraph motion = motionGraph(graph().costs(), minima, alpha);
+        const auto percent = [](const Digraph& of) {
+            return widgets::chartNumber(100 * of.density()) + " %";
+        };
+        QVERIFY(text("essentialDensity") != before);
+        QCOMPARE(text("essentialDensity"), percent(essential.graph));
+        QCOMPARE(text("motionDensity"), percent(motion));
+        QCOMPARE(text("essentialEdges"), QLocale().toString(static_cast<qulonglong>(essential.graph.edges().size())));
+        QCOMPARE(text("essentialCost"), widgets::chartNumber(summarizePathCosts(essential.pathCosts).mean));
+        QCOMPARE(text("motionCost"),
+                 widgets::chartNumber(summarizePathCosts(shortestPathCosts(motion)).mean));
+        // The whole drag is one step.
+        context().document.undoStack()->undo();
+        QCOMPARE(projectAlpha(), alphaBefore);
+        waitForPaths();
+        QCOMPARE(text("essentialDensity"), before);
+    }
+
+    /// How many values arrive while the slider moves is printed, not asserted: it depends on the machine.
+    void theGraphsFollowAMovingAlpha()
+    {
+        compute();
+        QSignalSpy graphs(&explorer(), &GraphExplorer::graphsChanged);
+        QSignalSpy paths(&explorer(), &GraphExplorer::pathsChanged);
+        QSlider* slider = workspace().bar().alpha().slider();
+        const QPoint from = handleOf(slider);
+        QTest::mousePress(slider, Qt::LeftButton, {}, from);
+        QElapsedTimer clock;
+        clock.start();
+        int moves = 0;
+        while (clock.elapsed() < 400) {
+            QTest::mouseMove(slider, from + QPoint(++moves % 80, 0));
+            QTest::qWait(1);
+        }
+        const auto edgesSeen = graphs.size();
+        const auto pathsSeen = paths.size();
+        qInfo("%d moves: edges %.0f times a second, mean costs %.0f times a second", moves,
+              1000.0 * static_cast<double>(edgesSeen) / 400, 1000.0 * static_cast<double>(pathsSeen) / 400);
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(40, 0));
+        waitForPaths();
+        QVERIFY(edgesSeen > 1);
+        QVERIFY(graphs.size() <= moves + 2);
+    }
+
+    void pointingAtACellShowsBothFramesAndItsNumbers()
+    {
+        compute();
+        const FramePair pair = someTransition();
+        QTest::mouseMove(&matrix(), placeOf(pair));
+        const auto cell = matrix().cellAt(placeOf(pair));
+        QTRY_COMPARE(matrix().hoveredCell(), cell);
+        QTRY_VERIFY(text("graphReadOut").startsWith(matrix().cellText(*cell)));
+        const QStringList both{TransitionPreview::sourceName(), TransitionPreview::destinationName()};
+        QCOMPARE(workspace().stage().shown(), both);
+        QTRY_VERIFY(workspace().stage().sequenceOf(both[1]) != nullptr);
+        QCOMPARE(workspace().stage().sequenceOf(both[1])->frameCount(), 1);
+    }
+
+    void clickingACellPlaysItsTransitionAndSaysWhy()
+    {
+        compute();
+        QSignalSpy activated(&workspace().map(), &GraphMap::activated);
+        const auto cell = *matrix().cellAt(placeOf(someTransition()));
+        const FramePair pair{cell.row, cell.column};
+        QTest::mouseClick(&matrix(), Qt::LeftButton, {}, placeOf(pair));
+        QCOMPARE(activated.size(), 1);
+        QTRY_VERIFY(workspace().player().isPlaying());
+        const QString clip = TransitionPreview::clipName();
+        QCOMPARE(workspace().stage().shown(), QStringList{clip});
+        const int length = graph().costs().length()(pair.source, pair.destination);
+        const auto& tracks = workspace().view().timeline().tracks();
+        QCOMPARE(tracks.size(), std::size_t{1});
+        QCOMPARE(tracks[0].spans[1].hatched, true);
+        QCOMPARE(tracks[0].spans[1].last - tracks[0].spans[1].first + 1, length - 2);
+        const double deformation = graph().costs().weight(pair.source, pair.destination, 0);
+        QVERIFY(text("transitionDeformation").startsWith(widgets::chartNumber(deformation)));
+        QVERIFY(text("transitionDuration").startsWith(widgets::chartNumber(projectAlpha() * length)));
+        QCOMPARE(text("transitionEssential") == "Yes",
+                 explorer().graphs()->essential.find(pair.source, pair.destination) != nullptr);
+        // Another one, chosen from the list.
+        auto* list = test::find<QTreeWidget>("transitionAlternatives");
+        QVERIFY(list->topLevelItemCount() > 2);
+        const QRect row = list->visualItemRect(list->topLevelItem(1));
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, {10, row.center().y()});
+        QVERIFY(test::find<TransitionPanel>("transitionPanel")->shown() != pair);
+        QTRY_VERIFY(workspace().player().isPlaying());
+    }
+
+    void everythingIsReachedByKeyboard()
+    {
+        compute();
+        const FramePair pair = someTransition();
+        matrix().setFocus();
+        matrix().setCurrentCell(widgets::MatrixCell{pair.source, pair.destination - 1});
+        QTest::keyClick(&matrix(), Qt::Key_Right);
+        QCOMPARE(test::find<TransitionPanel>("transitionPanel")->shown(), pair);
+        QTest::keyClick(&matrix(), Qt::Key_Return);
+        QTRY_COMPARE(workspace().stage().shown(), QStringList{TransitionPreview::clipName()});
+        const double before = projectAlpha();
+        QTest::keyClick(m_window.get(), Qt::Key_BracketRight);
+        QVERIFY(projectAlpha() > before);
+    }
+
+    void filtersGreyWhatTheyLeaveOut()
+    {
+        compute();
+        const FramePair pair = someTransition();
+        QTest::mouseMove(&matrix(), {1, 1});
+        context().actions.action("graph.essentialEdges")->setChecked(false);
+        const auto colorOf = [&] {
+            const QImage picture = matrix().grab().toImage();
+            return picture.pixelColor(
+                (matrix().cellRect({pair.source, pair.destination}).center() * picture.devicePixelRatio())
+                    .toPoint());
+        };
+        const QColor before = colorOf();
+        QVERIFY(before.hsvSaturation() > 90);
+        auto* longest = test::find<QSpinBox>("filterLongest");
+        longest->setFocus();
+        longest->selectAll();
+        QTest::keyClicks(longest, "1");
+        QTRY_VERIFY(colorOf().hsvSaturation() < 60);
+        QTRY_COMPARE(text("filterKept"), QString("0 % in colour"));
+        longest->setValue(0);
+        QTRY_COMPARE(colorOf(), before);
+    }
+
+    void arcsShowTheSameTransitions()
+    {
+        compute();
+        context().actions.action("graph.arcs")->trigger();
+        auto& arcs = workspace().map().arcs();
+        QVERIFY(arcs.isVisible());
+        QVERIFY(!arcs.shown(widgets::ArcView::Side::Above).empty());
+        const widgets::Arc arc = arcs.shown(widgets::ArcView::Side::Above).front().lightest;
+        QVERIFY(explorer().graphs()->essential.find(arc.from, arc.to) != nullptr);
+        const widgets::ArcCurve curve = arcs.curve(widgets::ArcView::Side::Above, arc);
+        QSignalSpy activated(&workspace().map(), &GraphMap::activated);
+        QTest::mouseClick(&arcs, Qt::LeftButton, {},
+                          QPointF((curve.from + curve.to) / 2, curve.base - curve.height).toPoint());
+        QCOMPARE(activated.size(), 1);
+    }
+
+    void chartsCompareBothGraphsOverAlpha()
+    {
+        compute();
+        context().actions.action("graph.charts")->trigger();
+        auto* chart = test::find<widgets::LineChart>("densityChart");
+        QVERIFY(chart->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!chart->isEmpty(), 30000);
+        QCOMPARE(chart->series().size(), std::size_t{2});
+        for (const QPointF& point : chart->series()[0].points)
+            QCOMPARE(point.y(), 100 * essentialGraph(graph().costs(), point.x()).graph.density());
+        // The line at α can be dragged.
+        const QPoint from = chart->positionOf({projectAlpha(), 0}).toPoint() - QPoint(0, 20);
+        const QPoint to = chart->positionOf({0.1, 0}).toPoint() - QPoint(0, 20);
+        QTest::mousePress(chart, Qt::LeftButton, {}, from);
+        QTest::mouseMove(chart, (from + to) / 2);
+        QTest::mouseMove(chart, to);
+        QTest::mouseRelease(chart, Qt::LeftButton, {}, to);
+        QVERIFY(std::abs(std::log(projectAlpha() / 0.1)) < 0.2);
+    }
+
+    void gapsAreNamedWithWhatWouldHelp()
+    {
+        compute();
+        context().actions.action("graph.gaps")->trigger();
+        auto* tree = test::find<QTreeWidget>("gapsTree");
+        QTRY_COMPARE(tree->topLevelItemCount(), 2);
+        // The first frames of a take cannot be arrived at, and nothing leaves its last ones.
+        auto* essential = tree->topLevelItem(0);
+        QCOMPARE(essential->childCount(), static_cast<int>(explorer().gaps()->essential.size()));
+        QVERIFY(essential->childCount() > 0);
+        QVERIFY(essential->child(0)->text(0).startsWith("first 0–"));
+        QVERIFY(essential->child(0)->text(1).contains("first"));
+        QSignalSpy chosen(test::find<GapsPanel>("gapsPanel"), &GapsPanel::chosen);
+        QTest::mouseClick(tree->viewport(), Qt::LeftButton, {},
+                          tree->visualItemRect(essential->child(0)).center());
+        QCOMPARE(chosen.size(), 1);
+    }
+
+    void settingsAreUndoableAndComputeTheGraphAnew()
+    {
+        compute();
+        context().actions.action("graph.settings")->trigger();
+        const auto before = explorer().character();
+        auto* slope = test::find<QSpinBox>("graphSlope");
+        QVERIFY(slope->isVisible());
+        slope->setFocus();
+        QTest::keyClick(slope, Qt::Key_Down);
+        QCOMPARE(graphEntry(context().document.project(), "spire").slope, 2);
+        QTRY_VERIFY_WITH_TIMEOUT(explorer().character() != before, 60000);
+        QCOMPARE(graph().work().graph.slope, 2);
+        context().document.undoStack()->undo();
+        QCOMPARE(slope->value(), 3);
+    }
+
+    void tablesAreSavedAsCsv()
+    {
+        compute();
+        QDir(m_folder->path()).mkdir("tables");
+        const QString folder = m_folder->filePath("tables");
+        QTimer::singleShot(0, this, [&] {
+            QFileDialog* chooser = nullptr;
+            QTRY_VERIFY((chooser = workspace().findChild<QFileDialog*>()) != nullptr && chooser->isVisible());
+            chooser->setDirectory(folder);
+            chooser->selectFile(folder);
+            QTest::keyClick(chooser, Qt::Key_Return);
+            if (chooser->isVisible())
+                static_cast<QDialog*>(chooser)->accept();
+        });
+        context().actions.action("graph.saveTables")->trigger();
+        QTRY_VERIFY(QFile::exists(folder + "/graph-components.csv"));
+        QFile edges(folder + "/essential-graph-edges.csv");
+        QVERIFY(edges.open(QIODevice::ReadOnly));
+        QCOMPARE(edges.readAll().count('\n'),
+                 static_cast<qsizetype>(explorer().graphs()->essential.edges().size()) + 1);
+        QFile statistics(folder + "/graph-statistics.csv");
+        QVERIFY(statistics.open(QIODevice::ReadOnly));
+        QVERIFY(statistics.readAll().contains("motion,0.01,180,"));
+    }
+};
+
+} // namespace quadrille
+
+QTEST_MAIN(quadrille::GraphWorkspaceTest)
+#include "tst_graphworkspace.moc"
