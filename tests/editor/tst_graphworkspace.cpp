@@ -9,8 +9,8 @@
 #include "editor/workspaces/graph/graphexplorer.h"
 #include "editor/workspaces/graph/graphmap.h"
 #include "editor/workspaces/graph/graphworkspace.h"
+#include "editor/workspaces/graph/pairpreview.h"
 #include "editor/workspaces/graph/transitionpanel.h"
-#include "editor/workspaces/graph/transitionpreview.h"
 #include "model/graph/shortestpath.h"
 #include "widgets/graph/arcview.h"
 #include "widgets/graph/chartscale.h"
@@ -163,7 +163,8 @@ private slots:
         QVERIFY(text("essentialDensity") != before);
         QCOMPARE(text("essentialDensity"), percent(essential.graph));
         QCOMPARE(text("motionDensity"), percent(motion));
-        QCOMPARE(text("essentialEdges"), QLocale().toString(static_cast<qulonglong>(essential.graph.edges().size())));
+        QCOMPARE(text("essentialEdges"),
+                 QLocale().toString(static_cast<qulonglong>(essential.graph.edges().size())));
         QCOMPARE(text("essentialCost"), widgets::chartNumber(summarizePathCosts(essential.pathCosts).mean));
         QCOMPARE(text("motionCost"),
                  widgets::chartNumber(summarizePathCosts(shortestPathCosts(motion)).mean));
@@ -208,7 +209,7 @@ private slots:
         const auto cell = matrix().cellAt(placeOf(pair));
         QTRY_COMPARE(matrix().hoveredCell(), cell);
         QTRY_VERIFY(text("graphReadOut").startsWith(matrix().cellText(*cell)));
-        const QStringList both{TransitionPreview::sourceName(), TransitionPreview::destinationName()};
+        const QStringList both{PairPreview::sourceName(), PairPreview::destinationName()};
         QCOMPARE(workspace().stage().shown(), both);
         QTRY_VERIFY(workspace().stage().sequenceOf(both[1]) != nullptr);
         QCOMPARE(workspace().stage().sequenceOf(both[1])->frameCount(), 1);
@@ -223,7 +224,7 @@ private slots:
         QTest::mouseClick(&matrix(), Qt::LeftButton, {}, placeOf(pair));
         QCOMPARE(activated.size(), 1);
         QTRY_VERIFY(workspace().player().isPlaying());
-        const QString clip = TransitionPreview::clipName();
+        const QString clip = PairPreview::clipName();
         QCOMPARE(workspace().stage().shown(), QStringList{clip});
         const int length = graph().costs().length()(pair.source, pair.destination);
         const auto& tracks = workspace().view().timeline().tracks();
@@ -253,7 +254,7 @@ private slots:
         QTest::keyClick(&matrix(), Qt::Key_Right);
         QCOMPARE(test::find<TransitionPanel>("transitionPanel")->shown(), pair);
         QTest::keyClick(&matrix(), Qt::Key_Return);
-        QTRY_COMPARE(workspace().stage().shown(), QStringList{TransitionPreview::clipName()});
+        QTRY_COMPARE(workspace().stage().shown(), QStringList{PairPreview::clipName()});
         const double before = projectAlpha();
         QTest::keyClick(m_window.get(), Qt::Key_BracketRight);
         QVERIFY(projectAlpha() > before);
@@ -278,7 +279,7 @@ private slots:
         longest->selectAll();
         QTest::keyClicks(longest, "1");
         QTRY_VERIFY(colorOf().hsvSaturation() < 60);
-        QTRY_COMPARE(text("filterKept"), QString("0 % in colour"));
+        QTRY_COMPARE(text("filterKept"), QString("0.0 % in colour"));
         longest->setValue(0);
         QTRY_COMPARE(colorOf(), before);
     }

@@ -7,7 +7,7 @@
 #include "editor/workspaces/graph/graphmap.h"
 #include "editor/workspaces/graph/graphtablefiles.h"
 #include "editor/workspaces/graph/graphworkspace.h"
-#include "editor/workspaces/graph/transitionpreview.h"
+#include "editor/workspaces/graph/pairpreview.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/graph/logslider.h"
 #include "widgets/graph/matrixview.h"

@@ -12,8 +12,8 @@
 #include "editor/workspaces/graph/graphmap.h"
 #include "editor/workspaces/graph/graphsettingspanel.h"
 #include "editor/workspaces/graph/graphstatepage.h"
+#include "editor/workspaces/graph/pairpreview.h"
 #include "editor/workspaces/graph/transitionpanel.h"
-#include "editor/workspaces/graph/transitionpreview.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/graph/matrixview.h"
 #include "widgets/theme/theme.h"
@@ -71,7 +71,7 @@ GraphWorkspace::GraphWorkspace(EditorContext& context, QWidget* parent)
                             .upAxis = [&context] { return context.media.upAxis(); }},
                            QStringLiteral("graph")))
     , m_explorer(new GraphExplorer(context.jobs, this))
-    , m_preview(new TransitionPreview(context.jobs, this))
+    , m_preview(new PairPreview(context.jobs, this))
     , m_bar(new GraphBar(context, *m_explorer))
     , m_map(new GraphMap(*m_explorer, context.jobs))
     , m_statePage(new GraphStatePage(context))
@@ -185,12 +185,12 @@ void GraphWorkspace::connectParts()
         }
     });
     connect(m_charts, &GraphChartsPanel::alphaEdited, m_bar, &GraphBar::editAlpha);
-    connect(m_preview, &TransitionPreview::framesChanged, this, [this] {
-        stage().update(TransitionPreview::sourceName());
-        stage().update(TransitionPreview::destinationName());
+    connect(m_preview, &PairPreview::framesChanged, this, [this] {
+        stage().update(PairPreview::sourceName());
+        stage().update(PairPreview::destinationName());
     });
-    connect(m_preview, &TransitionPreview::clipChanged, this, &GraphWorkspace::showClip);
-    connect(m_preview, &TransitionPreview::clipFailed, this, [this](const Error& error) {
+    connect(m_preview, &PairPreview::clipChanged, this, &GraphWorkspace::showClip);
+    connect(m_preview, &PairPreview::clipFailed, this, [this](const Error& error) {
         const ErrorText text = describe(error);
         m_view->message().show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
     });
@@ -287,7 +287,7 @@ void GraphWorkspace::hover(const std::optional<FramePair>& pair)
 {
     m_hovered = pair;
     showReadOut();
-    const bool isClip = stage().shown() == QStringList{TransitionPreview::clipName()};
+    const bool isClip = stage().shown() == QStringList{PairPreview::clipName()};
     if (!pair) {
         m_dwell.stop();
         if (m_preview->clip() != nullptr && !isClip && m_preview->clip()->frames == m_chosen)
@@ -304,7 +304,7 @@ void GraphWorkspace::showFrames(const FramePair& pair)
     player().pause();
     m_preview->showFrames(pair);
     m_view->timeline().setTracks({});
-    m_view->show({TransitionPreview::sourceName(), TransitionPreview::destinationName()});
+    m_view->show({PairPreview::sourceName(), PairPreview::destinationName()});
     showState();
 }
 
@@ -313,7 +313,7 @@ void GraphWorkspace::showClip()
     const TransitionClip* clip = m_preview->clip();
     if (clip == nullptr)
         return;
-    const QString name = TransitionPreview::clipName();
+    const QString name = PairPreview::clipName();
     m_view->timeline().setTracks({{QStringLiteral("transition"), tr("Transition"),
                                    widgets::TimelineTrack::Kind::Clips, false, spansOf(*clip, *m_explorer)}});
     m_view->show({name});

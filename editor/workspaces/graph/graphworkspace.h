@@ -22,7 +22,7 @@ class GraphMap;
 class GraphSettingsPanel;
 class GraphStatePage;
 class TransitionPanel;
-class TransitionPreview;
+class PairPreview;
 struct EditorContext;
 
 namespace widgets {
@@ -69,7 +69,7 @@ private:
     EditorContext& m_context;
     StageView* m_view;
     GraphExplorer* m_explorer;
-    TransitionPreview* m_preview;
+    PairPreview* m_preview;
     GraphBar* m_bar;
     GraphMap* m_map;
     GraphStatePage* m_statePage;

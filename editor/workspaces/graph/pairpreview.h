@@ -28,7 +28,7 @@ struct TransitionClip
 /// Makes what a view shows of transitions, in jobs: the two frames of one, laid over each other as the
 /// transition would, and the clip of one. Of several that are asked for while one is made, only the newest
 /// is made next. Clips are kept, those used last.
-class TransitionPreview : public QObject
+class PairPreview : public QObject
 {
     Q_OBJECT
 
@@ -38,8 +38,8 @@ public:
     static QString destinationName();
     static QString clipName();
 
-    explicit TransitionPreview(JobRunner& jobs, QObject* parent = nullptr);
-    ~TransitionPreview() override;
+    explicit PairPreview(JobRunner& jobs, QObject* parent = nullptr);
+    ~PairPreview() override;
 
     void setCharacter(std::shared_ptr<const OpenedCharacter> opened);
     /// Takes one with the same frames instead; what was made stays.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "editor/workspaces/graph/transitionpreview.h"
+#include "editor/workspaces/graph/pairpreview.h"
 
 #include "editor/jobs/jobrunner.h"
 #include "model/synthesis/makeclip.h"
@@ -45,26 +45,26 @@ MeshSequence placedFrame(const OpenedCharacter& opened, NodeIndex node, double t
 
 } // namespace
 
-QString TransitionPreview::sourceName()
+QString PairPreview::sourceName()
 {
     return tr("From");
 }
 
-QString TransitionPreview::destinationName()
+QString PairPreview::destinationName()
 {
     return tr("To");
 }
 
-QString TransitionPreview::clipName()
+QString PairPreview::clipName()
 {
     return tr("Transition");
 }
 
-TransitionPreview::TransitionPreview(JobRunner& jobs, QObject* parent) : QObject(parent), m_jobs(jobs) {}
+PairPreview::PairPreview(JobRunner& jobs, QObject* parent) : QObject(parent), m_jobs(jobs) {}
 
-TransitionPreview::~TransitionPreview() = default;
+PairPreview::~PairPreview() = default;
 
-void TransitionPreview::setCharacter(std::shared_ptr<const OpenedCharacter> opened)
+void PairPreview::setCharacter(std::shared_ptr<const OpenedCharacter> opened)
 {
     m_opened = std::move(opened);
     ++m_generation;
@@ -82,7 +82,7 @@ void TransitionPreview::setCharacter(std::shared_ptr<const OpenedCharacter> open
     emit clipChanged();
 }
 
-void TransitionPreview::setGentle(bool gentle)
+void PairPreview::setGentle(bool gentle)
 {
     if (gentle == m_isGentle)
         return;
@@ -91,19 +91,19 @@ void TransitionPreview::setGentle(bool gentle)
         makeClip(m_clip->frames);
 }
 
-void TransitionPreview::showFrames(const FramePair& pair)
+void PairPreview::showFrames(const FramePair& pair)
 {
     m_wantedFrames = pair;
     startFrames();
 }
 
-void TransitionPreview::makeClip(const FramePair& pair)
+void PairPreview::makeClip(const FramePair& pair)
 {
     m_wantedClip = pair;
     startClip();
 }
 
-const MeshSequence* TransitionPreview::sequence(const QString& name) const
+const MeshSequence* PairPreview::sequence(const QString& name) const
 {
     if (name == clipName())
         return m_clip ? &m_clip->sequence : nullptr;
@@ -112,14 +112,14 @@ const MeshSequence* TransitionPreview::sequence(const QString& name) const
     return name == sourceName() ? &m_frames->source : &m_frames->destination;
 }
 
-TransitionPreview::Frames TransitionPreview::readFrames(const OpenedCharacter& opened, const FramePair& pair)
+PairPreview::Frames PairPreview::readFrames(const OpenedCharacter& opened, const FramePair& pair)
 {
     const double turn = opened.graph.roots().turns(pair.source, pair.destination);
     return {pair, placedFrame(opened, pair.source, 0, sourceName()),
             placedFrame(opened, pair.destination, turn, destinationName())};
 }
 
-void TransitionPreview::startFrames()
+void PairPreview::startFrames()
 {
     const bool isBusy = m_framesJob && !m_framesJob->isOver();
     if (isBusy || !m_opened || !m_wantedFrames || (m_frames && m_frames->pair == *m_wantedFrames))
@@ -138,8 +138,8 @@ void TransitionPreview::startFrames()
         });
 }
 
-TransitionClip TransitionPreview::blend(const OpenedCharacter& opened, const FramePair& pair, bool isGentle,
-                                        const Progress& progress)
+TransitionClip PairPreview::blend(const OpenedCharacter& opened, const FramePair& pair, bool isGentle,
+                                  const Progress& progress)
 {
     const CharacterGraph& graph = opened.graph;
     const FrameLayout& layout = graph.layout();
@@ -158,7 +158,7 @@ TransitionClip TransitionPreview::blend(const OpenedCharacter& opened, const Fra
             plan.junctions.front().first, plan.junctions.front().last};
 }
 
-void TransitionPreview::startClip()
+void PairPreview::startClip()
 {
     if ((m_clipJob && !m_clipJob->isOver()) || !m_opened || !m_wantedClip)
         return;
@@ -192,7 +192,7 @@ void TransitionPreview::startClip()
         });
 }
 
-void TransitionPreview::take(std::shared_ptr<const TransitionClip> clip)
+void PairPreview::take(std::shared_ptr<const TransitionClip> clip)
 {
     m_clip = std::move(clip);
     m_known.push_front(m_clip);
