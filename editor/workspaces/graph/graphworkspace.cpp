@@ -4,6 +4,7 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/errors/errortext.h"
+#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/graph/gapspanel.h"
 #include "editor/workspaces/graph/graphbar.h"
@@ -85,6 +86,8 @@ GraphWorkspace::GraphWorkspace(EditorContext& context, QWidget* parent)
     , m_settings(new GraphSettingsPanel(context))
 {
     setObjectName(QStringLiteral("graphWorkspace"));
+    for (QWidget* part : {static_cast<QWidget*>(this), static_cast<QWidget*>(m_tabs)})
+        setHelpPage(part, QStringLiteral("graph"));
     m_message->setObjectName(QStringLiteral("graphMessage"));
     m_dwell.setSingleShot(true);
     m_dwell.setInterval(dwellMilliseconds);
