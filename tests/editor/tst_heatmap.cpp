@@ -93,7 +93,7 @@ private slots:
 
     void coloursTwoTakesByTheDistanceOfTheirPoses()
     {
-        auto* button = test::find<QToolButton>("tool.view.heatMap");
+        auto* button = m_window->sequences().findChild<QToolButton*>("tool.view.heatMap");
         QVERIFY(!button->isVisible());
         context().actions.action("view.wire")->trigger();
         compare({"upright", "leaning"});

@@ -78,7 +78,7 @@ private slots:
         QVERIFY(!test::find<QLabel>("reportEmpty")->isVisible());
         const double fps = context().document.project().settings.fps;
         const QString duration =
-            QLocale().toString(static_cast<double>(result().sequence.frameCount()) / fps, 'f', 3);
+            QLocale().toString(static_cast<double>(result().sequence.frameCount()) / fps, 'f', 2);
         QCOMPARE(row("Duration"), QStringList({"", duration + " s"}));
         QCOMPARE(row("Transitions").last(), QString::number(result().walk.solution.walk.transitionCount()));
         QVERIFY(!row("Proven best").last().isEmpty());
@@ -89,7 +89,7 @@ private slots:
                                  KeyEntry{.sequence = "third", .frame = FrameIndex(50), .time = 0.2}};
         });
         QCOMPARE(result().walk.solution.keys.size(), 2U);
-        QCOMPARE(row("Key: 2").first(), QLocale().toString(0.2, 'f', 3) + " s");
+        QCOMPARE(row("Key: 2").first(), QLocale().toString(0.2, 'f', 2) + " s");
         const auto rows = reportOf(result(), fps);
         const auto key = std::ranges::find_if(
             rows, [](const ReportRow& each) { return each.what == "Key" && each.name == "2"; });

@@ -16,6 +16,7 @@
 #include "editor/workspaces/animate/postpanel.h"
 #include "editor/workspaces/animate/reportpanel.h"
 #include "editor/workspaces/animate/transitionpreview.h"
+#include "editor/workspaces/sequences/posecomparison.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/theme.h"
 
@@ -71,10 +72,12 @@ AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
     new PathResult(*m_animation, this);
     m_panels.push_back({"pathDock", [] { return tr("Path"); }, new PathPanel(*m_path)});
     connect(&m_path->editor(), &widgets::PathEditor::modeChanged, this, &AnimateWorkspace::showState);
-    retranslates(this, [this] { showState(); });
+    m_comparison = new PoseComparison(context, m_view->viewport(), m_view->stage(), this);
+    connect(m_comparison, &PoseComparison::changed, this, &AnimateWorkspace::showState);
     m_junctions = new JunctionPanel(*m_animation);
     connect(&m_junctions->preview(), &TransitionPreview::changed, this, &AnimateWorkspace::followPreview);
     m_panels.push_back({"junctionDock", [] { return tr("Transitions"); }, m_junctions});
+    retranslates(this, [this] { showState(); });
     m_panels.push_back({"finishDock", [] { return tr("Finish"); }, new PostPanel(*m_animation)});
     m_panels.push_back({"reportDock", [] { return tr("Report"); }, new ReportPanel(*m_animation)});
     followAnimations();
@@ -161,6 +164,13 @@ void AnimateWorkspace::showState()
         const ErrorText text = describe(*medium->error);
         message.show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
         message.setAction(tr("Try Again"));
+    } else if (m_junctions->preview().clip() != nullptr) {
+        message.show(widgets::MessageStrip::Kind::Info, tr("This is what another transition would be like."),
+                     tr("Return takes it; Shift+E goes back to the clip."));
+        message.setAction({});
+    } else if (const QString problem = m_comparison->problem(); !problem.isEmpty()) {
+        message.show(widgets::MessageStrip::Kind::Warning, problem, m_comparison->remedy());
+        message.setAction({});
     } else {
         message.clear();
     }

@@ -8,6 +8,7 @@ namespace quadrille {
 
 class CurrentAnimation;
 class JunctionPanel;
+class PoseComparison;
 class KeysAndStoryboard;
 class PathTool;
 
@@ -35,6 +36,7 @@ private:
 
     EditorContext& m_context;
     JunctionPanel* m_junctions = nullptr;
+    PoseComparison* m_comparison = nullptr;
     StageView* m_view;
     CurrentAnimation* m_animation;
     KeysAndStoryboard* m_keysAndStoryboard;

@@ -85,7 +85,7 @@ void JunctionPanel::makeDecidingActions()
          group,
          [] { return tr("Lock the se&gment"); },
          [] { return tr("Keeps the transitions at both ends of the captured frames that are shown"); },
-         "lock",
+         "locksegment",
          {Qt::CTRL | Qt::SHIFT | Qt::Key_L}},
         [this] { lockSegment(); });
     actions.add({"junction.forget",

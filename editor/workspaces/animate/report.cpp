@@ -39,7 +39,7 @@ private:
     const WalkSolution& solution() const { return m_result.walk.solution; }
     const WalkConstraints& constraints() const { return m_result.walk.constraints; }
     static QString seconds() { return Texts::tr("s", "seconds"); }
-    static QString metres() { return Texts::tr("m", "metres"); }
+    static QString centimetres() { return Texts::tr("cm", "centimetres"); }
 
     void add(const QString& what, double obtained, const QString& unit = {})
     {
@@ -69,9 +69,9 @@ private:
             add(Texts::tr("Cost of deviation"), solution().cost.deviation, Texts::tr("m²", "square metres"));
         add(Texts::tr("Total cost"), solution().totalCost);
         add(Texts::tr("States looked at"), static_cast<double>(solution().expansions));
-        const QString best = solution().optimal ? Texts::tr("yes: no walk costs less")
-                             : m_result.isFinal ? Texts::tr("no: the best within the budget")
-                                                : Texts::tr("no: still seeking");
+        const QString best = solution().optimal ? Texts::tr("yes")
+                             : m_result.isFinal ? Texts::tr("not proven")
+                                                : Texts::tr("still seeking");
         m_rows.push_back({Texts::tr("Proven best"), {}, {}, {}, {}, best});
     }
 
@@ -86,9 +86,9 @@ private:
     {
         if (!constraints().path)
             return;
-        add(Texts::tr("Length of the path"), solution().pathLength, metres());
-        m_rows.push_back({Texts::tr("Mean deviation"), {}, 0.0, solution().meanDeviation, metres()});
-        m_rows.push_back({Texts::tr("Greatest deviation"), {}, 0.0, solution().greatestDeviation, metres()});
+        add(Texts::tr("Path length"), solution().pathLength, Texts::tr("m", "metres"));
+        add(Texts::tr("Mean deviation"), 100 * solution().meanDeviation, centimetres());
+        add(Texts::tr("Greatest deviation"), 100 * solution().greatestDeviation, centimetres());
         for (std::size_t s = 0; s < solution().spans.size(); ++s) {
             const PathSpan& span = constraints().path->spans[s];
             addRange(Texts::tr("Span from"), Texts::tr("Span lasts"),

@@ -39,7 +39,7 @@ QString valueText(const std::optional<double>& value, const QString& unit)
     if (!value)
         return {};
     const bool isCount = unit.isEmpty() && *value == std::floor(*value);
-    const QString number = QLocale().toString(*value, 'f', isCount ? 0 : 3);
+    const QString number = QLocale().toString(*value, 'f', isCount ? 0 : 2);
     return unit.isEmpty() ? number : ReportPanel::tr("%1 %2", "number and unit").arg(number, unit);
 }
 

@@ -24,12 +24,12 @@ PoseComparison::PoseComparison(EditorContext& context, widgets::Viewport& viewpo
     connect(m_action, &QAction::toggled, this, &PoseComparison::setOn);
     // One of a group stays checked when it is triggered again: then it gives way to the one before it.
     connect(m_action, &QAction::triggered, this, [this] {
-        if (!std::exchange(m_isNew, false))
+        if (!std::exchange(m_isNew, false) && m_viewport.isVisible())
             goBack();
     });
     connect(m_heatMap, &PoseHeatMap::changed, this, &PoseComparison::changed);
     connect(&stage, &SequenceStage::changed, this, [this] {
-        if (m_action->isChecked() && !m_stage.isComparing())
+        if (m_action->isChecked() && m_viewport.isVisible() && !m_stage.isComparing())
             goBack();
     });
 }
