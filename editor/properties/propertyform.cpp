@@ -21,6 +21,9 @@ void PropertyForm::addField(const char* objectName, Text label, QWidget* field, 
     text->setBuddy(field);
     field->setObjectName(QLatin1String(objectName));
     m_form->addRow(text, field);
+    field->installEventFilter(this);
+    for (QWidget* part : field->findChildren<QWidget*>())
+        part->installEventFilter(this);
     m_rows.push_back({text, field, std::move(label), std::move(tip)});
     retranslateRows();
 }
@@ -55,6 +58,16 @@ void PropertyForm::retranslateRows()
             row.field->setToolTip(row.tip());
         }
     }
+}
+
+/// The wheel scrolls the page; it changes a field only where the keyboard is, too.
+bool PropertyForm::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
+        event->ignore();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void PropertyForm::changeEvent(QEvent* event)

@@ -16,6 +16,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QToolButton>
@@ -216,6 +217,25 @@ private slots:
         QTest::mouseMove(view, from + QPoint(0, -20));
         QTest::mouseRelease(view, Qt::LeftButton, {}, from + QPoint(0, -20));
         QVERIFY(tool().path() == nullptr);
+    }
+
+    void theMenuOfTheCurveInsertsAPoint()
+    {
+        addPath(straight());
+        QTest::mouseClick(viewport().view(), Qt::RightButton, {}, pixel(0, 0.35));
+        auto* menu = test::find<QMenu>("pathMenu");
+        QTRY_VERIFY(menu->isVisible());
+        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(menu->actions().front()).center());
+        QCOMPARE(path().points.size(), 4U);
+        QVERIFY((path().points[1] - Vec3d(0, 0, 0.35)).norm() < 0.02);
+        QTest::mouseClick(viewport().view(), Qt::RightButton, {}, pixel({Kind::Point, 1, 0}));
+        menu = nullptr;
+        for (QWidget* top : QApplication::topLevelWidgets())
+            if (auto* shown = qobject_cast<QMenu*>(top); shown != nullptr && shown->isVisible())
+                menu = shown;
+        QVERIFY(menu != nullptr);
+        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(menu->actions().front()).center());
+        QCOMPARE(path(), straight());
     }
 
     void anotherAnimationEndsDrawing()

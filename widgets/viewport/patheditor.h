@@ -95,6 +95,12 @@ public:
     /// The part that would be dragged from here.
     PathPart partAt(const QPointF& position) const;
 
+    /// What double click and Delete do, for menus. \param length  along the curve, metres.
+    void insertPoint(double length);
+    void removeSelected();
+    /// Puts the handles of the selected point of a Bézier path onto one line.
+    void smoothSelected();
+
     bool handle(QEvent& event) override;
     void paint(QPainter& painter) const override;
 
@@ -111,6 +117,9 @@ signals:
     void obstacleDeletionAsked(int obstacle);
     /// A part was double-clicked, or Return was pressed on it: to be looked at closer.
     void activated(const quadrille::widgets::PathPart& part);
+    /// \param length  where on the curve, metres; where there is none under the pointer, 0.
+    void contextMenuAsked(const quadrille::widgets::PathPart& part, double length,
+                          const QPoint& globalPosition);
 
 protected:
     void viewChanged() override;
@@ -132,6 +141,7 @@ private:
     bool nudge(int key, Qt::KeyboardModifiers modifiers);
     bool resizeSelected(float metres);
     bool deleteSelected();
+    void askMenu(const PathPart& part, const QPointF& position, const QPoint& globalPosition);
     void dragTo(const QMouseEvent& event);
     void applyTo(const PathPart& part, const QVector3D& place, bool mirrored, bool committed);
     void endDrag(bool commit);

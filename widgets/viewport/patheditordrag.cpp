@@ -198,6 +198,33 @@ void PathEditor::insertOnCurve(std::size_t anchor, float t, const QVector3D& pla
     setSelected({PathPart::Kind::Point, static_cast<int>(anchorIndex(d->shape.kind, anchor + 1)), 0});
 }
 
+void PathEditor::insertPoint(double length)
+{
+    if (d->curve.isEmpty())
+        return;
+    const auto samples = anchorSamples(d->shape.kind, d->shape.points, d->curve.points());
+    std::size_t anchor = 0;
+    while (anchor + 2 < samples.size() && d->curve.lengthAt(samples[anchor + 1]) <= length)
+        ++anchor;
+    const QVector3D place = d->curve.at(length);
+    const float t =
+        d->shape.kind == PathKind::Bezier ? nearestParameter(d->shape.points, anchor, place) : 0.5F;
+    insertOnCurve(anchor, t, place);
+}
+
+void PathEditor::removeSelected()
+{
+    deleteSelected();
+}
+
+void PathEditor::smoothSelected()
+{
+    const auto index = static_cast<std::size_t>(d->selected.index);
+    if (d->selected.kind == PathPart::Kind::Point && d->shape.kind == PathKind::Bezier)
+        emit pointsEdited(smoothedAnchor(d->shape.points, anchorOf(d->shape.kind, index)), PathEdit::Move,
+                          true);
+}
+
 void PathEditor::insertByKey()
 {
     const QVector3D target = d->onGround(camera().target);
@@ -219,12 +246,7 @@ void PathEditor::insertByKey()
         const auto samples = anchorSamples(shape.kind, shape.points, d->curve.points());
         const std::size_t anchor =
             std::min(anchorOf(shape.kind, index), anchorCount(shape.kind, points.size()) - 2);
-        const double middle =
-            (d->curve.lengthAt(samples[anchor]) + d->curve.lengthAt(samples[anchor + 1])) / 2.0;
-        const QVector3D place = d->curve.at(middle);
-        insertOnCurve(anchor,
-                      shape.kind == PathKind::Bezier ? nearestParameter(shape.points, anchor, place) : 0.5F,
-                      place);
+        insertPoint((d->curve.lengthAt(samples[anchor]) + d->curve.lengthAt(samples[anchor + 1])) / 2.0);
     } else if (points.empty()) {
         addPoint(shape.inSpace ? target + d->usualHeight * d->up() : target);
     } else {

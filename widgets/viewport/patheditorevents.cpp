@@ -4,6 +4,7 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <utility>
 
 namespace quadrille::widgets {
 
@@ -80,6 +81,10 @@ bool PathEditor::press(const QMouseEvent& event)
     if (event.button() == Qt::RightButton && d->mode != Mode::Edit) {
         finishMode();
         return true;
+    }
+    if (event.button() == Qt::RightButton) {
+        d->isMenuPress = partAt(event.position()).kind != PathPart::Kind::None;
+        return d->isMenuPress;
     }
     if (event.button() != Qt::LeftButton)
         return false;
@@ -165,6 +170,11 @@ void PathEditor::hover(const QMouseEvent& event)
 
 bool PathEditor::release(const QMouseEvent& event)
 {
+    if (event.button() == Qt::RightButton && std::exchange(d->isMenuPress, false)) {
+        if (const PathPart part = partAt(event.position()); part.kind != PathPart::Kind::None)
+            askMenu(part, event.position(), event.globalPosition().toPoint());
+        return true;
+    }
     if (!isDragging()) {
         if (d->clickOnNothing && (event.position() - *d->clickOnNothing).manhattanLength() < dragDistance)
             setSelected({});
@@ -189,25 +199,24 @@ bool PathEditor::doubleClick(const QMouseEvent& event)
         return false;
     if (part.kind == PathPart::Kind::Curve) {
         double distance = 0.0;
-        const double length = d->lengthAt(event.position(), &distance).value_or(0.0);
-        const auto samples = anchorSamples(d->shape.kind, d->shape.points, d->curve.points());
-        std::size_t anchor = 0;
-        while (anchor + 2 < samples.size() && d->curve.lengthAt(samples[anchor + 1]) <= length)
-            ++anchor;
-        const QVector3D place = d->curve.at(length);
-        insertOnCurve(anchor,
-                      d->shape.kind == PathKind::Bezier ? nearestParameter(d->shape.points, anchor, place)
-                                                        : 0.5F,
-                      place);
+        insertPoint(d->lengthAt(event.position(), &distance).value_or(0.0));
         return true;
     }
-    const auto index = static_cast<std::size_t>(part.index);
-    if (part.kind == PathPart::Kind::Point && d->shape.kind == PathKind::Bezier)
-        emit pointsEdited(smoothedAnchor(d->shape.points, anchorOf(d->shape.kind, index)), PathEdit::Move,
-                          true);
-    else
+    if (part.kind == PathPart::Kind::Point && d->shape.kind == PathKind::Bezier) {
+        setSelected(part);
+        smoothSelected();
+    } else {
         emit activated(part);
+    }
     return true;
+}
+
+void PathEditor::askMenu(const PathPart& part, const QPointF& position, const QPoint& globalPosition)
+{
+    double distance = 0.0;
+    if (part.kind != PathPart::Kind::Curve)
+        setSelected(part);
+    emit contextMenuAsked(part, d->lengthAt(position, &distance).value_or(0.0), globalPosition);
 }
 
 bool PathEditor::wantsKey(const QKeyEvent& event) const
@@ -217,6 +226,8 @@ bool PathEditor::wantsKey(const QKeyEvent& event) const
     switch (event.key()) {
     case Qt::Key_Escape:
         return isDragging() || hasSelection || isDrawing;
+    case Qt::Key_Menu:
+        return hasSelection;
     case Qt::Key_Return:
     case Qt::Key_Enter:
         return isDrawing || hasSelection;
@@ -256,6 +267,10 @@ bool PathEditor::pressKey(const QKeyEvent& event)
         return true;
     case Qt::Key_Insert:
         insertByKey();
+        return true;
+    case Qt::Key_Menu:
+        if (const auto pixel = pixelOf(d->selected))
+            askMenu(d->selected, *pixel, d->viewport.mapToGlobal(pixel->toPoint()));
         return true;
     case Qt::Key_Tab:
         return selectNext(1);

@@ -49,6 +49,7 @@ struct PathEditor::Private
     std::vector<QVector3D> corners;        ///< of the polygon that is being drawn
     std::optional<QVector3D> pointer;      ///< where a click would draw
     std::optional<QPointF> clickOnNothing; ///< where a press was left to the camera
+    bool isMenuPress = false;              ///< the right button is down on a part
 
     QVector3D up() const;
     int upIndex() const;

@@ -4,8 +4,10 @@
 #include "editor/application/editorcontext.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathtool.h"
+#include "editor/workspaces/view/stageview.h"
 
 #include <QAction>
+#include <QMenu>
 #include <QSignalBlocker>
 
 namespace quadrille {
@@ -73,6 +75,27 @@ void PathTool::makeActions()
             m_animation.edit(tr("Delete the path"), QStringLiteral("path"),
                              [](AnimationEntry& animation) { removePath(animation); });
         });
+}
+
+void PathTool::showMenu(const widgets::PathPart& part, double length, const QPoint& globalPosition)
+{
+    using Kind = widgets::PathPart::Kind;
+    const ActionRegistry& actions = m_animation.context().actions;
+    auto* menu = new QMenu(&m_animation.view());
+    menu->setObjectName(QStringLiteral("pathMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    if (part.kind == Kind::Curve)
+        menu->addAction(tr("&Insert a point here"), m_editor,
+                        [this, length] { m_editor->insertPoint(length); });
+    else
+        menu->addAction(tr("&Delete"), m_editor, &widgets::PathEditor::removeSelected);
+    if (part.kind == Kind::Point && m_editor->shape().kind == widgets::PathKind::Bezier)
+        menu->addAction(tr("&Join the handles"), m_editor, &widgets::PathEditor::smoothSelected);
+    menu->addSeparator();
+    for (const char* id : {"animate.path.draw", "animate.path.span", "animate.path.disc",
+                           "animate.path.polygon", "animate.path.reverse", "animate.path.close"})
+        menu->addAction(actions.action(QLatin1String(id)));
+    menu->popup(globalPosition);
 }
 
 void PathTool::refreshActions()

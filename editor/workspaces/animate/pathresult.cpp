@@ -25,6 +25,7 @@ namespace {
 
 constexpr float wayWidth = 3.5F;    // pixels
 constexpr float dashLength = 0.06F; // metres
+constexpr float ringRadius = 0.08F; // metres
 constexpr std::size_t mostLines = 120;
 const auto layer = QStringLiteral("result");
 
@@ -45,6 +46,8 @@ PathResult::PathResult(CurrentAnimation& animation, QObject* parent) : QObject(p
             &PathResult::refresh);
     connect(&Theme::instance(), &Theme::changed, this, &PathResult::refresh);
     connect(actions.action(QStringLiteral("view.trajectory")), &QAction::toggled, this, &PathResult::refresh);
+    connect(&animation.view().stage(), &SequenceStage::frameShown, this, &PathResult::showFrame);
+    connect(&animation.view().player(), &Player::playingChanged, this, &PathResult::showFrame);
     refresh();
 }
 
@@ -59,14 +62,53 @@ void PathResult::refresh()
     const auto result = m_animation.result();
     const bool isShown = m_animation.context().actions.action(QStringLiteral("view.trajectory"))->isChecked();
     const bool isThere = result && isShown && m_animation.entry() != nullptr;
+    m_followed.clear();
+    if (isThere && result->walk.constraints.path && result->walk.constraints.path->points.size() > 1)
+        m_followed = followPath(*result->walk.constraints.path, result->plan);
     m_animation.view().viewport().setMarks(layer, isThere ? marks(*result) : SceneMarks());
+    showFrame();
+}
+
+QString PathResult::centimetres(double length) const
+{
+    const double metres = m_animation.context().document.project().settings.axes.metresPerUnit;
+    return QLocale().toString(length * metres * 100, 'f', 1);
+}
+
+/// Where the path wants the body in the frame that is shown.
+void PathResult::showFrame()
+{
+    const auto result = m_animation.result();
+    const auto frame = static_cast<std::size_t>(m_animation.view().stage().frame().value);
+    SceneMarks marks;
+    // Clips that were cut, repeated or retimed have other frames than the walk.
+    if (m_isDeviationShown && result && frame < m_followed.size() &&
+        result->sequence.frameCount() == static_cast<std::int64_t>(m_followed.size())) {
+        const PathSpace space{.up = result->plan.up, .ground = m_animation.view().viewport().groundHeight()};
+        const bool onGround = !result->walk.constraints.path->inSpace;
+        const QVector3D wanted = space.toView(m_followed[frame].wanted, onGround);
+        const QVector3D up = space.up == UpAxis::Z ? QVector3D(0, 0, 1) : QVector3D(0, 1, 0);
+        std::vector<QVector3D> ring = widgets::circleOnGround(wanted, ringRadius, up);
+        ring.push_back(ring.front());
+        const QColor color = Theme::color(ColorRole::AccentText);
+        marks.curves = {{.points = std::move(ring), .color = color, .colors = {}, .width = 2.0F},
+                        {.points = {space.toView(m_followed[frame].centre, onGround), wanted},
+                         .color = color,
+                         .colors = {},
+                         .width = 2.0F}};
+        if (!m_animation.view().player().isPlaying())
+            marks.labels = {{wanted, tr("%1 cm").arg(centimetres(m_followed[frame].deviation())), QColor()}};
+    }
+    if (!marks.isEmpty() || m_isFrameMarked)
+        m_animation.view().viewport().setMarks(QStringLiteral("frame"), marks);
+    m_isFrameMarked = !marks.isEmpty();
 }
 
 SceneMarks PathResult::marks(const AnimationResult& result) const
 {
     SceneMarks marks;
     addWay(result, marks);
-    if (m_isDeviationShown && result.walk.constraints.path && result.walk.constraints.path->points.size() > 1)
+    if (m_isDeviationShown && !m_followed.empty())
         addDeviation(result, marks);
     return marks;
 }
@@ -99,7 +141,7 @@ void PathResult::addDeviation(const AnimationResult& result, SceneMarks& marks) 
 {
     const PathSpace space{.up = result.plan.up, .ground = m_animation.view().viewport().groundHeight()};
     const bool onGround = !result.walk.constraints.path->inSpace;
-    const auto frames = followPath(*result.walk.constraints.path, result.plan);
+    const auto& frames = m_followed;
     SceneCurve lines{.points = {}, .color = Theme::color(ColorRole::Line), .colors = {}, .width = 1.0F};
     lines.color.setAlphaF(0.6F); // many lie side by side
     lines.pairs = true;
@@ -112,12 +154,8 @@ void PathResult::addDeviation(const AnimationResult& result, SceneMarks& marks) 
     const auto worst = std::max_element(frames.begin(), frames.end(), [](const auto& a, const auto& b) {
         return a.deviation() < b.deviation();
     });
-    if (worst == frames.end())
-        return;
-    const double centimetres =
-        worst->deviation() * 100 * m_animation.context().document.project().settings.axes.metresPerUnit;
     marks.labels.push_back({space.toView(worst->centre, onGround),
-                            tr("%1 cm away").arg(QLocale().toString(centimetres, 'f', 1)), QColor()});
+                            tr("%1 cm away").arg(centimetres(worst->deviation())), QColor()});
 }
 
 } // namespace quadrille

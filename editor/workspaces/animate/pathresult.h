@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/core/units.h"
+#include "model/synthesis/pathfollowing.h"
 #include "widgets/viewport/scenemarks.h"
 
 #include <QObject>
@@ -29,9 +29,14 @@ private:
     widgets::SceneMarks marks(const AnimationResult& result) const;
     void addWay(const AnimationResult& result, widgets::SceneMarks& marks) const;
     void addDeviation(const AnimationResult& result, widgets::SceneMarks& marks) const;
+    void showFrame();
+
+    QString centimetres(double length) const;
 
     CurrentAnimation& m_animation;
     bool m_isDeviationShown = true;
+    bool m_isFrameMarked = false;
+    std::vector<FollowedFrame> m_followed; ///< of the frames of the result that is drawn
 };
 
 } // namespace quadrille

@@ -110,6 +110,7 @@ void PathTool::connectEditor()
              [&](PathEntry& path) { path.obstacles.erase(path.obstacles.begin() + obstacle); });
     });
     connect(m_editor, &PathEditor::modeChanged, this, &PathTool::refreshActions);
+    connect(m_editor, &PathEditor::contextMenuAsked, this, &PathTool::showMenu);
 }
 
 void PathTool::takePoints(const std::vector<QVector3D>& points, PathEdit edit, bool committed)
