@@ -35,6 +35,8 @@ public:
     virtual std::vector<Panel> panels() { return {}; }
     /// The captured frame that is shown now, or that is nearest to what is shown; none without any.
     virtual std::optional<NamedFrame> shownPose() { return std::nullopt; }
+    /// Brings a panel to the front of those that share its place. \param content as in Panel.
+    static void showPanel(QWidget* content);
     /// The workspace comes to the front, or goes.
     virtual void setActive(bool /*active*/) {}
 

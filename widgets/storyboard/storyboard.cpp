@@ -89,14 +89,20 @@ void Storyboard::setEmptyAction(QWidget* action)
     column->insertWidget(column->count() - 1, action, 0, Qt::AlignHCenter);
 }
 
-int Storyboard::cardHeight() const
+int Storyboard::cardHeight(int picture) const
 {
-    return margin + pictureSide + lineHeight + 4 + 2 * fontMetrics().height() + margin;
+    return margin + picture + lineHeight + 4 + 2 * fontMetrics().height() + margin;
+}
+
+int Storyboard::pictureHeight() const
+{
+    return std::clamp(viewport()->height() - 2 * above - cardHeight(0), smallestPicture, pictureSide);
 }
 
 QRect Storyboard::cardRect(int card) const
 {
-    return {gap + card * (cardWidth + gap) - horizontalScrollBar()->value(), gap, cardWidth, cardHeight()};
+    return {gap + card * (cardWidth + gap) - horizontalScrollBar()->value(), above, cardWidth,
+            cardHeight(pictureHeight())};
 }
 
 int Storyboard::cardAt(const QPoint& position) const
@@ -116,12 +122,13 @@ int Storyboard::insertionAt(const QPoint& position) const
 QSize Storyboard::sizeHint() const
 {
     constexpr int shownCards = 4;
-    return {shownCards * (cardWidth + gap) + gap, minimumSizeHint().height()};
+    return {shownCards * (cardWidth + gap) + gap,
+            cardHeight(pictureSide) + 2 * above + horizontalScrollBar()->sizeHint().height()};
 }
 
 QSize Storyboard::minimumSizeHint() const
 {
-    return {cardWidth + 2 * gap, cardHeight() + 2 * gap + horizontalScrollBar()->sizeHint().height()};
+    return {cardWidth + 2 * gap, cardHeight(smallestPicture) + 2 * above};
 }
 
 void Storyboard::updateScrollBar()

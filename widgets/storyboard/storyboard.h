@@ -101,7 +101,9 @@ private:
     };
 
     int cardAt(const QPoint& position) const;
-    int cardHeight() const;
+    int cardHeight(int picture) const;
+    /// The side of pictures; they shrink where the storyboard is low.
+    int pictureHeight() const;
     int count() const { return static_cast<int>(m_cards.size()); }
     bool isMove(int card, int before) const { return before != card && before != card + 1; }
     void choose(int card);

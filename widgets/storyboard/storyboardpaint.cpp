@@ -55,7 +55,7 @@ void Storyboard::paintCard(QPainter& painter, int card, const QRect& place) cons
     painter.drawRoundedRect(box, 4.0, 4.0);
 
     const QRect inner = place.adjusted(margin, margin, -margin, -margin);
-    const QRect picture(inner.left(), inner.top(), inner.width(), pictureSide);
+    const QRect picture(inner.left(), inner.top(), inner.width(), pictureHeight());
     paintPicture(painter, shown, picture);
     painter.setPen(Qt::NoPen);
     painter.setBrush(shown.color.isValid() ? shown.color : Theme::color(ColorRole::Original));
@@ -92,7 +92,7 @@ void Storyboard::paintPicture(QPainter& painter, const StoryCard& card, const QR
                           Theme::color(card.isFaulty ? ColorRole::ErrorText : ColorRole::TextMuted),
                           devicePixelRatioF()));
     } else {
-        QRect square(0, 0, pictureSide, pictureSide);
+        QRect square(0, 0, place.height(), place.height());
         square.moveCenter(place.center());
         painter.drawImage(square, card.picture);
     }

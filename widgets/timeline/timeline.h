@@ -54,6 +54,7 @@ struct TimelineTrack
     bool editable = false;
     std::vector<TimelineSpan> spans;
     std::vector<TimelineKey> keys; ///< of tracks of this kind
+    QString hint;                  ///< what belongs there, while it is empty
     bool operator==(const TimelineTrack&) const = default;
 };
 

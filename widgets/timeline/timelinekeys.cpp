@@ -242,7 +242,8 @@ void Timeline::Private::paintDrop(QPainter& painter) const
     painter.setPen(QPen(color, 1.5, Qt::DashLine));
     painter.drawLine(QPointF(middle, 2.0), QPointF(middle, size.height()));
     painter.setBrush(Qt::NoBrush);
-    painter.drawRoundedRect(QRectF(keyPictureRect(place, *dropFrame)).adjusted(1, 1, -1, -1), 3, 3);
+    if (place.height() >= keyRowHeight)
+        painter.drawRoundedRect(QRectF(keyPictureRect(place, *dropFrame)).adjusted(1, 1, -1, -1), 3, 3);
     painter.setPen(QPen(color, 1.0));
     painter.setBrush(Theme::color(ColorRole::Key));
     paintDiamond(painter, {middle, place.top() + keyMarkHeight / 2.0}, markReach);

@@ -13,7 +13,7 @@ int Timeline::Private::rowHeight(const TimelineTrack& track) const
     case TimelineTrack::Kind::Contacts:
         return 14;
     case TimelineTrack::Kind::Keys:
-        return keyRowHeight;
+        return track.keys.empty() ? 24 : keyRowHeight;
     default:
         return 24;
     }

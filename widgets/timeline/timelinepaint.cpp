@@ -133,6 +133,9 @@ void Timeline::Private::paintTrack(QPainter& painter, std::size_t index, const Q
                      painter.fontMetrics().elidedText(owner.title, Qt::ElideRight, title.width()));
     painter.save();
     painter.setClipRect(place);
+    if (owner.spans.empty() && owner.keys.empty() && !owner.hint.isEmpty())
+        painter.drawText(place.adjusted(6, 0, -6, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                         painter.fontMetrics().elidedText(owner.hint, Qt::ElideRight, place.width() - 12));
     for (const TimelineSpan& span : owner.spans)
         paintSpan(painter, owner, place, shown(owner.id, span));
     if (owner.kind == TimelineTrack::Kind::Keys)
@@ -170,7 +173,9 @@ void Timeline::Private::paintSpan(QPainter& painter, const TimelineTrack& owner,
         return;
     // The part that shows carries the name, also when the span starts left of the view.
     const QRectF seen = box.intersected(place).adjusted(6.0, 0.0, -4.0, 0.0);
-    if (seen.width() < smallestText)
+    // Between the lines of hatching a part of a text could not be read.
+    const bool isCut = painter.fontMetrics().horizontalAdvance(span.text) > seen.width();
+    if (seen.width() < smallestText || (span.hatched && isCut))
         return;
     painter.setPen(Theme::textOn(color));
     painter.drawText(

@@ -7,6 +7,7 @@
 #include "editor/errors/errortext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/animationbar.h"
+#include "editor/workspaces/animate/animationtimeline.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/junctionpanel.h"
 #include "editor/workspaces/animate/keysandstoryboard.h"
@@ -76,11 +77,28 @@ AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
     connect(m_comparison, &PoseComparison::changed, this, &AnimateWorkspace::showState);
     m_junctions = new JunctionPanel(*m_animation);
     connect(&m_junctions->preview(), &TransitionPreview::changed, this, &AnimateWorkspace::followPreview);
+    connectJunctions();
     m_panels.push_back({"junctionDock", [] { return tr("Transitions"); }, m_junctions});
     retranslates(this, [this] { showState(); });
     m_panels.push_back({"finishDock", [] { return tr("Finish"); }, new PostPanel(*m_animation)});
     m_panels.push_back({"reportDock", [] { return tr("Report"); }, new ReportPanel(*m_animation)});
     followAnimations();
+}
+
+/// A transition is the same in the clip strip and in its panel.
+void AnimateWorkspace::connectJunctions()
+{
+    AnimationTimeline& timeline = m_keysAndStoryboard->timeline();
+    connect(&timeline, &AnimationTimeline::junctionSelected, m_junctions, [this](int junction) {
+        if (junction >= 0)
+            m_junctions->select(junction);
+    });
+    connect(m_junctions, &JunctionPanel::junctionSelected, &timeline, &AnimationTimeline::selectJunction);
+    connect(&timeline, &AnimationTimeline::junctionActivated, m_junctions, [this](int junction) {
+        showPanel(m_junctions);
+        m_junctions->select(junction);
+        m_context.actions.action(QStringLiteral("junction.play"))->trigger();
+    });
 }
 
 std::vector<Workspace::Panel> AnimateWorkspace::panels()

@@ -29,6 +29,7 @@ public:
     PathTool& path() { return *m_path; }
 
 private:
+    void connectJunctions();
     void followAnimations();
     void followPreview();
     void followResult(const QString& name);

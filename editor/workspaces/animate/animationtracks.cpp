@@ -39,6 +39,7 @@ TimelineTrack AnimationTracks::keys(const std::vector<int>& ids, FramePictures& 
     track.title = tr("Keys");
     track.kind = TimelineTrack::Kind::Keys;
     track.editable = true;
+    track.hint = tr("Drag the picture of a card here to ask for its pose at a time");
     const std::vector<KeyEntry> all = keysOf(entry);
     const auto obtained = obtainedFrames(all, result);
     for (std::size_t i = 0; i < all.size() && i < ids.size(); ++i) {

@@ -106,6 +106,8 @@ void JunctionPanel::makeLists()
         showDetails();
         refreshAlternatives();
         updateActions();
+        if (!m_isRefreshing)
+            emit junctionSelected(current());
     });
     connect(m_list, &QTreeWidget::itemClicked, this, [this] { playAround(current()); });
     connect(m_list, &QTreeWidget::itemActivated, this, [this] { playAround(current()); });

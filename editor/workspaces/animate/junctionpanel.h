@@ -33,6 +33,12 @@ public:
 
     /// What is looked at in place of the clip while another transition is chosen.
     TransitionPreview& preview() { return *m_preview; }
+    /// Selects a transition of the walk by its number.
+    void select(int junction);
+
+signals:
+    /// −1 when none is selected any more.
+    void junctionSelected(int junction);
 
 protected:
     void hideEvent(QHideEvent* event) override;
@@ -57,7 +63,6 @@ private:
     /// −1 where none is selected.
     int current() const;
     const ClipJunction* currentJunction() const;
-    void select(int junction);
     void step(int direction);
     void goTo(int junction);
     void playAround(int junction);

@@ -12,8 +12,6 @@
 #include "editor/workspaces/animate/keyspanel.h"
 #include "editor/workspaces/animate/storyboardpanel.h"
 
-#include <QApplication>
-#include <QDockWidget>
 #include <QMainWindow>
 #include <QStatusBar>
 #include <algorithm>
@@ -36,10 +34,7 @@ KeysAndStoryboard::KeysAndStoryboard(CurrentAnimation& animation, QObject* paren
     setHelpPage(m_storyboard, page);
     connect(m_timeline, &AnimationTimeline::keySelected, this, &KeysAndStoryboard::selectKey);
     connect(m_timeline, &AnimationTimeline::keyActivated, m_keys, [this](int key) {
-        if (auto* dock = qobject_cast<QDockWidget*>(m_keys->parentWidget())) {
-            dock->show();
-            dock->raise();
-        }
+        Workspace::showPanel(m_keys);
         m_keys->editKey(key);
     });
     connect(m_keys, &KeysPanel::keySelected, this, &KeysAndStoryboard::selectKey);
