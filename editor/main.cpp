@@ -13,7 +13,7 @@
 int main(int argc, char** argv)
 {
     using namespace quadrille;
-    returnLargeBlocks();
+    keepMemoryTight();
     // Under Wayland VTK's context sharing needs XWayland.
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "xcb");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/mainwindow.h"
 
+#include "editor/application/focuskeys.h"
 #include "editor/application/menus.h"
 #include "editor/application/projectfiles.h"
 #include "editor/application/recoveryflow.h"
@@ -56,6 +57,7 @@ MainWindow::MainWindow(QWidget* parent)
     setObjectName(QStringLiteral("mainWindow"));
     setWindowIcon(widgets::icons::application());
     setAcceptDrops(true);
+    new FocusKeys(this);
     resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);

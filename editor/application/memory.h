@@ -4,8 +4,8 @@
 
 namespace quadrille {
 
-/// Lets large blocks (clips, tables, pictures) go back to the system as soon as they are freed; otherwise they
-/// stay between smaller ones, and a long session takes more and more. Call once, before any thread is begun.
-void returnLargeBlocks();
+/// Lets large blocks (clips, tables, pictures) go back to the system as soon as they are freed, and threads
+/// share what is kept; otherwise a long session takes more and more. Call once, before any thread is begun.
+void keepMemoryTight();
 
 } // namespace quadrille

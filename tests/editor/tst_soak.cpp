@@ -108,7 +108,7 @@ private:
 private slots:
     void initTestCase()
     {
-        returnLargeBlocks();
+        keepMemoryTight();
         test::isolate();
         test::writeSwayingTakes(m_folder.path());
         m_window = std::make_unique<MainWindow>();
