@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Paths of animations: drawn in the view, edited in numbers, followed by a clip.
 #include "animatedproject.h"
+#include "editor/commands/projectedits.h"
 #include "editor/workspaces/animate/animateworkspace.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathentries.h"
@@ -236,6 +237,30 @@ private slots:
         QVERIFY(menu != nullptr);
         QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(menu->actions().front()).center());
         QCOMPARE(path(), straight());
+    }
+
+    void pathsLieOnTheGroundOfTheProject()
+    {
+        ProjectSettings settings = document().project().settings;
+        settings.axes.up = UpAxis::Z;
+        setSettings(document(), settings);
+        QTRY_COMPARE(viewport().camera().upAxis, widgets::UpAxis::Z);
+        QTest::mouseClick(test::find<QPushButton>("drawPath"), Qt::LeftButton);
+        widgets::Turntable camera = viewport().camera();
+        camera.target = {0, 0, viewport().groundHeight()};
+        camera.distance = 6;
+        viewport().setCamera(camera);
+        const auto at = [&](float x, float y) {
+            QPointF place;
+            camera.project({x, y, viewport().groundHeight()}, viewport().view()->size(), &place);
+            return place.toPoint();
+        };
+        click(at(0, 0));
+        click(at(1, 0.5F));
+        QCOMPARE(path().points.size(), 2U);
+        QVERIFY((path().points[1] - Vec3d(1, 0.5, 0)).norm() < 0.03);
+        QCOMPARE(path().points[1].z(), 0.0);
+        QCOMPARE(test::find<QTableWidget>("pathPoints")->horizontalHeaderItem(1)->text(), QString("y (m)"));
     }
 
     void anotherAnimationEndsDrawing()

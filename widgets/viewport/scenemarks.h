@@ -40,7 +40,8 @@ struct SceneLabel
 {
     QVector3D place;
     QString text;
-    QColor color; ///< of a dot before the words; invalid: none
+    QColor color;         ///< of a dot before the words; invalid: none
+    bool isBelow = false; ///< its place; otherwise above it
 
     bool operator==(const SceneLabel&) const = default;
 };

@@ -121,7 +121,7 @@ void paintAnnotations(QPainter& painter, const QSizeF& size, const Annotations& 
     for (const SceneLabel& label : annotations.labels) {
         QPointF pixel;
         if (annotations.camera.project(label.place, size, &pixel))
-            paintPlate(painter, pixel - QPointF(0.0, 20.0), label.text, label.color);
+            paintPlate(painter, pixel + QPointF(0.0, label.isBelow ? 22.0 : -20.0), label.text, label.color);
     }
     paintMeasurement(painter, size, annotations);
     if (!annotations.notice.isEmpty())
