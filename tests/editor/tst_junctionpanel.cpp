@@ -125,6 +125,23 @@ private slots:
         QVERIFY(!decisions.isVisible());
     }
 
+    void neighboursAreBannedInOneStep()
+    {
+        const FramePair banned = junctionsOf(result()).front().transition.frames;
+        key(Qt::Key_Period);
+        key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+        const auto all = entry().junctions.banned;
+        QVERIFY(all.size() > 1);
+        QVERIFY(waitForResult());
+        for (const ClipJunction& now : junctionsOf(result())) {
+            const FramePair& frames = now.transition.frames;
+            QVERIFY(std::abs(frames.source - banned.source) > 2 ||
+                    std::abs(frames.destination - banned.destination) > 2);
+        }
+        context().document.undo();
+        QVERIFY(entry().junctions.isEmpty());
+    }
+
     void anotherIsSeenAndTaken()
     {
         const JunctionEntry before = junction(0);

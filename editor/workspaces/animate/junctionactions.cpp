@@ -64,6 +64,13 @@ void JunctionPanel::makeDecidingActions()
                  "ban",
                  {Qt::SHIFT | Qt::Key_B}},
                 [this] { banCurrent(); });
+    actions.add({"junction.banNeighbours",
+                 group,
+                 [] { return tr("Ban it and its nei&ghbours"); },
+                 [] { return tr("Never uses the selected transition, nor those within two frames of it"); },
+                 "ban",
+                 {Qt::CTRL | Qt::SHIFT | Qt::Key_B}},
+                [this] { banNeighbours(); });
     actions.addToggle({"junction.choose",
                        group,
                        [] { return tr("Choose an&other"); },
@@ -172,7 +179,7 @@ void JunctionPanel::updateActions()
     enable("junction.previous", !m_junctions.empty());
     enable("junction.next", !m_junctions.empty());
     enable("junction.play", junction != nullptr && junction->shown.has_value());
-    for (const char* id : {"junction.ban", "junction.choose", "junction.lock"})
+    for (const char* id : {"junction.ban", "junction.banNeighbours", "junction.choose", "junction.lock"})
         enable(id, isSought && junction != nullptr);
     enable("junction.lockSegment", isSought && !m_junctions.empty());
     enable("junction.forget", m_decisionsList->currentItem() != nullptr);
@@ -252,6 +259,18 @@ void JunctionPanel::banCurrent()
     if (const ClipJunction* junction = currentJunction())
         decide(tr("Ban a transition"),
                [names = junction->transition.names](JunctionsEntry& junctions) { ban(junctions, names); });
+}
+
+void JunctionPanel::banNeighbours()
+{
+    const ClipJunction* junction = currentJunction();
+    if (junction == nullptr)
+        return;
+    const auto neighbours = neighboursOf(m_result->character->graph, junction->transition.frames);
+    decide(tr("Ban a transition and its neighbours"), [&](JunctionsEntry& junctions) {
+        for (const JunctionEntry& neighbour : neighbours)
+            ban(junctions, neighbour);
+    });
 }
 
 void JunctionPanel::toggleLock()

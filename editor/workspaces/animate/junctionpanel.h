@@ -70,6 +70,7 @@ private:
     void chooseCurrent();
     void decide(const QString& text, const std::function<void(JunctionsEntry&)>& edit);
     void banCurrent();
+    void banNeighbours();
     void toggleLock();
     void lockSegment();
     void removeDecision();

@@ -104,6 +104,24 @@ std::vector<PricedJunction> alternativesTo(const AnimationResult& result, std::s
     return best;
 }
 
+std::vector<JunctionEntry> neighboursOf(const CharacterGraph& graph, const FramePair& transition)
+{
+    std::vector<JunctionEntry> neighbours{priced(graph, transition).names};
+    const FrameLayout& layout = graph.layout();
+    const int from = layout.sequenceOf(transition.source);
+    const int to = layout.sequenceOf(transition.destination);
+    for (NodeIndex i = std::max(transition.source - apart + 1, layout.firstOf(from));
+         i <= std::min(transition.source + apart - 1, layout.lastOf(from)); ++i) {
+        for (const Edge& edge : graph.graph().edgesFrom(i)) {
+            const FramePair other{i, edge.to};
+            const bool isAlike = layout.sequenceOf(edge.to) == to && isNear(transition, other, apart);
+            if (edge.kind == EdgeKind::Transition && isAlike && other != transition)
+                neighbours.push_back({graph.nameOf(i), graph.nameOf(edge.to)});
+        }
+    }
+    return neighbours;
+}
+
 WalkEntry walkEntryOf(const AnimationResult& result)
 {
     const CharacterGraph& graph = result.character->graph;

@@ -51,6 +51,10 @@ std::optional<std::int64_t> shownFrame(const AnimationResult& result, std::int64
 std::vector<PricedJunction> alternativesTo(const AnimationResult& result, std::size_t junction,
                                            const JunctionsEntry& decided, std::size_t count = 10);
 
+/// The transitions of the graph that are hardly another than this one, which is the first of them: both ends
+/// lie within two frames.
+std::vector<JunctionEntry> neighboursOf(const CharacterGraph& graph, const FramePair& transition);
+
 /// The walk of a result as an entry that keeps it.
 WalkEntry walkEntryOf(const AnimationResult& result);
 

@@ -89,7 +89,7 @@ void PostPanel::change(const QString& what, const char* property, const Edit& ed
         m_animation.edit(tr("Set “%1”").arg(what), QLatin1String(property), edit, phase);
 }
 
-QDoubleSpinBox* PostPanel::addNumber(Property<std::optional<double>> property, NumberRange range)
+QDoubleSpinBox* PostPanel::addNumber(Property<std::optional<double>> property, const NumberRange& range)
 {
     auto* field = new QDoubleSpinBox;
     // An empty value stands one step below the lowest.

@@ -73,7 +73,7 @@ private:
     void addMirror();
     void addRetime();
     void addCurve();
-    QDoubleSpinBox* addNumber(Property<std::optional<double>> property, NumberRange range);
+    QDoubleSpinBox* addNumber(Property<std::optional<double>> property, const NumberRange& range);
     QCheckBox* addSwitch(Property<bool> property);
     QComboBox* addChoice(Property<int> property, std::vector<Text> choices);
     void addSymmetry();

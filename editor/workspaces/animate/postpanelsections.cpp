@@ -240,7 +240,8 @@ void PostPanel::addContacts()
     };
     const auto percent = [] { return tr(" %", "unit of a number"); };
     const auto addPart = [&](const char* name, Text label, Text tip,
-                             double ContactCorrectionSettings::*member, double unit, NumberRange range) {
+                             double ContactCorrectionSettings::*member, double unit,
+                             const NumberRange& range) {
         addNumber({name, std::move(label), std::move(tip),
                    [member, unit](const AnimationEntry& entry) {
                        return std::optional(contactsOf(entry).*member / unit);
@@ -249,7 +250,7 @@ void PostPanel::addContacts()
                        (*entry.post.steps.contacts).*member = *value * unit;
                    },
                    hasContacts},
-                  std::move(range));
+                  range);
     };
     m_form->addHeading([] { return tr("Feet"); });
     m_contacts =

@@ -9,6 +9,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <cassert>
 
@@ -28,8 +29,12 @@ constexpr int rowHeight = 24; // pixels
 
 } // namespace
 
-SettingForm::SettingForm(QWidget* parent) : QWidget(parent), m_grid(new QGridLayout(this))
+SettingForm::SettingForm(QWidget* parent) : QWidget(parent), m_grid(new QGridLayout)
 {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(m_grid);
+    column->addStretch(1);
     m_grid->setContentsMargins(12, 4, 8, 12);
     m_grid->setHorizontalSpacing(8);
     m_grid->setVerticalSpacing(4);
