@@ -100,7 +100,7 @@ void ArcView::paintTitles(QPainter& painter) const
                                  //: name of a graph; how many edges
                                  ? tr("%1: %2 transitions").arg(own.title, locale.toString(all))
                                  //: name of a graph; how many edges show; how many there are
-                                 : tr("%1: the cheapest %2 of %3 transitions")
+                                 : tr("%1: %2 of %3 transitions, the cheapest")
                                        .arg(own.title, locale.toString(edges), locale.toString(all));
         const double y = side == Side::Above ? gap / 2 : height() - metrics.height() - gap / 2;
         painter.setPen(Theme::color(ColorRole::TextMuted));

@@ -13,7 +13,7 @@ namespace quadrille::widgets {
 namespace {
 
 constexpr double gap = 8;         // logical pixels
-constexpr double tickWidth = 64;  // room for a number along x
+constexpr double tickWidth = 44;  // room for a number along x
 constexpr double tickHeight = 28; // along y
 constexpr double signRadius = 3;  //
 constexpr double swatch = 20;     // of the legend

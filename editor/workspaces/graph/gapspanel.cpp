@@ -8,7 +8,6 @@
 #include "editor/workspaces/graph/transitionpanel.h"
 #include "widgets/graph/chartscale.h"
 
-#include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
 #include <QTreeWidget>
@@ -34,10 +33,10 @@ GapsPanel::GapsPanel(GraphExplorer& explorer, QWidget* parent)
     m_summary->setWordWrap(true);
     m_summary->setForegroundRole(QPalette::PlaceholderText);
     m_tree->setObjectName(QStringLiteral("gapsTree"));
-    m_tree->setColumnCount(2);
+    m_tree->setHeaderHidden(true);
     m_tree->setWordWrap(true);
     m_tree->setTextElideMode(Qt::ElideRight);
-    m_tree->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    m_tree->setIndentation(8);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(8);
@@ -61,7 +60,6 @@ void GapsPanel::refresh()
 {
     m_tree->clear();
     m_tree->setAccessibleName(tr("Gaps of the graphs"));
-    m_tree->setHeaderLabels({tr("Frames"), tr("What would help")});
     const auto& gaps = m_explorer.gaps();
     const auto& paths = m_explorer.paths();
     m_summary->setText(gaps
@@ -77,14 +75,15 @@ void GapsPanel::refresh()
 void GapsPanel::addGraph(const QString& name, const Connectivity* connectivity,
                          const std::vector<GraphGap>* gaps)
 {
-    auto* top = new QTreeWidgetItem(m_tree, {name});
     const auto largest = connectivity->components.empty() ? 0 : connectivity->components.front().size();
     const auto all = static_cast<int>(m_explorer.character()->graph.layout().frameCount());
     //: frames in the largest component, of all frames
-    top->setText(1, gaps->empty() ? tr("Every frame is reached from every other")
-                                  : tr("%1 of %2 frames are joined both ways")
-                                        .arg(QLocale().toString(static_cast<qulonglong>(largest)),
-                                             QLocale().toString(all)));
+    const QString joined = gaps->empty() ? tr("every frame is reached from every other")
+                                         : tr("%1 of %2 frames are joined both ways")
+                                               .arg(QLocale().toString(static_cast<qulonglong>(largest)),
+                                                    QLocale().toString(all));
+    //: name of a graph; what it joins
+    auto* top = new QTreeWidgetItem(m_tree, {tr("%1: %2").arg(name, joined)});
     for (const GraphGap& gap : *gaps)
         addGap(*top, gap);
     top->setExpanded(true);
@@ -92,11 +91,11 @@ void GapsPanel::addGraph(const QString& name, const Connectivity* connectivity,
 
 void GapsPanel::addGap(QTreeWidgetItem& parent, const GraphGap& gap)
 {
-    auto* item = new QTreeWidgetItem(&parent, {framesOf(gap), proposalOf(gap)});
-    item->setToolTip(0, gap.kind == GraphGap::Kind::DeadEnd
-                            ? tr("No walk leads from there to the largest part of the graph")
-                            : tr("No walk leads there from the largest part of the graph"));
-    item->setToolTip(1, item->text(1));
+    auto* item = new QTreeWidgetItem(&parent, {framesOf(gap) + u'\n' + proposalOf(gap)});
+    const QString reason = gap.kind == GraphGap::Kind::DeadEnd
+                               ? tr("No walk leads from there to the largest part of the graph")
+                               : tr("No walk leads there from the largest part of the graph");
+    item->setToolTip(0, reason + u'\n' + proposalOf(gap));
     const auto pair = gap.transition ? gap.transition : gap.take;
     if (!pair)
         return;
@@ -121,14 +120,16 @@ QString GapsPanel::framesOf(const GraphGap& gap) const
 QString GapsPanel::proposalOf(const GraphGap& gap) const
 {
     if (gap.transition)
-        return tr("The transition %1 → %2, which weighs %3")
+        //: two frames and a weight
+        return tr("Take the transition %1 → %2 (weight %3)")
             .arg(frameName(m_explorer, gap.transition->source),
                  frameName(m_explorer, gap.transition->destination), chartNumber(gap.weight));
     if (gap.take)
-        return tr("A take from the pose of %1 to that of %2, which are %3 %4 apart")
+        //: two frames, and the distance of their poses with its unit
+        return tr("Capture a take %1 → %2 (poses %3 %4 apart)")
             .arg(frameName(m_explorer, gap.take->source), frameName(m_explorer, gap.take->destination),
                  chartNumber(gap.distance), costUnit(m_explorer));
-    return tr("More takes");
+    return tr("Capture more takes");
 }
 
 } // namespace quadrille

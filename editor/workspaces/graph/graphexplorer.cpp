@@ -13,7 +13,7 @@ namespace quadrille {
 
 namespace {
 
-/// Those of the paper's figure and some on both sides.
+/// Those of SMCAS Fig. 9 and some on both sides.
 constexpr std::array<double, 12> comparedAlphas{0.001, 0.002, 0.005, 0.01, 0.02, 0.03,
                                                 0.05,  0.1,   0.2,   0.3,  0.5,  1.0};
 
@@ -29,6 +29,19 @@ bool haveSameTransitions(const OpenedCharacter& a, const OpenedCharacter& b)
     return a.graph.layout() == b.graph.layout() && a.graph.work().sequences == b.graph.work().sequences &&
            areEqual(a.graph.costs().cost(), b.graph.costs().cost()) &&
            areEqual(a.graph.costs().length(), b.graph.costs().length());
+}
+
+/// Without thinned graphs, which take most of the time of compareGraphs.
+GraphComparison compareAt(const TransitionCosts& costs, const std::vector<FramePair>& minima, double alpha,
+                          const Progress& progress)
+{
+    const EssentialGraph essential = essentialGraph(costs, alpha, progress);
+    const Digraph motion = motionGraph(costs, minima, alpha);
+    GraphComparison comparison;
+    comparison.alpha = alpha;
+    comparison.essential = graphStatistics(essential.graph, essential.pathCosts);
+    comparison.motion = graphStatistics(motion, shortestPathCosts(motion, progress));
+    return comparison;
 }
 
 bool isBusy(const QPointer<Job>& job)
@@ -182,7 +195,14 @@ void GraphExplorer::askForComparison()
          .receiver = this,
          .stillStands = [this, generation = m_generation] { return generation == m_generation; }},
         [opened = m_opened, minima = m_graphs->minima](const Progress& progress) {
-            return sweepAlpha(opened->graph.costs(), *minima, comparedAlphas, progress);
+            std::vector<GraphComparison> comparison;
+            for (std::size_t i = 0; i < comparedAlphas.size(); ++i) {
+                const double share = 1.0 / comparedAlphas.size();
+                const auto part = static_cast<double>(i);
+                comparison.push_back(compareAt(opened->graph.costs(), *minima, comparedAlphas[i],
+                                               progress.part(part * share, (part + 1) * share)));
+            }
+            return comparison;
         },
         [this](std::vector<GraphComparison> comparison) {
             m_comparing.clear();

@@ -60,7 +60,7 @@ public:
     const std::shared_ptr<const OpenedCharacter>& character() const { return m_opened; }
     void setAlpha(double alpha);
     double alpha() const { return m_alpha; }
-    /// Compares the graphs over figure9Alphas and beyond, unless that was done.
+    /// Compares the graphs over the values of figure9Alphas and beyond, unless that was done.
     void askForComparison();
 
     /// The last that is known of each, maybe of an earlier α; null until there is any.

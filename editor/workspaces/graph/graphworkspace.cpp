@@ -109,6 +109,8 @@ void GraphWorkspace::makePanels()
 {
     m_tabs->setObjectName(QStringLiteral("graphTabs"));
     m_tabs->setDocumentMode(true);
+    m_tabs->setUsesScrollButtons(false);
+    m_tabs->setElideMode(Qt::ElideRight);
     m_tabs->setMinimumWidth(smallestPanel);
     m_tabs->addTab(scrolled(m_transition), {});
     m_tabs->addTab(m_charts, {});
