@@ -92,6 +92,7 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
                                             "animate.path.reverse",
                                             "animate.path.close",
                                             "animate.path.remove",
+                                            "animate.path.show",
                                             "animate.path.deviation",
                                             "",
                                             "animate.solve",

@@ -263,6 +263,21 @@ private slots:
         QCOMPARE(test::find<QTableWidget>("pathPoints")->horizontalHeaderItem(1)->text(), QString("y (m)"));
     }
 
+    void aHiddenPathIsLeftAlone()
+    {
+        addPath(straight());
+        QAction* shown = m_window->context().actions.action("animate.path.show");
+        shown->trigger();
+        const PathEntry before = path();
+        const QPoint from = pixel({Kind::Point, 1, 0});
+        QTest::mousePress(viewport().view(), Qt::LeftButton, {}, from);
+        QTest::mouseMove(viewport().view(), from + QPoint(40, 0));
+        QTest::mouseRelease(viewport().view(), Qt::LeftButton, {}, from + QPoint(40, 0));
+        QCOMPARE(path(), before);
+        press("panel.animate.path.draw");
+        QVERIFY(shown->isChecked());
+    }
+
     void anotherAnimationEndsDrawing()
     {
         addPath(straight());
@@ -319,6 +334,7 @@ private slots:
         QCOMPARE(points->columnCount(), 2);
         points->setCurrentCell(1, 0);
         QCOMPARE(tool().editor().selected(), (PathPart{Kind::Point, 1, 0}));
+        QCOMPARE(viewport().view()->accessibleDescription(), QString("Point 2 of the path"));
         points->item(1, 0)->setData(Qt::EditRole, 0.25);
         QCOMPARE(path().points[1], Vec3d(0.25, 0, 0.5));
         QCOMPARE(path().points[2], Vec3d(0, 0, 1));

@@ -50,6 +50,14 @@ void PathTool::makeActions()
         "animate.path.polygon", [] { return tr("Add an obstacle with &corners"); },
         [] { return tr("Click corners; Return or a click on the first one ends"); }, "polygon",
         QKeySequence(), Mode::Polygon);
+    m_animation.context().actions.addToggle(
+        {"animate.path.show",
+         [] { return tr("Animate"); },
+         [] { return tr("Sho&w the path"); },
+         [] { return tr("Show the path with its points, spans and obstacles in the view"); },
+         "visible",
+         {}},
+        true, [this](bool shown) { m_editor->setActive(shown); });
     addAction(
         "animate.path.span", [] { return tr("Ask for frames or speed on a &span"); },
         [] { return tr("Only frames with a label, or a speed, on a part of the path"); }, "label",

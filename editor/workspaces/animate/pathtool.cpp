@@ -8,7 +8,9 @@
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/view/stageview.h"
 #include "widgets/viewport/pathgeometry.h"
+#include "widgets/viewport/vtkview.h"
 
+#include <QAction>
 #include <QLocale>
 #include <cmath>
 #include <utility>
@@ -110,6 +112,7 @@ void PathTool::connectEditor()
              [&](PathEntry& path) { path.obstacles.erase(path.obstacles.begin() + obstacle); });
     });
     connect(m_editor, &PathEditor::modeChanged, this, &PathTool::refreshActions);
+    connect(m_editor, &PathEditor::selectionChanged, this, &PathTool::describeSelection);
     connect(m_editor, &PathEditor::contextMenuAsked, this, &PathTool::showMenu);
 }
 
@@ -177,8 +180,41 @@ void PathTool::refresh()
     emit changed();
 }
 
+/// For those who cannot see the handles.
+void PathTool::describeSelection()
+{
+    const PathPart& part = m_editor->selected();
+    const auto kind = m_editor->shape().kind;
+    const auto index = static_cast<std::size_t>(part.index);
+    QString text;
+    switch (part.kind) {
+    case PathPart::Kind::Point:
+        text = (widgets::isHandle(kind, index) ? tr("Handle of point %1 of the path")
+                                               : tr("Point %1 of the path"))
+                   .arg(widgets::anchorOf(kind, index) + 1);
+        break;
+    case PathPart::Kind::StretchStart:
+        text = tr("Beginning of span %1").arg(part.index + 1);
+        break;
+    case PathPart::Kind::StretchEnd:
+        text = tr("End of span %1").arg(part.index + 1);
+        break;
+    case PathPart::Kind::ObstacleCorner:
+        text = tr("Corner %1 of obstacle %2").arg(part.corner + 1).arg(part.index + 1);
+        break;
+    case PathPart::Kind::Obstacle:
+        text = tr("Obstacle %1").arg(part.index + 1);
+        break;
+    default:
+        break;
+    }
+    if (widgets::VtkView* view = m_animation.view().viewport().view())
+        view->setAccessibleDescription(text);
+}
+
 void PathTool::draw(PathEditor::Mode mode)
 {
+    m_animation.context().actions.action(QStringLiteral("animate.path.show"))->setChecked(true);
     EditorContext& context = m_animation.context();
     context.actions.action(QStringLiteral("workspace.animate"))->trigger();
     m_editor->setMode(m_editor->mode() == mode ? PathEditor::Mode::Edit : mode);

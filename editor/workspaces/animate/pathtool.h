@@ -60,6 +60,7 @@ private:
     void connectEditor();
     void refresh();
     void refreshActions();
+    void describeSelection();
     void showMenu(const widgets::PathPart& part, double length, const QPoint& globalPosition);
     void takePoints(const std::vector<QVector3D>& points, widgets::PathEdit edit, bool committed);
     QAction* addAction(const char* id, std::function<QString()> text, std::function<QString()> tip,
