@@ -82,6 +82,10 @@ private slots:
         const auto& first = junctions.front();
         QTRY_COMPARE(m_window->animate().player().frame().value, first.shown->first);
         QVERIFY(test::find<QLabel>("junctionDetails")->text().contains("deformation"));
+        // It is measured as soon as it is selected.
+        auto* quality = test::find<QLabel>("junctionQuality");
+        QTRY_VERIFY(quality->isVisible());
+        QVERIFY(quality->text().contains("foot slip") && quality->text().contains("%"));
     }
 
     void aClickGoesThereAndPlaysAround()

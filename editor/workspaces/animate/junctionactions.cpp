@@ -128,9 +128,14 @@ void JunctionPanel::arrangeWidgets()
     m_message->setObjectName(QStringLiteral("junctionMessage"));
     m_details->setObjectName(QStringLiteral("junctionDetails"));
     m_empty->setObjectName(QStringLiteral("junctionEmpty"));
-    m_details->setWordWrap(true);
-    m_details->setContentsMargins(12, 4, 12, 4);
-    m_details->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_quality->setObjectName(QStringLiteral("junctionQuality"));
+    for (QLabel* label : {m_details, m_quality}) {
+        label->setWordWrap(true);
+        label->setContentsMargins(12, 4, 12, 4);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    }
+    m_quality->setForegroundRole(QPalette::PlaceholderText);
+    m_quality->hide();
     m_empty->setWordWrap(true);
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setForegroundRole(QPalette::PlaceholderText);
@@ -163,6 +168,7 @@ void JunctionPanel::arrangeWidgets()
     column->addWidget(m_list, 3);
     column->addWidget(m_empty, 3);
     column->addWidget(m_details);
+    column->addWidget(m_quality);
     column->addWidget(m_alternativesTitle);
     column->addWidget(m_alternativesList, 2);
     column->addWidget(m_decisionsTitle);

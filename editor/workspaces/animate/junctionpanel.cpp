@@ -6,6 +6,7 @@
 #include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
+#include "editor/workspaces/animate/junctioninspector.h"
 #include "editor/workspaces/animate/transitionpreview.h"
 #include "editor/workspaces/view/stageview.h"
 #include "widgets/controls/messagestrip.h"
@@ -17,6 +18,7 @@
 #include <QLocale>
 #include <QScopedValueRollback>
 #include <QTreeWidget>
+#include <array>
 
 namespace quadrille {
 
@@ -51,9 +53,11 @@ JunctionPanel::JunctionPanel(CurrentAnimation& animation, QWidget* parent)
     : QWidget(parent)
     , m_animation(animation)
     , m_preview(new TransitionPreview(animation.context().jobs, this))
+    , m_inspector(new JunctionInspector(animation.context().jobs, this))
     , m_message(new widgets::MessageStrip)
     , m_list(new QTreeWidget)
     , m_details(new QLabel)
+    , m_quality(new QLabel)
     , m_alternativesTitle(new QLabel)
     , m_alternativesList(new QTreeWidget)
     , m_decisionsTitle(new QLabel)
@@ -69,6 +73,7 @@ JunctionPanel::JunctionPanel(CurrentAnimation& animation, QWidget* parent)
     makeLists();
     arrangeWidgets();
     connect(&m_delay, &QTimer::timeout, this, [this] { previewAlternative(m_hovered); });
+    connect(m_inspector, &JunctionInspector::changed, this, &JunctionPanel::showQuality);
     connect(&animation, &CurrentAnimation::changed, this, &JunctionPanel::refresh);
     connect(&animation, &CurrentAnimation::resultChanged, this, &JunctionPanel::refresh);
     connect(m_message, &widgets::MessageStrip::actionTriggered, this, &JunctionPanel::releaseWalk);
@@ -253,6 +258,7 @@ void JunctionPanel::select(int junction)
 void JunctionPanel::showDetails()
 {
     const ClipJunction* junction = currentJunction();
+    inspectCurrent();
     if (junction == nullptr) {
         m_details->clear();
         return;
@@ -264,6 +270,36 @@ void JunctionPanel::showDetails()
     m_details->setText(tr("%1, %2 s. Cost %3: deformation %4, duration %5.")
                            .arg(length, seconds, numberText(transition.weight()),
                                 numberText(transition.deformation), numberText(transition.duration)));
+}
+
+/// Has the selected transition measured while somebody looks.
+void JunctionPanel::inspectCurrent()
+{
+    const ClipJunction* junction = currentJunction();
+    if (junction == nullptr || !isVisible() || m_animation.entry() == nullptr)
+        m_inspector->clear();
+    else
+        m_inspector->inspect(m_result->character, junction->transition.frames, *m_animation.entry());
+    showQuality();
+}
+
+void JunctionPanel::showQuality()
+{
+    const auto& measures = m_inspector->measures();
+    m_quality->setVisible(measures.has_value());
+    if (!measures)
+        return;
+    const std::array<QString, junctionCriteria> names = {tr("jerk"), tr("stand-still"), tr("leap"),
+                                                         tr("foot slip"), tr("volume")};
+    QStringList parts;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const JunctionValue& value = measures->values[i];
+        const QString percent =
+            value.isMeasured ? tr("%1 %").arg(QLocale().toString(value.ratio * 100, 'f', 0)) : tr("–");
+        parts += QStringLiteral("%1 %2").arg(names[i], percent);
+    }
+    const QString verdict = measures->isGood() ? tr("Should not show:") : tr("May show:");
+    m_quality->setText(QStringLiteral("%1 %2").arg(verdict, parts.join(QStringLiteral(", "))));
 }
 
 void JunctionPanel::showState()
@@ -278,8 +314,15 @@ void JunctionPanel::showState()
     }
 }
 
+void JunctionPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    inspectCurrent();
+}
+
 void JunctionPanel::hideEvent(QHideEvent* event)
 {
+    m_inspector->clear();
     setChoosing(false);
     QWidget::hideEvent(event);
 }
@@ -298,6 +341,8 @@ void JunctionPanel::retranslate()
     m_empty->setText(tr("The transitions of the clip come here: to be played, banned, locked or exchanged. "
                         "There is none yet."));
     m_list->setToolTip(tr("A click goes there and plays around it"));
+    m_quality->setToolTip(tr("How much of what is still good is used up, measured on the frames of the "
+                             "transition: what is above 100 % is likely to be seen"));
     m_result.reset();
     refresh();
 }

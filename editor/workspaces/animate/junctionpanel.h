@@ -15,6 +15,7 @@ class QTreeWidgetItem;
 namespace quadrille {
 
 class CurrentAnimation;
+class JunctionInspector;
 class TransitionPreview;
 
 namespace widgets {
@@ -41,6 +42,7 @@ signals:
     void junctionSelected(int junction);
 
 protected:
+    void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
 private:
@@ -57,6 +59,8 @@ private:
     void refreshAlternatives();
     void updateActions();
     void showDetails();
+    void showQuality();
+    void inspectCurrent();
     void showState();
     void previewAlternative(const QTreeWidgetItem* item);
 
@@ -79,6 +83,7 @@ private:
 
     CurrentAnimation& m_animation;
     TransitionPreview* m_preview;
+    JunctionInspector* m_inspector;
     std::shared_ptr<const AnimationResult> m_result; ///< that the lists are of
     std::vector<ClipJunction> m_junctions;
     std::vector<PricedJunction> m_alternatives;
@@ -92,6 +97,7 @@ private:
     widgets::MessageStrip* m_message;
     QTreeWidget* m_list;
     QLabel* m_details;
+    QLabel* m_quality;
     QLabel* m_alternativesTitle;
     QTreeWidget* m_alternativesList;
     QLabel* m_decisionsTitle;
