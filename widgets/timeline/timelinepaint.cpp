@@ -50,6 +50,9 @@ void Timeline::Private::paint(QPainter& painter, const QRect& exposed, const Tim
     painter.setClipRect(QRect(headerWidth, 0, size.width() - headerWidth, size.height()));
     paintRange(painter);
     paintRuler(painter);
+    // Poses may be wanted beyond what plays.
+    for (std::size_t i = 0; i < tracks.size(); ++i)
+        paintKeys(painter, tracks[i], row(i));
     paintKeyStems(painter);
     paintPlayhead(painter);
     paintDrop(painter);
@@ -138,8 +141,6 @@ void Timeline::Private::paintTrack(QPainter& painter, std::size_t index, const Q
                          painter.fontMetrics().elidedText(owner.hint, Qt::ElideRight, place.width() - 12));
     for (const TimelineSpan& span : owner.spans)
         paintSpan(painter, owner, place, shown(owner.id, span));
-    if (owner.kind == TimelineTrack::Kind::Keys)
-        paintKeys(painter, owner, place);
     if (drag.kind == TimelineDrag::Kind::Create && drag.moved && drag.span.track == owner.id) {
         const QRectF box = QRectF(rect(place, drag.first, drag.last)).adjusted(0.5, 1.5, -0.5, -1.5);
         painter.setPen(QPen(Theme::color(ColorRole::AccentText), 1.5, Qt::DashLine));

@@ -167,6 +167,8 @@ void KeysAndStoryboard::addTakes()
     for (const QString& name : m_animation.context().selection.sequences())
         frames.push_back({.sequence = name});
     m_storyboard->add(frames);
+    if (m_animation.view().isVisible())
+        Workspace::showPanel(m_storyboard);
     showStatus(tr("%n takes added to the storyboard of “%1”", nullptr, static_cast<int>(frames.size()))
                    .arg(m_animation.name()));
 }
