@@ -16,8 +16,8 @@
 #include <QDropEvent>
 #include <QListView>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSpinBox>
-#include <QToolButton>
 
 namespace quadrille {
 
@@ -185,7 +185,7 @@ private slots:
     void anEmptyStoryboardOffersTheSelectedTake()
     {
         context().selection.selectSequences({"third"});
-        auto* button = test::find<QToolButton>("addFirstAction");
+        auto* button = test::find<QPushButton>("addFirstAction");
         QTRY_VERIFY(button->isVisible() && button->isEnabled());
         QTest::mouseClick(button, Qt::LeftButton);
         QCOMPARE(order(), std::vector<std::string>{"third"});

@@ -8,6 +8,7 @@
 #include "editor/workspaces/animate/keysmodel.h"
 #include "widgets/theme/icons.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
@@ -84,6 +85,7 @@ KeysPanel::KeysPanel(CurrentAnimation& animation, FramePictures& pictures, QWidg
     , m_table(new QTableView)
     , m_pages(new QStackedWidget)
     , m_empty(new QLabel)
+    , m_addFirst(new QPushButton)
     , m_summary(new QLabel)
     , m_add(new QToolButton)
     , m_remove(new QToolButton)
@@ -127,6 +129,7 @@ KeysPanel::KeysPanel(CurrentAnimation& animation, FramePictures& pictures, QWidg
         m_table->setAccessibleName(tr("Keys"));
         m_empty->setText(tr("Poses at times: drag the picture of a card onto the timeline, or put the pose "
                             "that is shown at the playhead."));
+        m_addFirst->setText(tr("Add the Shown Pose"));
         m_remove->setToolTip(tr("Remove the key"));
         m_remove->setAccessibleName(tr("Remove the key"));
         m_global->setText(tr("Seek all keys at once"));
@@ -157,14 +160,14 @@ void KeysPanel::arrange()
     m_empty->setForegroundRole(QPalette::PlaceholderText);
 
     auto* emptyPage = new QWidget;
-    auto* addFirst = new QToolButton;
-    addFirst->setObjectName(QStringLiteral("addFirstKey"));
-    addFirst->setDefaultAction(add);
-    addFirst->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_addFirst->setObjectName(QStringLiteral("addFirstKey"));
+    connect(m_addFirst, &QPushButton::clicked, add, &QAction::trigger);
+    connect(add, &QAction::changed, m_addFirst, [this, add] { m_addFirst->setEnabled(add->isEnabled()); });
+    m_addFirst->setEnabled(add->isEnabled());
     auto* emptyColumn = new QVBoxLayout(emptyPage);
     emptyColumn->addStretch();
     emptyColumn->addWidget(m_empty);
-    emptyColumn->addWidget(addFirst, 0, Qt::AlignHCenter);
+    emptyColumn->addWidget(m_addFirst, 0, Qt::AlignHCenter);
     emptyColumn->addStretch();
 
     auto* tools = new QHBoxLayout;

@@ -6,6 +6,7 @@
 
 class QCheckBox;
 class QLabel;
+class QPushButton;
 class QStackedWidget;
 class QTableView;
 class QToolButton;
@@ -48,6 +49,7 @@ private:
     QTableView* m_table;
     QStackedWidget* m_pages;
     QLabel* m_empty;
+    QPushButton* m_addFirst;
     QLabel* m_summary;
     QToolButton* m_add;
     QToolButton* m_remove;

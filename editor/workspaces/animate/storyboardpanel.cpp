@@ -13,13 +13,12 @@
 #include "widgets/storyboard/storyboard.h"
 #include "widgets/theme/theme.h"
 
+#include <QAction>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLocale>
 #include <QMenu>
+#include <QPushButton>
 #include <QScrollArea>
-#include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 namespace quadrille {
@@ -44,10 +43,13 @@ StoryboardPanel::StoryboardPanel(CurrentAnimation& animation, FramePictures& pic
     , m_form(new ActionForm(animation.context().document, animation.context().media))
 {
     setObjectName(QStringLiteral("storyboardPanel"));
-    auto* addTakes = new QToolButton;
+    auto* addTakes = new QPushButton;
     addTakes->setObjectName(QStringLiteral("addFirstAction"));
-    addTakes->setDefaultAction(animation.context().actions.action(QStringLiteral("animate.addAction")));
-    addTakes->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    const QAction* addAction = animation.context().actions.action(QStringLiteral("animate.addAction"));
+    connect(addTakes, &QPushButton::clicked, addAction, &QAction::trigger);
+    connect(addAction, &QAction::changed, addTakes,
+            [addAction, addTakes] { addTakes->setEnabled(addAction->isEnabled()); });
+    addTakes->setEnabled(addAction->isEnabled());
     m_board->setEmptyAction(addTakes);
     m_labels->setFixedWidth(labelsWidth);
     auto* values = new QScrollArea;
@@ -80,7 +82,8 @@ StoryboardPanel::StoryboardPanel(CurrentAnimation& animation, FramePictures& pic
     connect(&animation, &CurrentAnimation::resultChanged, this, &StoryboardPanel::refresh);
     connect(&pictures, &FramePictures::drawn, this, &StoryboardPanel::refresh);
     connect(&Theme::instance(), &Theme::changed, this, &StoryboardPanel::refresh);
-    retranslates(this, [this] {
+    retranslates(this, [this, addTakes] {
+        addTakes->setText(tr("Add the Selected Takes"));
         m_board->setEmptyText(tr("What happens one after the other: drag takes or labels here. The joins are "
                                  "found for them."));
         refresh();
