@@ -102,6 +102,8 @@ private slots:
             QVERIFY(test::waitForSequence(*m_window, take));
         context().actions.action("workspace.animate")->trigger();
         context().selection.selectAnimations({"pose"});
+        test::find<QDockWidget>("keysDock")->show(); // low windows begin without it
+        test::find<QDockWidget>("keysDock")->raise();
         QTRY_VERIFY(!timeline().tracks().empty());
     }
 
@@ -182,8 +184,6 @@ private slots:
         drop("first", 10);
         drop("second", 60);
         context().actions.action("animate.nextKey")->trigger();
-        auto* dock = test::find<QDockWidget>("keysDock");
-        dock->raise();
         auto* table = test::find<QTableView>("keysTable");
         QTRY_VERIFY(table->isVisible());
         table->setFocus();
@@ -208,7 +208,6 @@ private slots:
         drop("first", 10);
         drop("second", 60);
         QVERIFY(test::waitForResult(context(), "pose"));
-        test::find<QDockWidget>("keysDock")->raise();
         auto* table = test::find<QTableView>("keysTable");
         QTRY_VERIFY(table->isVisible());
         const QRect place = table->visualRect(table->model()->index(1, KeysModel::Pose));

@@ -11,6 +11,7 @@
 #include "widgets/timeline/timeline.h"
 
 #include <QCheckBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -89,6 +90,8 @@ private slots:
             QVERIFY(test::waitForSequence(*m_window, take));
         context().actions.action("workspace.animate")->trigger();
         context().selection.selectAnimations({"story"});
+        test::find<QDockWidget>("storyboardDock")->show(); // low windows begin without it
+        test::find<QDockWidget>("storyboardDock")->raise();
         QTRY_VERIFY(board().isVisible());
     }
 
