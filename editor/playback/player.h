@@ -25,6 +25,8 @@ public:
     void setRange(FrameIndex first, FrameIndex last);
     void setLooping(bool looping);
     bool isPlaying() const { return m_clock.isPlaying(); }
+    /// Times the true rate, of what plays now or played last.
+    double speed() const { return m_clock.speed(); }
     FrameIndex frame() const { return m_frame; }
 
 public slots:

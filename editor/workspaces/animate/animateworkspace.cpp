@@ -7,6 +7,8 @@
 #include "editor/errors/errortext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/animationbar.h"
+#include "editor/workspaces/animate/animationcamera.h"
+#include "editor/workspaces/animate/animationsound.h"
 #include "editor/workspaces/animate/animationtimeline.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/junctionpanel.h"
@@ -57,6 +59,8 @@ AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
     , m_animation(new CurrentAnimation(context, *m_view, this))
     , m_keysAndStoryboard(new KeysAndStoryboard(*m_animation, this))
     , m_path(new PathTool(*m_animation, this))
+    , m_sound(new AnimationSound(*m_animation, this))
+    , m_camera(new AnimationCamera(*m_animation, this))
 {
     setObjectName(QStringLiteral("animateWorkspace"));
     auto* column = new QVBoxLayout(this);

@@ -6,6 +6,8 @@
 
 namespace quadrille {
 
+class AnimationCamera;
+class AnimationSound;
 class CurrentAnimation;
 class JunctionPanel;
 class PoseComparison;
@@ -27,6 +29,8 @@ public:
     CurrentAnimation& animation() { return *m_animation; }
     KeysAndStoryboard& keysAndStoryboard() { return *m_keysAndStoryboard; }
     PathTool& path() { return *m_path; }
+    AnimationSound& sound() { return *m_sound; }
+    AnimationCamera& camera() { return *m_camera; }
 
 private:
     void connectJunctions();
@@ -42,6 +46,8 @@ private:
     CurrentAnimation* m_animation;
     KeysAndStoryboard* m_keysAndStoryboard;
     PathTool* m_path;
+    AnimationSound* m_sound;
+    AnimationCamera* m_camera;
     std::vector<Panel> m_panels;
     bool m_isActive = false;
 };
