@@ -21,7 +21,7 @@ constexpr auto wakeInterval = std::chrono::milliseconds(50);
 void giveWay()
 {
 #ifdef __linux__
-    constexpr int niceness = 15;
+    constexpr int niceness = 5; // a third of the weight
     // Of this thread alone, as Linux has it; where it is refused, jobs only compete more.
     setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
 #endif

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // The same hour of work over and over: what it takes must not grow. A few rounds as a test; with
-// QUADRILLE_SOAK_MINUTES set for that long, with the memory printed.
+// QUADRILLE_SOAK_MINUTES (and QTEST_FUNCTION_TIMEOUT, in milliseconds) set for that long, with the memory
+// printed.
 #include "animatedproject.h"
 #include "editor/application/memory.h"
 #include "editor/commands/animationedits.h"

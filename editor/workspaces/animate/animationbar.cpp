@@ -5,6 +5,7 @@
 #include "editor/application/editorcontext.h"
 #include "editor/commands/animationedits.h"
 #include "editor/documents/animationresult.h"
+#include "editor/fields/actionbutton.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
 
@@ -20,18 +21,6 @@ namespace quadrille {
 namespace {
 
 constexpr int gap = 8;
-constexpr int iconPixels = 16;
-
-QToolButton* buttonFor(QAction* action)
-{
-    auto* button = new QToolButton;
-    button->setObjectName(QStringLiteral("tool.") + action->objectName());
-    button->setDefaultAction(action);
-    button->setAutoRaise(true);
-    button->setIconSize({iconPixels, iconPixels});
-    button->setFocusPolicy(Qt::TabFocus);
-    return button;
-}
 
 } // namespace
 
@@ -46,14 +35,14 @@ AnimationBar::AnimationBar(CurrentAnimation& animation, QWidget* parent)
     m_state->setFont(widgets::Theme::tabularFont(m_state->font()));
     makeActions();
     ActionRegistry& actions = animation.context().actions;
-    m_stop = buttonFor(actions.action("animate.stop"));
-    m_solve = buttonFor(actions.action("animate.solve"));
+    m_stop = makeActionButton(actions.action("animate.stop"));
+    m_solve = makeActionButton(actions.action("animate.solve"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(gap, gap / 2, gap, gap / 2);
     row->setSpacing(gap / 2);
     row->addWidget(m_names);
-    row->addWidget(buttonFor(actions.action("animate.new")));
-    row->addWidget(buttonFor(actions.action("animate.duplicate")));
+    row->addWidget(makeActionButton(actions.action("animate.new")));
+    row->addWidget(makeActionButton(actions.action("animate.duplicate")));
     row->addSpacing(gap);
     row->addWidget(m_stop);
     row->addWidget(m_solve);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What can be done with the transitions of a clip.
 #include "editor/application/editorcontext.h"
+#include "editor/fields/actionbutton.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/junctionpanel.h"
 #include "editor/workspaces/animate/transitionpreview.h"
@@ -10,7 +11,6 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -22,7 +22,6 @@ namespace quadrille {
 namespace {
 
 constexpr double aroundSeconds = 0.5; ///< that play before and behind a transition
-constexpr int iconPixels = 16;
 
 QString group()
 {
@@ -150,15 +149,8 @@ void JunctionPanel::arrangeWidgets()
     row->setContentsMargins(8, 4, 8, 4);
     row->setSpacing(4);
     for (const char* id : {"junction.play", "junction.ban", "junction.choose", "junction.lock",
-                           "junction.lockSegment", "junction.forget", "animate.acceptWalk"}) {
-        auto* button = new QToolButton;
-        button->setObjectName(QStringLiteral("tool.") + QLatin1String(id));
-        button->setDefaultAction(m_animation.context().actions.action(id));
-        button->setAutoRaise(true);
-        button->setIconSize({iconPixels, iconPixels});
-        button->setFocusPolicy(Qt::TabFocus);
-        row->addWidget(button);
-    }
+                           "junction.lockSegment", "junction.forget", "animate.acceptWalk"})
+        row->addWidget(makeActionButton(m_animation.context().actions.action(id)));
     row->addStretch(1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

@@ -3,6 +3,7 @@
 #include "editor/workspaces/animate/pathpanel.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/fields/actionbutton.h"
 #include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
@@ -31,12 +32,8 @@ constexpr int gap = 8;
 
 QToolButton* buttonFor(const EditorContext& context, const char* action)
 {
-    auto* button = new QToolButton;
-    button->setDefaultAction(context.actions.action(QLatin1String(action)));
+    QToolButton* button = makeActionButton(context.actions.action(QLatin1String(action)));
     button->setObjectName(QLatin1String("panel.") + QLatin1String(action));
-    button->setAutoRaise(true);
-    button->setIconSize({16, 16});
-    button->setFocusPolicy(Qt::TabFocus);
     return button;
 }
 

@@ -5,6 +5,7 @@
 #include "editor/application/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
+#include "editor/fields/actionbutton.h"
 #include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
@@ -22,7 +23,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
-#include <QToolButton>
 #include <QTreeWidget>
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,6 @@ namespace quadrille {
 
 namespace {
 
-constexpr int iconPixels = 16;
 constexpr double centimetres = 100;
 
 QString valueText(const std::optional<double>& value, const QString& unit)
@@ -122,15 +121,8 @@ void ReportPanel::arrangeWidgets()
     auto* row = new QHBoxLayout(m_buttons);
     row->setContentsMargins(8, 4, 8, 4);
     row->setSpacing(4);
-    for (const char* id : {"report.copy", "report.save", "report.saveFrames"}) {
-        auto* button = new QToolButton;
-        button->setObjectName(QStringLiteral("tool.") + QLatin1String(id));
-        button->setDefaultAction(m_animation.context().actions.action(id));
-        button->setAutoRaise(true);
-        button->setIconSize({iconPixels, iconPixels});
-        button->setFocusPolicy(Qt::TabFocus);
-        row->addWidget(button);
-    }
+    for (const char* id : {"report.copy", "report.save", "report.saveFrames"})
+        row->addWidget(makeActionButton(m_animation.context().actions.action(id)));
     row->addStretch(1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

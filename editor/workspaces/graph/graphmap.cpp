@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/graph/graphmap.h"
 
+#include "editor/fields/actionbutton.h"
 #include "editor/jobs/jobrunner.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/graph/graphexplorer.h"
@@ -15,7 +16,6 @@
 #include <QLocale>
 #include <QSpinBox>
 #include <QStackedWidget>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -175,13 +175,7 @@ void GraphMap::addTools(const QList<QAction*>& actions)
             m_tools->insertSpacing(m_tools->count() - 1, 8);
             continue;
         }
-        auto* button = new QToolButton;
-        button->setObjectName(QStringLiteral("tool.") + action->objectName());
-        button->setDefaultAction(action);
-        button->setAutoRaise(true);
-        button->setIconSize({16, 16});
-        button->setFocusPolicy(Qt::TabFocus);
-        m_tools->insertWidget(m_tools->count() - 1, button);
+        m_tools->insertWidget(m_tools->count() - 1, makeActionButton(action));
     }
 }
 
