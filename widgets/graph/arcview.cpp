@@ -297,18 +297,18 @@ void ArcView::changeSide(Side side)
 void ArcView::keyPressEvent(QKeyEvent* event)
 {
     const int key = event->key();
-    if (isEmpty()) {
-        QWidget::keyPressEvent(event);
-    } else if (key == Qt::Key_Left || key == Qt::Key_Right) {
+    const bool isZoom = key == Qt::Key_Plus || key == Qt::Key_Equal || key == Qt::Key_Minus;
+    const bool isReturn = key == Qt::Key_Return || key == Qt::Key_Enter;
+    if (!isEmpty() && (key == Qt::Key_Left || key == Qt::Key_Right)) {
         step(key == Qt::Key_Left ? -1 : 1);
-    } else if (key == Qt::Key_Up || key == Qt::Key_Down) {
+    } else if (!isEmpty() && (key == Qt::Key_Up || key == Qt::Key_Down)) {
         changeSide(key == Qt::Key_Up ? Side::Above : Side::Below);
-    } else if (key == Qt::Key_Plus || key == Qt::Key_Equal || key == Qt::Key_Minus) {
+    } else if (!isEmpty() && isZoom) {
         zoomBy(key == Qt::Key_Minus ? 1 / keyZoom : keyZoom);
-    } else if (key == Qt::Key_0) {
+    } else if (!isEmpty() && key == Qt::Key_0) {
         m_scale.fit();
         viewChanged();
-    } else if ((key == Qt::Key_Return || key == Qt::Key_Enter) && m_current) {
+    } else if (isReturn && m_current) {
         emit arcActivated(m_current->arc.from, m_current->arc.to);
     } else {
         QWidget::keyPressEvent(event);

@@ -151,9 +151,11 @@ void MatrixView::keyPressEvent(QKeyEvent* event)
     const int key = event->key();
     const bool isShifted = (event->modifiers() & Qt::ShiftModifier) != 0;
     const QPointF middle = d->current ? d->rect(*d->current).center() : QRectF(d->area).center();
-    if (d->isEmpty())
+    if (d->isEmpty()) {
         QWidget::keyPressEvent(event);
-    else if (key == Qt::Key_Plus || key == Qt::Key_Equal)
+        return;
+    }
+    if (key == Qt::Key_Plus || key == Qt::Key_Equal)
         zoomAbout(middle, keyZoom);
     else if (key == Qt::Key_Minus)
         zoomAbout(middle, 1 / keyZoom);

@@ -25,12 +25,13 @@ std::array<QRgb, 256> shadeColors()
     const QColor empty = Theme::color(ColorRole::Raised);
     const QColor dark = Theme::color(ColorRole::TextMuted);
     colors.fill(empty.rgb());
-    for (int step = 0; step < MatrixPyramid::colorSteps; ++step) {
-        const double place = static_cast<double>(step) / (MatrixPyramid::colorSteps - 1);
-        colors[static_cast<std::size_t>(step)] = mapColor(ColorMap::Sequential, place).rgb();
+    constexpr std::size_t steps = MatrixPyramid::colorSteps;
+    for (std::size_t step = 0; step < steps; ++step) {
+        const double place = static_cast<double>(step) / (steps - 1);
+        colors[step] = mapColor(ColorMap::Sequential, place).rgb();
         const double grey = 0.45 + 0.35 * place; // towards the colour of empty cells
         const auto mix = [grey](int from, int to) { return qRound(from + (to - from) * grey); };
-        colors[static_cast<std::size_t>(step + MatrixPyramid::firstGrey)] = qRgb(
+        colors[step + MatrixPyramid::firstGrey] = qRgb(
             mix(dark.red(), empty.red()), mix(dark.green(), empty.green()), mix(dark.blue(), empty.blue()));
     }
     return colors;

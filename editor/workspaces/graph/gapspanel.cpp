@@ -13,6 +13,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <memory>
 
 namespace quadrille {
 
@@ -84,18 +85,38 @@ void GapsPanel::addGraph(const QString& name, const Connectivity* connectivity,
                                                     QLocale().toString(all));
     //: name of a graph; what it joins
     auto* top = new QTreeWidgetItem(m_tree, {tr("%1: %2").arg(name, joined)});
-    for (const GraphGap& gap : *gaps)
-        addGap(*top, gap);
+    auto usual = std::make_unique<QTreeWidgetItem>();
+    for (const GraphGap& gap : *gaps) {
+        if (isUsual(gap))
+            addGap(*usual, gap, tr("Usual: transitions need these frames"));
+        else
+            addGap(*top, gap, proposalOf(gap));
+    }
+    usual->setText(0, tr("Starts and ends of takes: %n", nullptr, usual->childCount()));
+    if (usual->childCount() > 0)
+        top->addChild(usual.release());
     top->setExpanded(true);
 }
 
-void GapsPanel::addGap(QTreeWidgetItem& parent, const GraphGap& gap)
+bool GapsPanel::isUsual(const GraphGap& gap) const
 {
-    auto* item = new QTreeWidgetItem(&parent, {framesOf(gap) + u'\n' + proposalOf(gap)});
+    const CharacterGraph& graph = m_explorer.character()->graph;
+    const FrameLayout& layout = graph.layout();
+    const int sequence = layout.sequenceOf(gap.first);
+    const TransitionSettings settings =
+        transitionSettings(graph.work().graph, graph.work().opener->project().settings.fps);
+    const bool isAtEnd = gap.kind == GraphGap::Kind::DeadEnd ? gap.last == layout.lastOf(sequence)
+                                                             : gap.first == layout.firstOf(sequence);
+    return isAtEnd && gap.frameCount() < settings.shortest();
+}
+
+void GapsPanel::addGap(QTreeWidgetItem& parent, const GraphGap& gap, const QString& help)
+{
+    auto* item = new QTreeWidgetItem(&parent, {framesOf(gap) + u'\n' + help});
     const QString reason = gap.kind == GraphGap::Kind::DeadEnd
                                ? tr("No walk leads from there to the largest part of the graph")
                                : tr("No walk leads there from the largest part of the graph");
-    item->setToolTip(0, reason + u'\n' + proposalOf(gap));
+    item->setToolTip(0, reason + u'\n' + help);
     const auto pair = gap.transition ? gap.transition : gap.take;
     if (!pair)
         return;

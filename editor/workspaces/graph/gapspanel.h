@@ -30,7 +30,9 @@ signals:
 private:
     void refresh();
     void addGraph(const QString& name, const Connectivity* connectivity, const std::vector<GraphGap>* gaps);
-    void addGap(QTreeWidgetItem& parent, const GraphGap& gap);
+    /// Whether it is the start or end of a take, which a transition needs for its window.
+    bool isUsual(const GraphGap& gap) const;
+    void addGap(QTreeWidgetItem& parent, const GraphGap& gap, const QString& help);
     QString framesOf(const GraphGap& gap) const;
     QString proposalOf(const GraphGap& gap) const;
     void choose(QTreeWidgetItem* item);
