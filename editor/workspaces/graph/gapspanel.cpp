@@ -63,10 +63,9 @@ void GapsPanel::refresh()
     m_tree->setAccessibleName(tr("Gaps of the graphs"));
     const auto& gaps = m_explorer.gaps();
     const auto& paths = m_explorer.paths();
-    m_summary->setText(gaps
-                           ? tr("Frames that walks do not reach, or do not come back from. The ends of takes "
-                                "are usual: a transition needs some frames on both sides.")
-                           : tr("Compute the graph to see which frames walks cannot reach."));
+    m_summary->setText(gaps ? tr("Frames that walks do not reach, or do not come back from, and what "
+                                 "would help. A click shows it.")
+                            : tr("Compute the graph to see which frames walks cannot reach."));
     if (!gaps || !paths)
         return;
     addGraph(tr("Essential graph"), &paths->essentialConnectivity, &gaps->essential);
