@@ -85,7 +85,7 @@ private slots:
         // It is measured as soon as it is selected.
         auto* quality = test::find<QLabel>("junctionQuality");
         QTRY_VERIFY(quality->isVisible());
-        QVERIFY(quality->text().contains("foot slip") && quality->text().contains("%"));
+        QVERIFY(quality->text().contains("slip") && quality->text().contains("%"));
     }
 
     void aClickGoesThereAndPlaysAround()
@@ -172,6 +172,19 @@ private slots:
         context().document.undo();
         QVERIFY(waitForResult());
         QVERIFY(isInClip(before) && !isInClip(chosen));
+    }
+
+    void lookingElsewhereEndsThePreview()
+    {
+        key(Qt::Key_Period);
+        key(Qt::Key_E, Qt::ShiftModifier);
+        auto& stage = m_window->animate().stage();
+        QTest::keyClick(&list("alternativeList"), Qt::Key_Down);
+        QTRY_COMPARE(stage.shown(), QStringList{TransitionPreview::name()});
+        test::find<QDockWidget>("reportDock")->raise();
+        QTRY_COMPARE(stage.shown(), QStringList{"dance"});
+        QVERIFY(!context().actions.action("junction.choose")->isChecked());
+        QVERIFY(entry().junctions.isEmpty());
     }
 
     void whatIsLockedStays()

@@ -13,6 +13,7 @@
 #include "widgets/theme/icons.h"
 #include "widgets/timeline/timelinescale.h"
 
+#include <QDockWidget>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
@@ -272,11 +273,11 @@ void JunctionPanel::showDetails()
                                 numberText(transition.deformation), numberText(transition.duration)));
 }
 
-/// Has the selected transition measured while somebody looks.
+/// Has the selected transition measured.
 void JunctionPanel::inspectCurrent()
 {
     const ClipJunction* junction = currentJunction();
-    if (junction == nullptr || !isVisible() || m_animation.entry() == nullptr)
+    if (junction == nullptr || m_animation.entry() == nullptr)
         m_inspector->clear();
     else
         m_inspector->inspect(m_result->character, junction->transition.frames, *m_animation.entry());
@@ -296,7 +297,8 @@ void JunctionPanel::showQuality()
         const JunctionValue& value = measures->values[i];
         const QString percent =
             value.isMeasured ? tr("%1 %").arg(QLocale().toString(value.ratio * 100, 'f', 0)) : tr("–");
-        parts += QStringLiteral("%1 %2").arg(names[i], percent);
+        // A number stays with its name where lines break.
+        parts += QStringLiteral("%1 %2").arg(names[i], percent).replace(QLatin1Char(' '), QChar::Nbsp);
     }
     const QString verdict = measures->isGood() ? tr("Should not show:") : tr("May show:");
     m_quality->setText(QStringLiteral("%1 %2").arg(verdict, parts.join(QStringLiteral(", "))));
@@ -317,14 +319,16 @@ void JunctionPanel::showState()
 void JunctionPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    inspectCurrent();
+    // A dock behind others counts as shown: it tells itself when it comes to the front.
+    if (const auto* dock = qobject_cast<QDockWidget*>(parentWidget()))
+        connect(dock, &QDockWidget::visibilityChanged, this, &JunctionPanel::followVisibility,
+                Qt::UniqueConnection);
 }
 
-void JunctionPanel::hideEvent(QHideEvent* event)
+void JunctionPanel::followVisibility(bool visible)
 {
-    m_inspector->clear();
-    setChoosing(false);
-    QWidget::hideEvent(event);
+    if (!visible)
+        setChoosing(false);
 }
 
 void JunctionPanel::retranslate()

@@ -43,9 +43,9 @@ signals:
 
 protected:
     void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
 
 private:
+    void followVisibility(bool visible);
     void makeActions();
     void makeDecidingActions();
     void makeWalkActions();
