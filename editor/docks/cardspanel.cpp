@@ -22,6 +22,7 @@ namespace quadrille {
 namespace {
 
 constexpr int pictureMilliseconds = 110;
+constexpr int pictureOffset = 12;
 
 /// Cards whose picture is what is dragged.
 class CardsView : public QListView
@@ -41,7 +42,8 @@ protected:
             QPixmap picture = QPixmap::fromImage(pictures[(pictures.size() / 3 + phase) % pictures.size()]);
             picture.setDevicePixelRatio(devicePixelRatioF());
             drag->setPixmap(picture);
-            drag->setHotSpot({SequenceCards::pictureSize / 2, SequenceCards::pictureSize / 2});
+            // Beside the pointer, where it does not hide the mark under it.
+            drag->setHotSpot({-pictureOffset, -pictureOffset});
         }
         drag->exec(actions, Qt::CopyAction);
     }
