@@ -235,6 +235,21 @@ private slots:
         QVERIFY(keys()[1].time > keys()[0].time);
     }
 
+    void theRangeThatPlaysIsSetWithoutTrimmingATakeThatIsNotSeen()
+    {
+        drop("first", 10);
+        drop("second", 60);
+        QVERIFY(test::waitForResult(context(), "pose"));
+        QTRY_VERIFY(m_window->animate().view().stage().frameCount() > 30);
+        const Project before = context().document.project();
+        QVERIFY(test::activate(*m_window));
+        timeline().setFocus();
+        timeline().setCurrentFrame(12);
+        QTest::keyClick(&timeline(), Qt::Key_I);
+        QCOMPARE(timeline().range().first, 12);
+        QCOMPARE(context().document.project(), before);
+    }
+
     void keysBesideAPathAndActionsStayInTheirList()
     {
         AnimationEntry entry;

@@ -72,6 +72,13 @@ void SequencesWorkspace::makeEditActions()
                 [this] { m_sequenceTimeline->addLabel(); });
 }
 
+/// What is not seen is not trimmed, and its keys mean something else elsewhere.
+void SequencesWorkspace::setActive(bool active)
+{
+    for (const char* id : {"edit.trimStart", "edit.trimEnd", "edit.untrim", "edit.label"})
+        m_context.actions.action(QLatin1String(id))->setEnabled(active);
+}
+
 std::optional<NamedFrame> SequencesWorkspace::shownPose()
 {
     const QString& name = m_context.selection.shownSequence();

@@ -20,6 +20,7 @@ public:
 
     StageView& view() override { return *m_view; }
     std::optional<NamedFrame> shownPose() override;
+    void setActive(bool active) override;
     const PoseComparison& comparison() const { return *m_comparison; }
 
 private:
