@@ -16,7 +16,7 @@ namespace quadrille {
 namespace {
 
 /// What is written ahead to the device.
-constexpr int bufferMilliseconds = 80;
+constexpr qint64 bufferMilliseconds = 80;
 
 /// A sound as a stream of 16 bits, from any time on, with silence around it.
 class SoundStream : public QIODevice

@@ -55,7 +55,7 @@ std::size_t frameSize(std::string_view bytes)
 
 Mp3Stream encodeMp3(const Sound& sound, const Progress& progress)
 {
-    constexpr std::int64_t atOnce = 1152 * 64;
+    constexpr std::int64_t atOnce = std::int64_t{1152} * 64;
     assert(sound.channels == 1 || sound.channels == 2);
     const std::unique_ptr<lame_global_flags, int (*)(lame_global_flags*)> lame(lame_init(), &lame_close);
     if (!lame)
