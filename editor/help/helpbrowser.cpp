@@ -9,7 +9,7 @@ namespace quadrille {
 
 QVariant HelpBrowser::loadResource(int type, const QUrl& name)
 {
-    const QVariant resource = QTextBrowser::loadResource(type, name);
+    QVariant resource = QTextBrowser::loadResource(type, name);
     if (type != QTextDocument::ImageResource)
         return resource;
     QImage picture = resource.canConvert<QImage>() ? resource.value<QImage>() : QImage();
