@@ -2,6 +2,54 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>quadrille::AnimationBar</name>
+    <message numerus="yes">
+        <source>%1 s, %n transitions</source>
+        <translation>
+            <numerusform>%1 s, %n transitions</numerusform>
+            <numerusform>%1 s, %n transitions</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AnimationPage</name>
+    <message numerus="yes">
+        <source>%n path(s)</source>
+        <translation>
+            <numerusform>%n path</numerusform>
+            <numerusform>%n paths</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s)</source>
+        <translation>
+            <numerusform>%n key</numerusform>
+            <numerusform>%n keys</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n action(s)</source>
+        <translation>
+            <numerusform>%n action</numerusform>
+            <numerusform>%n actions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>looped, played %n times</source>
+        <translation>
+            <numerusform>looped, played %n times</numerusform>
+            <numerusform>looped, played %n times</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frames, %1 s</source>
+        <translation>
+            <numerusform>%n frame, %1 s</numerusform>
+            <numerusform>%n frames, %1 s</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::CharacterPage</name>
     <message numerus="yes">
         <source>%n sequences</source>
@@ -68,6 +116,36 @@
         <translation>
             <numerusform>“%1” and %n more are there already.</numerusform>
             <numerusform>“%1” and %n more are there already.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::GapsPanel</name>
+    <message numerus="yes">
+        <source>Starts and ends of takes: %n</source>
+        <translation>
+            <numerusform>Starts and ends of take: %n</numerusform>
+            <numerusform>Starts and ends of takes: %n</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::GraphBar</name>
+    <message numerus="yes">
+        <source>± %1; %n pair(s) of frames without a way</source>
+        <translation>
+            <numerusform>± %1; %n pair of frames without a way</numerusform>
+            <numerusform>± %1; %n pairs of frames without a way</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::GraphWorkspace</name>
+    <message numerus="yes">
+        <source>%n table(s) were saved in %1.</source>
+        <translation>
+            <numerusform>%n table were saved in %1.</numerusform>
+            <numerusform>%n tables were saved in %1.</numerusform>
         </translation>
     </message>
 </context>
@@ -140,6 +218,27 @@
     </message>
 </context>
 <context>
+    <name>quadrille::JunctionPanel</name>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <comment>length of a transition</comment>
+        <translation>
+            <numerusform>%n frame</numerusform>
+            <numerusform>%n frames</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::KeysAndStoryboard</name>
+    <message numerus="yes">
+        <source>%n takes added to the storyboard of “%1”</source>
+        <translation>
+            <numerusform>%n take added to the storyboard of “%1”</numerusform>
+            <numerusform>%n takes added to the storyboard of “%1”</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::LostMediaTable</name>
     <message numerus="yes">
         <source>%1 and %n more</source>
@@ -156,6 +255,16 @@
         <translation>
             <numerusform>%n file was relinked</numerusform>
             <numerusform>%n files were relinked</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PathPanel</name>
+    <message numerus="yes">
+        <source>%1 · polygon, %n corner(s)</source>
+        <translation>
+            <numerusform>%1 · polygon, %n corner</numerusform>
+            <numerusform>%1 · polygon, %n corners</numerusform>
         </translation>
     </message>
 </context>
@@ -187,6 +296,13 @@
         <translation>
             <numerusform>Add %n sequence</numerusform>
             <numerusform>Add %n sequences</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n animations</source>
+        <translation>
+            <numerusform>Remove %n animations</numerusform>
+            <numerusform>Remove %n animations</numerusform>
         </translation>
     </message>
 </context>
@@ -350,6 +466,16 @@
         <translation>
             <numerusform>%n, by material</numerusform>
             <numerusform>%n, by material</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TransitionPanel</name>
+    <message numerus="yes">
+        <source>%n frame(s), %1 s</source>
+        <translation>
+            <numerusform>%n frame, %1 s</numerusform>
+            <numerusform>%n frames, %1 s</numerusform>
         </translation>
     </message>
 </context>

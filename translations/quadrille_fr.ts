@@ -1094,6 +1094,42 @@
         <source>Begin at clip time 0 and end at the duration of the loop.</source>
         <translation>Commencez au temps 0 du clip et finissez à la durée de la boucle.</translation>
     </message>
+    <message>
+        <source>the sound cannot be encoded</source>
+        <translation>le son ne peut pas être encodé</translation>
+    </message>
+    <message>
+        <source>a box of the MP4 is missing</source>
+        <translation>une boîte du MP4 manque</translation>
+    </message>
+    <message>
+        <source>it cannot be opened</source>
+        <translation>il ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>the disk may be full</source>
+        <translation>le disque est peut-être plein</translation>
+    </message>
+    <message>
+        <source>The sound of this file</source>
+        <translation>Le son de ce fichier</translation>
+    </message>
+    <message>
+        <source>Save it as WAV.</source>
+        <translation>Enregistrez-le en WAV.</translation>
+    </message>
+    <message>
+        <source>Give it a path, keys or actions.</source>
+        <translation>Donnez-lui un trajet, des clés ou des actions.</translation>
+    </message>
+    <message>
+        <source>Break the circle.</source>
+        <translation>Rompez le cercle.</translation>
+    </message>
+    <message>
+        <source>Give some frames of a sequence this label.</source>
+        <translation>Donnez cette étiquette à des images d’une séquence.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AboutDialog</name>
@@ -1116,6 +1152,657 @@
     <message>
         <source>Copy versions</source>
         <translation>Copier les versions</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ActionForm</name>
+    <message>
+        <source>Change how often an action is performed</source>
+        <translation>Changer combien de fois une action est jouée</translation>
+    </message>
+    <message>
+        <source>Change the duration of an action</source>
+        <translation>Changer la durée d’une action</translation>
+    </message>
+    <message>
+        <source>Change how much of an action is played</source>
+        <translation>Changer la part jouée d’une action</translation>
+    </message>
+    <message>
+        <source>Change the frames of an action</source>
+        <translation>Changer les images d’une action</translation>
+    </message>
+    <message>
+        <source>No card selected</source>
+        <translation>Aucune carte sélectionnée</translation>
+    </message>
+    <message>
+        <source>Label “%1”</source>
+        <translation>Étiquette « %1 »</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>Première image</translation>
+    </message>
+    <message>
+        <source>The first frame of the take that is played</source>
+        <translation>La première image jouée de la prise</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Dernière image</translation>
+    </message>
+    <message>
+        <source>The last frame of the take that is played</source>
+        <translation>La dernière image jouée de la prise</translation>
+    </message>
+    <message>
+        <source>Drag the ends to choose the frames; ← and → move the active end by a frame</source>
+        <translation>Glissez les bouts pour choisir les images ; ← et → déplacent le bout actif d’une image</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Fois</translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation> ×</translation>
+    </message>
+    <message>
+        <source>How often it is performed</source>
+        <translation>Combien de fois elle est jouée</translation>
+    </message>
+    <message>
+        <source>Goes on for</source>
+        <translation>Dure</translation>
+    </message>
+    <message>
+        <source>It goes on for a time, with any of its frames in any order</source>
+        <translation>Elle dure un temps, avec n’importe lesquelles de ses images dans n’importe quel ordre</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Au moins</translation>
+    </message>
+    <message>
+        <source>Least share</source>
+        <translation>Part minimale</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How much of the frames must be played; the rest may be left out at both ends to join it better</source>
+        <translation>Combien de ses images doivent être jouées ; le reste peut être omis aux deux bouts pour mieux joindre</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AnimateWorkspace</name>
+    <message>
+        <source>Path</source>
+        <translation>Trajet</translation>
+    </message>
+    <message>
+        <source>Transitions</source>
+        <translation>Transitions</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Finition</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Import sequences first: animations are made from them.</source>
+        <translation>Importez d’abord des séquences : les animations en sont faites.</translation>
+    </message>
+    <message>
+        <source>No animation yet.</source>
+        <translation>Pas encore d’animation.</translation>
+    </message>
+    <message>
+        <source>Draw a path, drop poses onto the timeline, or line up takes in the storyboard.</source>
+        <translation>Tracez un trajet, déposez des poses sur la ligne de temps, ou alignez des prises dans le scénario.</translation>
+    </message>
+    <message>
+        <source>Computing the graph of transitions…</source>
+        <translation>Calcul du graphe des transitions…</translation>
+    </message>
+    <message>
+        <source>Seeking a walk…</source>
+        <translation>Recherche d’un parcours…</translation>
+    </message>
+    <message>
+        <source>Try Again</source>
+        <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>This is what another transition would be like.</source>
+        <translation>Voici ce que serait une autre transition.</translation>
+    </message>
+    <message>
+        <source>Return takes it; Shift+E goes back to the clip.</source>
+        <translation>Entrée la prend ; Maj+E revient au clip.</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AnimationBar</name>
+    <message>
+        <source>Animation</source>
+        <translation>Animation</translation>
+    </message>
+    <message>
+        <source>The animation that is worked on</source>
+        <translation>L’animation sur laquelle on travaille</translation>
+    </message>
+    <message>
+        <source>No animation</source>
+        <translation>Aucune animation</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>Animer</translation>
+    </message>
+    <message>
+        <source>&amp;New animation</source>
+        <translation>&amp;Nouvelle animation</translation>
+    </message>
+    <message>
+        <source>Add an animation to the project</source>
+        <translation>Ajouter une animation au projet</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate the animation</source>
+        <translation>&amp;Dupliquer l’animation</translation>
+    </message>
+    <message>
+        <source>Add a copy of the animation, to try something else with it</source>
+        <translation>Ajouter une copie de l’animation, pour essayer autre chose</translation>
+    </message>
+    <message>
+        <source>Seek a&amp;gain</source>
+        <translation>&amp;Chercher encore</translation>
+    </message>
+    <message>
+        <source>Seek the walk again after it was stopped or failed</source>
+        <translation>Chercher de nouveau le parcours après un arrêt ou un échec</translation>
+    </message>
+    <message>
+        <source>&amp;Stop seeking</source>
+        <translation>&amp;Arrêter la recherche</translation>
+    </message>
+    <message>
+        <source>Keep the best walk that was found so far</source>
+        <translation>Garder le meilleur parcours trouvé jusqu’ici</translation>
+    </message>
+    <message>
+        <source>Add an animation, then draw a path, drop poses or line up takes.</source>
+        <translation>Ajoutez une animation, puis tracez un trajet, déposez des poses ou alignez des prises.</translation>
+    </message>
+    <message>
+        <source>Waiting for the graph…</source>
+        <translation>En attente du graphe…</translation>
+    </message>
+    <message>
+        <source>Seeking a walk…</source>
+        <translation>Recherche d’un parcours…</translation>
+    </message>
+    <message>
+        <source>Seeking a better walk… %1</source>
+        <translation>Recherche d’un meilleur parcours… %1</translation>
+    </message>
+    <message>
+        <source>No walk was found.</source>
+        <translation>Aucun parcours n’a été trouvé.</translation>
+    </message>
+    <message>
+        <source>Stopped. %1</source>
+        <translation>Arrêté. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 s, %n transitions</source>
+        <translation>
+            <numerusform>%1 s, %n transition</numerusform>
+            <numerusform>%1 s, %n transitions</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, cost %1</source>
+        <translation>, coût %1</translation>
+    </message>
+    <message>
+        <source>, proven best</source>
+        <translation>, prouvé le meilleur</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AnimationCamera</name>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>No camera keys: double-click to keep what you see as one</source>
+        <translation>Pas de clé de caméra : double-cliquez pour retenir ce que vous voyez</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>Animer</translation>
+    </message>
+    <message>
+        <source>Add &amp;camera key</source>
+        <translation>Ajouter une clé de &amp;caméra</translation>
+    </message>
+    <message>
+        <source>Keep what the view shows now, at the playhead, for pictures and videos</source>
+        <translation>Retenir ce que montre la vue, à la tête de lecture, pour les images et vidéos</translation>
+    </message>
+    <message>
+        <source>Replace camera key</source>
+        <translation>Remplacer la clé de caméra</translation>
+    </message>
+    <message>
+        <source>Make the chosen camera key what the view shows now</source>
+        <translation>Faire de la clé de caméra choisie ce que montre la vue</translation>
+    </message>
+    <message>
+        <source>Remove camera key</source>
+        <translation>Retirer la clé de caméra</translation>
+    </message>
+    <message>
+        <source>Take the chosen camera key away</source>
+        <translation>Enlever la clé de caméra choisie</translation>
+    </message>
+    <message>
+        <source>&amp;Look through the camera</source>
+        <translation>&amp;Regarder par la caméra</translation>
+    </message>
+    <message>
+        <source>Let the view follow the camera keys while the clip plays</source>
+        <translation>Faire suivre les clés de caméra à la vue pendant la lecture</translation>
+    </message>
+    <message>
+        <source>Add camera key</source>
+        <translation>Ajouter une clé de caméra</translation>
+    </message>
+    <message>
+        <source>Move camera key</source>
+        <translation>Déplacer la clé de caméra</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AnimationEdits</name>
+    <message>
+        <source>Add animation “%1”</source>
+        <translation>Ajouter l’animation « %1 »</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>Dupliquer «&#xa0;%1&#xa0;»</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AnimationMedia</name>
+    <message>
+        <source>Animation “%1”</source>
+        <translation>Animation « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AnimationPage</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Unique in the project</source>
+        <translation>Unique dans le projet</translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>Personnage</translation>
+    </message>
+    <message>
+        <source>Whose sequences the animation is made of</source>
+        <translation>Celui dont les séquences font l’animation</translation>
+    </message>
+    <message>
+        <source>Asked for</source>
+        <translation>Demandé</translation>
+    </message>
+    <message>
+        <source>Afterwards</source>
+        <translation>Ensuite</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Change the character of “%1”</source>
+        <translation>Changer le personnage de « %1 »</translation>
+    </message>
+    <message>
+        <source>nothing: its walk was accepted</source>
+        <translation>rien : son parcours a été accepté</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n path(s)</source>
+        <translation>
+            <numerusform>%n trajet</numerusform>
+            <numerusform>%n trajets</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s)</source>
+        <translation>
+            <numerusform>%n clé</numerusform>
+            <numerusform>%n clés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n action(s)</source>
+        <translation>
+            <numerusform>%n action</numerusform>
+            <numerusform>%n actions</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>rien encore</translation>
+    </message>
+    <message numerus="yes">
+        <source>looped, played %n times</source>
+        <translation>
+            <numerusform>bouclé, joué %n fois</numerusform>
+            <numerusform>bouclé, joué %n fois</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>looped</source>
+        <translation>bouclé</translation>
+    </message>
+    <message>
+        <source>foot contacts corrected</source>
+        <translation>contacts des pieds corrigés</translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation>reflété</translation>
+    </message>
+    <message>
+        <source>retimed</source>
+        <translation>retemporisé</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>made when its workspace is open</source>
+        <translation>fait quand son espace est ouvert</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frames, %1 s</source>
+        <translation>
+            <numerusform>%n image, %1 s</numerusform>
+            <numerusform>%n images, %1 s</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Work on it</source>
+        <translation>Y travailler</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AnimationReport</name>
+    <message>
+        <source>s</source>
+        <comment>seconds</comment>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <comment>centimetres</comment>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Duration before finishing</source>
+        <translation>Durée avant la finition</translation>
+    </message>
+    <message>
+        <source>Transitions</source>
+        <translation>Transitions</translation>
+    </message>
+    <message>
+        <source>Cost of transitions</source>
+        <translation>Coût des transitions</translation>
+    </message>
+    <message>
+        <source>Cost of timing</source>
+        <translation>Coût des temps</translation>
+    </message>
+    <message>
+        <source>Cost of deviation</source>
+        <translation>Coût de l’écart</translation>
+    </message>
+    <message>
+        <source>m²</source>
+        <comment>square metres</comment>
+        <translation>m²</translation>
+    </message>
+    <message>
+        <source>Total cost</source>
+        <translation>Coût total</translation>
+    </message>
+    <message>
+        <source>States looked at</source>
+        <translation>États examinés</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>not proven</source>
+        <translation>non prouvé</translation>
+    </message>
+    <message>
+        <source>still seeking</source>
+        <translation>recherche en cours</translation>
+    </message>
+    <message>
+        <source>Proven best</source>
+        <translation>Meilleur prouvé</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Clé</translation>
+    </message>
+    <message>
+        <source>Path length</source>
+        <translation>Longueur du trajet</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <comment>metres</comment>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Mean deviation</source>
+        <translation>Écart moyen</translation>
+    </message>
+    <message>
+        <source>Greatest deviation</source>
+        <translation>Écart maximal</translation>
+    </message>
+    <message>
+        <source>Span from</source>
+        <translation>Portion à partir de</translation>
+    </message>
+    <message>
+        <source>Span lasts</source>
+        <translation>Portion : durée</translation>
+    </message>
+    <message>
+        <source>Action from</source>
+        <translation>Action à partir de</translation>
+    </message>
+    <message>
+        <source>Action lasts</source>
+        <translation>Action : durée</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AnimationSound</name>
+    <message>
+        <source>Animate</source>
+        <translation>Animer</translation>
+    </message>
+    <message>
+        <source>Choose soun&amp;d…</source>
+        <translation>Choisir un &amp;son…</translation>
+    </message>
+    <message>
+        <source>Let a sound be heard with the animation, and in its videos</source>
+        <translation>Faire entendre un son avec l’animation, et dans ses vidéos</translation>
+    </message>
+    <message>
+        <source>&amp;Mute</source>
+        <translation>&amp;Muet</translation>
+    </message>
+    <message>
+        <source>Play in silence here; videos keep their sound</source>
+        <translation>Lire ici en silence ; les vidéos gardent leur son</translation>
+    </message>
+    <message>
+        <source>Remove the sound</source>
+        <translation>Retirer le son</translation>
+    </message>
+    <message>
+        <source>Take the sound away from the animation; its file stays</source>
+        <translation>Enlever le son de l’animation ; son fichier reste</translation>
+    </message>
+    <message>
+        <source>Choose a sound</source>
+        <translation>Choisir un son</translation>
+    </message>
+    <message>
+        <source>Sounds (*.wav *.flac *.aif *.aiff *.ogg *.mp3);;All files (*)</source>
+        <translation>Sons (*.wav *.flac *.aif *.aiff *.ogg *.mp3);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Choose the sound</source>
+        <translation>Choisir le son</translation>
+    </message>
+    <message>
+        <source>Move the sound</source>
+        <translation>Déplacer le son</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Lecture de %1</translation>
+    </message>
+    <message>
+        <source>No sound: click to choose a WAV file</source>
+        <translation>Pas de son : cliquez pour choisir un fichier WAV</translation>
+    </message>
+    <message>
+        <source>Reading the sound…</source>
+        <translation>Lecture du son…</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Son</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AnimationTimeline</name>
+    <message>
+        <source>Add key</source>
+        <translation>Ajouter une clé</translation>
+    </message>
+    <message>
+        <source>Remove key</source>
+        <translation>Retirer une clé</translation>
+    </message>
+    <message>
+        <source>Move key</source>
+        <translation>Déplacer une clé</translation>
+    </message>
+    <message>
+        <source>Go to Key</source>
+        <translation>Aller à la clé</translation>
+    </message>
+    <message>
+        <source>Edit Key</source>
+        <translation>Modifier la clé</translation>
+    </message>
+    <message>
+        <source>Remove Key</source>
+        <translation>Retirer la clé</translation>
+    </message>
+    <message>
+        <source>Inspect Transition</source>
+        <translation>Examiner la transition</translation>
+    </message>
+    <message>
+        <source>Add the Shown Pose as Key Here</source>
+        <translation>Mettre ici la pose montrée comme clé</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AnimationTracks</name>
+    <message>
+        <source>Keys</source>
+        <translation>Clés</translation>
+    </message>
+    <message>
+        <source>Drag the picture of a card here to ask for its pose at a time</source>
+        <translation>Glissez ici l’image d’une carte pour demander sa pose à un moment</translation>
+    </message>
+    <message>
+        <source>Made afterwards</source>
+        <translation>Fait après coup</translation>
+    </message>
+    <message>
+        <source>%1 → %2, cost %3</source>
+        <translation>%1 → %2, coût %3</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Clip</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>Actions</translation>
+    </message>
+    <message>
+        <source>Path asks</source>
+        <translation>Trajet</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>
@@ -1324,6 +2011,13 @@
     </message>
 </context>
 <context>
+    <name>quadrille::CurrentAnimation</name>
+    <message>
+        <source>animation</source>
+        <translation>animation</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::ErrorText</name>
     <message>
         <source>line %1, column %2</source>
@@ -1473,6 +2167,10 @@
         <source>Cancel</source>
         <translation>Annuler</translation>
     </message>
+    <message>
+        <source>Clip</source>
+        <translation>Clip</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ExportFlow</name>
@@ -1485,8 +2183,8 @@
         <translation>Ex&amp;porter…</translation>
     </message>
     <message>
-        <source>Write the selected sequences in another format, or as pictures or video</source>
-        <translation>Écrire les séquences sélectionnées dans un autre format, ou sous forme d’images ou de vidéo</translation>
+        <source>Write the selected sequences or animation in another format, or as pictures or video</source>
+        <translation>Écrire les séquences ou l’animation sélectionnées dans un autre format, en images ou en vidéo</translation>
     </message>
 </context>
 <context>
@@ -1526,6 +2224,720 @@
     <message>
         <source>Change or write again…</source>
         <translation>Modifier ou réécrire…</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::FramePictures</name>
+    <message>
+        <source>Pictures of frames</source>
+        <translation>Images miniatures</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::GapsPanel</name>
+    <message>
+        <source>Gaps of the graphs</source>
+        <translation>Lacunes des graphes</translation>
+    </message>
+    <message>
+        <source>Frames that walks do not reach, or do not come back from, and what would help. A click shows it.</source>
+        <translation>Images que les parcours n’atteignent pas, ou d’où ils ne reviennent pas, et ce qui aiderait. Un clic le montre.</translation>
+    </message>
+    <message>
+        <source>Compute the graph to see which frames walks cannot reach.</source>
+        <translation>Calculez le graphe pour voir quelles images les parcours n’atteignent pas.</translation>
+    </message>
+    <message>
+        <source>Essential graph</source>
+        <translation>Graphe essentiel</translation>
+    </message>
+    <message>
+        <source>Motion graph</source>
+        <translation>Graphe de mouvement</translation>
+    </message>
+    <message>
+        <source>every frame is reached from every other</source>
+        <extracomment>frames in the largest component, of all frames</extracomment>
+        <translation>chaque image est atteinte depuis toute autre</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames are joined both ways</source>
+        <translation>%1 images sur %2 sont reliées dans les deux sens</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>name of a graph; what it joins</extracomment>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Usual: transitions need these frames</source>
+        <translation>Normal : les transitions ont besoin de ces images</translation>
+    </message>
+    <message numerus="yes">
+        <source>Starts and ends of takes: %n</source>
+        <translation>
+            <numerusform>Débuts et fins de prises : %n</numerusform>
+            <numerusform>Débuts et fins de prises : %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No walk leads from there to the largest part of the graph</source>
+        <translation>Aucun parcours ne mène de là à la plus grande partie du graphe</translation>
+    </message>
+    <message>
+        <source>No walk leads there from the largest part of the graph</source>
+        <translation>Aucun parcours n’y mène depuis la plus grande partie du graphe</translation>
+    </message>
+    <message>
+        <source>%1–%2</source>
+        <translation>%1–%2</translation>
+    </message>
+    <message>
+        <source>%1: dead end</source>
+        <translation>%1 : impasse</translation>
+    </message>
+    <message>
+        <source>%1: not reached</source>
+        <extracomment>frames that no walk reaches</extracomment>
+        <translation>%1 : hors d’atteinte</translation>
+    </message>
+    <message>
+        <source>Take the transition %1 → %2 (weight %3)</source>
+        <extracomment>two frames and a weight</extracomment>
+        <translation>Prendre la transition %1 → %2 (poids %3)</translation>
+    </message>
+    <message>
+        <source>Capture a take %1 → %2 (poses %3 %4 apart)</source>
+        <extracomment>two frames, and the distance of their poses with its unit</extracomment>
+        <translation>Capter une prise %1 → %2 (poses distantes de %3 %4)</translation>
+    </message>
+    <message>
+        <source>Capture more takes</source>
+        <translation>Capter d’autres prises</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::GraphBar</name>
+    <message>
+        <source>Set α to %1</source>
+        <translation>Régler α sur %1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message numerus="yes">
+        <source>± %1; %n pair(s) of frames without a way</source>
+        <translation>
+            <numerusform>± %1 ; %n paire d’images sans chemin</numerusform>
+            <numerusform>± %1 ; %n paires d’images sans chemin</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>Personnage</translation>
+    </message>
+    <message>
+        <source>Whose sequences the graph joins</source>
+        <translation>De qui le graphe relie les séquences</translation>
+    </message>
+    <message>
+        <source>&amp;α</source>
+        <translation>&amp;α</translation>
+    </message>
+    <message>
+        <source>Weight of a frame of duration against deformation: higher values prefer short ways</source>
+        <translation>Poids d’une image de durée face à la déformation : de plus grandes valeurs préfèrent les chemins courts</translation>
+    </message>
+    <message>
+        <source>α</source>
+        <translation>α</translation>
+    </message>
+    <message>
+        <source>α, as a number</source>
+        <translation>α, en nombre</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Arêtes</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Densité</translation>
+    </message>
+    <message>
+        <source>Edges of all that there could be between different frames</source>
+        <translation>Part des arêtes possibles entre images différentes</translation>
+    </message>
+    <message>
+        <source>Mean cost</source>
+        <translation>Coût moyen</translation>
+    </message>
+    <message>
+        <source>Of the cheapest way from any frame to any other</source>
+        <translation>Du chemin le moins cher d’une image quelconque à une autre</translation>
+    </message>
+    <message>
+        <source>Essential graph</source>
+        <translation>Graphe essentiel</translation>
+    </message>
+    <message>
+        <source>Motion graph</source>
+        <translation>Graphe de mouvement</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::GraphChartsPanel</name>
+    <message>
+        <source>α</source>
+        <translation>α</translation>
+    </message>
+    <message>
+        <source>Essential graph</source>
+        <translation>Graphe essentiel</translation>
+    </message>
+    <message>
+        <source>Motion graph</source>
+        <translation>Graphe de mouvement</translation>
+    </message>
+    <message>
+        <source>Computing the graphs for several α…</source>
+        <translation>Calcul des graphes pour plusieurs α…</translation>
+    </message>
+    <message>
+        <source>Compute the graph to compare it over α.</source>
+        <translation>Calculez le graphe pour le comparer selon α.</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Densité</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Arêtes</translation>
+    </message>
+    <message>
+        <source>Mean path cost</source>
+        <translation>Coût moyen des chemins</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::GraphExplorer</name>
+    <message>
+        <source>Graphs</source>
+        <translation>Graphes</translation>
+    </message>
+    <message>
+        <source>Path costs</source>
+        <translation>Coûts des chemins</translation>
+    </message>
+    <message>
+        <source>Gaps of the graphs</source>
+        <translation>Lacunes des graphes</translation>
+    </message>
+    <message>
+        <source>Graphs against α</source>
+        <translation>Graphes selon α</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::GraphMap</name>
+    <message>
+        <source>rad</source>
+        <translation>rad</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Essential graph</source>
+        <translation>Graphe essentiel</translation>
+    </message>
+    <message>
+        <source>Motion graph</source>
+        <translation>Graphe de mouvement</translation>
+    </message>
+    <message>
+        <source>Drawing the costs</source>
+        <translation>Dessin des coûts</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>Coût</translation>
+    </message>
+    <message>
+        <source>%1 % in colour</source>
+        <translation>%1 % en couleur</translation>
+    </message>
+    <message>
+        <source>Costs of transitions</source>
+        <translation>Coûts des transitions</translation>
+    </message>
+    <message>
+        <source>Transitions as arcs</source>
+        <translation>Transitions en arcs</translation>
+    </message>
+    <message>
+        <source>Rows are the frames that transitions leave, columns those where they arrive.</source>
+        <translation>Les lignes sont les images que les transitions quittent, les colonnes celles où elles arrivent.</translation>
+    </message>
+    <message>
+        <source>Sequences as bars, with the transitions between their frames as arcs.</source>
+        <translation>Les séquences en barres, les transitions entre leurs images en arcs.</translation>
+    </message>
+    <message>
+        <source>&amp;Cost up to</source>
+        <translation>&amp;Coût jusqu’à</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>libre</translation>
+    </message>
+    <message>
+        <source>Transitions that cost more are greyed; 0 shows all</source>
+        <translation>Les transitions plus chères sont grisées ; 0 montre tout</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Durée</translation>
+    </message>
+    <message>
+        <source>Transitions that last shorter or longer, in frames (%1 a second), are greyed</source>
+        <translation>Les transitions plus brèves ou plus longues, en images (%1 par seconde), sont grisées</translation>
+    </message>
+    <message>
+        <source>Greatest cost shown</source>
+        <translation>Plus grand coût montré</translation>
+    </message>
+    <message>
+        <source>Least length shown</source>
+        <translation>Plus petite durée montrée</translation>
+    </message>
+    <message>
+        <source>Greatest length shown</source>
+        <translation>Plus grande durée montrée</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::GraphMedia</name>
+    <message>
+        <source>Graph</source>
+        <translation>Graphe</translation>
+    </message>
+    <message>
+        <source>Graph of “%1”</source>
+        <translation>Graphe de « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::GraphSettingsPanel</name>
+    <message>
+        <source>Poses</source>
+        <translation>Poses</translation>
+    </message>
+    <message>
+        <source>How two poses are compared, wherever the body stands</source>
+        <translation>Comment deux poses sont comparées, où que se tienne le corps</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Étirement</translation>
+    </message>
+    <message>
+        <source>Weight of the surface&apos;s stretch against its rotation, 0 to 100</source>
+        <translation>Poids de l’étirement de la surface face à sa rotation, 0 à 100</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>Coût</translation>
+    </message>
+    <message>
+        <source>Whether a transition&apos;s pose distances are summed, as published, or averaged</source>
+        <translation>Si les distances de poses d’une transition sont sommées, comme publié, ou moyennées</translation>
+    </message>
+    <message>
+        <source>Weigh by</source>
+        <translation>Peser par</translation>
+    </message>
+    <message>
+        <source>Whether transitions between calm takes must be better than those of lively ones</source>
+        <translation>Si les transitions entre prises calmes doivent être meilleures qu’entre prises vives</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Pente</translation>
+    </message>
+    <message>
+        <source>How many frames in a row one take may wait for the other, 2 to 5</source>
+        <translation>Combien d’images de suite une prise peut attendre l’autre, 2 à 5</translation>
+    </message>
+    <message>
+        <source>Shortest window</source>
+        <translation>Fenêtre la plus courte</translation>
+    </message>
+    <message>
+        <source>Frames of each take that a transition blends at the least, in seconds</source>
+        <translation>Images de chaque prise qu’une transition fond au moins, en secondes</translation>
+    </message>
+    <message>
+        <source>Longest window</source>
+        <translation>Fenêtre la plus longue</translation>
+    </message>
+    <message>
+        <source>Frames of each take that a transition blends at the most, in seconds</source>
+        <translation>Images de chaque prise qu’une transition fond au plus, en secondes</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Plus grande distance</translation>
+    </message>
+    <message>
+        <source>What costs are divided by; automatic is the largest distance of two poses</source>
+        <translation>Ce par quoi les coûts sont divisés ; automatique : la plus grande distance de deux poses</translation>
+    </message>
+    <message>
+        <source>Compare poses otherwise</source>
+        <translation>Comparer les poses autrement</translation>
+    </message>
+    <message>
+        <source>Weigh stretch otherwise</source>
+        <translation>Peser l’étirement autrement</translation>
+    </message>
+    <message>
+        <source>Change the cost of transitions</source>
+        <translation>Changer le coût des transitions</translation>
+    </message>
+    <message>
+        <source>Weigh transitions otherwise</source>
+        <translation>Peser les transitions autrement</translation>
+    </message>
+    <message>
+        <source>Change the slope of transitions</source>
+        <translation>Changer la pente des transitions</translation>
+    </message>
+    <message>
+        <source>Change the largest distance</source>
+        <translation>Changer la plus grande distance</translation>
+    </message>
+    <message>
+        <source>Change the windows of transitions</source>
+        <translation>Changer les fenêtres des transitions</translation>
+    </message>
+    <message>
+        <source>By their surfaces</source>
+        <translation>Par leurs surfaces</translation>
+    </message>
+    <message>
+        <source>By their vertices</source>
+        <translation>Par leurs sommets</translation>
+    </message>
+    <message>
+        <source>Sum of the distances</source>
+        <translation>Somme des distances</translation>
+    </message>
+    <message>
+        <source>Mean of the distances</source>
+        <translation>Moyenne des distances</translation>
+    </message>
+    <message>
+        <source>Nothing else</source>
+        <translation>Rien d’autre</translation>
+    </message>
+    <message>
+        <source>Liveliness of the takes</source>
+        <translation>Vivacité des prises</translation>
+    </message>
+    <message>
+        <source> frames</source>
+        <extracomment>after a number: steps of a warp path in a row</extracomment>
+        <translation> images</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatique</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::GraphStatePage</name>
+    <message>
+        <source>%1 frames need about %2 of memory, more than this computer has. Trim sequences or remove some.</source>
+        <translation>%1 images demandent environ %2 de mémoire, plus que cet ordinateur n’en a. Rognez des séquences ou retirez-en.</translation>
+    </message>
+    <message>
+        <source>%1 frames, about %2 of memory</source>
+        <translation>%1 images, environ %2 de mémoire</translation>
+    </message>
+    <message>
+        <source>No graph yet</source>
+        <translation>Pas encore de graphe</translation>
+    </message>
+    <message>
+        <source>The graph holds every transition from one frame to another. It is computed from all sequences of the character.</source>
+        <translation>Le graphe contient chaque transition d’une image à une autre. Il est calculé à partir de toutes les séquences du personnage.</translation>
+    </message>
+    <message>
+        <source>&amp;Compute the Graph</source>
+        <translation>&amp;Calculer le graphe</translation>
+    </message>
+    <message>
+        <source>No sequences yet</source>
+        <translation>Pas encore de séquences</translation>
+    </message>
+    <message>
+        <source>Transitions lead from one sequence to another: import some first.</source>
+        <translation>Les transitions mènent d’une séquence à une autre : importez-en d’abord.</translation>
+    </message>
+    <message>
+        <source>&amp;Import Sequences…</source>
+        <translation>&amp;Importer des séquences…</translation>
+    </message>
+    <message>
+        <source>Computing the graph</source>
+        <translation>Calcul du graphe</translation>
+    </message>
+    <message>
+        <source>Pose distances, transitions and both graphs. You can go on working meanwhile.</source>
+        <translation>Distances de poses, transitions et les deux graphes. Vous pouvez continuer à travailler.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Arrêter</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;Try Again</source>
+        <translation>&amp;Réessayer</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::GraphWorkspace</name>
+    <message>
+        <source>Graph</source>
+        <translation>Graphe</translation>
+    </message>
+    <message>
+        <source>&amp;Compute the graph</source>
+        <translation>&amp;Calculer le graphe</translation>
+    </message>
+    <message>
+        <source>Finds every transition between the frames of a character</source>
+        <translation>Trouve chaque transition entre les images d’un personnage</translation>
+    </message>
+    <message>
+        <source>S&amp;top computing</source>
+        <translation>Arrê&amp;ter le calcul</translation>
+    </message>
+    <message>
+        <source>Leaves the graph as it was</source>
+        <translation>Laisse le graphe comme il était</translation>
+    </message>
+    <message>
+        <source>&amp;Play the transition</source>
+        <translation>&amp;Lire la transition</translation>
+    </message>
+    <message>
+        <source>Blends the chosen transition and plays it with some frames around it</source>
+        <translation>Fond la transition choisie et la joue avec quelques images autour</translation>
+    </message>
+    <message>
+        <source>Show &amp;both frames</source>
+        <translation>Montrer les &amp;deux images</translation>
+    </message>
+    <message>
+        <source>Shows where the chosen transition leaves and where it arrives</source>
+        <translation>Montre d’où part la transition choisie et où elle arrive</translation>
+    </message>
+    <message>
+        <source>Blend &amp;gently</source>
+        <translation>Fondre en &amp;douceur</translation>
+    </message>
+    <message>
+        <source>Keeps speeds smooth and standing feet in place, as animations can</source>
+        <translation>Garde des vitesses régulières et les pieds posés en place, comme le peuvent les animations</translation>
+    </message>
+    <message>
+        <source>&amp;Lower α</source>
+        <translation>&amp;Baisser α</translation>
+    </message>
+    <message>
+        <source>Lets the graphs prefer little deformation</source>
+        <translation>Fait préférer aux graphes peu de déformation</translation>
+    </message>
+    <message>
+        <source>&amp;Raise α</source>
+        <translation>&amp;Augmenter α</translation>
+    </message>
+    <message>
+        <source>Lets the graphs prefer short ways</source>
+        <translation>Fait préférer aux graphes les chemins courts</translation>
+    </message>
+    <message>
+        <source>&amp;Save tables…</source>
+        <translation>Enregi&amp;strer les tableaux…</translation>
+    </message>
+    <message>
+        <source>Edges, statistics and components of both graphs as CSV files</source>
+        <translation>Arêtes, statistiques et composantes des deux graphes en fichiers CSV</translation>
+    </message>
+    <message>
+        <source>Show costs as a &amp;matrix</source>
+        <translation>Montrer les coûts en &amp;matrice</translation>
+    </message>
+    <message>
+        <source>Each cell is a transition from the frame of its row to that of its column</source>
+        <translation>Chaque case est une transition de l’image de sa ligne à celle de sa colonne</translation>
+    </message>
+    <message>
+        <source>Show edges as &amp;arcs</source>
+        <translation>Montrer les arêtes en &amp;arcs</translation>
+    </message>
+    <message>
+        <source>The Essential graph above the sequences, the motion graph below</source>
+        <translation>Le graphe essentiel au-dessus des séquences, le graphe de mouvement au-dessous</translation>
+    </message>
+    <message>
+        <source>&amp;Essential graph on the matrix</source>
+        <translation>Graphe &amp;essentiel sur la matrice</translation>
+    </message>
+    <message>
+        <source>Marks transitions that no cheaper way can replace with rings</source>
+        <translation>Marque d’anneaux les transitions qu’aucun chemin moins cher ne remplace</translation>
+    </message>
+    <message>
+        <source>M&amp;otion graph on the matrix</source>
+        <translation>Graphe de &amp;mouvement sur la matrice</translation>
+    </message>
+    <message>
+        <source>Marks transitions of locally least cost with diamonds</source>
+        <translation>Marque de losanges les transitions de coût localement minimal</translation>
+    </message>
+    <message>
+        <source>Show the &amp;whole matrix</source>
+        <translation>Montrer &amp;toute la matrice</translation>
+    </message>
+    <message>
+        <source>Zooms out until all frames show</source>
+        <translation>Dézoome jusqu’à montrer toutes les images</translation>
+    </message>
+    <message>
+        <source>W&amp;hy this transition</source>
+        <translation>&amp;Pourquoi cette transition</translation>
+    </message>
+    <message>
+        <source>Its cost in parts, and what could be taken instead</source>
+        <translation>Son coût en parts, et ce qu’on pourrait prendre à la place</translation>
+    </message>
+    <message>
+        <source>Charts over α</source>
+        <translation>Courbes selon α</translation>
+    </message>
+    <message>
+        <source>Density, edges and mean cost of both graphs</source>
+        <translation>Densité, arêtes et coût moyen des deux graphes</translation>
+    </message>
+    <message>
+        <source>Gaps of the &amp;graphs</source>
+        <translation>Lacunes des &amp;graphes</translation>
+    </message>
+    <message>
+        <source>Frames that walks do not reach, and what would help</source>
+        <translation>Images que les parcours n’atteignent pas, et ce qui aiderait</translation>
+    </message>
+    <message>
+        <source>Graph sett&amp;ings</source>
+        <translation>&amp;Réglages du graphe</translation>
+    </message>
+    <message>
+        <source>How poses are compared and which transitions are sought</source>
+        <translation>Comment les poses sont comparées et quelles transitions sont cherchées</translation>
+    </message>
+    <message>
+        <source>Folder for the Tables</source>
+        <translation>Dossier des tableaux</translation>
+    </message>
+    <message>
+        <source>Saving tables</source>
+        <translation>Enregistrement des tableaux</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n table(s) were saved in %1.</source>
+        <translation>
+            <numerusform>%n tableau a été enregistré dans %1.</numerusform>
+            <numerusform>%n tableaux ont été enregistrés dans %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>blended</source>
+        <translation>fondu</translation>
+    </message>
+    <message>
+        <source>Transition</source>
+        <translation>Transition</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>Lacunes</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Transitions</source>
+        <translation>Transitions</translation>
+    </message>
+    <message>
+        <source>Point at the map to see two frames; click to play the transition.</source>
+        <translation>Pointez la carte pour voir deux images ; cliquez pour jouer la transition.</translation>
+    </message>
+    <message>
+        <source>Try Again</source>
+        <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>The graph is computed anew; this is the one before.</source>
+        <translation>Le graphe est recalculé ; voici le précédent.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>The settings have changed since this graph was computed.</source>
+        <translation>Les réglages ont changé depuis le calcul de ce graphe.</translation>
+    </message>
+    <message>
+        <source>Compute</source>
+        <translation>Calculer</translation>
+    </message>
+    <message>
+        <source>%1 · %2 frames (%3 s) · windows %4 and %5</source>
+        <extracomment>a cell of the map, then how long its transition is in frames and seconds, and its windows in frames</extracomment>
+        <translation>%1 · %2 images (%3 s) · fenêtres %4 et %5</translation>
+    </message>
+    <message>
+        <source>%1 · Essential graph</source>
+        <translation>%1 · graphe essentiel</translation>
+    </message>
+    <message>
+        <source>%1 · motion graph</source>
+        <translation>%1 · graphe de mouvement</translation>
+    </message>
+    <message>
+        <source>Point at the map to read costs</source>
+        <translation>Pointez la carte pour lire les coûts</translation>
     </message>
 </context>
 <context>
@@ -1823,6 +3235,452 @@
     </message>
 </context>
 <context>
+    <name>quadrille::JunctionInspector</name>
+    <message>
+        <source>Measuring a transition</source>
+        <translation>Mesure d’une transition</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::JunctionPanel</name>
+    <message>
+        <source>Animate</source>
+        <translation>Animer</translation>
+    </message>
+    <message>
+        <source>Previous &amp;transition</source>
+        <translation>&amp;Transition précédente</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt transition</source>
+        <translation>Transition &amp;suivante</translation>
+    </message>
+    <message>
+        <source>&amp;Play around the transition</source>
+        <translation>&amp;Lire autour de la transition</translation>
+    </message>
+    <message>
+        <source>Plays the selected transition with half a second before and behind</source>
+        <translation>Lit la transition sélectionnée avec une demi-seconde avant et après</translation>
+    </message>
+    <message>
+        <source>&amp;Ban the transition</source>
+        <translation>&amp;Bannir la transition</translation>
+    </message>
+    <message>
+        <source>Never uses the selected transition, and seeks another way</source>
+        <translation>N’utilise jamais la transition sélectionnée, et cherche un autre chemin</translation>
+    </message>
+    <message>
+        <source>Ban it and its nei&amp;ghbours</source>
+        <translation>La bannir avec ses v&amp;oisines</translation>
+    </message>
+    <message>
+        <source>Never uses the selected transition, nor those within two frames of it</source>
+        <translation>N’utilise jamais la transition sélectionnée, ni celles à deux images près</translation>
+    </message>
+    <message>
+        <source>Choose an&amp;other</source>
+        <translation>En choisir une a&amp;utre</translation>
+    </message>
+    <message>
+        <source>Lists the next best transitions nearby, to be seen and taken</source>
+        <translation>Liste les meilleures transitions suivantes alentour, à voir et à prendre</translation>
+    </message>
+    <message>
+        <source>&amp;Lock the transition</source>
+        <translation>&amp;Verrouiller la transition</translation>
+    </message>
+    <message>
+        <source>Keeps the selected transition whatever else is asked for</source>
+        <translation>Garde la transition sélectionnée quoi qu’on demande d’autre</translation>
+    </message>
+    <message>
+        <source>Lock the se&amp;gment</source>
+        <translation>Verrouiller le se&amp;gment</translation>
+    </message>
+    <message>
+        <source>Keeps the transitions at both ends of the captured frames that are shown</source>
+        <translation>Garde les transitions aux deux bouts des images captées qui sont montrées</translation>
+    </message>
+    <message>
+        <source>&amp;Take the decision back</source>
+        <translation>&amp;Reprendre la décision</translation>
+    </message>
+    <message>
+        <source>Forgets what was decided about the transition in the list of decisions</source>
+        <translation>Oublie ce qui a été décidé de la transition dans la liste des décisions</translation>
+    </message>
+    <message>
+        <source>&amp;Accept the walk</source>
+        <translation>&amp;Accepter le parcours</translation>
+    </message>
+    <message>
+        <source>Keeps the walk that is shown: nothing is sought any more</source>
+        <translation>Garde le parcours montré : rien n’est plus cherché</translation>
+    </message>
+    <message>
+        <source>Seek instead of the accepted &amp;walk</source>
+        <translation>Chercher au lieu du &amp;parcours accepté</translation>
+    </message>
+    <message>
+        <source>Forgets the walk that was accepted and seeks what is asked for</source>
+        <translation>Oublie le parcours accepté et cherche ce qui est demandé</translation>
+    </message>
+    <message>
+        <source>Choose another transition</source>
+        <translation>Choisir une autre transition</translation>
+    </message>
+    <message>
+        <source>Ban a transition</source>
+        <translation>Bannir une transition</translation>
+    </message>
+    <message>
+        <source>Ban a transition and its neighbours</source>
+        <translation>Bannir une transition et ses voisines</translation>
+    </message>
+    <message>
+        <source>Unlock a transition</source>
+        <translation>Déverrouiller une transition</translation>
+    </message>
+    <message>
+        <source>Lock a transition</source>
+        <translation>Verrouiller une transition</translation>
+    </message>
+    <message>
+        <source>Lock a segment</source>
+        <translation>Verrouiller un segment</translation>
+    </message>
+    <message>
+        <source>Take a decision back</source>
+        <translation>Reprendre une décision</translation>
+    </message>
+    <message>
+        <source>Accept the walk</source>
+        <translation>Accepter le parcours</translation>
+    </message>
+    <message>
+        <source>Seek again</source>
+        <translation>Chercher à nouveau</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <comment>a transition that is not in the clip any more</comment>
+        <translation>coupée</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Verrouillée</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>Choisie</translation>
+    </message>
+    <message>
+        <source>Banned</source>
+        <translation>Bannie</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <comment>length of a transition</comment>
+        <translation>
+            <numerusform>%n image</numerusform>
+            <numerusform>%n images</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2 s. Cost %3: deformation %4, duration %5.</source>
+        <translation>%1, %2 s. Coût %3 : déformation %4, durée %5.</translation>
+    </message>
+    <message>
+        <source>jerk</source>
+        <translation>à-coups</translation>
+    </message>
+    <message>
+        <source>stand-still</source>
+        <translation>pose figée</translation>
+    </message>
+    <message>
+        <source>leap</source>
+        <translation>saut</translation>
+    </message>
+    <message>
+        <source>foot slip</source>
+        <translation>glissement</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>volume</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>Should not show:</source>
+        <translation>Ne devrait pas se voir :</translation>
+    </message>
+    <message>
+        <source>May show:</source>
+        <translation>Peut se voir :</translation>
+    </message>
+    <message>
+        <source>This walk was accepted: it stays as it is, and nothing is sought.</source>
+        <translation>Ce parcours a été accepté : il reste tel quel, et rien n’est cherché.</translation>
+    </message>
+    <message>
+        <source>Seek Again</source>
+        <translation>Chercher à nouveau</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Transition</source>
+        <translation>Transition</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>Coût</translation>
+    </message>
+    <message>
+        <source>Transitions of the clip</source>
+        <translation>Transitions du clip</translation>
+    </message>
+    <message>
+        <source>Instead of it</source>
+        <translation>À sa place</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Transitions nearby</source>
+        <translation>Transitions alentour</translation>
+    </message>
+    <message>
+        <source>Point at one to see it; double-click or Return takes it</source>
+        <translation>Pointez-en une pour la voir ; double-clic ou Entrée la prend</translation>
+    </message>
+    <message>
+        <source>Decided</source>
+        <translation>Décisions</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>Décision</translation>
+    </message>
+    <message>
+        <source>Decisions about transitions</source>
+        <translation>Décisions sur les transitions</translation>
+    </message>
+    <message>
+        <source>The transitions of the clip come here: to be played, banned, locked or exchanged. There is none yet.</source>
+        <translation>Les transitions du clip viennent ici : pour être lues, bannies, verrouillées ou échangées. Il n’y en a pas encore.</translation>
+    </message>
+    <message>
+        <source>A click goes there and plays around it</source>
+        <translation>Un clic y va et lit autour</translation>
+    </message>
+    <message>
+        <source>How much of what is still good is used up, measured on the frames of the transition: what is above 100 % is likely to be seen</source>
+        <translation>Part utilisée de ce qui est encore bon, mesurée sur les images de la transition : ce qui dépasse 100 % se verra sans doute</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::KeysAndStoryboard</name>
+    <message>
+        <source>Storyboard</source>
+        <translation>Scénario</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Clés</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>Animer</translation>
+    </message>
+    <message>
+        <source>Add as &amp;key</source>
+        <translation>Ajouter comme &amp;clé</translation>
+    </message>
+    <message>
+        <source>Ask for the pose that is shown now, at the animation&apos;s playhead</source>
+        <translation>Demander la pose montrée maintenant, à la tête de lecture de l’animation</translation>
+    </message>
+    <message>
+        <source>There is no pose to add: select a take, or show a clip.</source>
+        <translation>Pas de pose à ajouter : sélectionnez une prise, ou montrez un clip.</translation>
+    </message>
+    <message>
+        <source>Key “%1” added to “%2”</source>
+        <translation>Clé « %1 » ajoutée à « %2 »</translation>
+    </message>
+    <message>
+        <source>R&amp;emove the key</source>
+        <translation>&amp;Retirer la clé</translation>
+    </message>
+    <message>
+        <source>Remove the key that is selected on the timeline</source>
+        <translation>Retirer la clé sélectionnée sur la ligne de temps</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious key</source>
+        <translation>Clé &amp;précédente</translation>
+    </message>
+    <message>
+        <source>Go to the key before the playhead</source>
+        <translation>Aller à la clé avant la tête de lecture</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt key</source>
+        <translation>Clé &amp;suivante</translation>
+    </message>
+    <message>
+        <source>Go to the key behind the playhead</source>
+        <translation>Aller à la clé derrière la tête de lecture</translation>
+    </message>
+    <message>
+        <source>Add to the s&amp;toryboard</source>
+        <translation>Ajouter au &amp;scénario</translation>
+    </message>
+    <message>
+        <source>Let the selected takes be performed in the animation, one after the other</source>
+        <translation>Faire jouer les prises sélectionnées dans l’animation, l’une après l’autre</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n takes added to the storyboard of “%1”</source>
+        <translation>
+            <numerusform>%n prise ajoutée au scénario de « %1 »</numerusform>
+            <numerusform>%n prises ajoutées au scénario de « %1 »</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::KeysModel</name>
+    <message>
+        <source>any</source>
+        <translation>libre</translation>
+    </message>
+    <message>
+        <source>F2 or another click edits it, a double click goes there</source>
+        <translation>F2 ou un autre clic le modifie, un double clic y va</translation>
+    </message>
+    <message>
+        <source>Further off than its tolerance allows</source>
+        <translation>Plus d’écart que permis</translation>
+    </message>
+    <message>
+        <source>A double click goes there</source>
+        <translation>Un double clic y va</translation>
+    </message>
+    <message>
+        <source>The sequence and the frame of it that is to be shown</source>
+        <translation>La séquence, et son image qui doit être montrée</translation>
+    </message>
+    <message>
+        <source>When it is to be shown</source>
+        <translation>Quand elle doit être montrée</translation>
+    </message>
+    <message>
+        <source>When it is shown</source>
+        <translation>Quand elle est montrée</translation>
+    </message>
+    <message>
+        <source>How much later than wanted; below 0 for earlier</source>
+        <translation>De combien plus tard que voulu ; moins de 0 pour plus tôt</translation>
+    </message>
+    <message>
+        <source>By how much the time may be missed at most</source>
+        <translation>De combien le moment peut être manqué au plus</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Wanted (s)</source>
+        <translation>Voulu (s)</translation>
+    </message>
+    <message>
+        <source>Obtained (s)</source>
+        <translation>Obtenu (s)</translation>
+    </message>
+    <message>
+        <source>Off (s)</source>
+        <translation>Écart (s)</translation>
+    </message>
+    <message>
+        <source>May be off (s)</source>
+        <translation>Écart permis (s)</translation>
+    </message>
+    <message>
+        <source>Move key</source>
+        <translation>Déplacer une clé</translation>
+    </message>
+    <message>
+        <source>Change the tolerance of a key</source>
+        <translation>Changer l’écart permis d’une clé</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::KeysPanel</name>
+    <message>
+        <source>any</source>
+        <translation>libre</translation>
+    </message>
+    <message>
+        <source>Change how keys are sought</source>
+        <translation>Changer la recherche des clés</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Clés</translation>
+    </message>
+    <message>
+        <source>Poses at times: drag the picture of a card onto the timeline, or put the pose that is shown at the playhead.</source>
+        <translation>Des poses à des moments : glissez l’image d’une carte sur la ligne de temps, ou mettez la pose montrée à la tête de lecture.</translation>
+    </message>
+    <message>
+        <source>Add the Shown Pose</source>
+        <translation>Ajouter la pose montrée</translation>
+    </message>
+    <message>
+        <source>Remove the key</source>
+        <translation>Retirer la clé</translation>
+    </message>
+    <message>
+        <source>Seek all keys at once</source>
+        <translation>Chercher toutes les clés à la fois</translation>
+    </message>
+    <message>
+        <source>Slower, and never worse: the errors of all keys are weighed against each other instead of one key after the other</source>
+        <translation>Plus lent, et jamais moins bon : les écarts de toutes les clés sont pesés les uns contre les autres au lieu d’une clé après l’autre</translation>
+    </message>
+    <message>
+        <source>At most %1 s off</source>
+        <translation>Au plus %1 s d’écart</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::LabelList</name>
+    <message>
+        <source>Labels</source>
+        <translation>Étiquettes</translation>
+    </message>
+    <message>
+        <source>Drag a label between the cards, or press Return: any take that has it may be played</source>
+        <translation>Glissez une étiquette entre les cartes, ou appuyez sur Entrée : toute prise qui la porte peut être jouée</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::LostMediaTable</name>
     <message>
         <source>%1, mesh</source>
@@ -2066,6 +3924,18 @@
             <numerusform>%n fichiers ont été reliés</numerusform>
         </translation>
     </message>
+    <message>
+        <source>&amp;Sequences</source>
+        <translation>&amp;Séquences</translation>
+    </message>
+    <message>
+        <source>&amp;Graph</source>
+        <translation>&amp;Graphe</translation>
+    </message>
+    <message>
+        <source>&amp;Animate</source>
+        <translation>&amp;Animer</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::Menus</name>
@@ -2092,6 +3962,428 @@
     <message>
         <source>&amp;Language</source>
         <translation>Lan&amp;gue</translation>
+    </message>
+    <message>
+        <source>&amp;Graph</source>
+        <translation>&amp;Graphe</translation>
+    </message>
+    <message>
+        <source>&amp;Animate</source>
+        <translation>&amp;Animer</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ObstacleForm</name>
+    <message>
+        <source>Middle %1</source>
+        <translation>Milieu %1</translation>
+    </message>
+    <message>
+        <source>Where the middle of the obstacle is on the ground</source>
+        <translation>Où se trouve le milieu de l’obstacle sur le sol</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Of the disc</source>
+        <translation>Du disque</translation>
+    </message>
+    <message>
+        <source>Change the radius of an obstacle</source>
+        <translation>Changer le rayon d’un obstacle</translation>
+    </message>
+    <message>
+        <source>Move an obstacle</source>
+        <translation>Déplacer un obstacle</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PairPreview</name>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Transition</source>
+        <translation>Transition</translation>
+    </message>
+    <message>
+        <source>Reading two frames</source>
+        <translation>Lecture de deux images</translation>
+    </message>
+    <message>
+        <source>Blending a transition</source>
+        <translation>Fondu d’une transition</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PathForm</name>
+    <message>
+        <source>Curve</source>
+        <translation>Courbe</translation>
+    </message>
+    <message>
+        <source>How the path goes from point to point</source>
+        <translation>Comment le trajet va d’un point à l’autre</translation>
+    </message>
+    <message>
+        <source>Leads</source>
+        <translation>Mène</translation>
+    </message>
+    <message>
+        <source>Whether the heights of its points count, or it is seen from above</source>
+        <translation>Si les hauteurs de ses points comptent, ou s’il est vu d’en haut</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>The distance that the body’s centre keeps from obstacles</source>
+        <translation>La distance que le centre du corps garde des obstacles</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>How far the body’s centre is from where it was to be</source>
+        <translation>À quelle distance le centre du corps est d’où il devait être</translation>
+    </message>
+    <message>
+        <source>Change the clearance</source>
+        <translation>Changer la marge</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>mean %1
+greatest %2</source>
+        <translation>moyen %1
+maximal %2</translation>
+    </message>
+    <message>
+        <source>Smooth through points</source>
+        <translation>Lisse par les points</translation>
+    </message>
+    <message>
+        <source>Straight lines</source>
+        <translation>Lignes droites</translation>
+    </message>
+    <message>
+        <source>Bézier with handles</source>
+        <translation>Bézier avec poignées</translation>
+    </message>
+    <message>
+        <source>Over the ground</source>
+        <translation>Sur le sol</translation>
+    </message>
+    <message>
+        <source>Through space</source>
+        <translation>Dans l’espace</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PathPanel</name>
+    <message>
+        <source>A path says where the body goes. Click points on the ground, or drag a line over it; the curve can be moved, labelled and timed afterwards.</source>
+        <translation>Un trajet dit où va le corps. Cliquez des points sur le sol, ou tracez-y une ligne ; la courbe peut ensuite être déplacée, étiquetée et minutée.</translation>
+    </message>
+    <message>
+        <source>Draw a Path</source>
+        <translation>Dessiner un trajet</translation>
+    </message>
+    <message>
+        <source>Click points on the ground, or drag a line over it (P)</source>
+        <translation>Cliquer des points sur le sol, ou y tracer une ligne (P)</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Spans</source>
+        <translation>Portions</translation>
+    </message>
+    <message>
+        <source>Obstacles</source>
+        <translation>Obstacles</translation>
+    </message>
+    <message>
+        <source>Points of the path</source>
+        <translation>Points du trajet</translation>
+    </message>
+    <message>
+        <source>Coordinates of the points; a double click edits one</source>
+        <translation>Coordonnées des points ; un double clic en modifie une</translation>
+    </message>
+    <message>
+        <source>Spans of the path</source>
+        <translation>Portions du trajet</translation>
+    </message>
+    <message>
+        <source>Parts of the path on which frames or a speed are asked for</source>
+        <translation>Parties du trajet où des images ou une vitesse sont demandées</translation>
+    </message>
+    <message>
+        <source>Parts of the ground that the body’s centre stays out of</source>
+        <translation>Parties du sol où le centre du corps n’entre pas</translation>
+    </message>
+    <message>
+        <source>%1 – %2 %3 · %4</source>
+        <translation>%1 – %2 %3 · %4</translation>
+    </message>
+    <message>
+        <source>%1 · disc, radius %2 %3</source>
+        <translation>%1 · disque, rayon %2 %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · polygon, %n corner(s)</source>
+        <translation>
+            <numerusform>%1 · polygone, %n coin</numerusform>
+            <numerusform>%1 · polygone, %n coins</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PathPoints</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>handle</source>
+        <translation>poignée</translation>
+    </message>
+    <message>
+        <source>Move a point of the path</source>
+        <translation>Déplacer un point du trajet</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PathResult</name>
+    <message>
+        <source>Animate</source>
+        <translation>Animer</translation>
+    </message>
+    <message>
+        <source>Show the &amp;deviation</source>
+        <translation>Montrer l’é&amp;cart</translation>
+    </message>
+    <message>
+        <source>Draw a line from the body’s centre to where the path wants it</source>
+        <translation>Tracer une ligne du centre du corps à l’endroit où le trajet le veut</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 cm away</source>
+        <translation>à %1 cm</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PathTool</name>
+    <message>
+        <source>Animate</source>
+        <translation>Animer</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;path</source>
+        <translation>Dessiner un &amp;trajet</translation>
+    </message>
+    <message>
+        <source>Click for points, or drag a stroke; Return or a double click ends, Backspace takes the last point back</source>
+        <translation>Cliquer pour des points, ou tracer un trait ; Entrée ou un double clic termine, Retour arrière reprend le dernier point</translation>
+    </message>
+    <message>
+        <source>Add a &amp;round obstacle</source>
+        <translation>Ajouter un obstacle &amp;rond</translation>
+    </message>
+    <message>
+        <source>Drag from the middle of a disc that the body stays out of</source>
+        <translation>Faire glisser depuis le milieu d’un disque où le corps n’entre pas</translation>
+    </message>
+    <message>
+        <source>Add an obstacle with &amp;corners</source>
+        <translation>Ajouter un obstacle à c&amp;oins</translation>
+    </message>
+    <message>
+        <source>Click corners; Return or a click on the first one ends</source>
+        <translation>Cliquer des coins ; Entrée ou un clic sur le premier termine</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w the path</source>
+        <translation>&amp;Montrer le trajet</translation>
+    </message>
+    <message>
+        <source>Show the path with its points, spans and obstacles in the view</source>
+        <translation>Montrer le trajet avec ses points, portions et obstacles dans la vue</translation>
+    </message>
+    <message>
+        <source>Ask for frames or speed on a &amp;span</source>
+        <translation>Demander des images ou une vitesse sur une &amp;portion</translation>
+    </message>
+    <message>
+        <source>Only frames with a label, or a speed, on a part of the path</source>
+        <translation>Seulement des images avec une étiquette, ou une vitesse, sur une partie du trajet</translation>
+    </message>
+    <message>
+        <source>Re&amp;verse the path</source>
+        <translation>In&amp;verser le trajet</translation>
+    </message>
+    <message>
+        <source>Begin at its end</source>
+        <translation>Commencer à sa fin</translation>
+    </message>
+    <message>
+        <source>Reverse the path</source>
+        <translation>Inverser le trajet</translation>
+    </message>
+    <message>
+        <source>&amp;Close the path</source>
+        <translation>&amp;Fermer le trajet</translation>
+    </message>
+    <message>
+        <source>Lead the path back to where it began</source>
+        <translation>Ramener le trajet à son début</translation>
+    </message>
+    <message>
+        <source>Close the path</source>
+        <translation>Fermer le trajet</translation>
+    </message>
+    <message>
+        <source>De&amp;lete the path</source>
+        <translation>Supprimer &amp;le trajet</translation>
+    </message>
+    <message>
+        <source>Take away the path with its spans and obstacles</source>
+        <translation>Retirer le trajet avec ses portions et ses obstacles</translation>
+    </message>
+    <message>
+        <source>Delete the path</source>
+        <translation>Supprimer le trajet</translation>
+    </message>
+    <message>
+        <source>&amp;Insert a point here</source>
+        <translation>&amp;Insérer un point ici</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Join the handles</source>
+        <translation>&amp;Joindre les poignées</translation>
+    </message>
+    <message>
+        <source>Move the end of a span</source>
+        <translation>Déplacer l’extrémité d’une portion</translation>
+    </message>
+    <message>
+        <source>Delete a span of the path</source>
+        <translation>Supprimer une portion du trajet</translation>
+    </message>
+    <message>
+        <source>Add an obstacle</source>
+        <translation>Ajouter un obstacle</translation>
+    </message>
+    <message>
+        <source>Change an obstacle</source>
+        <translation>Modifier un obstacle</translation>
+    </message>
+    <message>
+        <source>Delete an obstacle</source>
+        <translation>Supprimer un obstacle</translation>
+    </message>
+    <message>
+        <source>Add a point to the path</source>
+        <translation>Ajouter un point au trajet</translation>
+    </message>
+    <message>
+        <source>Insert a point into the path</source>
+        <translation>Insérer un point dans le trajet</translation>
+    </message>
+    <message>
+        <source>Delete a point of the path</source>
+        <translation>Supprimer un point du trajet</translation>
+    </message>
+    <message>
+        <source>Draw a path</source>
+        <translation>Dessiner un trajet</translation>
+    </message>
+    <message>
+        <source>Move a point of the path</source>
+        <translation>Déplacer un point du trajet</translation>
+    </message>
+    <message>
+        <source>An end of the path is too close</source>
+        <translation>Une extrémité du trajet est trop proche</translation>
+    </message>
+    <message>
+        <source>Handle of point %1 of the path</source>
+        <translation>Poignée du point %1 du trajet</translation>
+    </message>
+    <message>
+        <source>Point %1 of the path</source>
+        <translation>Point %1 du trajet</translation>
+    </message>
+    <message>
+        <source>Beginning of span %1</source>
+        <translation>Début de la portion %1</translation>
+    </message>
+    <message>
+        <source>End of span %1</source>
+        <translation>Fin de la portion %1</translation>
+    </message>
+    <message>
+        <source>Corner %1 of obstacle %2</source>
+        <translation>Coin %1 de l’obstacle %2</translation>
+    </message>
+    <message>
+        <source>Obstacle %1</source>
+        <translation>Obstacle %1</translation>
+    </message>
+    <message>
+        <source>Add a span to the path</source>
+        <translation>Ajouter une portion au trajet</translation>
+    </message>
+    <message>
+        <source>Change the kind of curve</source>
+        <translation>Changer le type de courbe</translation>
+    </message>
+    <message>
+        <source>Lead the path through space</source>
+        <translation>Mener le trajet dans l’espace</translation>
+    </message>
+    <message>
+        <source>Lead the path over the ground</source>
+        <translation>Mener le trajet sur le sol</translation>
+    </message>
+    <message>
+        <source>%1, frames %2 – %3</source>
+        <translation>%1, images %2 – %3</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>any frames</source>
+        <translation>toutes images</translation>
     </message>
 </context>
 <context>
@@ -2168,6 +4460,10 @@
         <source>Full turns of the camera over the clip; negative ones go the other way round</source>
         <translation>Tours complets de la caméra au cours du clip&#x202f;; un nombre négatif inverse le sens</translation>
     </message>
+    <message>
+        <source>Goes along its keys</source>
+        <translation>Suit ses clés</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::PictureFlow</name>
@@ -2202,6 +4498,374 @@
     <message>
         <source>Saving %1</source>
         <translation>Enregistrement de %1</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PoseComparison</name>
+    <message>
+        <source>The pose distance is shown between two sequences.</source>
+        <translation>La distance de pose se montre entre deux séquences.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” have different meshes.</source>
+        <translation>« %1 » et « %2 » ont des maillages différents.</translation>
+    </message>
+    <message>
+        <source>Select two of them.</source>
+        <translation>Sélectionnez-en deux.</translation>
+    </message>
+    <message>
+        <source>Poses can be compared where both belong to one character.</source>
+        <translation>Les poses se comparent quand les deux appartiennent à un même personnage.</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PoseHeatMap</name>
+    <message>
+        <source>Pose distance of “%1” and “%2”</source>
+        <translation>Distance de pose de « %1 » et « %2 »</translation>
+    </message>
+    <message>
+        <source>Pose distance, mean %1</source>
+        <extracomment>title of a legend; %1 is a number of radians</extracomment>
+        <translation>Distance de pose, moyenne %1</translation>
+    </message>
+    <message>
+        <source>rad</source>
+        <translation>rad</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PostPanel</name>
+    <message>
+        <source>Set “%1”</source>
+        <translation>Régler « %1 »</translation>
+    </message>
+    <message>
+        <source>Only a loop can be repeated: ask for one above.</source>
+        <translation>Seule une boucle peut être répétée : demandez-en une ci-dessus.</translation>
+    </message>
+    <message>
+        <source>Here an animation is looped, retimed, mirrored and blended.</source>
+        <translation>Ici une animation est bouclée, retardée ou accélérée, mise en miroir et fondue.</translation>
+    </message>
+    <message>
+        <source>Time in the result (s)</source>
+        <translation>Temps dans le résultat (s)</translation>
+    </message>
+    <message>
+        <source>Moment of the clip (s)</source>
+        <translation>Moment du clip (s)</translation>
+    </message>
+    <message>
+        <source>Curve of times</source>
+        <translation>Courbe des temps</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <comment>unit of a number</comment>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>a third</source>
+        <translation>un tiers</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Boucle</translation>
+    </message>
+    <message>
+        <source>&amp;Close to a seamless loop</source>
+        <translation>&amp;Fermer en boucle sans couture</translation>
+    </message>
+    <message>
+        <source>Cuts both ends where they fit best and blends one into the other</source>
+        <translation>Coupe les deux bouts là où ils s’accordent le mieux et fond l’un dans l’autre</translation>
+    </message>
+    <message>
+        <source>Cut at the start</source>
+        <translation>Coupe au début</translation>
+    </message>
+    <message>
+        <source>How far from the first frame the loop may begin</source>
+        <translation>À quelle distance de la première image la boucle peut commencer</translation>
+    </message>
+    <message>
+        <source>Cut at the end</source>
+        <translation>Coupe à la fin</translation>
+    </message>
+    <message>
+        <source>How far from the last frame the loop may end</source>
+        <translation>À quelle distance de la dernière image la boucle peut finir</translation>
+    </message>
+    <message>
+        <source>Stay in &amp;place</source>
+        <translation>Rester sur &amp;place</translation>
+    </message>
+    <message>
+        <source>Takes the way over the ground out, so that each round begins where it began</source>
+        <translation>Retire le chemin au sol : chaque tour commence là où il a commencé</translation>
+    </message>
+    <message>
+        <source>Repeats</source>
+        <translation>Répétitions</translation>
+    </message>
+    <message>
+        <source>How often the loop plays</source>
+        <translation>Combien de fois la boucle est jouée</translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <comment>how many times</comment>
+        <translation> ×</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Retime</source>
+        <translation>Changer le temps</translation>
+    </message>
+    <message>
+        <source>Plays the clip faster or slower, as a whole or from moment to moment</source>
+        <translation>Joue le clip plus vite ou plus lentement, en entier ou de moment en moment</translation>
+    </message>
+    <message>
+        <source>Not at all</source>
+        <translation>Pas du tout</translation>
+    </message>
+    <message>
+        <source>By a factor</source>
+        <translation>Par un facteur</translation>
+    </message>
+    <message>
+        <source>To a duration</source>
+        <translation>À une durée</translation>
+    </message>
+    <message>
+        <source>By a curve</source>
+        <translation>Par une courbe</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Facteur</translation>
+    </message>
+    <message>
+        <source>Times as long as the clip: 2 is half as fast</source>
+        <translation>Fois la longueur du clip : 2 est deux fois moins vite</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>How long the result lasts</source>
+        <translation>Combien dure le résultat</translation>
+    </message>
+    <message>
+        <source>Keep the speed over the &amp;ground</source>
+        <translation>&amp;Garder la vitesse au sol</translation>
+    </message>
+    <message>
+        <source>The figure goes as fast as in the clip, and its feet slide; otherwise its way slows with its poses</source>
+        <translation>La figure va aussi vite que dans le clip, et ses pieds glissent ; sinon son chemin ralentit avec ses poses</translation>
+    </message>
+    <message>
+        <source>Drag points; double-click adds one, Del removes it; Page Up and Down choose one</source>
+        <translation>Tirez les points ; un double-clic en ajoute un, Suppr le retire ; Page préc. et suiv. en choisissent un</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <comment>unit of a number</comment>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Pieds</translation>
+    </message>
+    <message>
+        <source>Keep standing &amp;feet still</source>
+        <translation>&amp;Tenir immobiles les pieds posés</translation>
+    </message>
+    <message>
+        <source>Takes slip from feet while they touch the ground</source>
+        <translation>Retire le glissement des pieds tant qu’ils touchent le sol</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>Share of the slip that is taken out</source>
+        <translation>Part du glissement qui est retirée</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Transition douce</translation>
+    </message>
+    <message>
+        <source>How long before a contact it sets in, and how long after it dies away</source>
+        <translation>Combien de temps avant un contact cela commence, et combien de temps après cela s’éteint</translation>
+    </message>
+    <message>
+        <source>Greatest shift</source>
+        <translation>Déplacement maximal</translation>
+    </message>
+    <message>
+        <source>How far a foot is moved at most, of the height of the figure; the rest of the slip stays</source>
+        <translation>De combien un pied est déplacé au plus, en part de la hauteur de la figure ; le reste du glissement demeure</translation>
+    </message>
+    <message>
+        <source>Greatest turn</source>
+        <translation>Rotation maximale</translation>
+    </message>
+    <message>
+        <source>How far a foot is turned about the vertical at most</source>
+        <translation>De combien un pied est tourné au plus autour de la verticale</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <comment>unit of a number</comment>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Greatest lift</source>
+        <translation>Élévation maximale</translation>
+    </message>
+    <message>
+        <source>How far a foot is lifted or lowered at most, of the height of the figure</source>
+        <translation>De combien un pied est levé ou baissé au plus, en part de la hauteur de la figure</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Miroir</translation>
+    </message>
+    <message>
+        <source>Exchange left and &amp;right</source>
+        <translation>Échanger gauche et &amp;droite</translation>
+    </message>
+    <message>
+        <source>Needs the symmetry of the mesh: found, or read from a file</source>
+        <translation>Demande la symétrie du maillage : trouvée, ou lue dans un fichier</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symétrie</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>Choisir un fichier…</translation>
+    </message>
+    <message>
+        <source>Find it in the mesh</source>
+        <translation>La trouver dans le maillage</translation>
+    </message>
+    <message>
+        <source>Found in the mesh</source>
+        <translation>Trouvée dans le maillage</translation>
+    </message>
+    <message>
+        <source>A file that names, for each vertex, the one opposite to it</source>
+        <translation>Un fichier qui nomme, pour chaque sommet, celui qui lui est opposé</translation>
+    </message>
+    <message>
+        <source>Choose a symmetry</source>
+        <translation>Choisir une symétrie</translation>
+    </message>
+    <message>
+        <source>Symmetries (*.npy *.txt *.csv);;All files (*)</source>
+        <translation>Symétries (*.npy *.txt *.csv);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Blending</source>
+        <translation>Fondu</translation>
+    </message>
+    <message>
+        <source>Transitions</source>
+        <translation>Transitions</translation>
+    </message>
+    <message>
+        <source>Gentle keeps the speed of both takes smooth and standing feet in place</source>
+        <translation>Doux garde lisse la vitesse des deux prises et en place les pieds posés</translation>
+    </message>
+    <message>
+        <source>As published</source>
+        <translation>Comme publié</translation>
+    </message>
+    <message>
+        <source>Gentle</source>
+        <translation>Doux</translation>
+    </message>
+    <message>
+        <source>Between poses</source>
+        <translation>Entre les poses</translation>
+    </message>
+    <message>
+        <source>How a pose between two poses comes about: turning and stretching every triangle (Poisson), turning it and stretching linearly (Slerp), or on straight lines (Linear)</source>
+        <translation>Comment naît une pose entre deux poses : en tournant et étirant chaque triangle (Poisson), en le tournant et l’étirant linéairement (Slerp), ou en ligne droite (Linéaire)</translation>
+    </message>
+    <message>
+        <source>Poisson</source>
+        <translation>Poisson</translation>
+    </message>
+    <message>
+        <source>Slerp</source>
+        <translation>Slerp</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linéaire</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Recherche</translation>
+    </message>
+    <message>
+        <source>Budget</source>
+        <translation>Budget</translation>
+    </message>
+    <message>
+        <source>States that are looked at: more finds better walks and takes longer; the same budget finds the same walk on every machine</source>
+        <translation>États examinés : davantage trouve de meilleurs parcours et prend plus de temps ; le même budget trouve le même parcours sur toute machine</translation>
+    </message>
+    <message>
+        <source>usual (%L1)</source>
+        <comment>a number of states</comment>
+        <translation>habituel (%L1)</translation>
+    </message>
+    <message>
+        <source>Timing, β</source>
+        <translation>Temps, β</translation>
+    </message>
+    <message>
+        <source>What a frame of timing error costs: more meets times better, with worse transitions</source>
+        <translation>Ce que coûte une image d’erreur de temps : davantage tient mieux les temps, avec de moins bonnes transitions</translation>
+    </message>
+    <message>
+        <source>10 α</source>
+        <translation>10 α</translation>
+    </message>
+    <message>
+        <source>Transitions, μ</source>
+        <translation>Transitions, μ</translation>
+    </message>
+    <message>
+        <source>What transitions count against squared metres of deviation from a path</source>
+        <translation>Ce que comptent les transitions face aux mètres carrés d’écart au trajet</translation>
+    </message>
+    <message>
+        <source>usual (%L1)</source>
+        <comment>a weight</comment>
+        <translation>habituel (%L1)</translation>
+    </message>
+    <message>
+        <source>&amp;All keys at once</source>
+        <translation>Toutes les clés à l&amp;a fois</translation>
+    </message>
+    <message>
+        <source>Seeks the best walk over all keys; otherwise from key to key, as published</source>
+        <translation>Cherche le meilleur parcours sur toutes les clés ; sinon de clé en clé, comme publié</translation>
     </message>
 </context>
 <context>
@@ -2384,6 +5048,13 @@
         <source>Relink media</source>
         <translation>Relier les médias</translation>
     </message>
+    <message numerus="yes">
+        <source>Remove %n animations</source>
+        <translation>
+            <numerusform>Retirer %n animation</numerusform>
+            <numerusform>Retirer %n animations</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ProjectFiles</name>
@@ -2503,10 +5174,6 @@
         <translation>&amp;Dupliquer</translation>
     </message>
     <message>
-        <source>Add a copy of the selected sequence, to cut or mark otherwise</source>
-        <translation>Ajouter une copie de la séquence sélectionnée, à couper ou à marquer autrement</translation>
-    </message>
-    <message>
         <source>&amp;Remove from the project</source>
         <translation>&amp;Retirer du projet</translation>
     </message>
@@ -2530,6 +5197,10 @@
         <source>Show in its folder</source>
         <translation>Montrer dans son dossier</translation>
     </message>
+    <message>
+        <source>Add a copy of the selected sequence or animation, to change it</source>
+        <translation>Ajouter une copie de la séquence ou de l’animation sélectionnée, pour la changer</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ProjectTreeModel</name>
@@ -2544,6 +5215,10 @@
     <message>
         <source>Exports (%1)</source>
         <translation>Exports (%1)</translation>
+    </message>
+    <message>
+        <source>Animations (%1)</source>
+        <translation>Animations (%1)</translation>
     </message>
 </context>
 <context>
@@ -2768,6 +5443,110 @@
     <message>
         <source>Noting the contents of files</source>
         <translation>Relevé du contenu des fichiers</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ReportPanel</name>
+    <message>
+        <source>%1 %2</source>
+        <comment>number and unit</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>Animer</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the report</source>
+        <translation>&amp;Copier le rapport</translation>
+    </message>
+    <message>
+        <source>Copies what was wanted and obtained as comma-separated values</source>
+        <translation>Copie ce qui était voulu et obtenu en valeurs séparées par des virgules</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the report…</source>
+        <translation>&amp;Enregistrer le rapport…</translation>
+    </message>
+    <message>
+        <source>Saves what was wanted and obtained as a CSV file</source>
+        <translation>Enregistre ce qui était voulu et obtenu dans un fichier CSV</translation>
+    </message>
+    <message>
+        <source>Save the &amp;frames&apos; origins…</source>
+        <translation>Enregistrer l’origine des &amp;images…</translation>
+    </message>
+    <message>
+        <source>Saves the time of every frame and where it comes from as a CSV file</source>
+        <translation>Enregistre le temps de chaque image et d’où elle vient dans un fichier CSV</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>what, and of which</comment>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Missed by %1 s</source>
+        <translation>Manqué de %1 s</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <comment>time of the frame that is shown</comment>
+        <translation>maintenant</translation>
+    </message>
+    <message>
+        <source>Save the frames&apos; origins</source>
+        <translation>Enregistrer l’origine des images</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Enregistrer le rapport</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valeurs séparées par des virgules (*.csv)</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Quoi</translation>
+    </message>
+    <message>
+        <source>Wanted</source>
+        <translation>Voulu</translation>
+    </message>
+    <message>
+        <source>Obtained</source>
+        <translation>Obtenu</translation>
+    </message>
+    <message>
+        <source>What was wanted and obtained</source>
+        <translation>Ce qui était voulu et obtenu</translation>
+    </message>
+    <message>
+        <source>What was asked of the animation and what it does comes here, as soon as there is a clip.</source>
+        <translation>Ce qui a été demandé à l’animation et ce qu’elle fait vient ici, dès qu’il y a un clip.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <comment>seconds</comment>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <comment>centimetres</comment>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>Deviation from the path over time</source>
+        <translation>Écart au trajet au cours du temps</translation>
     </message>
 </context>
 <context>
@@ -3049,118 +5828,6 @@
         <translation>Ajouter une éti&amp;quette</translation>
     </message>
     <message>
-        <source>Playback</source>
-        <translation>Lecture</translation>
-    </message>
-    <message>
-        <source>&amp;Play or pause</source>
-        <translation>&amp;Lire ou mettre en pause</translation>
-    </message>
-    <message>
-        <source>P&amp;revious frame</source>
-        <translation>Image p&amp;récédente</translation>
-    </message>
-    <message>
-        <source>&amp;Next frame</source>
-        <translation>Image &amp;suivante</translation>
-    </message>
-    <message>
-        <source>&amp;First frame</source>
-        <translation>&amp;Première image</translation>
-    </message>
-    <message>
-        <source>&amp;Last frame</source>
-        <translation>&amp;Dernière image</translation>
-    </message>
-    <message>
-        <source>Play &amp;backwards, faster</source>
-        <translation>Lire en arr&amp;ière, plus vite</translation>
-    </message>
-    <message>
-        <source>P&amp;ause</source>
-        <translation>Pa&amp;use</translation>
-    </message>
-    <message>
-        <source>Play f&amp;orwards, faster</source>
-        <translation>Lire en a&amp;vant, plus vite</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Affichage</translation>
-    </message>
-    <message>
-        <source>&amp;Textured</source>
-        <translation>&amp;Texturé</translation>
-    </message>
-    <message>
-        <source>&amp;Clay</source>
-        <translation>&amp;Argile</translation>
-    </message>
-    <message>
-        <source>&amp;Wireframe</source>
-        <translation>&amp;Fil de fer</translation>
-    </message>
-    <message>
-        <source>&amp;Grid</source>
-        <translation>&amp;Grille</translation>
-    </message>
-    <message>
-        <source>&amp;Follow the character</source>
-        <translation>S&amp;uivre le personnage</translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>&amp;Mesurer</translation>
-    </message>
-    <message>
-        <source>Frame &amp;all</source>
-        <translation>Tout &amp;cadrer</translation>
-    </message>
-    <message>
-        <source>From the f&amp;ront</source>
-        <translation>De fac&amp;e</translation>
-    </message>
-    <message>
-        <source>From the &amp;side</source>
-        <translation>De &amp;profil</translation>
-    </message>
-    <message>
-        <source>From a&amp;bove</source>
-        <translation>De &amp;dessus</translation>
-    </message>
-    <message>
-        <source>Timeline</source>
-        <translation>Frise chronologique</translation>
-    </message>
-    <message>
-        <source>Trajector&amp;y</source>
-        <translation>T&amp;rajectoire</translation>
-    </message>
-    <message>
-        <source>&amp;Names</source>
-        <translation>N&amp;oms</translation>
-    </message>
-    <message>
-        <source>G&amp;hosts</source>
-        <translation>Fantôme&amp;s</translation>
-    </message>
-    <message>
-        <source>Fra&amp;me the selection</source>
-        <translation>Cadrer la sélection</translation>
-    </message>
-    <message>
-        <source>Side by s&amp;ide</source>
-        <translation>Côte à côte</translation>
-    </message>
-    <message>
-        <source>&amp;Overlaid</source>
-        <translation>Superposées</translation>
-    </message>
-    <message>
-        <source>Overlaid, each in a colour of its own</source>
-        <translation>Superposées, chacune dans sa couleur</translation>
-    </message>
-    <message>
         <source>No foot contacts were found in “%1”.</source>
         <translation>Aucun contact des pieds n’a été trouvé dans «&#xa0;%1&#xa0;».</translation>
     </message>
@@ -3187,6 +5854,13 @@
     <message>
         <source>Try Again</source>
         <translation>Réessayer</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::SettingForm</name>
+    <message>
+        <source>Back to the usual value</source>
+        <translation>Revenir à la valeur habituelle</translation>
     </message>
 </context>
 <context>
@@ -3237,6 +5911,112 @@
     </message>
 </context>
 <context>
+    <name>quadrille::SpanForm</name>
+    <message>
+        <source>Show</source>
+        <translation>Montrer</translation>
+    </message>
+    <message>
+        <source>The only frames that may be played there: those with a label, or of a sequence</source>
+        <translation>Les seules images qui peuvent y être jouées : celles d’une étiquette ou d’une séquence</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>First and last frame of the sequence that may be played</source>
+        <translation>Première et dernière image de la séquence qui peuvent être jouées</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Where the span begins, along the path</source>
+        <translation>Où commence la portion, le long du trajet</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Where the span ends, along the path</source>
+        <translation>Où finit la portion, le long du trajet</translation>
+    </message>
+    <message>
+        <source>Lasts</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>How long the span is to take; 0: as long as it takes</source>
+        <translation>Combien de temps la portion doit prendre ; 0 : ce qu’il faut</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>How fast the body is to go there; 0: as fast as it goes</source>
+        <translation>À quelle vitesse le corps doit y aller ; 0 : comme il va</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Move the end of a span</source>
+        <translation>Déplacer l’extrémité d’une portion</translation>
+    </message>
+    <message>
+        <source>Change how long a span takes</source>
+        <translation>Changer la durée d’une portion</translation>
+    </message>
+    <message>
+        <source>Change the speed of a span</source>
+        <translation>Changer la vitesse d’une portion</translation>
+    </message>
+    <message>
+        <source>Any frames</source>
+        <translation>Toutes les images</translation>
+    </message>
+    <message>
+        <source>Choose the frames of a span</source>
+        <translation>Choisir les images d’une portion</translation>
+    </message>
+    <message>
+        <source>%1 s, %2 m/s</source>
+        <translation>%1 s, %2 m/s</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> m/s</source>
+        <translation> m/s</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>libre</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation>%1 (manque)</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::StageView</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Frise chronologique</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Affichage</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::StatusJobs</name>
     <message>
         <source>Cancel all jobs</source>
@@ -3264,6 +6044,81 @@
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::StoryboardPanel</name>
+    <message>
+        <source>Add the Selected Takes</source>
+        <translation>Ajouter les prises sélectionnées</translation>
+    </message>
+    <message>
+        <source>What happens one after the other: drag takes or labels here. The joins are found for them.</source>
+        <translation>Ce qui se passe l’un après l’autre : glissez ici des prises ou des étiquettes. Ce qui les joint est trouvé.</translation>
+    </message>
+    <message>
+        <source>label</source>
+        <translation>étiquette</translation>
+    </message>
+    <message>
+        <source>no such label</source>
+        <translation>étiquette inconnue</translation>
+    </message>
+    <message>
+        <source>no such take</source>
+        <translation>prise inconnue</translation>
+    </message>
+    <message>
+        <source>frames %1–%2</source>
+        <translation>images %1–%2</translation>
+    </message>
+    <message>
+        <source>all frames</source>
+        <translation>toutes les images</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <translation>× %1</translation>
+    </message>
+    <message>
+        <source>Performed from %1 s to %2 s</source>
+        <translation>Jouée de %1 s à %2 s</translation>
+    </message>
+    <message>
+        <source>Add to the storyboard</source>
+        <translation>Ajouter au scénario</translation>
+    </message>
+    <message>
+        <source>Move in the storyboard</source>
+        <translation>Déplacer dans le scénario</translation>
+    </message>
+    <message>
+        <source>Duplicate in the storyboard</source>
+        <translation>Dupliquer dans le scénario</translation>
+    </message>
+    <message>
+        <source>Remove from the storyboard</source>
+        <translation>Retirer du scénario</translation>
+    </message>
+    <message>
+        <source>Go to Where It Is Performed</source>
+        <translation>Aller où elle est jouée</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Modifier</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliquer</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
     </message>
 </context>
 <context>
@@ -3511,6 +6366,280 @@
     </message>
 </context>
 <context>
+    <name>quadrille::TransitionPanel</name>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>a sequence and one of its frames</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <extracomment>two frames: a transition from the first to the second</extracomment>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>a frame is no transition to itself</source>
+        <translation>une image n’est pas une transition vers elle-même</translation>
+    </message>
+    <message>
+        <source>none: no windows fit between these frames</source>
+        <translation>aucun : pas de fenêtres possibles entre ces images</translation>
+    </message>
+    <message>
+        <source>%1 = %2 / %3 %4</source>
+        <translation>%1 = %2 / %3 %4</translation>
+    </message>
+    <message>
+        <source>%1 = %2 × %3</source>
+        <extracomment>a weight, then α times a number of frames</extracomment>
+        <translation>%1 = %2 × %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s), %1 s</source>
+        <translation>
+            <numerusform>%n image, %1 s</numerusform>
+            <numerusform>%n images, %1 s</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 and %2 frames</source>
+        <extracomment>frames of the source window and of the destination window</extracomment>
+        <translation>%1 et %2 images</translation>
+    </message>
+    <message>
+        <source>No way leads there.</source>
+        <translation>Aucun chemin n’y mène.</translation>
+    </message>
+    <message>
+        <source>%1–%2</source>
+        <extracomment>frames of a sequence in a row: the first with the sequence, the last alone</extracomment>
+        <translation>%1–%2</translation>
+    </message>
+    <message>
+        <source>A way that costs %1: %2</source>
+        <extracomment>the cost of a way and the frames that it goes through</extracomment>
+        <translation>Un chemin qui coûte %1 : %2</translation>
+    </message>
+    <message>
+        <source>Yes: one plays on to the other as captured</source>
+        <translation>Oui : l’une mène à l’autre comme captée</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Oui</translation>
+    </message>
+    <message>
+        <source>No. %1</source>
+        <translation>Non. %1</translation>
+    </message>
+    <message>
+        <source>No: not a local minimum of the cost</source>
+        <translation>Non : pas un minimum local du coût</translation>
+    </message>
+    <message>
+        <source>Click a cell of the map to see what the transition costs and why.</source>
+        <translation>Cliquez une case de la carte pour voir ce que coûte la transition et pourquoi.</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Poids</translation>
+    </message>
+    <message>
+        <source>Deformation and duration together</source>
+        <translation>Déformation et durée ensemble</translation>
+    </message>
+    <message>
+        <source>Deformation</source>
+        <translation>Déformation</translation>
+    </message>
+    <message>
+        <source>Cost of the warp path over the largest pose distance</source>
+        <translation>Coût du chemin d’alignement sur la plus grande distance de poses</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>α for each frame that the transition lasts</source>
+        <translation>α pour chaque image que dure la transition</translation>
+    </message>
+    <message>
+        <source>Lasts</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>From the last captured pose to the next</source>
+        <translation>De la dernière pose captée à la suivante</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Fenêtres</translation>
+    </message>
+    <message>
+        <source>How many frames of both takes are blended</source>
+        <translation>Combien d’images des deux prises sont fondues</translation>
+    </message>
+    <message>
+        <source>Essential graph</source>
+        <translation>Graphe essentiel</translation>
+    </message>
+    <message>
+        <source>It holds what no cheaper way can replace</source>
+        <translation>Il contient ce qu’aucun chemin moins cher ne remplace</translation>
+    </message>
+    <message>
+        <source>Motion graph</source>
+        <translation>Graphe de mouvement</translation>
+    </message>
+    <message>
+        <source>It holds the local minima of the cost</source>
+        <translation>Il contient les minima locaux du coût</translation>
+    </message>
+    <message>
+        <source>Next best from about there</source>
+        <translation>Les meilleures suivantes, de là à peu près</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TransitionPreview</name>
+    <message>
+        <source>Preview of a transition</source>
+        <translation>Aperçu d’une transition</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ViewActions</name>
+    <message>
+        <source>Playback</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>&amp;Lire ou mettre en pause</translation>
+    </message>
+    <message>
+        <source>P&amp;revious frame</source>
+        <translation>Image p&amp;récédente</translation>
+    </message>
+    <message>
+        <source>&amp;Next frame</source>
+        <translation>Image &amp;suivante</translation>
+    </message>
+    <message>
+        <source>&amp;First frame</source>
+        <translation>&amp;Première image</translation>
+    </message>
+    <message>
+        <source>&amp;Last frame</source>
+        <translation>&amp;Dernière image</translation>
+    </message>
+    <message>
+        <source>Play &amp;backwards, faster</source>
+        <translation>Lire en arr&amp;ière, plus vite</translation>
+    </message>
+    <message>
+        <source>P&amp;ause</source>
+        <translation>Pa&amp;use</translation>
+    </message>
+    <message>
+        <source>Play f&amp;orwards, faster</source>
+        <translation>Lire en a&amp;vant, plus vite</translation>
+    </message>
+    <message>
+        <source>&amp;Textured</source>
+        <translation>&amp;Texturé</translation>
+    </message>
+    <message>
+        <source>&amp;Clay</source>
+        <translation>&amp;Argile</translation>
+    </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation>&amp;Fil de fer</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>&amp;Pose distance</source>
+        <translation>Distance de &amp;pose</translation>
+    </message>
+    <message>
+        <source>Colours two takes by how much each part of their poses differs</source>
+        <translation>Colore deux prises selon ce dont chaque partie de leurs poses diffère</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Grille</translation>
+    </message>
+    <message>
+        <source>Trajector&amp;y</source>
+        <translation>T&amp;rajectoire</translation>
+    </message>
+    <message>
+        <source>&amp;Names</source>
+        <translation>N&amp;oms</translation>
+    </message>
+    <message>
+        <source>G&amp;hosts</source>
+        <translation>Fantôme&amp;s</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Mesurer</translation>
+    </message>
+    <message>
+        <source>&amp;Follow the character</source>
+        <translation>S&amp;uivre le personnage</translation>
+    </message>
+    <message>
+        <source>Fra&amp;me the selection</source>
+        <translation>Cadrer la sélection</translation>
+    </message>
+    <message>
+        <source>Frame &amp;all</source>
+        <translation>Tout &amp;cadrer</translation>
+    </message>
+    <message>
+        <source>From the f&amp;ront</source>
+        <translation>De fac&amp;e</translation>
+    </message>
+    <message>
+        <source>From the &amp;side</source>
+        <translation>De &amp;profil</translation>
+    </message>
+    <message>
+        <source>From a&amp;bove</source>
+        <translation>De &amp;dessus</translation>
+    </message>
+    <message>
+        <source>Side by s&amp;ide</source>
+        <translation>Côte à côte</translation>
+    </message>
+    <message>
+        <source>&amp;Overlaid</source>
+        <translation>Superposées</translation>
+    </message>
+    <message>
+        <source>Overlaid, each in a colour of its own</source>
+        <translation>Superposées, chacune dans sa couleur</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::ViewTools</name>
     <message>
         <source>View tools</source>
@@ -3554,6 +6683,17 @@
     </message>
 </context>
 <context>
+    <name>quadrille::WorkspaceTabs</name>
+    <message>
+        <source>Workspace</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>Workspaces</source>
+        <translation>Espaces de travail</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::widgets::ActionPalette</name>
     <message>
         <source>What do you want to do?</source>
@@ -3573,6 +6713,91 @@
     </message>
 </context>
 <context>
+    <name>quadrille::widgets::ArcView</name>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>a sequence and one of its frames</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 → %2: %3</source>
+        <extracomment>two frames and the weight of the edge between them</extracomment>
+        <translation>%1 → %2 : %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 transitions</source>
+        <extracomment>name of a graph; how many edges</extracomment>
+        <translation>%1 : %2 transitions</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 transitions, the cheapest</source>
+        <extracomment>name of a graph; how many edges show; how many there are</extracomment>
+        <translation>%1 : %2 transitions sur %3, les moins chères</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::CurveEditor</name>
+    <message>
+        <source>%1 s shows %2 s</source>
+        <comment>time in the result, moment of the clip</comment>
+        <translation>%1 s montre %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::LineChart</name>
+    <message>
+        <source>%1 = %2</source>
+        <extracomment>an axis and a value on it</extracomment>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <extracomment>a series of a chart and its value, with unit</extracomment>
+        <translation>%1 : %2 %3</translation>
+    </message>
+    <message>
+        <source>&amp;Copy values as CSV</source>
+        <translation>&amp;Copier les valeurs en CSV</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>title of an axis, then its unit</extracomment>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::MatrixView</name>
+    <message>
+        <source>%1 → %2: nothing</source>
+        <extracomment>two frames, the first the source, the second the destination</extracomment>
+        <translation>%1 → %2 : rien</translation>
+    </message>
+    <message>
+        <source>%1 → %2: %3 %4</source>
+        <extracomment>two frames, a number and its unit</extracomment>
+        <translation>%1 → %2 : %3 %4</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>a sequence and one of its frames</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>No cell is chosen</source>
+        <translation>Aucune case n’est choisie</translation>
+    </message>
+    <message>
+        <source>from ↓ to →</source>
+        <extracomment>rows of the matrix: where a transition comes from; columns: where it goes to</extracomment>
+        <translation>de ↓ vers →</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>title of a legend, then its unit</extracomment>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::widgets::MessageStrip</name>
     <message>
         <source>Error</source>
@@ -3585,6 +6810,25 @@
     <message>
         <source>Note</source>
         <translation>Remarque</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::PathEditor</name>
+    <message>
+        <source>Click for a point, pull for its handles · Return ends · Backspace takes one back</source>
+        <translation>Cliquer pour un point, tirer pour ses poignées · Entrée termine · Retour arrière en reprend un</translation>
+    </message>
+    <message>
+        <source>Click for points, or drag a stroke · Return ends · Backspace takes one back</source>
+        <translation>Cliquer pour des points, ou tracer un trait · Entrée termine · Retour arrière en reprend un</translation>
+    </message>
+    <message>
+        <source>Drag from the middle of the obstacle · Esc gives up</source>
+        <translation>Faire glisser depuis le milieu de l’obstacle · Échap abandonne</translation>
+    </message>
+    <message>
+        <source>Click the corners of the obstacle · Return ends · Esc gives up</source>
+        <translation>Cliquer les coins de l’obstacle · Entrée termine · Échap abandonne</translation>
     </message>
 </context>
 <context>
@@ -3643,6 +6887,31 @@
     </message>
 </context>
 <context>
+    <name>quadrille::widgets::RangeStrip</name>
+    <message>
+        <source>Frames used</source>
+        <translation>Images utilisées</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::SoundLane</name>
+    <message>
+        <source>%1 (muted)</source>
+        <translation>%1 (muet)</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::Storyboard</name>
+    <message>
+        <source>%1 of %2: %3, %4</source>
+        <translation>%1 sur %2 : %3, %4</translation>
+    </message>
+    <message>
+        <source>Storyboard</source>
+        <translation>Scénario</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::widgets::Timeline</name>
     <message>
         <source>Frame %1 of %2, %3</source>
@@ -3663,6 +6932,18 @@
     <message>
         <source>Nothing to play yet</source>
         <translation>Rien à lire pour l’instant</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s</source>
+        <translation>%1 à %2 s</translation>
+    </message>
+    <message>
+        <source>Obtained at %1 s, %2 s off</source>
+        <translation>Obtenue à %1 s, écart de %2 s</translation>
+    </message>
+    <message>
+        <source>May be off by %1 s</source>
+        <translation>Écart permis : %1 s</translation>
     </message>
 </context>
 <context>
