@@ -6,8 +6,8 @@
 
 namespace quadrille {
 
-/// Gives a control that has the focus the keys that it is used with, before the window takes them for shortcuts:
-/// Space presses a button there and does not play.
+/// Gives a control that has the focus the keys that it is used with, before the window takes them for
+/// shortcuts: Space presses a button there and does not play.
 class FocusKeys : public QObject
 {
     Q_OBJECT

@@ -29,7 +29,7 @@ void insert(ProjectDocument& document, const QString& text, std::size_t place, A
 QString addAnimation(ProjectDocument& document, AnimationEntry animation)
 {
     const Project& project = document.project();
-    const QString name = freeName(project, Section::Animations, QString::fromStdString(animation.name));
+    QString name = freeName(project, Section::Animations, QString::fromStdString(animation.name));
     animation.name = name.toStdString();
     insert(document, Texts::tr("Add animation “%1”").arg(name), project.animations.size(),
            std::move(animation));
@@ -41,7 +41,7 @@ QString duplicateAnimation(ProjectDocument& document, const QString& name)
     const Project& project = document.project();
     const auto original = std::ranges::find(project.animations, name.toStdString(), &AnimationEntry::name);
     AnimationEntry copy = *original;
-    const QString copyName = freeName(project, Section::Animations, name);
+    QString copyName = freeName(project, Section::Animations, name);
     copy.name = copyName.toStdString();
     const auto place = static_cast<std::size_t>(original - project.animations.begin()) + 1;
     insert(document, Texts::tr("Duplicate “%1”").arg(name), place, std::move(copy));

@@ -251,8 +251,7 @@ void AnimationMedia::solve(const QString& name, Item& item, const AnimationEntry
         constexpr double searching = 0.8;
         AnimationWalk found =
             walk ? *walk : animationWalk(entry, character->graph, progress.part(0, searching), show);
-        const ResultPointer last =
-            makeResult(entry, character, std::move(found), progress.part(searching, 1));
+        ResultPointer last = makeResult(entry, character, std::move(found), progress.part(searching, 1));
         std::const_pointer_cast<AnimationResult>(last)->isFinal = true;
         return last;
     };

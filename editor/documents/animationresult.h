@@ -17,12 +17,12 @@ struct AnimationResult
     AnimationEntry entry; ///< as it was then
     std::shared_ptr<const OpenedCharacter> character;
     AnimationWalk walk;
-    ClipPlan plan;                      ///< before post-processing
-    MeshSequence sequence;              ///< after it
-    std::vector<FrameOrigin> origins;   ///< of the frames of `sequence`
-    std::optional<GroundMotion> travel; ///< of a loop, see PostProcessed
+    ClipPlan plan;                       ///< before post-processing
+    MeshSequence sequence;               ///< after it
+    std::vector<FrameOrigin> origins;    ///< of the frames of `sequence`
+    std::optional<GroundMotion> travel;  ///< of a loop, see PostProcessed
     std::int64_t framesBeforeRetime = 0; ///< see PostProcessed
-    bool isFinal = false;               ///< otherwise the best walk so far
+    bool isFinal = false;                ///< otherwise the best walk so far
 };
 
 } // namespace quadrille

@@ -33,7 +33,7 @@ public:
     bool isSequential() const override { return true; }
     qint64 bytesAvailable() const override
     {
-        return bufferMilliseconds * m_sound->rate + QIODevice::bytesAvailable();
+        return qint64{bufferMilliseconds} * m_sound->rate + QIODevice::bytesAvailable();
     }
 
 protected:
@@ -82,7 +82,7 @@ public:
             return;
         m_stream = std::make_unique<SoundStream>(std::move(sound), gain, from, format.channelCount());
         m_sink = std::make_unique<QAudioSink>(device, format);
-        m_sink->setBufferSize(format.bytesForDuration(bufferMilliseconds * 1000));
+        m_sink->setBufferSize(format.bytesForDuration(qint64{bufferMilliseconds} * 1000));
         m_sink->start(m_stream.get());
     }
 

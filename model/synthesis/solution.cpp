@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace quadrille {
 
@@ -24,15 +25,17 @@ public:
     void add(const StageState& arrived, const StageState& settled, std::int64_t time)
     {
         m_stages.settle(arrived, time, m_settled);
-        const SettledStage* cheapest = nullptr;
+        double edges = std::numeric_limits<double>::infinity();
+        double timing = 0;
         for (const SettledStage& stage : m_settled) {
-            if (stage.state == settled &&
-                (!cheapest || stage.edges + stage.timing < cheapest->edges + cheapest->timing))
-                cheapest = &stage;
+            if (stage.state == settled && stage.edges + stage.timing < edges + timing) {
+                edges = stage.edges;
+                timing = stage.timing;
+            }
         }
-        assert(cheapest);
-        m_solution.cost.edges += cheapest->edges;
-        m_solution.cost.timing += cheapest->timing;
+        assert(edges < std::numeric_limits<double>::infinity());
+        m_solution.cost.edges += edges;
+        m_solution.cost.timing += timing;
         if (settled.key > arrived.key)
             m_solution.keys.push_back({m_constraints.keys[static_cast<std::size_t>(arrived.key)].time, time});
         const bool begins = arrived.span == StageState::free &&

@@ -1,17 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Paths of animations: drawn in the view, edited in numbers, followed by a clip.
-#include "animatedproject.h"
 #include "editor/commands/projectedits.h"
-#include "editor/workspaces/animate/animateworkspace.h"
-#include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathentries.h"
-#include "editor/workspaces/animate/pathtool.h"
 #include "model/project/pathcurve.h"
 #include "model/synthesis/pathfollowing.h"
+#include "pathfixture.h"
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/pathgeometry.h"
-#include "widgets/viewport/vtkview.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -20,65 +16,12 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QTableWidget>
-#include <QToolButton>
-#include <memory>
 
 namespace quadrille {
 
-using widgets::PathPart;
-using Kind = widgets::PathPart::Kind;
-
-class AnimatePathTest : public QObject
+class AnimatePathTest : public QObject, private test::PathFixture
 {
     Q_OBJECT
-
-private:
-    ProjectDocument& document() { return m_window->context().document; }
-    widgets::Viewport& viewport() { return m_window->animate().viewport(); }
-    PathTool& tool() { return m_window->animate().path(); }
-    const PathEntry& path() { return *tool().path(); }
-
-    QPoint pixel(double x, double z)
-    {
-        QPointF at;
-        const auto place = QVector3D(static_cast<float>(x), viewport().groundHeight(), static_cast<float>(z));
-        viewport().camera().project(place, viewport().view()->size(), &at);
-        return at.toPoint();
-    }
-    QPoint pixel(const PathPart& part) { return tool().editor().pixelOf(part).value_or(QPointF()).toPoint(); }
-    void click(const QPoint& at) { QTest::mouseClick(viewport().view(), Qt::LeftButton, {}, at); }
-    void press(const QString& button) { QTest::mouseClick(test::find<QToolButton>(button), Qt::LeftButton); }
-
-    /// Looks down onto the ground about the origin.
-    void lookDown()
-    {
-        widgets::Turntable camera;
-        camera.target = {0, viewport().groundHeight(), 0.6F};
-        camera.yaw = 0;
-        camera.pitch = 60;
-        camera.distance = 6;
-        viewport().setCamera(camera);
-    }
-
-    void addPath(PathEntry path)
-    {
-        m_window->animate().animation().edit("path", "path", [&](AnimationEntry& animation) {
-            animation.constraints = {std::move(path)};
-            animation.search.budget = 3000;
-        });
-        m_window->animate().setActive(true);
-        lookDown();
-    }
-    static PathEntry straight()
-    {
-        PathEntry path;
-        path.points = {{0, 0, 0}, {0, 0, 0.5}, {0, 0, 1}};
-        path.spans = {{.from = 0.25, .to = 0.75}};
-        return path;
-    }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<MainWindow> m_window;
 
 private slots:
     void initTestCase()
@@ -96,7 +39,7 @@ private slots:
         project.sequences[1].labels = {{.label = "lean", .frames = {FrameIndex(5), FrameIndex(55)}}};
         m_window = std::make_unique<MainWindow>();
         document().reset(project);
-        m_window->resize(1280, 900);
+        m_window->resize(1280, 1200);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         m_window->context().actions.action("workspace.animate")->trigger();
@@ -226,7 +169,8 @@ private slots:
         QTest::mouseClick(viewport().view(), Qt::RightButton, {}, pixel(0, 0.35));
         auto* menu = test::find<QMenu>("pathMenu");
         QTRY_VERIFY(menu->isVisible());
-        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(menu->actions().front()).center());
+        QTest::keyClick(menu, Qt::Key_Down);
+        QTest::keyClick(menu, Qt::Key_Return);
         QCOMPARE(path().points.size(), 4U);
         QVERIFY((path().points[1] - Vec3d(0, 0, 0.35)).norm() < 0.02);
         QTest::mouseClick(viewport().view(), Qt::RightButton, {}, pixel({Kind::Point, 1, 0}));

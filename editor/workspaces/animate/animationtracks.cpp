@@ -99,7 +99,8 @@ TimelineTrack AnimationTracks::clip() const
              .hatched = part.isJunction});
     }
     // Short transitions lie above the captured frames beside them.
-    std::ranges::stable_partition(track.spans, [](const TimelineSpan& span) { return !span.hatched; });
+    std::stable_partition(track.spans.begin(), track.spans.end(),
+                          [](const TimelineSpan& span) { return !span.hatched; });
     return track;
 }
 

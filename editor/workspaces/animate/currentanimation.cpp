@@ -68,7 +68,7 @@ QString CurrentAnimation::add()
     animation.name = tr("animation").toStdString();
     if (m_context.document.project().characters.size() > 1)
         animation.character = m_context.graphs.firstCharacter().toStdString();
-    const QString added = addAnimation(m_context.document, std::move(animation));
+    QString added = addAnimation(m_context.document, std::move(animation));
     m_context.selection.selectAnimations({added});
     return added;
 }

@@ -194,17 +194,13 @@ void ViewActions::makeCameraActions()
 {
     ActionRegistry& actions = m_context.actions;
     const auto add = [this, &actions](const char* id, ActionRegistry::Text text, const char* icon,
-                                      QKeySequence key, std::function<void(StageView&)> run) {
-        actions.add({QLatin1String(id),
-                     [] { return tr("View"); },
-                     std::move(text),
-                     {},
-                     QLatin1String(icon),
-                     {std::move(key)}},
-                    [this, run = std::move(run)] {
-                        if (m_view != nullptr)
-                            run(*m_view);
-                    });
+                                      const QKeySequence& key, std::function<void(StageView&)> run) {
+        actions.add(
+            {QLatin1String(id), [] { return tr("View"); }, std::move(text), {}, QLatin1String(icon), {key}},
+            [this, run = std::move(run)] {
+                if (m_view != nullptr)
+                    run(*m_view);
+            });
     };
     const auto look = [](widgets::StandardView side) {
         return [side](StageView& view) { view.viewport().lookFrom(side); };

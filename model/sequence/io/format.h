@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/core/error.h"
 #include "model/audio/soundtrack.h"
+#include "model/core/error.h"
 #include "model/core/progress.h"
 #include "model/render/rendersettings.h"
 #include "model/sequence/axes.h"
