@@ -69,7 +69,7 @@ MainWindow::MainWindow(QWidget* parent)
     makeMenus();
     connectAll();
     m_autosave.setInterval(m_context.settings.autosaveSeconds());
-    restoreGeometry(m_context.settings.windowGeometry());
+    restoreWindow(*this, m_context.settings.windowGeometry());
     m_workspaces->setStates(m_context.settings.docks());
     m_workspaces->begin();
     followDocument(ChangeEvent::reset());

@@ -11,6 +11,7 @@
 
 #include <QJsonArray>
 #include <QMainWindow>
+#include <QScreen>
 #include <array>
 #include <utility>
 
@@ -46,6 +47,12 @@ widgets::Turntable cameraFrom(const QJsonObject& json, widgets::Turntable camera
 }
 
 } // namespace
+
+void restoreWindow(QMainWindow& window, const QByteArray& geometry)
+{
+    window.restoreGeometry(geometry);
+    window.resize(window.size().boundedTo(window.screen()->availableSize()));
+}
 
 SessionKeeper::SessionKeeper(EditorContext& context, WorkspaceTabs& workspaces, Workspace& sequences,
                              QMainWindow& window)
@@ -84,7 +91,7 @@ void SessionKeeper::follow(const ChangeEvent& event)
     Session session = loadSession(m_context.document.file());
     if (session == Session{})
         return;
-    m_window.restoreGeometry(session.windowGeometry);
+    restoreWindow(m_window, session.windowGeometry);
     m_workspaces.setStates(session.docks);
     m_workspaces.select(session.workspace);
     session.selected.removeIf(

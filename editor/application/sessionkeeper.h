@@ -16,6 +16,9 @@ class WorkspaceTabs;
 struct ChangeEvent;
 struct EditorContext;
 
+/// Gives a window the place and size that it had, as far as the screen of now has room.
+void restoreWindow(QMainWindow& window, const QByteArray& geometry);
+
 /// Remembers how a project was last looked at, and brings it back when it is opened again.
 class SessionKeeper : public QObject
 {

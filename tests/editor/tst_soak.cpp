@@ -143,7 +143,9 @@ private slots:
                       residentMegabytes());
         }
         QTRY_VERIFY_WITH_TIMEOUT(context().jobs.jobs().empty(), 30000);
-        constexpr double tolerated = 64; // MB: less than one of the caches that may fill
+        // MB: what allocators keep of the memory that was freed grows for a quarter of an hour, then it is
+        // full.
+        constexpr double tolerated = 192;
         if (warm > 0)
             QVERIFY2(residentMegabytes() < warm + tolerated,
                      qPrintable(QStringLiteral("%1 MB, then %2 MB").arg(warm).arg(residentMegabytes())));

@@ -89,7 +89,7 @@ public:
     QRect matrixArea() const;
 
     QSize sizeHint() const override { return {720, 640}; }
-    QSize minimumSizeHint() const override { return {320, 240}; }
+    QSize minimumSizeHint() const override { return {240, 240}; }
 
 signals:
     void cellHovered(int row, int column);

@@ -49,8 +49,10 @@ PlaybackBar::PlaybackBar(QWidget* parent)
     row->addSpacing(12);
     row->addWidget(m_frame);
     row->addWidget(m_time);
-    row->addStretch();
-    row->addWidget(m_reached);
+    // The rate gives way where there is little room.
+    m_reached->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_reached->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row->addWidget(m_reached, 1);
 
     connect(m_first, &QToolButton::clicked, this, &PlaybackBar::firstAsked);
     connect(m_previous, &QToolButton::clicked, this, [this] { emit stepAsked(-1); });
