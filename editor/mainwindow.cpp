@@ -76,7 +76,17 @@ MainWindow::MainWindow(QWidget* parent)
     m_session = new SessionKeeper(m_context, *m_workspaces, *m_sequences, *this);
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    // What is shown looks at the context, which would go before it; nothing is to be told any more.
+    hide();
+    m_context.document.blockSignals(true);
+    m_context.document.undoStack()->blockSignals(true);
+    m_context.jobs.blockSignals(true);
+    qDeleteAll(m_docks);
+    delete takeCentralWidget();
+    delete statusBar();
+}
 
 void MainWindow::open(const QStringList& files)
 {

@@ -127,7 +127,8 @@ private slots:
 
     void cleanup()
     {
-        document().undoStack()->setClean();
+        if (m_window != nullptr)
+            document().undoStack()->setClean();
         m_window.reset();
         m_folder.reset();
     }
@@ -228,6 +229,16 @@ private slots:
 
         undoAll();
         QCOMPARE(document().project(), before);
+    }
+
+    void aWindowClosesWhileItComputes()
+    {
+        document().reset(test::swayingProject(m_folder->path()));
+        key(Qt::Key_F6);
+        QTRY_VERIFY(context().graphs.medium("spire") != nullptr);
+        context().graphs.ask("spire");
+        QVERIFY(!context().jobs.jobs().empty());
+        m_window.reset();
     }
 
     void whatIsCancelledMidwayLeavesTheProjectAsItWas()
