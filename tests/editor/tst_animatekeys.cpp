@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Poses at times: placed, moved and removed with real mouse and keys, and when they are met.
 #include "animatedproject.h"
+#include "dropping.h"
 #include "editor/docks/sequencecards.h"
 #include "editor/playback/player.h"
 #include "editor/workspaces/animate/animateworkspace.h"
@@ -14,8 +15,6 @@
 #include <QAbstractItemModelTester>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
-#include <QDragEnterEvent>
-#include <QDropEvent>
 #include <QListView>
 #include <QMimeData>
 #include <QTableView>
@@ -59,24 +58,7 @@ private:
         QTest::mouseRelease(&timeline(), Qt::LeftButton, {}, to);
     }
     /// Drops the frame that a card shows onto the timeline.
-    void drop(const QString& sequence, int frame)
-    {
-        auto* cards = test::find<QListView>("cards");
-        QModelIndex card;
-        for (int row = 0; row < cards->model()->rowCount(); ++row)
-            if (cards->model()->index(row, 0).data().toString() == sequence)
-                card = cards->model()->index(row, 0);
-        QVERIFY(card.isValid());
-        const std::unique_ptr<QMimeData> data(cards->model()->mimeData({card}));
-        const QPoint place = at(frame);
-        QDragEnterEvent enter(place, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(&timeline(), &enter);
-        QVERIFY(enter.isAccepted());
-        QDragMoveEvent move(place, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(&timeline(), &move);
-        QDropEvent event(place, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(&timeline(), &event);
-    }
+    void drop(const QString& sequence, int frame) { test::dropCard(sequence, timeline(), at(frame)); }
 
     QTemporaryDir m_folder;
     std::unique_ptr<MainWindow> m_window;

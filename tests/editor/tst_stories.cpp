@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What people do with the program from beginning to end, through all its workspaces.
 #include "animatedproject.h"
+#include "dropping.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/exporting/exportdialog.h"
 #include "editor/jobs/jobrunner.h"
@@ -14,15 +15,14 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QDragEnterEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListView>
-#include <QMimeData>
+#include <QPointer>
 #include <QProcess>
 #include <QPushButton>
 #include <QSlider>
 #include <QTableView>
+#include <QTreeView>
 #include <filesystem>
 #include <memory>
 
@@ -57,30 +57,11 @@ private:
             document().redo();
     }
 
-    /// Drags the card of a take onto a place of a widget.
-    static void dropCard(const QString& take, QWidget& target, const QPoint& where)
-    {
-        auto* cards = test::find<QListView>("cards");
-        QModelIndex card;
-        for (int row = 0; row < cards->model()->rowCount(); ++row) {
-            if (cards->model()->index(row, 0).data().toString() == take)
-                card = cards->model()->index(row, 0);
-        }
-        QVERIFY(card.isValid());
-        const std::unique_ptr<QMimeData> data(cards->model()->mimeData({card}));
-        QDragEnterEvent enter(where, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(&target, &enter);
-        QVERIFY(enter.isAccepted());
-        QDragMoveEvent move(where, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(&target, &move);
-        QDropEvent drop(where, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(&target, &drop);
-    }
     void dropKey(const QString& take, int frame)
     {
         widgets::Timeline& timeline = m_window->animate().view().timeline();
-        dropCard(take, timeline,
-                 {timeline.xOfFrame(frame), timeline.trackRect(QStringLiteral("keys")).top() + 8});
+        test::dropCard(take, timeline,
+                       {timeline.xOfFrame(frame), timeline.trackRect(QStringLiteral("keys")).top() + 8});
     }
     static ExportDialog* exportDialog()
     {
@@ -210,7 +191,7 @@ private slots:
         QTRY_VERIFY(board->isVisible());
         int cards = 0;
         for (const char* take : {"first", "second", "third"})
-            dropCard(take, *board->viewport(), {cards++ * 128 + 6, 40});
+            test::dropCard(take, *board->viewport(), {cards++ * 128 + 6, 40});
         QVERIFY(waitForClip());
         const auto told = context().animations.result(animation());
         QCOMPARE(told->walk.solution.actions.size(), 3U);
@@ -238,7 +219,12 @@ private slots:
         QTRY_VERIFY(context().graphs.medium("spire") != nullptr);
         context().graphs.ask("spire");
         QVERIFY(!context().jobs.jobs().empty());
+        // Whatever shows the media is gone before they are.
+        const QPointer<QTreeView> tree = test::find<QTreeView>("projectTree");
+        bool wasGone = false;
+        connect(&context().media, &QObject::destroyed, [&] { wasGone = tree.isNull(); });
         m_window.reset();
+        QVERIFY(wasGone);
     }
 
     void whatIsCancelledMidwayLeavesTheProjectAsItWas()

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // A storyboard of takes and labels: made, put into another order and cut by hand, with real mouse and keys.
 #include "animatedproject.h"
+#include "dropping.h"
 #include "editor/playback/player.h"
 #include "editor/workspaces/animate/animateworkspace.h"
 #include "editor/workspaces/animate/constraintedits.h"
@@ -13,8 +14,6 @@
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
-#include <QDragEnterEvent>
-#include <QDropEvent>
 #include <QListView>
 #include <QMimeData>
 #include <QPushButton>
@@ -43,15 +42,7 @@ private:
     }
     void drop(const QMimeData& data, int before)
     {
-        const QPoint place(before * 128 + 6, 40);
-        QWidget* target = board().viewport();
-        QDragEnterEvent enter(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(target, &enter);
-        QVERIFY(enter.isAccepted());
-        QDragMoveEvent move(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(target, &move);
-        QDropEvent event(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(target, &event);
+        test::drop(data, *board().viewport(), {before * 128 + 6, 40});
     }
     void dropRow(const QString& list, int row, int before)
     {
