@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/variation/gpdm.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace quadrille {
+
+/// The Gaussian process of the latent dynamics of a learned model: what follows a latent position (CVS eq.
+/// 8–10). Factorised once; immutable, safe from any thread.
+class GpdmDynamics
+{
+public:
+    GpdmDynamics(const GpdmState& state, std::span<const RowSpan> spans);
+
+    /// The most probable next position (eq. 9).
+    Eigen::RowVectorXd next(const Eigen::RowVectorXd& latent) const;
+    /// Its variance in every dimension, with the noise (eq. 10).
+    double variance(const Eigen::RowVectorXd& latent) const;
+    /// Frame after frame by the mean. \return length × dimensions, the first row is `start`.
+    RowMatrix meanPrediction(const Eigen::RowVectorXd& start, Eigen::Index length) const;
+
+    /// Negative log density of a trajectory after its first position, without constants: the joint
+    /// conditional of ALGORITHMS section 8, and its gradient by the trajectory (first row zero).
+    double energy(const RowMatrix& trajectory, RowMatrix* gradient = nullptr) const;
+
+    const RowMatrix& inputs() const { return m_inputs; }
+    const GpdmHyperparameters& hyperparameters() const { return m_hyperparameters; }
+
+private:
+    GpdmHyperparameters m_hyperparameters;
+    RowMatrix m_inputs;  ///< all but the last latent of each sequence
+    RowMatrix m_factor;  ///< lower Cholesky factor of K_X
+    RowMatrix m_weights; ///< K_X⁻¹·X′
+};
+
+struct HmcSettings
+{
+    int leapfrogSteps = 20;
+    int burnIn = 100;  ///< trajectories before the first sample is taken, while the step size is tuned
+    int thinning = 10; ///< trajectories from one sample to the next
+    double leastAcceptance = 0.6;
+    double greatestAcceptance = 0.9;
+
+    bool operator==(const HmcSettings&) const = default;
+};
+
+/// How well a chain ran.
+struct HmcReport
+{
+    double acceptance = 0; ///< share of proposals after burn-in
+    double stepSize = 0;
+    std::vector<double> energies; ///< of each state after burn-in
+    /// Of the chain after burn-in, from autocorrelations; the least of all coordinates.
+    double effectiveSampleSize = 0;
+    double lag1 = 0; ///< autocorrelation of the energies from one state to the next
+};
+
+struct TrajectorySamples
+{
+    std::vector<RowMatrix> trajectories; ///< each frames × dimensions; the first row is the start
+    HmcReport report;
+};
+
+/// Draws variations of a latent trajectory by Hybrid Monte Carlo, started at the mean prediction from its
+/// first position, which stays (CVS §6). The same seed gives the same samples.
+/// \throws Error Cancelled.
+TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const RowMatrix& trajectory, int count,
+                                     std::uint64_t seed, const HmcSettings& settings = {},
+                                     const Progress& progress = {});
+
+/// The Gaussian process from latent positions to poses of a learned model (CVS eq. 11–13). Factorised once;
+/// immutable, safe from any thread.
+class PoseReconstruction
+{
+public:
+    /// \param rows  centred training rows. \param mean  that was subtracted.
+    PoseReconstruction(const GpdmState& state, const Eigen::Ref<const RowMatrix>& rows,
+                       Eigen::RowVectorXd mean);
+
+    Eigen::Index coordinates() const { return m_mean.size(); }
+    /// Most probable pose vector (eq. 12), with the mean added.
+    void mean(const Eigen::Ref<const Eigen::RowVectorXd>& latent, std::span<double> out) const;
+    /// Variance of a coordinate without the noise (eq. 13).
+    double variance(const Eigen::Ref<const Eigen::RowVectorXd>& latent) const;
+    /// Pose vectors of a trajectory by the mean, frames × coordinates.
+    RowMatrix means(const RowMatrix& trajectory) const;
+    /// One draw for the whole trajectory, jointly over its frames, so that it does not flicker.
+    RowMatrix draw(const RowMatrix& trajectory, std::uint64_t seed) const;
+
+private:
+    GpdmHyperparameters m_hyperparameters;
+    RowMatrix m_latents;
+    RowMatrix m_factor;  ///< lower Cholesky factor of K_Y
+    RowMatrix m_weights; ///< K_Y⁻¹·Y
+    Eigen::RowVectorXd m_mean;
+};
+
+} // namespace quadrille
