@@ -29,7 +29,7 @@ std::vector<PostureKey> paced(std::vector<PostureKey> keys, double pace)
 
 } // namespace
 
-TakeMotion performReach(const Skeleton& skeleton, bool high, int variant, SampleRandom& random)
+TakeMotion performReach(const Skeleton& skeleton, bool high, int variant, Random& random)
 {
     const std::size_t hand = variant % 2 == 0 ? 1 : 0;
     const double s = hand == 0 ? 1 : -1;
@@ -107,7 +107,7 @@ TakeMotion performReach(const Skeleton& skeleton, bool high, int variant, Sample
     return {"", framesOf(keys, 2.12 * pace), {}, {}};
 }
 
-TakeMotion performKick(const Skeleton& skeleton, SampleRandom& random)
+TakeMotion performKick(const Skeleton& skeleton, Random& random)
 {
     const std::size_t leg = 1; // the right one
     const std::size_t other = 0;
@@ -209,7 +209,7 @@ TakeMotion performKick(const Skeleton& skeleton, SampleRandom& random)
     return {"", framesOf(keys, 2.0 * pace), {}, {}};
 }
 
-TakeMotion performIdle(const Skeleton& skeleton, int variant, SampleRandom& random)
+TakeMotion performIdle(const Skeleton& skeleton, int variant, Random& random)
 {
     const Posture stand = standing(skeleton);
     const double s = variant % 2 == 0 ? 1 : -1;
@@ -250,7 +250,7 @@ TakeMotion performIdle(const Skeleton& skeleton, int variant, SampleRandom& rand
     return {"", framesOf(keys, 2.05 * pace), {}, {}};
 }
 
-TakeMotion performDance(const Skeleton& skeleton, int variant, SampleRandom& random)
+TakeMotion performDance(const Skeleton& skeleton, int variant, Random& random)
 {
     constexpr double pi = std::numbers::pi;
     const double beat = 60.0 / random.between(116, 128);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/sample/appearance.h"
 
-#include "model/sample/random.h"
+#include "model/sample/noise.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -57,7 +57,7 @@ SampleAppearance makeAppearance(std::int64_t frames, int textureSize, std::uint6
 {
     SampleAppearance appearance;
     appearance.textureSize = textureSize;
-    SampleRandom random(seed);
+    Random random(seed);
     const double azimuth = random.between(-0.9, 0.9);
     const double sweep = random.between(0.5, 1.0) * (random.unit() < 0.5 ? -1 : 1);
     const std::uint64_t noise = random.next();

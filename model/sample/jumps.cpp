@@ -36,7 +36,7 @@ double hermite(double a, double slopeA, double b, double slopeB, double span, do
 class Jump
 {
 public:
-    Jump(const Skeleton& skeleton, const JumpShape& shape, SampleRandom& random)
+    Jump(const Skeleton& skeleton, const JumpShape& shape, Random& random)
         : m_skeleton(skeleton), m_shape(shape)
     {
         m_stand = standing(skeleton);
@@ -80,7 +80,7 @@ private:
             change(side);
     }
 
-    void makePostures(SampleRandom& random)
+    void makePostures(Random& random)
     {
         const JumpShape& s = m_shape;
         m_crouch = m_stand;
@@ -255,7 +255,7 @@ private:
 
 } // namespace
 
-TakeMotion performJump(const Skeleton& skeleton, const std::string& kind, SampleRandom& random)
+TakeMotion performJump(const Skeleton& skeleton, const std::string& kind, Random& random)
 {
     JumpShape shape;
     if (kind == "short jump")

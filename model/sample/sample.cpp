@@ -52,7 +52,7 @@ void makeTakes(SampleCharacter& character, const SurfaceMesh& mesh, const Sample
         const int count = std::min(options.takesPerKind + (isRich && options.takesPerKind > 1 ? 1 : 0), 3);
         for (int variant = 0; variant < count; ++variant) {
             progress.report(k, kinds);
-            SampleRandom random(options.seed * 1000003 + static_cast<std::uint64_t>(k * 31 + variant));
+            Random random(options.seed * 1000003 + static_cast<std::uint64_t>(k * 31 + variant));
             const TakeMotion motion = performTake(character.skeleton, kind, variant, random);
             SampleTake take;
             take.kind = kind;

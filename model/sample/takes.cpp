@@ -3,6 +3,7 @@
 #include "model/sample/takes.h"
 
 #include "model/sample/gait.h"
+#include "model/sample/noise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +89,7 @@ std::vector<Posture> framesOf(const std::vector<PostureKey>& keys, double durati
     return frames;
 }
 
-TakeMotion performTake(const Skeleton& skeleton, const std::string& kind, int variant, SampleRandom& random)
+TakeMotion performTake(const Skeleton& skeleton, const std::string& kind, int variant, Random& random)
 {
     const auto perform = [&] {
         if (kind.find("jump") != std::string::npos)
@@ -113,7 +114,7 @@ TakeMotion performTake(const Skeleton& skeleton, const std::string& kind, int va
     return take;
 }
 
-TakeMotion performGait(const Skeleton& skeleton, const std::string& kind, int variant, SampleRandom& random)
+TakeMotion performGait(const Skeleton& skeleton, const std::string& kind, int variant, Random& random)
 {
     GaitPlan plan;
     GaitStyle& s = plan.style;

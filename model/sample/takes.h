@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/core/random.h"
 #include "model/sample/posture.h"
-#include "model/sample/random.h"
 #include "model/sequence/meshsequence.h"
 
 #include <string>
@@ -28,14 +28,14 @@ const std::vector<std::string>& takeKinds();
 
 /// One performance; each seed of `random` differs in timing, size and style.
 /// \param variant zero-based number of the take within its kind.
-TakeMotion performTake(const Skeleton& skeleton, const std::string& kind, int variant, SampleRandom& random);
+TakeMotion performTake(const Skeleton& skeleton, const std::string& kind, int variant, Random& random);
 
-TakeMotion performGait(const Skeleton& skeleton, const std::string& kind, int variant, SampleRandom& random);
-TakeMotion performJump(const Skeleton& skeleton, const std::string& kind, SampleRandom& random);
-TakeMotion performReach(const Skeleton& skeleton, bool high, int variant, SampleRandom& random);
-TakeMotion performKick(const Skeleton& skeleton, SampleRandom& random);
-TakeMotion performIdle(const Skeleton& skeleton, int variant, SampleRandom& random);
-TakeMotion performDance(const Skeleton& skeleton, int variant, SampleRandom& random);
+TakeMotion performGait(const Skeleton& skeleton, const std::string& kind, int variant, Random& random);
+TakeMotion performJump(const Skeleton& skeleton, const std::string& kind, Random& random);
+TakeMotion performReach(const Skeleton& skeleton, bool high, int variant, Random& random);
+TakeMotion performKick(const Skeleton& skeleton, Random& random);
+TakeMotion performIdle(const Skeleton& skeleton, int variant, Random& random);
+TakeMotion performDance(const Skeleton& skeleton, int variant, Random& random);
 
 /// Samples keys at the sample's rate.
 std::vector<Posture> framesOf(const std::vector<PostureKey>& keys, double duration);

@@ -2,33 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/core/random.h"
+
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 
 namespace quadrille {
-
-/// Random numbers that are the same with every compiler and library (SplitMix64).
-class SampleRandom
-{
-public:
-    explicit SampleRandom(std::uint64_t seed) : m_state(seed) {}
-
-    std::uint64_t next()
-    {
-        m_state += 0x9e3779b97f4a7c15ULL;
-        std::uint64_t z = m_state;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-        return z ^ (z >> 31);
-    }
-    /// Uniform in [0, 1).
-    double unit() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
-    /// Uniform in [low, high).
-    double between(double low, double high) { return low + (high - low) * unit(); }
-
-private:
-    std::uint64_t m_state;
-};
 
 /// A value in [0, 1) that belongs to a cell of an integer lattice.
 inline double latticeValue(int x, int y, int z, std::uint64_t seed)
@@ -36,7 +16,7 @@ inline double latticeValue(int x, int y, int z, std::uint64_t seed)
     std::uint64_t key = seed;
     for (const int c : {x, y, z})
         key = key * 0x100000001b3ULL ^ static_cast<std::uint32_t>(c);
-    return SampleRandom(key).unit();
+    return Random(key).unit();
 }
 
 /// Smooth value noise in [−1, 1] with a wavelength of about two units.
