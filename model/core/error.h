@@ -90,6 +90,8 @@ enum class ErrorCode
     WalkPathBlocked,
     WalkDemandUnmet,
     WalkNotFound,
+    // variations
+    TakeTooShort,
 };
 
 /// Where in a file or sequence an error lies; fields that do not apply stay empty.

@@ -197,6 +197,11 @@ ErrorMessage errorMessage(ErrorCode code)
     case ErrorCode::WalkNotFound:
         return {QUADRILLE_MESSAGE("No walk was found with {budget} expansions."),
                 QUADRILLE_MESSAGE("Search with a greater budget, or ask for less.")};
+    case ErrorCode::TakeTooShort:
+        return {
+            QUADRILLE_MESSAGE("“{take}” has {count} frames; variations are learned from takes of {least} or "
+                              "more."),
+            QUADRILLE_MESSAGE("Choose another take, or more of its frames.")};
     }
     return {"", ""};
 }

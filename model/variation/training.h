@@ -2,30 +2,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/core/progress.h"
 #include "model/geometry/procrustes.h"
-#include "model/sequence/meshsequence.h"
 #include "model/variation/bodyparts.h"
 #include "model/variation/gpdm.h"
+#include "model/variation/timewarp.h"
 
-#include <optional>
+#include <array>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace quadrille {
-
-/// How a take runs against the reference: the same phase of the movement at the same place.
-struct TakeWarp
-{
-    FrameRange frames; ///< of the take that are used: one cycle of it, or all
-    /// Of each reference frame its position in the take, in frames of the take (fractional), ascending.
-    std::vector<double> positions;
-    /// Of each frame used its position on the reference, 0 … reference frames − 1, ascending: samples are
-    /// played back by it in the timing of the take.
-    std::vector<double> playback;
-
-    bool operator==(const TakeWarp&) const = default;
-};
 
 /// A take on the reference's frames, its poses laid onto the template frame.
 struct AlignedTake
@@ -35,13 +22,16 @@ struct AlignedTake
     std::vector<Vec3f> poses; ///< reference frames × vertices, metres, Procrustes-aligned to the template
     /// Of each reference frame the motion from the template's place to where it was captured.
     std::vector<RigidMotion> placements;
+
+    /// Pose of a reference frame. \pre frame < placements.size().
+    Positions pose(std::size_t frame) const;
 };
 
 /// Displacement of a frame relative to the one before, in its frame: translation, metres, then exponential
 /// map of the rotation, radians.
 using Displacement = std::array<double, 6>;
 
-/// Of each frame; the first equals the second.
+/// Of each frame; the first equals the second. \pre At least two placements.
 std::vector<Displacement> displacementsOf(std::span<const RigidMotion> placements);
 /// The placements that have these displacements, from a first one. Undoes displacementsOf.
 std::vector<RigidMotion> integrated(std::span<const Displacement> displacements, const RigidMotion& first);
@@ -57,10 +47,18 @@ struct PartTraining
 };
 
 /// The training rows of one part (ALGORITHMS section 8): three coordinates of each of its vertices in their
-/// order, and the displacements for the root.
+/// order, and the displacements for the root. Where nothing moves from its place, or no vertex moves, the
+/// scale of the displacements is 1.
 /// \param displacementShare  total variance of the displacements, in mean variances of a coordinate.
-/// \pre All takes have as many frames.
+/// \pre All takes have as many frames, at least two.
+/// \throws Error BadArgument (no takes, a share that is not positive).
 PartTraining partTraining(std::span<const AlignedTake> takes, const BodyPart& part,
                           double displacementShare = 6);
+
+/// The vertices that a pose vector (mean added) means, in BodyPart::vertices' order, metres.
+/// \pre The vector has three coordinates of each.
+void partPose(std::span<const double> poseVector, MutablePositions out);
+/// The displacement that the last six coordinates of a pose vector (mean added) mean. \pre scale > 0.
+Displacement partDisplacement(std::span<const double> poseVector, double displacementScale);
 
 } // namespace quadrille

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/progress.h"
+#include "model/core/table.h"
+#include "model/sequence/axes.h"
+#include "model/sequence/meshsequence.h"
+#include "model/transition/posedistancesettings.h"
+#include "model/variation/timewarp.h"
+#include "model/variation/training.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace quadrille {
+
+/// Fewer frames than this are no movement that could be learned.
+inline constexpr std::int64_t leastTrainingFrames = 4;
+
+/// A take that variations are learned from.
+struct TrainingTake
+{
+    MeshSequence sequence;
+    std::optional<FrameRange> range; ///< exactly these frames; its whole, or the cycle that is found
+};
+
+struct AlignmentSettings
+{
+    UpAxis up = UpAxis::Y;
+    /// Takes of locomotion are cut to one cycle, where the reference has one.
+    bool cycles = true;
+    PoseDistanceSettings distance;
+    /// Cost of a match whose feet all differ in standing or not, in mean pose distances of the two takes.
+    double contactWeight = 0.5;
+    WarpSteps steps;
+    /// Of warps, in reference frames (see warpOf).
+    double smoothing = 1.5;
+
+    bool operator==(const AlignmentSettings&) const = default;
+};
+
+/// Which frames of a take are used, and why.
+enum class TakeUse
+{
+    Given,    ///< the range that the user chose
+    Cycle,    ///< one cycle of locomotion
+    Whole,    ///< all: the reference is no locomotion, or cycles were not asked for
+    TooShort, ///< all: it has no full cycle of the reference's locomotion
+    NoMatch,  ///< all: it has frames enough, but none of them run like the reference's cycle
+};
+
+/// How one take was warped: what a view of the warps shows.
+struct WarpReport
+{
+    TakeUse use = TakeUse::Whole;
+    /// What each match would cost: reference frames × all frames of the take (not only those that are used),
+    /// radians; shrunk by taking means where a side has more than 512.
+    Table<float> costs;
+    int rowsPerCell = 1;         ///< reference frames in a row of `costs`
+    int columnsPerCell = 1;      ///< frames of the take in a column of `costs`
+    std::vector<WarpMatch> path; ///< the reference's frames that are used from 0; the take's from its first
+    double meanCost = 0;         ///< of a cell of the path
+    /// Of each frame used: where between the first (0) and the last (1) reference frame it lies.
+    std::vector<double> phases;
+    /// Of the frames of the whole take: given, or found.
+    std::vector<ContactSpan> contacts;
+};
+
+struct Alignment
+{
+    std::vector<AlignedTake> takes; ///< in the order of the training
+    std::size_t reference = 0;
+    std::vector<WarpReport> reports;   ///< of each take
+    std::vector<Vec3f> templatePose;   ///< that all frames are laid onto, metres
+    std::optional<std::int64_t> cycle; ///< frames of the reference's cycle, where it has one
+    double fps = 25;                   ///< of the reference frames
+
+    std::int64_t frameCount() const
+    {
+        return static_cast<std::int64_t>(takes.at(reference).placements.size());
+    }
+};
+
+/// Finds cycles of locomotion, warps all takes onto the reference, and lays every frame onto the template.
+/// Contacts that a take has not are found by detectContacts.
+/// \param reference  whose timing the others are warped to. \param templatePose  of all vertices; empty: the
+/// first frame of the reference that is used.
+/// \throws Error TakeTooShort (fewer than leastTrainingFrames), RangeOutside, CharacterTopologyMismatch,
+/// VertexCountMismatch (the template), BadArgument (no takes, settings), NoUsableTriangles, what reading
+/// frames throws, Cancelled. Cost: pose distances of the reference's frames with all others.
+Alignment alignTakes(std::span<const TrainingTake> takes, std::size_t reference,
+                     const AlignmentSettings& settings = {}, Positions templatePose = {},
+                     const Progress& progress = {});
+
+} // namespace quadrille

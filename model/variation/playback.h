@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/progress.h"
+#include "model/sequence/axes.h"
+#include "model/synthesis/clip.h"
+#include "model/variation/training.h"
+
+#include <span>
+#include <vector>
+
+namespace quadrille {
+
+struct PathSettings
+{
+    UpAxis up = UpAxis::Y;
+    double fps = 25; ///< of the reference frames
+    /// Errors of single displacements add up: what height and tilt differ from those of the take is forgotten
+    /// by half in this time, seconds. Way and heading on the ground are free.
+    double driftHalfLife = 0.25;
+};
+
+/// The path on the ground that displacements lead along, from where the take began.
+/// \param guide  placements of the take that is varied (of a blend: blendedPlacements). With its own
+/// displacements it comes out as it is.
+/// \pre As many displacements as placements.
+std::vector<RigidMotion> pathOnGround(std::span<const Displacement> displacements,
+                                      std::span<const RigidMotion> guide, const PathSettings& settings = {});
+
+/// Poses of reference frames played in the timing of a take and put where they belong: one frame for each of
+/// the take's, linear between reference frames, placements by slerp.
+/// \param poses  reference frames × vertices, in the template's place, metres.
+/// \param placements  of each reference frame.
+/// \return frames of the warp × vertices, metres. Parallel over the frames. \throws Error Cancelled.
+std::vector<Vec3f> played(std::span<const Vec3f> poses, std::span<const RigidMotion> placements,
+                          const TakeWarp& warp, const Progress& progress = {});
+
+/// Where the frames of a variation of a take come from: each from the captured frame at its time.
+/// \param firstNode  of the take's sequence in its character.
+std::vector<FrameOrigin> variationOrigins(const TakeWarp& warp, NodeIndex firstNode);
+
+/// Where the frames of a variation of a blend come from: each from the captured frames of both takes at its
+/// phase.
+/// \param weight  of the second take. \param firstNodeA, firstNodeB  of the takes' sequences.
+std::vector<FrameOrigin> variationOrigins(const TakeWarp& a, const TakeWarp& b, double weight,
+                                          NodeIndex firstNodeA, NodeIndex firstNodeB);
+
+} // namespace quadrille
