@@ -105,6 +105,19 @@ std::vector<Span> fittedSpans(const std::vector<Span>& spans, std::string Span::
     return fitted;
 }
 
+template <typename Entry>
+const Entry* findEntry(const std::vector<Entry>& entries, const std::string& name)
+{
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.name == name; });
+    return found == entries.end() ? nullptr : &*found;
+}
+
+std::string characterOrOnlyOne(const Project& project, const std::string& named)
+{
+    return named.empty() && !project.characters.empty() ? project.characters.front().name : named;
+}
+
 void addFile(std::vector<fs::path>& files, const fs::path& file)
 {
     if (!file.empty() && std::find(files.begin(), files.end(), file) == files.end())
@@ -125,23 +138,36 @@ const CharacterEntry* characterOf(const Project& project, const SequenceEntry& e
 
 const SequenceEntry* findSequence(const Project& project, const std::string& name)
 {
-    const auto found = std::find_if(project.sequences.begin(), project.sequences.end(),
-                                    [&](const SequenceEntry& entry) { return entry.name == name; });
-    return found == project.sequences.end() ? nullptr : &*found;
+    return findEntry(project.sequences, name);
 }
 
 const AnimationEntry* findAnimation(const Project& project, const std::string& name)
 {
-    const auto found = std::find_if(project.animations.begin(), project.animations.end(),
-                                    [&](const AnimationEntry& entry) { return entry.name == name; });
-    return found == project.animations.end() ? nullptr : &*found;
+    return findEntry(project.animations, name);
+}
+
+const VariationEntry* findVariation(const Project& project, const std::string& name)
+{
+    return findEntry(project.variations, name);
 }
 
 std::string characterNameOf(const Project& project, const AnimationEntry& animation)
 {
-    if (animation.character.empty() && !project.characters.empty())
-        return project.characters.front().name;
-    return animation.character;
+    return characterOrOnlyOne(project, animation.character);
+}
+
+std::string characterNameOf(const Project& project, const VariationEntry& variation)
+{
+    return characterOrOnlyOne(project, variation.character);
+}
+
+const BodyPartsEntry* bodyPartsOf(const Project& project, const std::string& character)
+{
+    const auto found =
+        std::find_if(project.bodyParts.begin(), project.bodyParts.end(), [&](const BodyPartsEntry& entry) {
+            return characterOrOnlyOne(project, entry.character) == character;
+        });
+    return found == project.bodyParts.end() ? nullptr : &*found;
 }
 
 const AnimationEntry* shownAnimation(const Project& project, const SequenceEntry& entry)

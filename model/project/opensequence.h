@@ -92,8 +92,13 @@ OpenedSequence openSource(const SequenceEntry& entry, const CharacterEntry* char
 const CharacterEntry* characterOf(const Project& project, const SequenceEntry& entry);
 const SequenceEntry* findSequence(const Project& project, const std::string& name);
 const AnimationEntry* findAnimation(const Project& project, const std::string& name);
-/// The character of an animation: the one it names, or the only one; empty when the project has none.
+const VariationEntry* findVariation(const Project& project, const std::string& name);
+/// The character of an animation, a variation or parts of a body: the one it names, or the only one; empty
+/// when the project has none.
 std::string characterNameOf(const Project& project, const AnimationEntry& animation);
+std::string characterNameOf(const Project& project, const VariationEntry& variation);
+/// The parts of a character's body; null where the project has none.
+const BodyPartsEntry* bodyPartsOf(const Project& project, const std::string& character);
 /// The animation whose clip a sequence shows, perhaps through other sequences; null when it shows none.
 const AnimationEntry* shownAnimation(const Project& project, const SequenceEntry& entry);
 /// The sequences that the graph of a character is made of, in project order: all of the character's but those

@@ -6,6 +6,7 @@
 #include "model/project/animationentry.h"
 #include "model/project/evaluationentry.h"
 #include "model/project/problem.h"
+#include "model/project/variationentry.h"
 #include "model/sequence/axes.h"
 #include "model/sequence/meshsequence.h"
 #include "model/transition/posedistancesettings.h"
@@ -107,7 +108,8 @@ TransitionSettings transitionSettings(const GraphEntry& entry, double fps);
 struct ExportEntry
 {
     std::string name;
-    std::string what; ///< "sequences/NAME"; later "animations/NAME", …
+    std::string
+        what; ///< "sequences/NAME", "animations/NAME", "variations/NAME/3", or all of "variations/NAME"
     std::string path; ///< the ending gives the format, unless `format` does
     std::string format;
     std::optional<FrameRange> range;
@@ -131,8 +133,10 @@ struct Project
     ProjectSettings settings;
     std::vector<CharacterEntry> characters;
     std::vector<SequenceEntry> sequences;
-    std::vector<GraphEntry> graphs; ///< the section “graph”; one for each character at most
+    std::vector<BodyPartsEntry> bodyParts; ///< the section “body_parts”; one for each character at most
+    std::vector<GraphEntry> graphs;        ///< the section “graph”; one for each character at most
     std::vector<AnimationEntry> animations;
+    std::vector<VariationEntry> variations;
     std::vector<EvaluationEntry> evaluations;
     std::vector<ExportEntry> exports;
     /// Sections and keys that this version does not know.

@@ -11,9 +11,9 @@
 namespace quadrille::projectkeys {
 
 // The keys of each object of the project file, in the order in which they are written.
-inline constexpr std::array<std::string_view, 9> document{"format",     "version",     "settings",
-                                                          "characters", "sequences",   "graph",
-                                                          "animations", "evaluations", "exports"};
+inline constexpr std::array<std::string_view, 11> document{
+    "format", "version",    "settings",   "characters",  "sequences", "body_parts",
+    "graph",  "animations", "variations", "evaluations", "exports"};
 inline constexpr std::array<std::string_view, 4> settings{"fps", "up_axis", "unit", "cache_megabytes"};
 inline constexpr std::array<std::string_view, 4> character{"name", "mesh", "texture", "notes"};
 inline constexpr std::array<std::string_view, 12> sequence{
@@ -45,6 +45,20 @@ inline constexpr std::array<std::string_view, 3> loop{"cut_start", "cut_end", "i
 inline constexpr std::array<std::string_view, 5> contactCorrection{"strength", "ease", "greatest_shift",
                                                                    "greatest_turn", "greatest_lift"};
 inline constexpr std::array<std::string_view, 4> retime{"factor", "duration", "curve", "keep_root_speed"};
+inline constexpr std::array<std::string_view, 4> bodyParts{"character", "pose", "curves", "parts"};
+inline constexpr std::array<std::string_view, 3> partCurve{"name", "vertices", "points"};
+inline constexpr std::array<std::string_view, 3> part{"name", "parent", "curves"};
+inline constexpr std::array<std::string_view, 12> variation{
+    "name",   "character",          "sequences", "reference", "template", "cycles",
+    "blends", "displacement_share", "learning",  "sampling",  "samples",  "poses"};
+inline constexpr std::array<std::string_view, 2> training{"sequence", "range"};
+inline constexpr std::array<std::string_view, 2> namedFrame{"sequence", "frame"};
+inline constexpr std::array<std::string_view, 3> blend{"from", "to", "weights"};
+inline constexpr std::array<std::string_view, 6> learning{"dimensions", "restarts", "seed",
+                                                          "tolerance",  "window",   "iterations"};
+inline constexpr std::array<std::string_view, 4> sampling{"leapfrog_steps", "burn_in", "thinning",
+                                                          "acceptance"};
+inline constexpr std::array<std::string_view, 6> samples{"of", "to", "weight", "count", "seed", "discarded"};
 inline constexpr std::array<std::string_view, 6> evaluation{"table",  "character", "sequences",
                                                             "alphas", "count",     "seed"};
 inline constexpr std::array<std::string_view, 10> exportEntry{

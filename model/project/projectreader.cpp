@@ -4,6 +4,7 @@
 #include "model/project/pictureoptions.h"
 #include "model/project/projectjson.h"
 #include "model/project/projectkeys.h"
+#include "model/project/variationjson.h"
 
 #include <algorithm>
 #include <cmath>
@@ -182,6 +183,17 @@ ExportEntry readExport(const Json& json, const std::string& pointer, const Proje
     return entry;
 }
 
+/// One character's may stand without a list.
+template <typename Read>
+void eachOrOne(const ObjectReader& reader, const char* key, const Read& read)
+{
+    const Json* one = reader.find(key);
+    if (one != nullptr && one->is_object())
+        read(*one, reader.pointer(key));
+    else
+        reader.each(key, read);
+}
+
 } // namespace
 
 Project projectFromJson(const Json& document, ProjectProblems& problems)
@@ -196,16 +208,17 @@ Project projectFromJson(const Json& document, ProjectProblems& problems)
     reader.each("sequences", [&](const Json& json, const std::string& pointer) {
         project.sequences.push_back(readSequence(json, pointer, project.settings, problems));
     });
-    // One character's may stand without a list.
-    if (const Json* graph = reader.find("graph"); graph != nullptr && graph->is_object()) {
-        project.graphs.push_back(readGraph(*graph, "/graph", problems));
-    } else {
-        reader.each("graph", [&](const Json& json, const std::string& pointer) {
-            project.graphs.push_back(readGraph(json, pointer, problems));
-        });
-    }
+    eachOrOne(reader, "body_parts", [&](const Json& json, const std::string& pointer) {
+        project.bodyParts.push_back(readBodyParts({json, pointer, problems}));
+    });
+    eachOrOne(reader, "graph", [&](const Json& json, const std::string& pointer) {
+        project.graphs.push_back(readGraph(json, pointer, problems));
+    });
     reader.each("animations", [&](const Json& json, const std::string& pointer) {
         project.animations.push_back(readAnimation({json, pointer, problems}, project.settings.axes.up));
+    });
+    reader.each("variations", [&](const Json& json, const std::string& pointer) {
+        project.variations.push_back(readVariation({json, pointer, problems}));
     });
     reader.each("evaluations", [&](const Json& json, const std::string& pointer) {
         project.evaluations.push_back(readEvaluation(json, pointer, problems));

@@ -4,6 +4,7 @@
 #include "model/project/jsonmembers.h"
 #include "model/project/lengthunit.h"
 #include "model/project/projectjson.h"
+#include "model/project/variationjson.h"
 
 namespace quadrille {
 
@@ -125,17 +126,17 @@ Json graphToJson(const GraphEntry& graph)
     return json;
 }
 
-void addGraphs(Json& json, const std::vector<GraphEntry>& graphs)
+/// Entries of one for each character; without a list where there is one and it names none.
+template <typename Entry>
+void addOneOrEach(Json& json, const char* key, const std::vector<Entry>& entries,
+                  Json (*toJson)(const Entry& entry))
 {
-    if (graphs.empty())
-        return;
-    if (graphs.size() == 1 && graphs.front().character.empty()) {
-        json["graph"] = graphToJson(graphs.front());
+    if (entries.size() == 1 && entries.front().character.empty()) {
+        json[key] = toJson(entries.front());
         return;
     }
-    json["graph"] = Json::array();
-    for (const GraphEntry& graph : graphs)
-        json["graph"].push_back(graphToJson(graph));
+    for (const Entry& entry : entries)
+        json[key].push_back(toJson(entry));
 }
 
 /// The name of the table alone where nothing else is given.
@@ -190,9 +191,12 @@ Json projectToJson(const Project& project)
     json["sequences"] = Json::array();
     for (const SequenceEntry& sequence : project.sequences)
         json["sequences"].push_back(sequenceToJson(sequence));
-    addGraphs(json, project.graphs);
+    addOneOrEach(json, "body_parts", project.bodyParts, bodyPartsToJson);
+    addOneOrEach(json, "graph", project.graphs, graphToJson);
     for (const AnimationEntry& animation : project.animations)
         json["animations"].push_back(animationToJson(animation, project.settings.axes.up));
+    for (const VariationEntry& variation : project.variations)
+        json["variations"].push_back(variationToJson(variation));
     for (const EvaluationEntry& evaluation : project.evaluations)
         json["evaluations"].push_back(evaluationToJson(evaluation));
     json["exports"] = Json::array();

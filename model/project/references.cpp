@@ -33,6 +33,15 @@ public:
         std::erase_if(m_project.animations, [&](AnimationEntry& entry) {
             return !keepsCharacter(entry.character) && (lost.animations.push_back(entry.name), true);
         });
+        std::erase_if(m_project.bodyParts, [&](BodyPartsEntry& entry) {
+            if (m_kind == NamedKind::Sequence && entry.pose && !keeps(entry.pose->sequence))
+                entry.pose.reset();
+            return !keepsCharacter(entry.character);
+        });
+        std::erase_if(m_project.variations, [&](VariationEntry& entry) {
+            return !(keepsCharacter(entry.character) && keepsTakes(entry)) &&
+                   (lost.variations.push_back(entry.name), true);
+        });
         // An evaluation without a character is of all of them.
         std::erase_if(m_project.evaluations, [&](EvaluationEntry& entry) {
             return !entry.character.empty() && !keepsCharacter(entry.character);
@@ -70,14 +79,56 @@ private:
     {
         if (m_kind == NamedKind::Character)
             return true;
-        const std::string section = m_kind == NamedKind::Sequence ? "sequences" : "animations";
+        const std::string section = sectionOf(m_kind);
         auto name = nameOfClip(clip, section);
         if (!name)
             return true;
+        // Clips of variations have a number behind the name.
+        std::string number;
+        if (m_kind == NamedKind::Variation)
+            number = cutNumber(*name);
         if (!keeps(*name))
             return false;
-        clip = section + "/" + *name;
+        clip = section + "/" + *name + number;
         return true;
+    }
+
+    static std::string sectionOf(NamedKind kind)
+    {
+        return kind == NamedKind::Sequence    ? "sequences"
+               : kind == NamedKind::Animation ? "animations"
+                                              : "variations";
+    }
+
+    /// Takes "/3" off a name.
+    static std::string cutNumber(std::string& name)
+    {
+        const auto slash = std::min(name.find('/'), name.size());
+        std::string number = name.substr(slash);
+        name.resize(slash);
+        return number;
+    }
+
+    /// The takes, blends and samples of a variation; without a take left it goes.
+    bool keepsTakes(VariationEntry& entry) const
+    {
+        if (m_kind != NamedKind::Sequence)
+            return true;
+        const bool hadTakes = !entry.training.empty();
+        std::erase_if(entry.training, [&](TrainingEntry& take) { return !keeps(take.sequence); });
+        std::erase_if(entry.blends, [&](BlendEntry& blend) {
+            const bool keepsFrom = keeps(blend.from);
+            return !keeps(blend.to) || !keepsFrom;
+        });
+        std::erase_if(entry.samples, [&](SamplesEntry& samples) {
+            const bool keepsOf = keeps(samples.of);
+            return !keeps(samples.to) || !keepsOf;
+        });
+        if (!keeps(entry.reference))
+            entry.reference.clear();
+        if (entry.templatePose && !keeps(entry.templatePose->sequence))
+            entry.templatePose.reset();
+        return !hadTakes || !entry.training.empty();
     }
 
     bool keepsSource(std::string& source) const
@@ -151,6 +202,9 @@ void withEntries(Project& project, NamedKind kind, const Function& function)
     case NamedKind::Animation:
         function(project.animations);
         return;
+    case NamedKind::Variation:
+        function(project.variations);
+        return;
     }
 }
 
@@ -187,6 +241,7 @@ void removeEntries(Project& project, NamedKind kind, const std::vector<std::stri
     });
     removeEntries(project, NamedKind::Sequence, lost.sequences);
     removeEntries(project, NamedKind::Animation, lost.animations);
+    removeEntries(project, NamedKind::Variation, lost.variations);
 }
 
 } // namespace quadrille

@@ -17,6 +17,7 @@ enum class NamedKind
     Character,
     Sequence,
     Animation,
+    Variation,
 };
 
 /// The new name of an entry that is spoken of; nothing where it is gone.
@@ -27,12 +28,14 @@ struct LostEntries
 {
     std::vector<std::string> sequences;
     std::vector<std::string> animations;
+    std::vector<std::string> variations;
 };
 
 /// Changes all references to entries of a kind. Where the entry is gone, so is what speaks of it: sequences
-/// and exports that show it, the whole of a character, and of animations and evaluations only the
-/// constraints, junctions, walks and names that cannot be met any more. \return the sequences and animations
-/// that went; references to them are still there.
+/// and exports that show it, the whole of a character, variations that are left without takes, and of
+/// animations, variations and evaluations only the constraints, junctions, walks, takes, blends and names
+/// that cannot be met any more. \return the sequences, animations and variations that went; references to
+/// them are still there.
 LostEntries changeReferences(Project& project, NamedKind kind, const NameChange& change);
 
 /// Gives an entry another name, wherever it is spoken of.

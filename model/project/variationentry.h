@@ -101,6 +101,8 @@ struct VariationEntry
     HmcSettings chain;
     std::vector<SamplesEntry> samples;
     PoseDraw draw = PoseDraw::Mean;
+    UnknownKeys unknownOfLearning;
+    UnknownKeys unknownOfSampling;
     UnknownKeys unknown;
 
     bool operator==(const VariationEntry&) const = default;

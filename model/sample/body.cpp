@@ -70,7 +70,7 @@ double Body::referenceHeight(double y) const
     return bodyNeckHeight + (y - neck) / m_proportions.head;
 }
 
-Vec3d Body::fromReference(const Vec3d& p, BodyPart part) const
+Vec3d Body::fromReference(const Vec3d& p, FigurePart part) const
 {
     const BodyJoints reference = referenceJoints();
     const double side = p.x() < 0 ? -1 : 1;
@@ -84,24 +84,24 @@ Vec3d Body::fromReference(const Vec3d& p, BodyPart part) const
         return q;
     };
     switch (part) {
-    case BodyPart::Head:
+    case FigurePart::Head:
         return {p.x() * m_proportions.head, height(p.y()), p.z() * m_proportions.head};
-    case BodyPart::Torso:
+    case FigurePart::Torso:
         return {p.x() * m_proportions.girth, height(p.y()), p.z() * m_proportions.girth};
-    case BodyPart::Arm:
+    case FigurePart::Arm:
         return along(reference.shoulder, m_joints.shoulder, m_proportions.arms, limbGirth());
-    case BodyPart::Hand:
+    case FigurePart::Hand:
         return along(reference.wrist, m_joints.wrist, 1.0, 1.0);
-    case BodyPart::Leg:
-    case BodyPart::Foot:
+    case FigurePart::Leg:
+    case FigurePart::Foot:
         break;
     }
-    const double girth = part == BodyPart::Foot ? 1.0 : limbGirth();
+    const double girth = part == FigurePart::Foot ? 1.0 : limbGirth();
     const double shift = m_joints.hip.x() - reference.hip.x() * girth;
     return {p.x() * girth + side * shift, height(p.y()), p.z() * girth};
 }
 
-Vec3d Body::toReference(const Vec3d& p, BodyPart part) const
+Vec3d Body::toReference(const Vec3d& p, FigurePart part) const
 {
     const BodyJoints reference = referenceJoints();
     const double side = p.x() < 0 ? -1 : 1;
@@ -115,19 +115,19 @@ Vec3d Body::toReference(const Vec3d& p, BodyPart part) const
         return q;
     };
     switch (part) {
-    case BodyPart::Head:
+    case FigurePart::Head:
         return {p.x() / m_proportions.head, referenceHeight(p.y()), p.z() / m_proportions.head};
-    case BodyPart::Torso:
+    case FigurePart::Torso:
         return {p.x() / m_proportions.girth, referenceHeight(p.y()), p.z() / m_proportions.girth};
-    case BodyPart::Arm:
+    case FigurePart::Arm:
         return along(m_joints.shoulder, reference.shoulder, m_proportions.arms, limbGirth());
-    case BodyPart::Hand:
+    case FigurePart::Hand:
         return along(m_joints.wrist, reference.wrist, 1.0, 1.0);
-    case BodyPart::Leg:
-    case BodyPart::Foot:
+    case FigurePart::Leg:
+    case FigurePart::Foot:
         break;
     }
-    const double girth = part == BodyPart::Foot ? 1.0 : limbGirth();
+    const double girth = part == FigurePart::Foot ? 1.0 : limbGirth();
     const double shift = m_joints.hip.x() - reference.hip.x() * girth;
     return {(p.x() - side * shift) / girth, referenceHeight(p.y()), p.z() / girth};
 }
@@ -252,27 +252,27 @@ Vec3d Body::normal(const Vec3d& p) const
     return length > 0 ? Vec3d(g / length) : Vec3d::UnitY();
 }
 
-BodyPart Body::partAt(const Vec3d& point) const
+FigurePart Body::partAt(const Vec3d& point) const
 {
     const Vec3d p(std::abs(point.x()), point.y(), point.z());
     const double along = (p - m_joints.shoulder).dot(bodyArmAlong);
     const double fromAxis = (p - m_joints.shoulder - along * bodyArmAlong).norm();
     const Vec3d armhole = p - m_joints.shoulder;
     if (along > 0.535 * m_proportions.arms && fromAxis < 0.12)
-        return BodyPart::Hand;
+        return FigurePart::Hand;
     if (armhole.dot(Vec3d(0.93, -0.37, 0)) > 0.004 && fromAxis < 0.085 * limbGirth() &&
         m_arm.distance(p) < m_torso.distance(p))
-        return BodyPart::Arm;
+        return FigurePart::Arm;
     const Vec3d collar = p - Vec3d(0, height(1.468), -0.012);
     const bool isAtNeck =
         std::hypot(collar.x(), collar.z()) < 0.076 * m_proportions.head || p.y() > height(1.50);
     if (isAtNeck && collar.y() * 0.95 + collar.z() * 0.31 > 0 && p.y() > height(1.40))
-        return BodyPart::Head;
+        return FigurePart::Head;
     if (p.y() > height(0.990))
-        return BodyPart::Torso;
+        return FigurePart::Torso;
     if (p.y() < 0.09 && footDistance(p) < m_leg.distance(p))
-        return BodyPart::Foot;
-    return BodyPart::Leg;
+        return FigurePart::Foot;
+    return FigurePart::Leg;
 }
 
 } // namespace quadrille

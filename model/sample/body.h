@@ -18,7 +18,7 @@ struct Proportions
     double belly = 0.0;     ///< metres that the belly stands out
 };
 
-enum class BodyPart
+enum class FigurePart
 {
     Head,
     Torso,
@@ -49,13 +49,13 @@ public:
     /// Unit gradient of `distance`.
     Vec3d normal(const Vec3d& p) const;
     /// Which part a surface point belongs to.
-    BodyPart partAt(const Vec3d& p) const;
+    FigurePart partAt(const Vec3d& p) const;
     /// Whether a point of the head lies on the hair.
     bool isHair(const Vec3d& p) const;
     /// The place of a point of a part on the reference figure (left half mirrored along).
-    Vec3d toReference(const Vec3d& p, BodyPart part) const;
+    Vec3d toReference(const Vec3d& p, FigurePart part) const;
     /// The place on this figure of a point of the reference figure.
-    Vec3d fromReference(const Vec3d& p, BodyPart part) const;
+    Vec3d fromReference(const Vec3d& p, FigurePart part) const;
 
 private:
     double headDistance(const Vec3d& p) const;

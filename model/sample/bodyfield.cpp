@@ -55,7 +55,7 @@ double Body::hairDistance(const Vec3d& p) const
 
 bool Body::isHair(const Vec3d& p) const
 {
-    Vec3d q = toReference(p, BodyPart::Head);
+    Vec3d q = toReference(p, FigurePart::Head);
     q.x() = std::abs(q.x());
     return hairDistance(q) < faceDistance(q);
 }
@@ -68,7 +68,7 @@ double Body::headDistance(const Vec3d& p) const
                         {0.11 * m_proportions.head, m_joints.headTop.y() + 0.03, 0.14 * m_proportions.head});
         box > 0.06)
         return box;
-    const Vec3d q = toReference(p, BodyPart::Head);
+    const Vec3d q = toReference(p, FigurePart::Head);
     return m_proportions.head * smoothUnion(faceDistance(q), hairDistance(q), 0.006);
 }
 

@@ -45,7 +45,7 @@ EdgeLength edgeLengthFor(const Body& body, double scale)
         const auto finer = [&](double distance, double near, double growth) {
             length = std::min(length, near + growth * std::max(distance, 0.0));
         };
-        const Vec3d head = body.toReference(p, BodyPart::Head);
+        const Vec3d head = body.toReference(p, FigurePart::Head);
         finer(ellipsoidDistance(head, {0, 1.59, 0.085}, {0.05, 0.062, 0.045}), 0.0098, 0.20);
         finer(ellipsoidDistance(head, {0, 1.64, 0}, {0.09, 0.11, 0.11}), 0.0170, 0.20);
         finer(sphereDistance(head, {0.084, 1.602, -0.006}, 0.03), 0.0120, 0.20);

@@ -53,7 +53,7 @@ double handMiddle(double along, double toThumb)
 
 std::uint16_t wishedChart(const Body& body, const Vec3d& point, const Vec3d& normal)
 {
-    const BodyPart part = body.partAt(point);
+    const FigurePart part = body.partAt(point);
     Vec3d p = body.toReference(point, part);
     const int right = p.x() < 0 ? 1 : 0;
     p.x() = std::abs(p.x());
@@ -62,13 +62,13 @@ std::uint16_t wishedChart(const Body& body, const Vec3d& point, const Vec3d& nor
         return static_cast<std::uint16_t>(first + perSide * right + (second ? 1 : 0));
     };
     switch (part) {
-    case BodyPart::Head:
+    case FigurePart::Head:
         return p.z() < -0.022 + 0.15 * (p.y() - 1.60) ? 1 : 0;
-    case BodyPart::Torso:
+    case FigurePart::Torso:
         return p.z() < -0.012 ? 3 : 2;
-    case BodyPart::Arm:
+    case FigurePart::Arm:
         return chart(4, 2, p.z() < joints.shoulder.z());
-    case BodyPart::Hand: {
+    case FigurePart::Hand: {
         const Vec3d along = (joints.elbow - joints.shoulder).normalized();
         const Vec3d q = p - joints.wrist;
         const Vec3d out = Vec3d(-along.y(), along.x(), 0);
@@ -79,11 +79,11 @@ std::uint16_t wishedChart(const Body& body, const Vec3d& point, const Vec3d& nor
             return static_cast<std::uint16_t>(22 + 4 * right + nearestFinger(way, q.z()));
         return chart(8, 2, isPalm);
     }
-    case BodyPart::Leg: {
+    case FigurePart::Leg: {
         const double middle = p.y() > 0.85 ? 0.0 : -0.02 + 0.026 * std::min((p.y() - 0.07) / 0.44, 1.0);
         return chart(12, 2, p.z() < middle);
     }
-    case BodyPart::Foot:
+    case FigurePart::Foot:
         break;
     }
     if (normal.y() < -0.55 && p.y() < 0.04)

@@ -30,7 +30,7 @@ struct PaintPlace
 {
     Vec3d p;
     Vec3d normal;
-    BodyPart part = BodyPart::Torso;
+    FigurePart part = FigurePart::Torso;
     bool isHair = false;
 };
 

@@ -68,7 +68,7 @@ Vec3d shirt(const PaintPlace& place, const Palette& palette)
     const Vec3d fromShoulder(std::abs(p.x()) - joints.shoulder.x(), p.y() - joints.shoulder.y(),
                              p.z() - joints.shoulder.z());
     const double along = fromShoulder.dot((joints.elbow - joints.shoulder).normalized());
-    if (place.part == BodyPart::Arm) {
+    if (place.part == FigurePart::Arm) {
         colour = mix(colour, palette.trim, above(along, 0.166, texel));
         colour = mix(colour, palette.shirt * 0.6, band(along - 0.1655, 0.0009, texel));
         colour = mix(colour, palette.shirt * 0.75, stitches(along - 0.172, p.z() + p.y()));
@@ -223,13 +223,13 @@ Vec3d shoe(const PaintPlace& place, const Palette& palette)
 Vec3d paintClothes(const PaintPlace& place, const Palette& palette)
 {
     switch (place.part) {
-    case BodyPart::Foot:
+    case FigurePart::Foot:
         return shoe(place, palette);
-    case BodyPart::Leg:
+    case FigurePart::Leg:
         return place.p.y() < 0.068 ? shoe(place, palette) : trousers(place, palette);
     default:
-        return place.p.y() < 0.990 && place.part == BodyPart::Torso ? trousers(place, palette)
-                                                                    : shirt(place, palette);
+        return place.p.y() < 0.990 && place.part == FigurePart::Torso ? trousers(place, palette)
+                                                                      : shirt(place, palette);
     }
 }
 

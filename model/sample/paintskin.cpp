@@ -152,23 +152,23 @@ Vec3d hand(Vec3d colour, const PaintPlace& place)
 Vec3d paintSkin(const PaintPlace& place, const Palette& palette)
 {
     const Vec3d& p = place.p;
-    if (place.part == BodyPart::Head && place.isHair)
+    if (place.part == FigurePart::Head && place.isHair)
         return hairColour(place, palette);
     const double mottled = 0.5 * valueNoise(p.x() * 60, p.y() * 60, p.z() * 60, palette.seed + 30) +
                            0.5 * valueNoise(p.x() * 330, p.y() * 330, p.z() * 330, palette.seed + 31);
     Vec3d colour = palette.skin * (1 + 0.045 * mottled);
     colour.x() *= 1 + 0.012 * valueNoise(p.x() * 35, p.y() * 35, p.z() * 35, palette.seed + 32);
-    if (place.part == BodyPart::Head)
+    if (place.part == FigurePart::Head)
         return face(colour, place, palette);
-    if (place.part == BodyPart::Hand)
+    if (place.part == FigurePart::Hand)
         return hand(colour, place);
     return colour;
 }
 
 Vec3d paint(const PaintPlace& place, const Palette& palette)
 {
-    bool isSkin = place.part == BodyPart::Head || place.part == BodyPart::Hand;
-    if (place.part == BodyPart::Arm) {
+    bool isSkin = place.part == FigurePart::Head || place.part == FigurePart::Hand;
+    if (place.part == FigurePart::Arm) {
         const BodyJoints joints = referenceJoints();
         const Vec3d p(std::abs(place.p.x()), place.p.y(), place.p.z());
         isSkin = (p - joints.shoulder).dot((joints.elbow - joints.shoulder).normalized()) > sleeveEnd;

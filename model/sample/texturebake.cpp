@@ -111,7 +111,7 @@ Image bakeTexture(const SurfaceMesh& mesh, const Body& body, const TexelMap& tex
             };
             const Vec3d p = blend(mesh.points);
             const Vec3d n = blend(normals).normalized();
-            const BodyPart part = body.partAt(p);
+            const FigurePart part = body.partAt(p);
             const Vec3d colour = paint({body.toReference(p, part), n, part, body.isHair(p)}, palette);
             const double light = (0.50 + 0.50 * openness(body, p + 0.002 * n, n)) * (0.965 + 0.035 * n.y());
             for (int c = 0; c < 3; ++c)

@@ -125,9 +125,9 @@ TEST(Validate, CyclesOfClipsAreRefused)
 TEST(Validate, ClipsOfSectionsThatAreNotKnownAreNoError)
 {
     Project project;
-    project.sequences = {sequenceOf("a", "clip:variations/dance")};
-    EXPECT_THAT(onlyProblem(project), HasSubstr("no section “variations”"));
-    project.unknown["variations"] = UnknownKeys::array();
+    project.sequences = {sequenceOf("a", "clip:motion_spaces/dance")};
+    EXPECT_THAT(onlyProblem(project), HasSubstr("no section “motion_spaces”"));
+    project.unknown["motion_spaces"] = UnknownKeys::array();
     EXPECT_THAT(onlyProblem(project), HasSubstr("cannot be used by this version"));
     EXPECT_FALSE(hasErrors(validate(project)));
 }

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/jsonmembers.h"
+#include "model/project/variationjson.h"
+
+namespace quadrille {
+
+namespace {
+
+Json toJson(const std::vector<VertexIndex>& vertices)
+{
+    Json json = Json::array();
+    for (const VertexIndex vertex : vertices)
+        json.push_back(vertex.value);
+    return json;
+}
+
+Json toJson(const NamedFrame& frame)
+{
+    Json json = Json::object();
+    json["sequence"] = frame.sequence;
+    json["frame"] = frame.frame.value;
+    return json;
+}
+
+/// A member that is left out where it is as usual.
+template <typename Value>
+void addUnless(Json& json, const char* key, const Value& value, const Value& usual)
+{
+    if (value != usual)
+        json[key] = value;
+}
+
+Json toJson(const PartCurveEntry& entry)
+{
+    Json json = Json::object();
+    json["name"] = entry.curve.name;
+    json["vertices"] = toJson(entry.curve.vertices);
+    if (!entry.points.empty())
+        json["points"] = toJson(entry.points);
+    addUnknown(json, entry.unknown);
+    return json;
+}
+
+Json toJson(const PartEntry& entry)
+{
+    Json json = Json::object();
+    json["name"] = entry.part.name;
+    addText(json, "parent", entry.part.parent);
+    if (!entry.part.curves.empty())
+        json["curves"] = entry.part.curves;
+    addUnknown(json, entry.unknown);
+    return json;
+}
+
+/// The name alone where nothing else is given.
+Json toJson(const TrainingEntry& entry)
+{
+    Json json = Json::object();
+    json["sequence"] = entry.sequence;
+    addRange(json, "range", entry.range);
+    addUnknown(json, entry.unknown);
+    return json.size() == 1 ? json["sequence"] : json;
+}
+
+Json toJson(const BlendEntry& blend)
+{
+    Json json = Json::object();
+    json["from"] = blend.from;
+    json["to"] = blend.to;
+    json["weights"] = blend.weights;
+    addUnknown(json, blend.unknown);
+    return json;
+}
+
+Json learningToJson(const VariationEntry& variation)
+{
+    const GpdmSettings usual;
+    const GpdmSettings& learning = variation.learning;
+    Json json = Json::object();
+    addUnless(json, "dimensions", learning.dimensions, usual.dimensions);
+    addUnless(json, "restarts", learning.restarts, usual.restarts);
+    addUnless(json, "seed", learning.seed, usual.seed);
+    addUnless(json, "tolerance", learning.tolerance, usual.tolerance);
+    addUnless(json, "window", learning.window, usual.window);
+    addUnless(json, "iterations", learning.greatestIterations, usual.greatestIterations);
+    addUnknown(json, variation.unknownOfLearning);
+    return json;
+}
+
+Json samplingToJson(const VariationEntry& variation)
+{
+    const HmcSettings usual;
+    const HmcSettings& chain = variation.chain;
+    Json json = Json::object();
+    addUnless(json, "leapfrog_steps", chain.leapfrogSteps, usual.leapfrogSteps);
+    addUnless(json, "burn_in", chain.burnIn, usual.burnIn);
+    addUnless(json, "thinning", chain.thinning, usual.thinning);
+    if (chain.leastAcceptance != usual.leastAcceptance ||
+        chain.greatestAcceptance != usual.greatestAcceptance)
+        json["acceptance"] = Json::array({chain.leastAcceptance, chain.greatestAcceptance});
+    addUnknown(json, variation.unknownOfSampling);
+    return json;
+}
+
+Json toJson(const SamplesEntry& samples)
+{
+    Json json = Json::object();
+    json["of"] = samples.of;
+    addText(json, "to", samples.to);
+    if (!samples.to.empty() || samples.weight != 0)
+        json["weight"] = samples.weight;
+    json["count"] = samples.count;
+    json["seed"] = samples.seed;
+    if (!samples.discarded.empty())
+        json["discarded"] = samples.discarded;
+    addUnknown(json, samples.unknown);
+    return json;
+}
+
+} // namespace
+
+Json bodyPartsToJson(const BodyPartsEntry& parts)
+{
+    Json json = Json::object();
+    addText(json, "character", parts.character);
+    if (parts.pose)
+        json["pose"] = toJson(*parts.pose);
+    json["curves"] = Json::array();
+    for (const PartCurveEntry& curve : parts.curves)
+        json["curves"].push_back(toJson(curve));
+    json["parts"] = Json::array();
+    for (const PartEntry& part : parts.parts)
+        json["parts"].push_back(toJson(part));
+    addUnknown(json, parts.unknown);
+    return json;
+}
+
+Json variationToJson(const VariationEntry& variation)
+{
+    const VariationEntry usual;
+    Json json = Json::object();
+    json["name"] = variation.name;
+    addText(json, "character", variation.character);
+    json["sequences"] = Json::array();
+    for (const TrainingEntry& take : variation.training)
+        json["sequences"].push_back(toJson(take));
+    addText(json, "reference", variation.reference);
+    if (variation.templatePose)
+        json["template"] = toJson(*variation.templatePose);
+    addUnless(json, "cycles", variation.cycles, usual.cycles);
+    for (const BlendEntry& blend : variation.blends)
+        json["blends"].push_back(toJson(blend));
+    addUnless(json, "displacement_share", variation.displacementShare, usual.displacementShare);
+    if (Json learning = learningToJson(variation); !learning.empty())
+        json["learning"] = std::move(learning);
+    if (Json sampling = samplingToJson(variation); !sampling.empty())
+        json["sampling"] = std::move(sampling);
+    for (const SamplesEntry& samples : variation.samples)
+        json["samples"].push_back(toJson(samples));
+    if (variation.draw == PoseDraw::Sample)
+        json["poses"] = "sample";
+    addUnknown(json, variation.unknown);
+    return json;
+}
+
+} // namespace quadrille
