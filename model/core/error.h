@@ -92,6 +92,33 @@ enum class ErrorCode
     WalkNotFound,
     // variations
     TakeTooShort,
+    // curves on a surface
+    CurveVertexOutside,
+    CurveShort,
+    CurveOpen,
+    CurveMeetsItself,
+    CurveMeetsOther,
+    CurveDoesNotSeparate,
+    CurveNameTaken,
+    CurvePointTwice,
+    CurvePointTaken,
+    CurveNoRoute,
+    CurveNoParallel,
+    // parts of a body
+    PartNameTaken,
+    PartRootMissing,
+    PartRootTwice,
+    PartParentUnknown,
+    PartCycle,
+    PartCurveCount,
+    PartCurveUnknown,
+    PartCurveShared,
+    PartCurvesApart,
+    PartMisplaced,
+    PartEmpty,
+    PartsNoLimbs,
+    PartsLimbGrown,
+    PartsNotCut,
 };
 
 /// Where in a file or sequence an error lies; fields that do not apply stay empty.

@@ -202,6 +202,92 @@ ErrorMessage errorMessage(ErrorCode code)
             QUADRILLE_MESSAGE("“{take}” has {count} frames; variations are learned from takes of {least} or "
                               "more."),
             QUADRILLE_MESSAGE("Choose another take, or more of its frames.")};
+    case ErrorCode::CurveVertexOutside:
+        return {QUADRILLE_MESSAGE("The curve “{curve}” names vertex {vertex}, but the mesh has {vertices}."),
+                QUADRILLE_MESSAGE("It may come from another mesh; draw it again.")};
+    case ErrorCode::CurveShort:
+        return {
+            QUADRILLE_MESSAGE("The curve “{curve}” has {found} vertices; a closed curve needs at least 3."),
+            QUADRILLE_MESSAGE("Add points, or delete the curve.")};
+    case ErrorCode::CurveOpen:
+        return {QUADRILLE_MESSAGE(
+                    "The curve “{curve}” is open: no edge leads from vertex {from} to vertex {to}."),
+                QUADRILLE_MESSAGE("Add points there. If it is open in many places, it may come from another "
+                                  "mesh; draw it again.")};
+    case ErrorCode::CurveMeetsItself:
+        return {QUADRILLE_MESSAGE("The curve “{curve}” meets itself at vertex {vertex}."),
+                QUADRILLE_MESSAGE("Move the points near there apart.")};
+    case ErrorCode::CurveMeetsOther:
+        return {QUADRILLE_MESSAGE("The curve “{curve}” meets the curve “{other}” at vertex {vertex}."),
+                QUADRILLE_MESSAGE("Move one of them away.")};
+    case ErrorCode::CurveDoesNotSeparate:
+        return {QUADRILLE_MESSAGE("The curve “{curve}” does not cut the mesh in two."),
+                QUADRILLE_MESSAGE("Lead it once around a limb. Where a limb touches the body and has grown "
+                                  "together with it, no curve can; take a mesh in another pose.")};
+    case ErrorCode::CurveNameTaken:
+        return {QUADRILLE_MESSAGE("There are two curves “{curve}”."),
+                QUADRILLE_MESSAGE("Rename one of them.")};
+    case ErrorCode::CurvePointTwice:
+        return {QUADRILLE_MESSAGE("The curve has a point at vertex {vertex} already."),
+                QUADRILLE_MESSAGE("Choose another place, or drag that point.")};
+    case ErrorCode::CurvePointTaken:
+        return {QUADRILLE_MESSAGE("Another curve passes through vertex {vertex}."),
+                QUADRILLE_MESSAGE("Choose a place beside it.")};
+    case ErrorCode::CurveNoRoute:
+        return {QUADRILLE_MESSAGE(
+                    "Nothing leads from vertex {from} to vertex {to} but through other curves or this one."),
+                QUADRILLE_MESSAGE("Move the points, or the curves between them.")};
+    case ErrorCode::CurveNoParallel:
+        return {QUADRILLE_MESSAGE("There is no curve {distance} m beside this one: the surface ends before, "
+                                  "or other curves are in the way."),
+                QUADRILLE_MESSAGE("Choose a smaller distance.")};
+    case ErrorCode::PartNameTaken:
+        return {QUADRILLE_MESSAGE("There are two parts “{part}”."), QUADRILLE_MESSAGE("Rename one of them.")};
+    case ErrorCode::PartRootMissing:
+        return {QUADRILLE_MESSAGE(
+                    "Every part hangs on another one; the part that all others hang on is missing."),
+                QUADRILLE_MESSAGE("Add it, with neither parent nor curves.")};
+    case ErrorCode::PartRootTwice:
+        return {QUADRILLE_MESSAGE("Both “{part}” and “{other}” have no parent."),
+                QUADRILLE_MESSAGE("Let one of them hang on another part.")};
+    case ErrorCode::PartParentUnknown:
+        return {QUADRILLE_MESSAGE("The part “{part}” hangs on “{parent}”, which does not exist."),
+                QUADRILLE_MESSAGE("Choose one of the parts that exist.")};
+    case ErrorCode::PartCycle:
+        return {QUADRILLE_MESSAGE("The part “{part}” hangs on itself, by way of others."),
+                QUADRILLE_MESSAGE("Choose another parent.")};
+    case ErrorCode::PartCurveCount:
+        return {QUADRILLE_MESSAGE("The part “{part}” has {found} curves; it needs {needed}."),
+                QUADRILLE_MESSAGE("A part that hangs on another has two, around what they share; the one "
+                                  "that all hang on has none.")};
+    case ErrorCode::PartCurveUnknown:
+        return {QUADRILLE_MESSAGE("The part “{part}” uses the curve “{curve}”, which does not exist."),
+                QUADRILLE_MESSAGE("Draw it, or choose another.")};
+    case ErrorCode::PartCurveShared:
+        return {QUADRILLE_MESSAGE("Both “{part}” and “{other}” use the curve “{curve}”."),
+                QUADRILLE_MESSAGE("Give each part two curves of its own.")};
+    case ErrorCode::PartCurvesApart:
+        return {QUADRILLE_MESSAGE(
+                    "The curves “{curve}” and “{other}” of the part “{part}” bound no ring together."),
+                QUADRILLE_MESSAGE("Draw both around the same limb, with no other curve between them.")};
+    case ErrorCode::PartMisplaced:
+        return {QUADRILLE_MESSAGE("The part “{part}” does not lie next to “{parent}”, on which it hangs."),
+                QUADRILLE_MESSAGE("Choose the part beyond its curves as parent.")};
+    case ErrorCode::PartEmpty:
+        return {QUADRILLE_MESSAGE("The part “{part}” has no vertices beyond what it shares with others."),
+                QUADRILLE_MESSAGE("Move its curves away from the limb's end, or from other curves.")};
+    case ErrorCode::PartsNoLimbs:
+        return {
+            QUADRILLE_MESSAGE("No two arms and two legs were found: {found} limbs stick out."),
+            QUADRILLE_MESSAGE("Draw the curves by hand, or choose a pose in which arms and legs stick out.")};
+    case ErrorCode::PartsLimbGrown:
+        return {QUADRILLE_MESSAGE("No curve around “{limb}” cuts it off: it seems to touch another place of "
+                                  "the body and to have grown together with it."),
+                QUADRILLE_MESSAGE(
+                    "Draw the other curves by hand, or take a mesh in a pose in which it touches nothing.")};
+    case ErrorCode::PartsNotCut:
+        return {QUADRILLE_MESSAGE("No room for two curves around “{limb}” was found."),
+                QUADRILLE_MESSAGE("Draw the curves by hand, or ask for narrower overlaps.")};
     }
     return {"", ""};
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/core/error.h"
 #include "model/sequence/topology.h"
 
-#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -58,13 +58,41 @@ struct BodyParts
     std::vector<BodyPart> parts;
 };
 
-/// Cuts a mesh into the parts that some curves bound. Components that no curve lies on belong to the part
-/// with the vertex nearest to them in the pose. Without descriptions the whole mesh is one part.
-/// \param pose  of all vertices, metres.
-/// \throws Error with the name of the curve or part and what is wrong: a curve that is open,
-/// meets itself, meets another or does not separate the mesh, a vertex that the mesh has not; a part whose
-/// two curves bound nothing together, that would be empty, or that hangs on no other.
+/// Cuts a mesh into the parts that some curves bound; curves that no part names do not cut. Components that
+/// no curve lies on, and vertices without triangles, belong to the part with the vertex nearest to them in
+/// the pose. Without descriptions the whole mesh is one part, "body". \param pose  of all vertices, metres;
+/// also tells parent from child where one part alone hangs on the root: the root is the greater. \throws
+/// Error the first of `partProblems`.
 BodyParts cutIntoParts(const Topology& topology, Positions pose, std::span<const PartCurve> curves,
                        std::span<const PartDescription> descriptions);
+
+/// What is wrong with a curve or a part, and where.
+struct PartProblem
+{
+    Error error;
+    std::string curve; ///< its name; empty where the fault is a part's alone
+    std::string part;
+    std::vector<VertexIndex> at; ///< the vertices to show; empty where it has no place
+};
+
+/// All that is wrong with curves and parts, curves first. Those of curves: CurveVertexOutside, CurveShort,
+/// CurveOpen, CurveMeetsItself, CurveMeetsOther, CurveDoesNotSeparate, CurveNameTaken; those of parts:
+/// PartNameTaken, PartRootMissing, PartRootTwice, PartParentUnknown, PartCycle, PartCurveCount,
+/// PartCurveUnknown, PartCurveShared, PartCurvesApart, PartMisplaced, PartEmpty. Of what follows from
+/// another fault nothing is said.
+std::vector<PartProblem> partProblems(const Topology& topology, std::span<const PartCurve> curves,
+                                      std::span<const PartDescription> descriptions);
+
+/// Names of the curves that no part uses.
+std::vector<std::string> unusedCurves(std::span<const PartCurve> curves,
+                                      std::span<const PartDescription> descriptions);
+
+/// Where a vertex belongs, as indices into BodyParts::parts.
+struct VertexPart
+{
+    int part = -1;    ///< the part; in an overlap the child
+    int overlap = -1; ///< the child whose overlap with its parent holds the vertex; −1 outside of overlaps
+};
+std::vector<VertexPart> partOfVertex(const BodyParts& parts, std::uint32_t vertexCount);
 
 } // namespace quadrille
