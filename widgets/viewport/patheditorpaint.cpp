@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/patheditorprivate.h"
+#include "widgets/viewport/toolpaint.h"
 #include "widgets/viewport/viewportoverlay.h"
 
 #include <QPainter>
-#include <QPainterPath>
 #include <cmath>
 
 namespace quadrille::widgets {
 
 namespace {
-
-constexpr double halo = 2.0; // pixels around lines and handles, so that they show on everything
 
 QPolygonF polygon(const PathEditor& editor, const std::vector<QVector3D>& points)
 {
@@ -23,63 +21,6 @@ QPolygonF polygon(const PathEditor& editor, const std::vector<QVector3D>& points
             pixels << pixel;
     }
     return pixels;
-}
-
-void drawLine(QPainter& painter, const QPolygonF& line, const QColor& color, double width, Qt::PenStyle style)
-{
-    painter.setBrush(Qt::NoBrush);
-    QColor under = Theme::color(ColorRole::Base);
-    under.setAlphaF(0.7F);
-    painter.setPen(QPen(under, width + halo, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPolyline(line);
-    painter.setPen(QPen(color, width, style, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPolyline(line);
-}
-
-struct HandleLook
-{
-    enum class Form
-    {
-        Circle,
-        Square,
-        Diamond,
-        Cross
-    };
-    Form form = Form::Circle;
-    double radius = 5.0;
-    QColor color;
-    bool isSelected = false;
-    bool isHovered = false;
-};
-
-void drawHandle(QPainter& painter, const QPointF& at, const HandleLook& look)
-{
-    const double radius = look.radius + (look.isHovered || look.isSelected ? 1.5 : 0.0);
-    QPainterPath form;
-    switch (look.form) {
-    case HandleLook::Form::Circle:
-        form.addEllipse(at, radius, radius);
-        break;
-    case HandleLook::Form::Square:
-        form.addRect(at.x() - radius, at.y() - radius, 2.0 * radius, 2.0 * radius);
-        break;
-    case HandleLook::Form::Diamond:
-        form.addPolygon(QPolygonF{at + QPointF(0, -radius * 1.4), at + QPointF(radius * 1.1, 0),
-                                  at + QPointF(0, radius * 1.4), at + QPointF(-radius * 1.1, 0)});
-        form.closeSubpath();
-        break;
-    case HandleLook::Form::Cross:
-        form.addRect(at.x() - radius, at.y() - 1.5, 2.0 * radius, 3.0);
-        form.addRect(at.x() - 1.5, at.y() - radius, 3.0, 2.0 * radius);
-        form = form.simplified();
-        break;
-    }
-    const QColor base = Theme::color(ColorRole::Base);
-    painter.strokePath(form, QPen(base, 2.0 + halo));
-    painter.fillPath(form, look.isSelected  ? Theme::color(ColorRole::Accent)
-                           : look.isHovered ? Theme::color(ColorRole::Hover)
-                                            : base);
-    painter.strokePath(form, QPen(look.isSelected ? Theme::color(ColorRole::Text) : look.color, 2.0));
 }
 
 /// Small arrowheads that tell which way the path runs.
@@ -97,25 +38,11 @@ void drawDirection(QPainter& painter, const QPolygonF& line, const QColor& color
         const QPointF along = (piece.p2() - piece.p1()) / piece.length();
         const QPointF across(-along.y(), along.x());
         const QPointF tip = piece.center() + size * along;
-        drawLine(painter,
-                 QPolygonF{tip - size * along * 1.6 + size * across, tip,
-                           tip - size * along * 1.6 - size * across},
-                 color, 2.0, Qt::SolidLine);
+        paintToolLine(painter,
+                      QPolygonF{tip - size * along * 1.6 + size * across, tip,
+                                tip - size * along * 1.6 - size * across},
+                      color, 2.0, Qt::SolidLine);
     }
-}
-
-void drawWords(QPainter& painter, const QPointF& at, const QString& text)
-{
-    const QRectF box = painter.fontMetrics().boundingRect(text).toRectF().adjusted(-6, -3, 6, 3);
-    QRectF plate = box;
-    plate.moveCenter(at);
-    QColor background = Theme::color(ColorRole::Base);
-    background.setAlphaF(0.86F);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(background);
-    painter.drawRoundedRect(plate, 4.0, 4.0);
-    painter.setPen(Theme::color(ColorRole::Text));
-    painter.drawText(plate, Qt::AlignCenter, text);
 }
 
 } // namespace
@@ -171,15 +98,15 @@ void PathEditor::Private::paintSpace(QPainter& painter) const
         if (!from || !to)
             continue;
         const QColor color = Theme::color(isActive ? ColorRole::AccentText : ColorRole::Line);
-        drawLine(painter, {*from, *to}, color, isActive ? 1.5 : 1.0, Qt::DashLine);
+        paintToolLine(painter, {*from, *to}, color, isActive ? 1.5 : 1.0, Qt::DashLine);
         const double pixels = static_cast<double>(0.06F / metresPerPixel(foot));
         const double flat =
             std::max(0.25, std::abs(std::sin(static_cast<double>(owner.camera().pitch) * M_PI / 180.0)));
         painter.setPen(QPen(color, 1.5));
         painter.drawEllipse(*to, pixels, pixels * flat);
         if (isActive)
-            drawWords(painter, (*from + *to) / 2.0 + QPointF(44.0, 8.0),
-                      lengthText(static_cast<double>((shape.points[i] - foot).length())));
+            paintToolWords(painter, (*from + *to) / 2.0 + QPointF(44.0, 8.0),
+                           lengthText(static_cast<double>((shape.points[i] - foot).length())));
     }
 }
 
@@ -190,10 +117,11 @@ void PathEditor::Private::paintHandles(QPainter& painter) const
     if (shape.kind == PathKind::Bezier) {
         for (std::size_t i = 0; i < shape.points.size(); ++i) {
             if (isHandle(shape.kind, i))
-                drawLine(painter,
-                         polygon(owner, {shape.points[i],
-                                         shape.points[anchorIndex(shape.kind, anchorOf(shape.kind, i))]}),
-                         Theme::color(ColorRole::TextMuted), 1.0, Qt::SolidLine);
+                paintToolLine(
+                    painter,
+                    polygon(owner, {shape.points[i],
+                                    shape.points[anchorIndex(shape.kind, anchorOf(shape.kind, i))]}),
+                    Theme::color(ColorRole::TextMuted), 1.0, Qt::SolidLine);
         }
     }
     for (const PathPart& part : parts()) {
@@ -217,10 +145,11 @@ void PathEditor::Private::paintHandles(QPainter& painter) const
             break;
         case Kind::Lift:
             painter.setPen(Qt::NoPen);
-            drawLine(painter, {*pixel + QPointF(-5, -2), *pixel + QPointF(0, -8), *pixel + QPointF(5, -2)},
-                     Theme::color(ColorRole::AccentText), 2.0, Qt::SolidLine);
-            drawLine(painter, {*pixel + QPointF(-5, 2), *pixel + QPointF(0, 8), *pixel + QPointF(5, 2)},
-                     Theme::color(ColorRole::AccentText), 2.0, Qt::SolidLine);
+            paintToolLine(painter,
+                          {*pixel + QPointF(-5, -2), *pixel + QPointF(0, -8), *pixel + QPointF(5, -2)},
+                          Theme::color(ColorRole::AccentText), 2.0, Qt::SolidLine);
+            paintToolLine(painter, {*pixel + QPointF(-5, 2), *pixel + QPointF(0, 8), *pixel + QPointF(5, 2)},
+                          Theme::color(ColorRole::AccentText), 2.0, Qt::SolidLine);
             continue;
         default:
             if (isHandle(shape.kind, static_cast<std::size_t>(part.index))) {
@@ -231,7 +160,7 @@ void PathEditor::Private::paintHandles(QPainter& painter) const
             }
             break;
         }
-        drawHandle(painter, *pixel, look);
+        paintHandle(painter, *pixel, look);
     }
 }
 
@@ -240,21 +169,21 @@ void PathEditor::Private::paintDrawing(QPainter& painter) const
     const QColor accent = Theme::color(ColorRole::AccentText);
     const auto dot = [&](const QVector3D& place) {
         if (const auto pixel = project(place))
-            drawHandle(painter, *pixel, {.color = accent});
+            paintHandle(painter, *pixel, {.color = accent});
     };
     if (mode == Mode::Draw) {
         const std::vector<QVector3D> planned = preview();
         if (drag.kind == PathDrag::Kind::Stroke && drag.moved) {
-            drawLine(painter, polygon(owner, drag.stroke), accent, 2.0, Qt::SolidLine);
+            paintToolLine(painter, polygon(owner, drag.stroke), accent, 2.0, Qt::SolidLine);
         } else if (!planned.empty()) {
             const SampledCurve sampled(sampler(shape.kind, planned));
-            drawLine(painter, polygon(owner, sampled.points()), accent, 2.0, Qt::DashLine);
+            paintToolLine(painter, polygon(owner, sampled.points()), accent, 2.0, Qt::DashLine);
             if (const auto pixel = project(planned.back()))
-                drawWords(painter, *pixel + QPointF(0.0, 24.0), lengthText(sampled.length()));
+                paintToolWords(painter, *pixel + QPointF(0.0, 24.0), lengthText(sampled.length()));
         }
         if (drag.kind == PathDrag::Kind::Pull && pointer && drag.moved) {
-            drawLine(painter, polygon(owner, {2.0F * drag.start - *pointer, *pointer}), accent, 1.0,
-                     Qt::SolidLine);
+            paintToolLine(painter, polygon(owner, {2.0F * drag.start - *pointer, *pointer}), accent, 1.0,
+                          Qt::SolidLine);
             dot(*pointer);
             dot(2.0F * drag.start - *pointer);
         }
@@ -264,16 +193,16 @@ void PathEditor::Private::paintDrawing(QPainter& painter) const
         std::vector<QVector3D> outline = corners;
         if (pointer)
             outline.push_back(*pointer);
-        drawLine(painter, polygon(owner, outline), accent, 2.0, Qt::DashLine);
+        paintToolLine(painter, polygon(owner, outline), accent, 2.0, Qt::DashLine);
         for (const QVector3D& corner : corners)
             dot(corner);
     } else if (drag.kind == PathDrag::Kind::Radius && pointer) {
         const float radius = (*pointer - drag.start).length();
         std::vector<QVector3D> circle = circleOnGround(drag.start, radius, up());
         circle.push_back(circle.front());
-        drawLine(painter, polygon(owner, circle), accent, 2.0, Qt::DashLine);
+        paintToolLine(painter, polygon(owner, circle), accent, 2.0, Qt::DashLine);
         if (const auto pixel = project(*pointer))
-            drawWords(painter, *pixel + QPointF(0.0, 24.0), lengthText(static_cast<double>(radius)));
+            paintToolWords(painter, *pixel + QPointF(0.0, 24.0), lengthText(static_cast<double>(radius)));
     }
     if (pointer && drag.kind == PathDrag::Kind::None)
         dot(*pointer);
@@ -311,7 +240,7 @@ void PathEditor::paint(QPainter& painter) const
         return;
     d->paintDrawing(painter);
     constexpr double margin = 24.0;
-    drawWords(painter, {viewSize().width() / 2.0, viewSize().height() - margin}, d->hint());
+    paintToolWords(painter, {viewSize().width() / 2.0, viewSize().height() - margin}, d->hint());
 }
 
 } // namespace quadrille::widgets

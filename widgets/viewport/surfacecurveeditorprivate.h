@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "widgets/viewport/surfacecurveeditor.h"
+#include "widgets/viewport/surfacevisibility.h"
+
+#include <QRectF>
+
+namespace quadrille::widgets {
+
+inline constexpr double surfacePointReach = 12.0; // pixels
+inline constexpr double surfaceCurveReach = 8.0;
+
+/// In pixels.
+double distanceBetween(const QPointF& a, const QPointF& b);
+double distanceToSegment(const QPointF& point, const QPointF& a, const QPointF& b);
+
+/// A point that is being moved by the mouse.
+struct SurfaceDrag
+{
+    SurfaceCurvePart part;
+    QPointF pressedAt;
+    QPointF grabbed; ///< from the pointer to the point at the press
+    bool moved = false;
+    std::optional<SurfacePlace> last;
+};
+
+struct SurfaceCurveEditor::Private
+{
+    explicit Private(SurfaceCurveEditor& editor, Viewport& shown) : owner(editor), viewport(shown) {}
+
+    SurfaceCurveEditor& owner;
+    Viewport& viewport;
+    int figure = -1;
+    std::vector<SurfaceCurve> curves;
+    int drawn = -1;
+    std::vector<std::uint32_t> preview;
+    bool active = true;
+    Mode mode = Mode::Edit;
+    SurfaceCurvePart selected;
+    SurfaceCurvePart hovered;
+    std::optional<SurfaceDrag> drag;
+    std::optional<QPointF> pressedAt;                   ///< of a press that was left to the camera
+    std::optional<SurfacePlace> pointer;                ///< where a click would draw
+    std::optional<std::uint32_t> cursor;                ///< of the keyboard, while drawing
+    bool isMenuPress = false;                           ///< the right button is down on a part
+    std::vector<std::vector<std::uint32_t>> neighbours; ///< of each vertex; filled when first needed
+    mutable std::optional<std::vector<std::vector<bool>>> seenCache;
+
+    std::optional<FigureShape> shape() const;
+    std::optional<QPointF> project(std::uint32_t vertex) const;
+    /// \pre the part is there.
+    std::uint32_t vertexOf(const SurfaceCurvePart& part) const;
+    bool isThere(const SurfaceCurvePart& part) const;
+    const SurfaceCurve* drawnCurve() const;
+    /// Per curve and vertex, whether it can be seen.
+    const std::vector<std::vector<bool>>& seen() const;
+    std::optional<SurfacePlace> placeAt(const QPointF& pixel, Qt::KeyboardModifiers modifiers) const;
+    /// A place right at a vertex.
+    std::optional<SurfacePlace> placeAt(std::uint32_t vertex, Qt::KeyboardModifiers modifiers) const;
+    /// The vertex that an arrow key leads to, some vertices on.
+    std::uint32_t neighbourAt(std::uint32_t vertex, const QPointF& direction, int steps);
+    /// Where the keyboard begins to draw.
+    std::optional<std::uint32_t> firstCursor() const;
+    /// Whether a click here ends the curve that is drawn.
+    bool closesAt(const QPointF& pixel) const;
+    /// The point of a curve that stands before a place on it.
+    int pointBefore(int curve, const QPointF& pixel) const;
+    std::vector<SurfaceCurvePart> points() const;
+    QVector3D normalAt(std::uint32_t vertex) const;
+
+    void paintCurve(QPainter& painter, int curve) const;
+    void paintPoints(QPainter& painter, int curve) const;
+    void paintName(QPainter& painter, int curve, std::vector<QRectF>& taken) const;
+    void paintDrawing(QPainter& painter) const;
+    /// What mouse and keys do now.
+    QString hint() const;
+};
+
+} // namespace quadrille::widgets

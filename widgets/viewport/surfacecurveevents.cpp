@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+// What mouse and keys do to the curves.
+#include "widgets/viewport/surfacecurveeditorprivate.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <algorithm>
+#include <utility>
+
+namespace quadrille::widgets {
+
+namespace {
+
+using Part = SurfaceCurvePart;
+
+constexpr double dragDistance = 3.0; // pixels
+
+/// Where an arrow key points on the view; null for other keys.
+QPointF directionOf(int key)
+{
+    switch (key) {
+    case Qt::Key_Left:
+        return {-1.0, 0.0};
+    case Qt::Key_Right:
+        return {1.0, 0.0};
+    case Qt::Key_Up:
+        return {0.0, -1.0};
+    case Qt::Key_Down:
+        return {0.0, 1.0};
+    default:
+        return {};
+    }
+}
+
+int stepsOf(Qt::KeyboardModifiers modifiers)
+{
+    return modifiers.testFlag(Qt::ShiftModifier) ? 5 : 1;
+}
+
+} // namespace
+
+bool SurfaceCurveEditor::handle(QEvent& event)
+{
+    if (!d->active || !d->shape())
+        return false;
+    switch (event.type()) {
+    case QEvent::MouseButtonPress:
+        return press(static_cast<QMouseEvent&>(event));
+    case QEvent::MouseMove:
+        return move(static_cast<QMouseEvent&>(event));
+    case QEvent::MouseButtonRelease:
+        return release(static_cast<QMouseEvent&>(event));
+    case QEvent::MouseButtonDblClick:
+        return doubleClick(static_cast<QMouseEvent&>(event));
+    case QEvent::ShortcutOverride:
+        if (!wantsKey(static_cast<QKeyEvent&>(event)))
+            return false;
+        event.accept();
+        return true;
+    case QEvent::KeyPress:
+        return wantsKey(static_cast<QKeyEvent&>(event)) && pressKey(static_cast<QKeyEvent&>(event));
+    case QEvent::Leave:
+        d->hovered = {};
+        if (std::exchange(d->pointer, std::nullopt))
+            emit pointerMoved(std::nullopt);
+        emit repaintAsked();
+        return false;
+    default:
+        return false;
+    }
+}
+
+bool SurfaceCurveEditor::press(const QMouseEvent& event)
+{
+    d->pressedAt.reset();
+    if (isDragging())
+        return true;
+    if (d->mode == Mode::Draw) {
+        if (event.button() == Qt::LeftButton)
+            d->pressedAt = event.position();
+        return false;
+    }
+    const Part part = partAt(event.position());
+    if (event.button() == Qt::RightButton) {
+        d->isMenuPress = part.kind != Part::Kind::None;
+        return d->isMenuPress;
+    }
+    if (event.button() != Qt::LeftButton)
+        return false;
+    if (part.kind == Part::Kind::Curve && event.modifiers().testFlag(Qt::ControlModifier)) {
+        if (const auto place = d->placeAt(event.position(), event.modifiers()))
+            insertAt({Part::Kind::Point, part.curve, d->pointBefore(part.curve, event.position())}, *place);
+        return true;
+    }
+    if (part.kind != Part::Kind::Point) {
+        d->pressedAt = event.position();
+        return false;
+    }
+    SurfaceDrag drag;
+    drag.part = part;
+    drag.pressedAt = event.position();
+    drag.grabbed = pixelOf(part).value_or(event.position()) - event.position();
+    d->drag = drag;
+    setSelected(part);
+    emit cursorAsked(Qt::ClosedHandCursor);
+    emit repaintAsked();
+    return true;
+}
+
+bool SurfaceCurveEditor::move(const QMouseEvent& event)
+{
+    if (!isDragging()) {
+        if (event.buttons() == Qt::NoButton)
+            hover(event);
+        return false;
+    }
+    if (d->drag->moved || (event.position() - d->drag->pressedAt).manhattanLength() >= dragDistance) {
+        d->drag->moved = true;
+        dragTo(event);
+    }
+    return true;
+}
+
+void SurfaceCurveEditor::hover(const QMouseEvent& event)
+{
+    if (d->mode == Mode::Draw) {
+        d->cursor.reset();
+        const auto before = d->hovered;
+        d->hovered = d->closesAt(event.position()) ? Part{Part::Kind::Point, d->drawn, 0} : Part{};
+        if (before != d->hovered)
+            emit cursorAsked(d->hovered.kind == Part::Kind::Point ? Qt::PointingHandCursor : Qt::CrossCursor);
+        d->pointer = d->placeAt(event.position(), event.modifiers());
+        emit pointerMoved(d->pointer);
+        emit repaintAsked();
+        return;
+    }
+    const Part part = partAt(event.position());
+    if (part == d->hovered)
+        return;
+    d->hovered = part;
+    emit cursorAsked(part.kind == Part::Kind::Point   ? Qt::OpenHandCursor
+                     : part.kind == Part::Kind::Curve ? Qt::PointingHandCursor
+                                                      : Qt::ArrowCursor);
+    emit repaintAsked();
+}
+
+void SurfaceCurveEditor::dragTo(const QMouseEvent& event)
+{
+    const auto place = d->placeAt(event.position() + d->drag->grabbed, event.modifiers());
+    if (!place) // beside the body: it stays where it was last
+        return;
+    d->drag->last = place;
+    const Part part = d->drag->part;
+    emit pointMoved(part.curve, part.point, *place, false);
+}
+
+bool SurfaceCurveEditor::release(const QMouseEvent& event)
+{
+    if (event.button() == Qt::RightButton && std::exchange(d->isMenuPress, false)) {
+        if (const Part part = partAt(event.position()); part.kind != Part::Kind::None) {
+            setSelected(part);
+            emit contextMenuAsked(part, event.globalPosition().toPoint());
+        }
+        return true;
+    }
+    if (isDragging()) {
+        if (event.button() == Qt::LeftButton)
+            endDrag(true);
+        return true;
+    }
+    const auto pressed = std::exchange(d->pressedAt, std::nullopt);
+    if (pressed && (event.position() - *pressed).manhattanLength() < dragDistance) {
+        if (d->mode == Mode::Draw)
+            clickWhileDrawing(event);
+        else
+            setSelected(partAt(event.position()));
+    }
+    return false; // the camera ends what it began
+}
+
+void SurfaceCurveEditor::clickWhileDrawing(const QMouseEvent& event)
+{
+    if (d->closesAt(event.position()))
+        finishDrawing();
+    else if (const auto place = d->placeAt(event.position(), event.modifiers()))
+        emit pointAdded(*place);
+}
+
+bool SurfaceCurveEditor::doubleClick(const QMouseEvent& event)
+{
+    if (event.button() != Qt::LeftButton)
+        return false;
+    if (d->mode == Mode::Draw) {
+        finishDrawing();
+        return true;
+    }
+    const Part part = partAt(event.position());
+    if (part.kind == Part::Kind::Curve) {
+        if (const auto place = d->placeAt(event.position(), event.modifiers()))
+            insertAt({Part::Kind::Point, part.curve, d->pointBefore(part.curve, event.position())}, *place);
+    }
+    return part.kind != Part::Kind::None;
+}
+
+void SurfaceCurveEditor::endDrag(bool commit)
+{
+    if (!d->drag)
+        return;
+    const SurfaceDrag drag = *std::exchange(d->drag, std::nullopt);
+    emit cursorAsked(Qt::ArrowCursor);
+    emit repaintAsked();
+    if (!drag.last)
+        return;
+    if (commit)
+        emit pointMoved(drag.part.curve, drag.part.point, *drag.last, true);
+    else
+        emit moveCancelled(drag.part.curve);
+}
+
+void SurfaceCurveEditor::finishDrawing()
+{
+    emit drawingFinished();
+    setMode(Mode::Edit);
+}
+
+void SurfaceCurveEditor::insertAt(const Part& part, const SurfacePlace& place)
+{
+    emit pointInserted(part.curve, part.point, place);
+    setSelected({Part::Kind::Point, part.curve, part.point + 1});
+}
+
+void SurfaceCurveEditor::insertByKey()
+{
+    if (d->mode == Mode::Draw) {
+        if (!d->cursor)
+            d->cursor = d->firstCursor();
+        if (const auto place = d->cursor ? d->placeAt(*d->cursor, {}) : std::nullopt)
+            emit pointAdded(*place);
+        return;
+    }
+    // Half the way to the next point, along the curve.
+    const SurfaceCurve& curve = d->curves[static_cast<std::size_t>(d->selected.curve)];
+    const auto point = static_cast<std::size_t>(d->selected.point);
+    const std::size_t from = curve.points.empty() ? 0 : curve.points[point];
+    const std::size_t to = point + 1 < curve.points.size()
+                               ? curve.points[point + 1]
+                               : curve.vertices.size() + (curve.points.empty() ? 0 : curve.points.front());
+    const std::size_t middle = ((from + to) / 2) % curve.vertices.size();
+    if (const auto place = d->placeAt(curve.vertices[middle], Qt::AltModifier); place && to > from + 1)
+        insertAt({Part::Kind::Point, d->selected.curve, d->selected.point}, *place);
+}
+
+bool SurfaceCurveEditor::selectNext(int step)
+{
+    const std::vector<Part> parts = d->points();
+    const auto found = std::find(parts.begin(), parts.end(), d->selected);
+    const auto count = static_cast<int>(parts.size());
+    const int next = found != parts.end() ? static_cast<int>(found - parts.begin()) + step
+                     : step > 0           ? 0
+                                          : count - 1;
+    const bool isInside = next >= 0 && next < count;
+    setSelected(isInside ? parts[static_cast<std::size_t>(next)] : Part{});
+    reveal(d->selected);
+    return isInside;
+}
+
+void SurfaceCurveEditor::nudge(int key, Qt::KeyboardModifiers modifiers)
+{
+    const Part part = d->selected;
+    const std::uint32_t from = d->vertexOf(part);
+    const std::uint32_t to = d->neighbourAt(from, directionOf(key), stepsOf(modifiers));
+    // Snapping would take small steps back.
+    if (const auto place = d->placeAt(to, Qt::AltModifier); place && to != from)
+        emit pointMoved(part.curve, part.point, *place, true);
+    reveal(d->selected);
+}
+
+void SurfaceCurveEditor::moveCursor(int key, Qt::KeyboardModifiers modifiers)
+{
+    if (d->cursor)
+        d->cursor = d->neighbourAt(*d->cursor, directionOf(key), stepsOf(modifiers));
+    else
+        d->cursor = d->firstCursor();
+    d->pointer = d->cursor ? d->placeAt(*d->cursor, modifiers) : std::nullopt;
+    emit pointerMoved(d->pointer);
+    emit repaintAsked();
+}
+
+void SurfaceCurveEditor::removeSelected()
+{
+    const Part part = d->selected;
+    if (!d->isThere(part))
+        return;
+    if (part.kind == Part::Kind::Curve)
+        emit curveRemovalAsked(part.curve);
+    else
+        emit pointRemovalAsked(part.curve, part.point);
+}
+
+bool SurfaceCurveEditor::wantsKey(const QKeyEvent& event) const
+{
+    const bool isDrawing = d->mode == Mode::Draw;
+    const bool hasSelection = d->isThere(d->selected);
+    const bool hasPoint = hasSelection && d->selected.kind == Part::Kind::Point;
+    switch (event.key()) {
+    case Qt::Key_Escape:
+        return isDrawing || isDragging() || hasSelection;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+    case Qt::Key_Delete:
+    case Qt::Key_Backspace:
+        return isDrawing || hasSelection;
+    case Qt::Key_Insert:
+        return isDrawing || hasSelection;
+    case Qt::Key_Menu:
+        return hasSelection;
+    case Qt::Key_Tab:
+    case Qt::Key_Backtab:
+        return !isDrawing && !d->points().empty();
+    default:
+        return !directionOf(event.key()).isNull() && (isDrawing || hasPoint) &&
+               !event.modifiers().testFlag(Qt::ControlModifier);
+    }
+}
+
+bool SurfaceCurveEditor::pressKey(const QKeyEvent& event)
+{
+    const bool isDrawing = d->mode == Mode::Draw;
+    switch (event.key()) {
+    case Qt::Key_Escape:
+        if (isDragging())
+            endDrag(false);
+        else if (isDrawing)
+            setMode(Mode::Edit);
+        else
+            setSelected({});
+        return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (isDrawing)
+            finishDrawing();
+        else
+            emit activated(d->selected.curve);
+        return true;
+    case Qt::Key_Delete:
+    case Qt::Key_Backspace:
+        if (isDrawing)
+            emit lastPointRemovalAsked();
+        else
+            removeSelected();
+        return true;
+    case Qt::Key_Insert:
+        insertByKey();
+        return true;
+    case Qt::Key_Menu:
+        if (const auto pixel = pixelOf(d->selected))
+            emit contextMenuAsked(d->selected, d->viewport.mapToGlobal(pixel->toPoint()));
+        return true;
+    case Qt::Key_Tab:
+        return selectNext(1);
+    case Qt::Key_Backtab:
+        return selectNext(-1);
+    default:
+        if (isDrawing)
+            moveCursor(event.key(), event.modifiers());
+        else
+            nudge(event.key(), event.modifiers());
+        return true;
+    }
+}
+
+} // namespace quadrille::widgets

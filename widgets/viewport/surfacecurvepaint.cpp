@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "widgets/theme/theme.h"
+#include "widgets/viewport/surfacecurveeditorprivate.h"
+#include "widgets/viewport/toolpaint.h"
+
+#include <QPainter>
+#include <algorithm>
+
+namespace quadrille::widgets {
+
+namespace {
+
+constexpr double hiddenOpacity = 0.45;
+
+/// Where a curve can be seen, and where the body hides it, as lines on the view.
+struct Stretches
+{
+    std::vector<QPolygonF> seen;
+    std::vector<QPolygonF> hidden;
+};
+
+/// A sign that something is wrong.
+void paintBadge(QPainter& painter, const QPointF& at)
+{
+    constexpr double radius = 7.0;
+    painter.setPen(QPen(Theme::color(ColorRole::Base), 1.5));
+    painter.setBrush(Theme::color(ColorRole::Error));
+    painter.drawEllipse(at, radius, radius);
+    painter.setPen(QPen(Theme::textOn(Theme::color(ColorRole::Error)), 1.8, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(at - QPointF(0.0, 3.6), at + QPointF(0.0, 0.8));
+    painter.drawPoint(at + QPointF(0.0, 3.6));
+}
+
+} // namespace
+
+void SurfaceCurveEditor::Private::paintCurve(QPainter& painter, int index) const
+{
+    const SurfaceCurve& curve = curves[static_cast<std::size_t>(index)];
+    const auto& visible = seen()[static_cast<std::size_t>(index)];
+    const std::size_t count = curve.vertices.size();
+    const bool isDrawn = mode == Mode::Draw && index == drawn;
+    // While it is drawn, the piece that closes it is only what would be.
+    const std::size_t last = isDrawn && !curve.points.empty() ? curve.points.back() : count;
+    Stretches stretches;
+    Stretches closing;
+    std::vector<QPolygonF>* current = nullptr;
+    for (std::size_t i = 0; i + (curve.isClosed ? 0 : 1) < count; ++i) {
+        const std::size_t next = (i + 1) % count;
+        const auto a = project(curve.vertices[i]);
+        const auto b = project(curve.vertices[next]);
+        Stretches& piece = i >= last ? closing : stretches;
+        auto* wanted = visible[i] && visible[next] ? &piece.seen : &piece.hidden;
+        if (!a || !b) {
+            current = nullptr;
+            continue;
+        }
+        if (wanted != current)
+            wanted->push_back({*a});
+        wanted->back() << *b;
+        current = wanted;
+    }
+    const bool isSelected = selected.kind != SurfaceCurvePart::Kind::None && selected.curve == index;
+    const bool isHovered = hovered.kind != SurfaceCurvePart::Kind::None && hovered.curve == index;
+    const QColor color = !curve.problem.isEmpty() && !isDrawn ? Theme::color(ColorRole::Error) : curve.color;
+    const double width = isSelected ? 4.0 : isHovered ? 3.5 : 2.5;
+    const auto paintHidden = [&](const std::vector<QPolygonF>& lines) {
+        QColor faint = color;
+        faint.setAlphaF(static_cast<float>(hiddenOpacity));
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(faint, 1.5, Qt::DashLine, Qt::FlatCap, Qt::RoundJoin));
+        for (const QPolygonF& line : lines)
+            painter.drawPolyline(line);
+    };
+    paintHidden(stretches.hidden);
+    paintHidden(closing.hidden);
+    for (const QPolygonF& line : closing.seen)
+        paintToolLine(painter, line, color, 1.5, Qt::DotLine);
+    for (const QPolygonF& line : stretches.seen)
+        paintToolLine(painter, line, color, width, Qt::SolidLine);
+}
+
+void SurfaceCurveEditor::Private::paintPoints(QPainter& painter, int index) const
+{
+    const SurfaceCurve& curve = curves[static_cast<std::size_t>(index)];
+    for (int point = 0; point < static_cast<int>(curve.points.size()); ++point) {
+        const SurfaceCurvePart part{SurfaceCurvePart::Kind::Point, index, point};
+        const auto pixel = owner.pixelOf(part);
+        if (!pixel)
+            continue;
+        HandleLook look{.color = !curve.problem.isEmpty() && index != drawn ? Theme::color(ColorRole::Error)
+                                                                            : Theme::color(ColorRole::Text),
+                        .isSelected = part == selected,
+                        .isHovered = part == hovered};
+        if (mode == Mode::Draw && index == drawn && point == 0)
+            look.form = HandleLook::Form::Square;
+        const bool isSeen = owner.isSeen(part);
+        if (!isSeen && !look.isSelected)
+            look.radius = 3.0;
+        painter.setOpacity(isSeen || look.isSelected ? 1.0 : hiddenOpacity);
+        paintHandle(painter, *pixel, look);
+        painter.setOpacity(1.0);
+    }
+}
+
+void SurfaceCurveEditor::Private::paintName(QPainter& painter, int index, std::vector<QRectF>& taken) const
+{
+    const SurfaceCurve& curve = curves[static_cast<std::size_t>(index)];
+    const auto& visible = seen()[static_cast<std::size_t>(index)];
+    std::optional<QPointF> rightmost;
+    for (std::size_t i = 0; i < curve.vertices.size(); ++i)
+        if (const auto pixel = project(curve.vertices[i]);
+            pixel && visible[i] && (!rightmost || pixel->x() > rightmost->x()))
+            rightmost = pixel;
+    if (!rightmost)
+        return;
+    const bool isWrong = !curve.problem.isEmpty() && !(mode == Mode::Draw && index == drawn);
+    const bool isSelected = selected.kind != SurfaceCurvePart::Kind::None && selected.curve == index;
+    const QString text = isWrong && isSelected ? curve.problem : curve.name;
+    if (text.isEmpty())
+        return;
+    constexpr double away = 18.0; // pixels beside the curve
+    const double badge = isWrong ? 20.0 : 0.0;
+    const QFontMetricsF metrics(painter.font());
+    QRectF plate(0.0, 0.0, metrics.horizontalAdvance(text) + 16.0, metrics.height() + 6.0);
+    plate.moveLeft(std::min(rightmost->x() + away + badge, owner.viewSize().width() - plate.width() - 4.0));
+    plate.moveTop(rightmost->y() - plate.height() / 2.0);
+    const auto isTaken = [&](const QRectF& other) { return other.intersects(plate); };
+    for (int tries = 0; tries < 20 && std::any_of(taken.begin(), taken.end(), isTaken); ++tries)
+        plate.translate(0.0, plate.height() / 2.0);
+    taken.push_back(plate);
+    painter.setPen(QPen(Theme::color(ColorRole::ViewportText), 1.0));
+    painter.drawLine(*rightmost, QPointF(plate.left() - badge, plate.center().y()));
+    paintToolWords(painter, plate.center(), text);
+    if (isWrong)
+        paintBadge(painter, QPointF(plate.left() - badge / 2.0, plate.center().y()));
+}
+
+void SurfaceCurveEditor::Private::paintDrawing(QPainter& painter) const
+{
+    const QColor accent = Theme::color(ColorRole::AccentText);
+    QPolygonF line;
+    for (const std::uint32_t vertex : preview)
+        if (const auto pixel = project(vertex))
+            line << *pixel;
+    if (line.size() > 1)
+        paintToolLine(painter, line, accent, 2.0, Qt::DashLine);
+    QPointF pixel;
+    if (pointer && hovered.kind == SurfaceCurvePart::Kind::None &&
+        owner.camera().project(pointer->pick.point, owner.viewSize(), &pixel))
+        paintHandle(painter, line.isEmpty() ? pixel : line.last(),
+                    {.form = cursor ? HandleLook::Form::Diamond : HandleLook::Form::Circle,
+                     .radius = 4.0,
+                     .color = accent});
+    constexpr double margin = 24.0;
+    paintToolWords(painter, {owner.viewSize().width() / 2.0, owner.viewSize().height() - margin}, hint());
+}
+
+QString SurfaceCurveEditor::Private::hint() const
+{
+    const SurfaceCurve* curve = drawnCurve();
+    if (curve == nullptr || curve->points.empty())
+        return SurfaceCurveEditor::tr("Click on the body for the first point · drag to turn · Esc leaves");
+    if (hovered.kind == SurfaceCurvePart::Kind::Point)
+        return SurfaceCurveEditor::tr("Click to close the curve");
+    return SurfaceCurveEditor::tr("Click for points around the body · Return or a click on the first point "
+                                  "closes · Backspace takes one back");
+}
+
+void SurfaceCurveEditor::paint(QPainter& painter) const
+{
+    if (!d->active || !d->shape())
+        return;
+    painter.setRenderHint(QPainter::Antialiasing);
+    const auto count = static_cast<int>(d->curves.size());
+    std::vector<int> order;
+    for (int curve = 0; curve < count; ++curve)
+        order.push_back(curve);
+    const auto isLast = [this](int curve) {
+        return d->selected.kind != SurfaceCurvePart::Kind::None && d->selected.curve == curve;
+    };
+    std::stable_partition(order.begin(), order.end(), [&](int curve) { return !isLast(curve); });
+    std::vector<QRectF> taken;
+    for (const int curve : order)
+        d->paintCurve(painter, curve);
+    for (const int curve : order)
+        d->paintName(painter, curve, taken);
+    for (const int curve : order)
+        d->paintPoints(painter, curve);
+    if (d->mode == Mode::Draw)
+        d->paintDrawing(painter);
+}
+
+} // namespace quadrille::widgets
