@@ -4,6 +4,7 @@
 
 #include <QColor>
 #include <QString>
+#include <vector>
 
 namespace quadrille::widgets {
 
@@ -16,6 +17,21 @@ enum class ColorMap
 
 /// \param t  place in the range, clamped to 0 … 1; a NaN gives neutral grey.
 QColor mapColor(ColorMap map, double t);
+
+/// What colours of kinds mean.
+struct ColorKey
+{
+    struct Item
+    {
+        QString name;
+        QColor color;
+        bool operator==(const Item&) const = default;
+    };
+    QString title;
+    std::vector<Item> items;
+
+    bool operator==(const ColorKey&) const = default;
+};
 
 /// What a legend says about a coloured quantity.
 struct ScalarRange

@@ -33,6 +33,20 @@ struct FigureActor::Part
     QImage picture; ///< keeps the pixels alive that VTK reads
     vtkNew<vtkImageData> image;
     vtkNew<vtkTexture> texture;
+
+    /// \param colorOf  gives the QRgb of a triangle of the figure.
+    template <typename ColorOf>
+    void setColors(const ColorOf& colorOf)
+    {
+        vtkNew<vtkUnsignedCharArray> colors;
+        colors->SetNumberOfComponents(3);
+        colors->SetNumberOfTuples(static_cast<vtkIdType>(triangles.size()));
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            const QRgb color = colorOf(triangles[i]);
+            colors->SetTuple3(static_cast<vtkIdType>(i), qRed(color), qGreen(color), qBlue(color));
+        }
+        surface->GetCellData()->SetScalars(colors);
+    }
 };
 
 struct FigureActor::Private
@@ -206,26 +220,26 @@ void FigureActor::setScalars(std::span<const float> scalars, ScalarPlace place, 
         d->vertexColors->Modified();
     }
     for (const auto& part : d->parts) {
-        if (!d->scalars)
-            continue;
-        if (place == ScalarPlace::PerVertex) {
+        if (d->scalars && place == ScalarPlace::PerVertex)
             part->surface->GetPointData()->SetScalars(d->vertexColors);
-            continue;
-        }
-        Q_ASSERT(scalars.size() == d->mesh.triangles.size());
-        vtkNew<vtkUnsignedCharArray> colors;
-        colors->SetNumberOfComponents(3);
-        colors->SetNumberOfTuples(static_cast<vtkIdType>(part->triangles.size()));
-        for (std::size_t i = 0; i < part->triangles.size(); ++i) {
-            const QColor color = colorOf(part->triangles[i]);
-            colors->SetTuple3(static_cast<vtkIdType>(i), color.red(), color.green(), color.blue());
-        }
-        part->surface->GetCellData()->SetScalars(colors);
+        else if (d->scalars)
+            part->setColors([&](std::uint32_t triangle) { return colorOf(triangle).rgb(); });
     }
     if (had != d->scalars || place != d->scalarPlace) {
         d->scalarPlace = place;
         applyAppearance();
     }
+}
+
+void FigureActor::setTriangleColors(std::span<const QRgb> colors)
+{
+    Q_ASSERT(colors.empty() || colors.size() == d->mesh.triangles.size());
+    d->scalars = !colors.empty();
+    d->scalarPlace = ScalarPlace::PerTriangle;
+    for (const auto& part : d->parts)
+        if (d->scalars)
+            part->setColors([&](std::uint32_t triangle) { return colors[triangle]; });
+    applyAppearance();
 }
 
 bool FigureActor::hasScalars() const

@@ -39,6 +39,8 @@ public:
     bool hasTexture() const;
     /// \pre one value per vertex or triangle; empty takes them away.
     void setScalars(std::span<const float> values, ScalarPlace place, const ScalarRange& range);
+    /// In place of scalars. \pre one per triangle; empty takes them away.
+    void setTriangleColors(std::span<const QRgb> colors);
     bool hasScalars() const;
     void setOffset(const QVector3D& offset);
     void setVisible(bool visible);

@@ -44,7 +44,7 @@ int SurfaceCurveEditor::figure() const
     return d->figure;
 }
 
-void SurfaceCurveEditor::setCurves(std::vector<SurfaceCurve> curves)
+void SurfaceCurveEditor::setCurves(std::vector<ShownCurve> curves)
 {
     if (d->drag &&
         (d->drag->part.curve >= static_cast<int>(curves.size()) ||
@@ -59,7 +59,7 @@ void SurfaceCurveEditor::setCurves(std::vector<SurfaceCurve> curves)
     emit repaintAsked();
 }
 
-const std::vector<SurfaceCurve>& SurfaceCurveEditor::curves() const
+const std::vector<ShownCurve>& SurfaceCurveEditor::curves() const
 {
     return d->curves;
 }
@@ -175,7 +175,7 @@ SurfaceCurvePart SurfaceCurveEditor::partAt(const QPointF& position) const
         return found;
     nearest = surfaceCurveReach;
     for (std::size_t c = 0; c < d->curves.size(); ++c) {
-        const SurfaceCurve& curve = d->curves[c];
+        const ShownCurve& curve = d->curves[c];
         const std::size_t count = curve.vertices.size();
         for (std::size_t i = 0; i < (curve.isClosed ? count : count - std::min<std::size_t>(count, 1)); ++i) {
             const std::size_t next = (i + 1) % count;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "widgets/viewport/surfacecurve.h"
+#include "widgets/viewport/showncurve.h"
 #include "widgets/viewport/viewtool.h"
 
 #include <memory>
@@ -41,8 +41,8 @@ public:
     void setFigure(int figure);
     int figure() const;
     /// \pre their vertices are some of the figure's.
-    void setCurves(std::vector<SurfaceCurve> curves);
-    const std::vector<SurfaceCurve>& curves() const;
+    void setCurves(std::vector<ShownCurve> curves);
+    const std::vector<ShownCurve>& curves() const;
     /// The curve that points are added to; −1: one that is not there yet.
     void setDrawn(int curve);
     int drawn() const;

@@ -33,7 +33,7 @@ struct SurfaceCurveEditor::Private
     SurfaceCurveEditor& owner;
     Viewport& viewport;
     int figure = -1;
-    std::vector<SurfaceCurve> curves;
+    std::vector<ShownCurve> curves;
     int drawn = -1;
     std::vector<std::uint32_t> preview;
     bool active = true;
@@ -53,7 +53,7 @@ struct SurfaceCurveEditor::Private
     /// \pre the part is there.
     std::uint32_t vertexOf(const SurfaceCurvePart& part) const;
     bool isThere(const SurfaceCurvePart& part) const;
-    const SurfaceCurve* drawnCurve() const;
+    const ShownCurve* drawnCurve() const;
     /// Per curve and vertex, whether it can be seen.
     const std::vector<std::vector<bool>>& seen() const;
     std::optional<SurfacePlace> placeAt(const QPointF& pixel, Qt::KeyboardModifiers modifiers) const;

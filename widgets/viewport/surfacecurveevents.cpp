@@ -240,7 +240,7 @@ void SurfaceCurveEditor::insertByKey()
         return;
     }
     // Half the way to the next point, along the curve.
-    const SurfaceCurve& curve = d->curves[static_cast<std::size_t>(d->selected.curve)];
+    const ShownCurve& curve = d->curves[static_cast<std::size_t>(d->selected.curve)];
     const auto point = static_cast<std::size_t>(d->selected.point);
     const std::size_t from = curve.points.empty() ? 0 : curve.points[point];
     const std::size_t to = point + 1 < curve.points.size()

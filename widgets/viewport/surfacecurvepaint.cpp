@@ -36,7 +36,7 @@ void paintBadge(QPainter& painter, const QPointF& at)
 
 void SurfaceCurveEditor::Private::paintCurve(QPainter& painter, int index) const
 {
-    const SurfaceCurve& curve = curves[static_cast<std::size_t>(index)];
+    const ShownCurve& curve = curves[static_cast<std::size_t>(index)];
     const auto& visible = seen()[static_cast<std::size_t>(index)];
     const std::size_t count = curve.vertices.size();
     const bool isDrawn = mode == Mode::Draw && index == drawn;
@@ -82,7 +82,7 @@ void SurfaceCurveEditor::Private::paintCurve(QPainter& painter, int index) const
 
 void SurfaceCurveEditor::Private::paintPoints(QPainter& painter, int index) const
 {
-    const SurfaceCurve& curve = curves[static_cast<std::size_t>(index)];
+    const ShownCurve& curve = curves[static_cast<std::size_t>(index)];
     for (int point = 0; point < static_cast<int>(curve.points.size()); ++point) {
         const SurfaceCurvePart part{SurfaceCurvePart::Kind::Point, index, point};
         const auto pixel = owner.pixelOf(part);
@@ -105,7 +105,7 @@ void SurfaceCurveEditor::Private::paintPoints(QPainter& painter, int index) cons
 
 void SurfaceCurveEditor::Private::paintName(QPainter& painter, int index, std::vector<QRectF>& taken) const
 {
-    const SurfaceCurve& curve = curves[static_cast<std::size_t>(index)];
+    const ShownCurve& curve = curves[static_cast<std::size_t>(index)];
     const auto& visible = seen()[static_cast<std::size_t>(index)];
     std::optional<QPointF> rightmost;
     for (std::size_t i = 0; i < curve.vertices.size(); ++i)
@@ -158,7 +158,7 @@ void SurfaceCurveEditor::Private::paintDrawing(QPainter& painter) const
 
 QString SurfaceCurveEditor::Private::hint() const
 {
-    const SurfaceCurve* curve = drawnCurve();
+    const ShownCurve* curve = drawnCurve();
     if (curve == nullptr || curve->points.empty())
         return SurfaceCurveEditor::tr("Click on the body for the first point · drag to turn · Esc leaves");
     if (hovered.kind == SurfaceCurvePart::Kind::Point)

@@ -10,12 +10,6 @@
 
 namespace quadrille::widgets {
 
-namespace {
-
-constexpr std::size_t fewestPoints = 3; // that a click on the first one closes
-
-} // namespace
-
 double distanceBetween(const QPointF& a, const QPointF& b)
 {
     return std::hypot(a.x() - b.x(), a.y() - b.y());
@@ -52,7 +46,7 @@ bool SurfaceCurveEditor::Private::isThere(const SurfaceCurvePart& part) const
     if (part.kind == SurfaceCurvePart::Kind::None || part.curve < 0 ||
         part.curve >= static_cast<int>(curves.size()))
         return false;
-    const SurfaceCurve& curve = curves[static_cast<std::size_t>(part.curve)];
+    const ShownCurve& curve = curves[static_cast<std::size_t>(part.curve)];
     if (part.kind == SurfaceCurvePart::Kind::Curve)
         return !curve.vertices.empty();
     return part.point >= 0 && part.point < static_cast<int>(curve.points.size());
@@ -60,13 +54,13 @@ bool SurfaceCurveEditor::Private::isThere(const SurfaceCurvePart& part) const
 
 std::uint32_t SurfaceCurveEditor::Private::vertexOf(const SurfaceCurvePart& part) const
 {
-    const SurfaceCurve& curve = curves[static_cast<std::size_t>(part.curve)];
+    const ShownCurve& curve = curves[static_cast<std::size_t>(part.curve)];
     return part.kind == SurfaceCurvePart::Kind::Point
                ? curve.vertices[curve.points[static_cast<std::size_t>(part.point)]]
                : curve.vertices.front();
 }
 
-const SurfaceCurve* SurfaceCurveEditor::Private::drawnCurve() const
+const ShownCurve* SurfaceCurveEditor::Private::drawnCurve() const
 {
     return drawn >= 0 && drawn < static_cast<int>(curves.size()) ? &curves[static_cast<std::size_t>(drawn)]
                                                                  : nullptr;
@@ -77,14 +71,14 @@ const std::vector<std::vector<bool>>& SurfaceCurveEditor::Private::seen() const
     if (seenCache)
         return *seenCache;
     std::vector<std::uint32_t> all;
-    for (const SurfaceCurve& curve : curves)
+    for (const ShownCurve& curve : curves)
         all.insert(all.end(), curve.vertices.begin(), curve.vertices.end());
     std::vector<bool> visible(all.size());
     if (const auto figureShape = shape(); figureShape && owner.viewSize().isValid())
         visible = visibleVertices(*figureShape, owner.camera(), owner.viewSize(), all);
     seenCache.emplace();
     auto next = visible.begin();
-    for (const SurfaceCurve& curve : curves) {
+    for (const ShownCurve& curve : curves) {
         const auto end = next + static_cast<std::ptrdiff_t>(curve.vertices.size());
         seenCache->emplace_back(next, end);
         next = end;
@@ -164,7 +158,7 @@ std::uint32_t SurfaceCurveEditor::Private::neighbourAt(std::uint32_t vertex, con
 
 std::optional<std::uint32_t> SurfaceCurveEditor::Private::firstCursor() const
 {
-    if (const SurfaceCurve* curve = drawnCurve(); curve != nullptr && !curve->points.empty())
+    if (const ShownCurve* curve = drawnCurve(); curve != nullptr && !curve->points.empty())
         return curve->vertices[curve->points.back()];
     const QPointF middle(owner.viewSize().width() / 2.0, owner.viewSize().height() / 2.0);
     if (const auto place = placeAt(middle, {}))
@@ -184,8 +178,8 @@ std::optional<std::uint32_t> SurfaceCurveEditor::Private::firstCursor() const
 
 bool SurfaceCurveEditor::Private::closesAt(const QPointF& pixel) const
 {
-    const SurfaceCurve* curve = drawnCurve();
-    if (curve == nullptr || curve->points.size() < fewestPoints)
+    const ShownCurve* curve = drawnCurve();
+    if (curve == nullptr || curve->points.empty())
         return false;
     const auto first = project(curve->vertices[curve->points.front()]);
     return first && distanceBetween(*first, pixel) < surfacePointReach;
@@ -193,7 +187,7 @@ bool SurfaceCurveEditor::Private::closesAt(const QPointF& pixel) const
 
 int SurfaceCurveEditor::Private::pointBefore(int index, const QPointF& pixel) const
 {
-    const SurfaceCurve& curve = curves[static_cast<std::size_t>(index)];
+    const ShownCurve& curve = curves[static_cast<std::size_t>(index)];
     const std::size_t count = curve.vertices.size();
     std::size_t place = 0;
     double nearest = std::numeric_limits<double>::max();

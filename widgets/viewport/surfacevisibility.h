@@ -2,24 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "widgets/viewport/figuremesh.h"
+#include "widgets/viewport/figureshape.h"
 #include "widgets/viewport/turntable.h"
 
 namespace quadrille::widgets {
-
-/// A figure as it stands in a view. What it refers to lasts until the figure changes.
-struct FigureShape
-{
-    const FigureMesh& mesh;
-    std::span<const float> positions; ///< vertices × 3
-    QVector3D shift;                  ///< added to the positions
-
-    QVector3D place(std::uint32_t vertex) const
-    {
-        const float* p = &positions[std::size_t{3} * vertex];
-        return QVector3D(p[0], p[1], p[2]) + shift;
-    }
-};
 
 /// Which vertices can be seen: not behind the camera, and no triangle that does not touch them is in front.
 /// Cost: one projection per vertex of the figure, and for each triangle the asked vertices near it on the

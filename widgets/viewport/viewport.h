@@ -3,7 +3,7 @@
 #pragma once
 
 #include "widgets/viewport/colormap.h"
-#include "widgets/viewport/figuremesh.h"
+#include "widgets/viewport/figureshape.h"
 #include "widgets/viewport/scenemarks.h"
 #include "widgets/viewport/shading.h"
 #include "widgets/viewport/turntable.h"
@@ -75,6 +75,8 @@ public:
     void removeFigure(int figure);
     void clear();
     std::vector<int> figures() const;
+    /// None where there is no such figure.
+    std::optional<FigureShape> figureShape(int figure) const;
     /// A new frame; quick enough for playback (under 1 ms at 20,000 vertices).
     /// \param positions  vertices × 3, metres, in the order of the mesh.
     void setPositions(int figure, std::span<const float> positions);
@@ -90,6 +92,9 @@ public:
     void setFigureOpacity(int figure, double opacity);
     /// One value per vertex or triangle; empty takes them away. Shown in Shading::Scalar with a legend.
     void setScalars(int figure, std::span<const float> values, ScalarPlace place, const ScalarRange& range);
+    /// A colour for each triangle, shown in Shading::Scalar with a legend of its own; takes the place of
+    /// scalars. Empty takes them away.
+    void setTriangleColors(int figure, std::span<const QRgb> colors, const ColorKey& key);
     void setGhosts(int figure, const std::vector<Ghost>& ghosts);
     /// A line on the ground, e.g. of the centroid; in the figure's coordinates.
     void setTrajectory(int figure, const std::vector<QVector3D>& points, const QColor& color = {});
@@ -148,6 +153,8 @@ signals:
     /// The pointer is over a figure, or over none any more.
     void hovered(const std::optional<quadrille::widgets::Pick>& pick);
     void measured(double metres);
+    /// A figure has other positions.
+    void figureChanged(int figure);
     void toolChanged(quadrille::widgets::Viewport::Tool tool);
     void cameraChanged();
     void groundHeightChanged(float metres);

@@ -9,6 +9,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 
 namespace quadrille::widgets {
 
@@ -95,6 +96,37 @@ void paintNotice(QPainter& painter, const QSizeF& size, const QString& text)
     painter.drawText(inside, Qt::AlignCenter | Qt::TextWordWrap, text);
 }
 
+/// Names beside their colours, at the upper right.
+void paintKey(QPainter& painter, const QSizeF& size, const ColorKey& key)
+{
+    constexpr double margin = 16.0;
+    constexpr double side = 12.0; // of a field of colour
+    const QFontMetricsF metrics(painter.font());
+    const double row = metrics.height() + 4.0;
+    double width = metrics.horizontalAdvance(key.title);
+    for (const ColorKey::Item& item : key.items)
+        width = std::max(width, metrics.horizontalAdvance(item.name) + side + 8.0);
+    const QRectF place(size.width() - width - margin, margin, width,
+                       row * static_cast<double>(key.items.size() + 1));
+    QColor background = Theme::color(ColorRole::Base);
+    background.setAlphaF(0.86F);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(background);
+    painter.drawRoundedRect(place.adjusted(-8.0, -8.0, 8.0, 8.0), 6.0, 6.0);
+    QRectF line(place.topLeft(), QSizeF(width, row));
+    painter.setPen(Theme::color(ColorRole::TextMuted));
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, key.title);
+    for (const ColorKey::Item& item : key.items) {
+        line.translate(0.0, row);
+        painter.setPen(QPen(Theme::color(ColorRole::Line), 1.0));
+        painter.setBrush(item.color);
+        painter.drawRect(QRectF(line.left(), line.center().y() - side / 2.0, side, side));
+        painter.setPen(Theme::color(ColorRole::Text));
+        painter.drawText(line.adjusted(side + 8.0, 0.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignVCenter,
+                         item.name);
+    }
+}
+
 } // namespace
 
 QString lengthText(double metres, const QLocale& locale)
@@ -126,6 +158,8 @@ void paintAnnotations(QPainter& painter, const QSizeF& size, const Annotations& 
     paintMeasurement(painter, size, annotations);
     if (!annotations.notice.isEmpty())
         paintNotice(painter, size, annotations.notice);
+    if (annotations.key)
+        paintKey(painter, size, *annotations.key);
     if (annotations.legend) {
         constexpr double margin = 16.0;
         const QSizeF legend = legendSize(painter.font(), *annotations.legend);

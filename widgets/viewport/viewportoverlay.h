@@ -30,12 +30,13 @@ struct Annotations
     bool namesListed = false; ///< in a column, as figures in one place would hide each other's names
     std::vector<SceneLabel> labels;
     std::optional<ScalarRange> legend;
+    std::optional<ColorKey> key;
     QString notice; ///< in the middle
 
     bool operator==(const Annotations&) const = default;
     bool isEmpty() const
     {
-        return measured.empty() && names.empty() && labels.empty() && !legend && notice.isEmpty();
+        return measured.empty() && names.empty() && labels.empty() && !legend && !key && notice.isEmpty();
     }
 };
 

@@ -36,6 +36,7 @@ struct SceneFigure
     QVector3D firstMiddle;                                 ///< of the first pose
     std::optional<std::pair<QVector3D, QVector3D>> extent; ///< lower and upper corner over all frames
     ScalarRange scalarRange;
+    std::optional<ColorKey> colorKey; ///< of triangle colours that take the place of scalars
 
     QVector3D shift() const { return offset + layoutOffset; }
 };

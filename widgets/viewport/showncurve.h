@@ -11,7 +11,7 @@
 namespace quadrille::widgets {
 
 /// A curve that clings to a figure's surface, as an editor of them shows it.
-struct SurfaceCurve
+struct ShownCurve
 {
     QString name;
     std::vector<std::uint32_t> vertices; ///< of the figure, along the curve
@@ -21,7 +21,7 @@ struct SurfaceCurve
     QColor color;
     QString problem; ///< what is wrong with it; empty when nothing is
 
-    bool operator==(const SurfaceCurve&) const = default;
+    bool operator==(const ShownCurve&) const = default;
 };
 
 /// Something of curves that can be taken hold of.
@@ -35,7 +35,7 @@ struct SurfaceCurvePart
     };
     Kind kind = Kind::None;
     int curve = 0;
-    int point = 0; ///< index in SurfaceCurve::points
+    int point = 0; ///< index in ShownCurve::points
 
     bool operator==(const SurfaceCurvePart&) const = default;
 };
