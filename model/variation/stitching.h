@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/core/progress.h"
 #include "model/variation/bodyparts.h"
 
 #include <memory>
@@ -12,8 +13,9 @@ namespace quadrille {
 
 /// Joins parts of a body that were deformed one by one into one surface without seams (CVS §6): each child is
 /// laid rigidly onto its parent over their overlap, cut from it along the closed curve on which both deviate
-/// least, and merged with it by a Poisson solve. Factorised once for all frames; immutable, safe from any
-/// thread.
+/// least, and merged with it by a Poisson solve. Around the curve the gradients go over from one to the other
+/// within the overlap, so that no crease is left where the two differ. Factorised once for all frames;
+/// immutable, safe from any thread.
 class Stitching
 {
 public:
@@ -21,24 +23,47 @@ public:
     Stitching(std::shared_ptr<const Topology> topology, BodyParts parts, Positions pose);
     ~Stitching();
 
+    const Topology& topology() const;
     const BodyParts& parts() const { return m_parts; }
 
-    /// One frame. \param poses  of each part its vertices, in BodyPart::vertices' order, metres; each part
-    /// anywhere, the root gives the place. \param out  all vertices of the mesh, metres.
-    /// \pre As many poses as parts.
-    void stitch(std::span<const Positions> poses, MutablePositions out) const;
-
-    /// The same with what was decided: of each part the closed curve that it was cut along.
+    /// Of each part the closed curve along which it is cut from its parent, in order; empty for the root.
     struct Seams
     {
         std::vector<std::vector<VertexIndex>> curves;
+
+        bool operator==(const Seams&) const = default;
     };
-    Seams stitchWithSeams(std::span<const Positions> poses, MutablePositions out) const;
+
+    /// The curves that are best for all of some frames together, so that nothing jumps between them.
+    /// \param parts  of each part frames × vertices, in BodyPart::vertices' order, metres; each part
+    /// anywhere. \return the same for any number of threads. \throws Error Cancelled. \pre All parts have as
+    /// many frames.
+    Seams bestSeams(std::span<const Positions> parts, const Progress& progress = {}) const;
+
+    /// One frame. \param poses  of each part its vertices, in BodyPart::vertices' order, metres; each part
+    /// anywhere, the root gives the place. \param seams  of bestSeams. \param out  all vertices of the mesh,
+    /// metres. \pre As many poses as parts.
+    void stitch(std::span<const Positions> poses, const Seams& seams, MutablePositions out) const;
+
+    /// One frame by itself, cut where that is best for it. \return where.
+    Seams stitch(std::span<const Positions> poses, MutablePositions out) const;
 
 private:
     struct Work;
+    struct Frame;
+    /// Of each part and edge of its overlap.
+    using EdgeCosts = std::vector<std::vector<double>>;
+    Seams cheapestSeams(const EdgeCosts& costs) const;
+
     BodyParts m_parts;
     std::unique_ptr<const Work> m_work;
 };
+
+/// Frames of one movement, along the curves that are best for all of them, in parallel.
+/// \param parts  of each part frames × vertices, metres, as for Stitching::bestSeams.
+/// \return frames × vertices, metres; the same for any number of threads.
+/// \throws Error Cancelled. \pre All parts have as many frames.
+std::vector<Vec3f> stitchFrames(const Stitching& stitching, std::span<const Positions> parts,
+                                const Progress& progress = {});
 
 } // namespace quadrille
