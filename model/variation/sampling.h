@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/variation/gpdm.h"
+#include "model/variation/hmc.h"
 
 #include <cstdint>
 #include <span>
@@ -26,38 +27,23 @@ public:
 
     /// Negative log density of a trajectory after its first position, without constants: the joint
     /// conditional of ALGORITHMS section 8, and its gradient by the trajectory (first row zero).
+    /// Cost: O(length · inputs² + length³).
     double energy(const RowMatrix& trajectory, RowMatrix* gradient = nullptr) const;
+    /// The energy's second derivatives by the positions after the first, row after row, as far as they come
+    /// from the residuals' first derivatives (Gauss–Newton): positive definite.
+    RowMatrix curvature(const RowMatrix& trajectory) const;
 
     const RowMatrix& inputs() const { return m_inputs; }
     const GpdmHyperparameters& hyperparameters() const { return m_hyperparameters; }
 
 private:
+    struct Steps;
+    Steps steps(const RowMatrix& from) const;
+
     GpdmHyperparameters m_hyperparameters;
     RowMatrix m_inputs;  ///< all but the last latent of each sequence
     RowMatrix m_factor;  ///< lower Cholesky factor of K_X
     RowMatrix m_weights; ///< K_X⁻¹·X′
-};
-
-struct HmcSettings
-{
-    int leapfrogSteps = 20;
-    int burnIn = 100;  ///< trajectories before the first sample is taken, while the step size is tuned
-    int thinning = 10; ///< trajectories from one sample to the next
-    double leastAcceptance = 0.6;
-    double greatestAcceptance = 0.9;
-
-    bool operator==(const HmcSettings&) const = default;
-};
-
-/// How well a chain ran.
-struct HmcReport
-{
-    double acceptance = 0; ///< share of proposals after burn-in
-    double stepSize = 0;
-    std::vector<double> energies; ///< of each state after burn-in
-    /// Of the chain after burn-in, from autocorrelations; the least of all coordinates.
-    double effectiveSampleSize = 0;
-    double lag1 = 0; ///< autocorrelation of the energies from one state to the next
 };
 
 struct TrajectorySamples

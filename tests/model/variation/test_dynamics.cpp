@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "latentloops.h"
+#include "model/variation/sampling.h"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+/// CVS eq. 6 without the noise.
+double plainKernel(const GpdmHyperparameters& p, const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b)
+{
+    return p.beta1 * std::exp(-p.beta2 / 2 * (a - b).squaredNorm()) + p.beta3 * a.dot(b);
+}
+
+/// The joint conditional as its formulas are printed, by inverses and determinants.
+struct PlainDynamics
+{
+    GpdmHyperparameters p;
+    std::vector<Eigen::RowVectorXd> inputs;
+    std::vector<Eigen::RowVectorXd> outputs;
+
+    explicit PlainDynamics(const LatentLoops& loops) : p(loops.state.hyperparameters)
+    {
+        for (const RowSpan& span : loops.spans)
+            for (Eigen::Index i = span.first; i < span.last(); ++i) {
+                inputs.emplace_back(loops.state.latents.row(i));
+                outputs.emplace_back(loops.state.latents.row(i + 1));
+            }
+    }
+
+    struct Joint
+    {
+        Eigen::MatrixXd mean;
+        Eigen::MatrixXd covariance;
+    };
+
+    Joint joint(const RowMatrix& from) const
+    {
+        const auto n = std::ssize(inputs);
+        const Eigen::Index m = from.rows();
+        Eigen::MatrixXd K(n, n);
+        Eigen::MatrixXd cross(n, m);
+        Eigen::MatrixXd own(m, m);
+        Eigen::MatrixXd next(n, from.cols());
+        for (Eigen::Index i = 0; i < n; ++i) {
+            next.row(i) = outputs[static_cast<std::size_t>(i)];
+            const Eigen::RowVectorXd& a = inputs[static_cast<std::size_t>(i)];
+            for (Eigen::Index j = 0; j < n; ++j)
+                K(i, j) = plainKernel(p, a, inputs[static_cast<std::size_t>(j)]) + (i == j) / p.beta4;
+            for (Eigen::Index j = 0; j < m; ++j)
+                cross(i, j) = plainKernel(p, a, from.row(j));
+        }
+        for (Eigen::Index i = 0; i < m; ++i)
+            for (Eigen::Index j = 0; j < m; ++j)
+                own(i, j) = plainKernel(p, from.row(i), from.row(j)) + (i == j) / p.beta4;
+        const Eigen::MatrixXd inverse = K.inverse();
+        return {cross.transpose() * inverse * next, own - cross.transpose() * inverse * cross};
+    }
+
+    double energy(const RowMatrix& trajectory) const
+    {
+        const Eigen::Index m = trajectory.rows() - 1;
+        const auto [mean, covariance] = joint(trajectory.topRows(m));
+        const Eigen::MatrixXd residuals = trajectory.bottomRows(m) - mean;
+        return 0.5 * static_cast<double>(trajectory.cols()) * std::log(covariance.determinant()) +
+               0.5 * (residuals.transpose() * covariance.inverse() * residuals).trace();
+    }
+};
+
+} // namespace
+
+// One pair, x = 0 → x′ = 1, with β₁ = 2, β₂ = 2, β₃ = 3, β₄ = 1: K = 2 + 1 = 3, k(z) = 2·e^(−z²).
+TEST(GpdmDynamics, solvesOnePairAsByHand)
+{
+    GpdmState state{.latents = RowMatrix(2, 1),
+                    .hyperparameters = {.beta1 = 2, .beta2 = 2, .beta3 = 3, .beta4 = 1}};
+    state.latents << 0, 1;
+    const RowSpan span{0, 2};
+    const GpdmDynamics dynamics(state, std::span(&span, 1));
+    const Eigen::RowVectorXd at = Eigen::RowVectorXd::Constant(1, 0.5);
+    const double k = 2 * std::exp(-0.25);
+    EXPECT_NEAR(dynamics.next(at)[0], k / 3, 1e-14);
+    const double variance = 2 + 3 * 0.25 + 1 - k * k / 3;
+    EXPECT_NEAR(dynamics.variance(at), variance, 1e-14);
+    RowMatrix trajectory(2, 1);
+    trajectory << 0.5, 0.9;
+    const double residual = 0.9 - k / 3;
+    RowMatrix gradient;
+    EXPECT_NEAR(dynamics.energy(trajectory, &gradient),
+                0.5 * std::log(variance) + 0.5 * residual * residual / variance, 1e-14);
+    EXPECT_EQ(gradient(0, 0), 0);
+    EXPECT_NEAR(gradient(1, 0), residual / variance, 1e-14);
+    EXPECT_NEAR(dynamics.curvature(trajectory)(0, 0), 1 / variance, 1e-14);
+}
+
+// The inverse of the plain formula loses about the condition of K_X, 1e4, times the precision.
+TEST(GpdmDynamics, energyIsThatOfThePlainFormula)
+{
+    const LatentLoops loops = latentLoops(3, 15);
+    const GpdmDynamics dynamics(loops.state, loops.spans);
+    const PlainDynamics plain(loops);
+    for (const double noise : {0.0, 0.02, 0.5}) {
+        const RowMatrix trajectory = loops.trajectory(1) + noise * normals(15, 3, 7);
+        const double expected = plain.energy(trajectory);
+        EXPECT_NEAR(dynamics.energy(trajectory), expected, 1e-8 * std::abs(expected)) << noise;
+    }
+}
+
+TEST(GpdmDynamics, gradientIsThatOfFiniteDifferences)
+{
+    const LatentLoops loops = latentLoops(2, 12);
+    const GpdmDynamics dynamics(loops.state, loops.spans);
+    for (const double noise : {0.01, 0.3}) {
+        RowMatrix trajectory = loops.trajectory(0) + noise * normals(12, 3, 3);
+        RowMatrix gradient;
+        dynamics.energy(trajectory, &gradient);
+        EXPECT_EQ(gradient.row(0).norm(), 0);
+        const double scale = gradient.cwiseAbs().maxCoeff();
+        for (Eigen::Index i = 1; i < trajectory.rows(); ++i)
+            for (Eigen::Index d = 0; d < 3; ++d) {
+                constexpr double h = 1e-5;
+                const double kept = trajectory(i, d);
+                trajectory(i, d) = kept + h;
+                const double above = dynamics.energy(trajectory);
+                trajectory(i, d) = kept - h;
+                const double below = dynamics.energy(trajectory);
+                trajectory(i, d) = kept;
+                EXPECT_NEAR(gradient(i, d), (above - below) / (2 * h), 1e-5 * scale) << i << ' ' << d;
+            }
+    }
+}
+
+// JᵀC⁻¹J with the residuals' derivatives by finite differences of the prediction.
+TEST(GpdmDynamics, curvatureIsThatOfThePlainGaussNewtonMatrix)
+{
+    const LatentLoops loops = latentLoops(2, 8);
+    const GpdmDynamics dynamics(loops.state, loops.spans);
+    const RowMatrix trajectory = loops.trajectory(0) + 0.1 * normals(8, 3, 2);
+    constexpr Eigen::Index steps = 7;
+    Eigen::MatrixXd J = Eigen::MatrixXd::Identity(3 * steps, 3 * steps);
+    for (Eigen::Index step = 1; step < steps; ++step)
+        for (Eigen::Index d = 0; d < 3; ++d) {
+            constexpr double h = 1e-5;
+            Eigen::RowVectorXd moved = trajectory.row(step);
+            moved[d] += h;
+            const Eigen::RowVectorXd above = dynamics.next(moved);
+            moved[d] -= 2 * h;
+            J.block(3 * step, 3 * (step - 1) + d, 3, 1) =
+                (dynamics.next(moved) - above).transpose() / (2 * h);
+        }
+    const Eigen::MatrixXd inverse =
+        PlainDynamics(loops).joint(trajectory.topRows(steps)).covariance.inverse();
+    Eigen::MatrixXd weights(3 * steps, 3 * steps);
+    for (Eigen::Index i = 0; i < steps; ++i)
+        for (Eigen::Index j = 0; j < steps; ++j)
+            weights.block(3 * i, 3 * j, 3, 3) = inverse(i, j) * Eigen::Matrix3d::Identity();
+    const Eigen::MatrixXd expected = J.transpose() * weights * J;
+    EXPECT_LT((dynamics.curvature(trajectory) - expected).norm(), 1e-6 * expected.norm());
+}
+
+TEST(GpdmDynamics, meanPredictionFollowsWhatWasLearned)
+{
+    const LatentLoops loops = latentLoops(1, 40);
+    const GpdmDynamics dynamics(loops.state, loops.spans);
+    const RowMatrix predicted = dynamics.meanPrediction(loops.state.latents.row(0), 40);
+    EXPECT_EQ(predicted.row(0), loops.state.latents.row(0));
+    EXPECT_EQ(predicted.row(1), dynamics.next(predicted.row(0)));
+    EXPECT_LT((predicted - loops.state.latents).rowwise().norm().maxCoeff(), 0.15);
+}
+
+TEST(GpdmDynamics, isSureWhereItWasTaughtAndUnsureElsewhere)
+{
+    const LatentLoops loops = latentLoops(2, 30);
+    const GpdmDynamics dynamics(loops.state, loops.spans);
+    const GpdmHyperparameters& p = loops.state.hyperparameters;
+    EXPECT_LT(dynamics.variance(loops.state.latents.row(10)), 3 / p.beta4);
+    EXPECT_GT(dynamics.variance(Eigen::RowVectorXd::Constant(3, 9)), p.beta1);
+}
+
+TEST(GpdmDynamics, oneFrameHasNeitherEnergyNorGradient)
+{
+    const LatentLoops loops = latentLoops(1, 5);
+    const GpdmDynamics dynamics(loops.state, loops.spans);
+    RowMatrix gradient;
+    EXPECT_EQ(dynamics.energy(loops.state.latents.topRows(1), &gradient), 0);
+    EXPECT_EQ(gradient.norm(), 0);
+    EXPECT_EQ(dynamics.curvature(loops.state.latents.topRows(1)).size(), 0);
+}
+
+// All frames alike and no noise to speak of: the kernel matrix is singular in double precision.
+TEST(GpdmDynamics, staysFiniteWithASingularKernel)
+{
+    LatentLoops loops = latentLoops(2, 10);
+    loops.state.latents.setConstant(0.7);
+    loops.state.hyperparameters.beta1 = 1e6;
+    loops.state.hyperparameters.beta4 = 1e14;
+    const GpdmDynamics dynamics(loops.state, loops.spans);
+    EXPECT_NEAR(dynamics.next(loops.state.latents.row(0))[0], 0.7, 1e-3);
+    EXPECT_TRUE(dynamics.meanPrediction(loops.state.latents.row(0), 10).allFinite());
+}
