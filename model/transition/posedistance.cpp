@@ -116,22 +116,21 @@ double alignedTriangleDistance(Positions a, Positions b, const RigidMotion& alig
     return triangleDistance(from, to, stretchWeight);
 }
 
-} // namespace
-
-PoseDistances poseDistances(const CharacterFrames& character, const PoseDistanceSettings& settings,
-                            const Progress& progress, const Executor& executor)
+PoseDistanceInputs checkedInputs(const CharacterFrames& character, const PoseDistanceSettings& settings,
+                                 const Progress& progress)
 {
     requireValid(settings);
-    const NodeIndex frameCount = character.frameCount();
-    PoseDistances result{.layout = character.layout(),
-                         .distances = Table<float>::Zero(frameCount, frameCount)};
-    const PoseDistanceInputs inputs = survey(character, settings, progress.part(0, 0.02));
-    result.trianglesUsed = inputs.triangleCount;
-    result.trianglesLeftOut = static_cast<std::int64_t>(character.triangles().size()) - inputs.triangleCount;
-    if (settings.metric == PoseMetric::Surface && inputs.triangleCount == 0 && frameCount > 0)
+    PoseDistanceInputs inputs = survey(character, settings, progress);
+    if (settings.metric == PoseMetric::Surface && inputs.triangleCount == 0 && character.frameCount() > 0)
         throw Error(ErrorCode::NoUsableTriangles);
+    return inputs;
+}
 
-    const std::vector<PairTile> tiles = pairTiles(frameCount, tileSize(frameCount, character.vertexCount()));
+/// \param store  (const PairTile&, std::span<const float> values), for several tiles at a time.
+template <typename Store>
+void computeTiles(const PoseDistanceInputs& inputs, const std::vector<PairTile>& tiles, const Store& store,
+                  const Progress& progress, const Executor& executor)
+{
     const auto tileOf = [&](std::int64_t task) -> const PairTile& {
         return tiles[static_cast<std::size_t>(task)];
     };
@@ -140,11 +139,54 @@ PoseDistances poseDistances(const CharacterFrames& character, const PoseDistance
                      [&](std::int64_t task, const Progress& own) {
                          return poseDistanceTile(inputs, tileOf(task), own);
                      },
-                     [&](std::int64_t task, std::span<const float> values) {
-                         storeSymmetric(tileOf(task), values, result.distances);
-                     }),
-                 progress.part(0.02, 1));
+                     [&](std::int64_t task, std::span<const float> values) { store(tileOf(task), values); }),
+                 progress);
+}
+
+} // namespace
+
+PoseDistances poseDistances(const CharacterFrames& character, const PoseDistanceSettings& settings,
+                            const Progress& progress, const Executor& executor)
+{
+    const NodeIndex frameCount = character.frameCount();
+    PoseDistances result{.layout = character.layout(),
+                         .distances = Table<float>::Zero(frameCount, frameCount)};
+    const PoseDistanceInputs inputs = checkedInputs(character, settings, progress.part(0, 0.02));
+    result.trianglesUsed = inputs.triangleCount;
+    result.trianglesLeftOut = static_cast<std::int64_t>(character.triangles().size()) - inputs.triangleCount;
+    computeTiles(
+        inputs, pairTiles(frameCount, tileSize(frameCount, character.vertexCount())),
+        [&](const PairTile& tile, std::span<const float> values) {
+            storeSymmetric(tile, values, result.distances);
+        },
+        progress.part(0.02, 1), executor);
     return result;
+}
+
+Table<float> poseDistancesOfFirst(const CharacterFrames& character, NodeIndex rows,
+                                  const PoseDistanceSettings& settings, const Progress& progress,
+                                  const Executor& executor)
+{
+    const NodeIndex frameCount = character.frameCount();
+    const PoseDistanceInputs inputs = checkedInputs(character, settings, progress.part(0, 0.02));
+    const NodeIndex size = tileSize(frameCount, character.vertexCount());
+    std::vector<PairTile> tiles = pairTiles(rows, size);
+    for (NodeIndex row = 0; row < rows; row += size) {
+        for (NodeIndex column = rows; column < frameCount; column += size)
+            tiles.push_back({row, std::min(size, rows - row), column, std::min(size, frameCount - column)});
+    }
+    Table<float> distances = Table<float>::Zero(rows, frameCount);
+    computeTiles(
+        inputs, tiles,
+        [&](const PairTile& tile, std::span<const float> values) {
+            if (tile.firstColumn < rows)
+                storeSymmetric(tile, values, distances);
+            else
+                distances.block(tile.firstRow, tile.firstColumn, tile.rows, tile.columns) =
+                    Eigen::Map<const Table<float>>(values.data(), tile.rows, tile.columns);
+        },
+        progress.part(0.02, 1), executor);
+    return distances;
 }
 
 double surfaceDistance(Positions a, Positions b, std::span<const Triangle> triangles, double stretchWeight)

@@ -30,6 +30,12 @@ struct PoseDistances
 PoseDistances poseDistances(const CharacterFrames& character, const PoseDistanceSettings& settings = {},
                             const Progress& progress = {}, const Executor& executor = localExecutor());
 
+/// Distances of the first frames to all: the first rows of the table of poseDistances alone. \pre 0 ≤ rows ≤
+/// frames. \throws Error as poseDistances.
+Table<float> poseDistancesOfFirst(const CharacterFrames& character, NodeIndex rows,
+                                  const PoseDistanceSettings& settings = {}, const Progress& progress = {},
+                                  const Executor& executor = localExecutor());
+
 /// The surface distance of two poses, radians, in double precision.
 /// \param triangles  those to use, each with an area in both poses; 0 when there are none.
 double surfaceDistance(Positions a, Positions b, std::span<const Triangle> triangles,

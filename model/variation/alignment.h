@@ -37,6 +37,12 @@ struct AlignmentSettings
     WarpSteps steps;
     /// Of warps, in reference frames (see warpOf).
     double smoothing = 1.5;
+    /// A take is locomotion when its poses come back after a cycle: at most this share of how far apart they
+    /// get on average within it.
+    double greatestReturn = 0.3;
+    /// The least match of a take with the reference's cycle: mean cost of the path in mean costs of all
+    /// matches.
+    double greatestMatch = 0.6;
 
     bool operator==(const AlignmentSettings&) const = default;
 };
@@ -55,11 +61,12 @@ enum class TakeUse
 struct WarpReport
 {
     TakeUse use = TakeUse::Whole;
-    /// What each match would cost: reference frames × all frames of the take (not only those that are used),
+    /// What each match would cost: reference frames × frames of the take (of its range, or all, used or not),
     /// radians; shrunk by taking means where a side has more than 512.
     Table<float> costs;
     int rowsPerCell = 1;         ///< reference frames in a row of `costs`
     int columnsPerCell = 1;      ///< frames of the take in a column of `costs`
+    FrameIndex firstColumn{0};   ///< frame of the take that the first column begins with
     std::vector<WarpMatch> path; ///< the reference's frames that are used from 0; the take's from its first
     double meanCost = 0;         ///< of a cell of the path
     /// Of each frame used: where between the first (0) and the last (1) reference frame it lies.
@@ -72,8 +79,9 @@ struct Alignment
 {
     std::vector<AlignedTake> takes; ///< in the order of the training
     std::size_t reference = 0;
-    std::vector<WarpReport> reports;   ///< of each take
-    std::vector<Vec3f> templatePose;   ///< that all frames are laid onto, metres
+    std::vector<WarpReport> reports; ///< of each take
+    /// That all frames are laid onto, moved so that its centroid is the origin, metres.
+    std::vector<Vec3f> templatePose;
     std::optional<std::int64_t> cycle; ///< frames of the reference's cycle, where it has one
     double fps = 25;                   ///< of the reference frames
 

@@ -12,12 +12,22 @@
 
 namespace quadrille {
 
+/// A placement between two: rotations by slerp, translations linearly.
+RigidMotion interpolated(const RigidMotion& a, const RigidMotion& b, double share);
+
+/// Where up points, seen from a placement: its tilt, without its heading.
+Vec3d upSeenFrom(const RigidMotion& place, const Vec3d& up);
+
+/// A placement turned, the shortest way, so that up is seen from it where it is wanted.
+/// \param share  of the way: 0 … 1.
+RigidMotion leanedTo(const Vec3d& wantedUp, const RigidMotion& place, const Vec3d& up, double share = 1);
+
 struct PathSettings
 {
     UpAxis up = UpAxis::Y;
     double fps = 25; ///< of the reference frames
     /// Errors of single displacements add up: what height and tilt differ from those of the take is forgotten
-    /// by half in this time, seconds. Way and heading on the ground are free.
+    /// by half in this time, seconds; at once where it is 0. Way and heading on the ground are free.
     double driftHalfLife = 0.25;
 };
 

@@ -11,14 +11,14 @@
 namespace quadrille {
 
 /// How a take runs against the reference: the same phase of the movement at the same place. Both ends of the
-/// frames used meet both ends of the reference, and either list undoes the other.
+/// frames used meet both ends of the reference.
 struct TakeWarp
 {
     FrameRange frames; ///< of the take that are used: one cycle of it, or all
     /// Of each reference frame its position in the take, in frames of the take (fractional), ascending.
     std::vector<double> positions;
     /// Of each frame used its position on the reference, 0 … reference frames − 1, ascending: samples are
-    /// played back by it in the timing of the take.
+    /// played back by it in the timing of the take. Inverse of the positions, linear between them.
     std::vector<double> playback;
 
     bool operator==(const TakeWarp&) const = default;
@@ -38,6 +38,8 @@ struct WarpSteps
     /// Frames of one that one frame of the other may be matched with further, in a row; where two lengths
     /// differ by more, as many as they need. 0: any number.
     int longestRun = 3;
+    /// More than this counts as any number.
+    static constexpr int greatestRun = 100;
 
     bool operator==(const WarpSteps&) const = default;
 };
@@ -75,8 +77,8 @@ TakeWarp warpOf(const std::vector<WarpMatch>& path, double smoothing, FrameIndex
 /// \param weight  of the second, 0 … 1. \pre Both have as many reference frames.
 TakeWarp blendedWarp(const TakeWarp& a, const TakeWarp& b, double weight);
 
-/// Positions at which an ascending function of frames 0, 1, … takes the values first, first + 1, …
-/// \return `count` of them. Linear in between; clamped at the ends.
+/// Where an ascending function of frames 0, 1, … takes the values first, first + 1, …: linear between its
+/// frames, clamped at its ends. \return `count` frames. \pre At least two positions.
 std::vector<double> inverseWarp(const std::vector<double>& positions, double first, std::int64_t count);
 
 } // namespace quadrille

@@ -19,7 +19,8 @@ struct AlignedTake
 {
     std::string name;
     TakeWarp warp;
-    std::vector<Vec3f> poses; ///< reference frames × vertices, metres, Procrustes-aligned to the template
+    /// Reference frames × vertices, metres, Procrustes-aligned to the template, whose centroid is the origin.
+    std::vector<Vec3f> poses;
     /// Of each reference frame the motion from the template's place to where it was captured.
     std::vector<RigidMotion> placements;
 
@@ -33,6 +34,8 @@ using Displacement = std::array<double, 6>;
 
 /// Of each frame; the first equals the second. \pre At least two placements.
 std::vector<Displacement> displacementsOf(std::span<const RigidMotion> placements);
+/// The placement one displacement further.
+RigidMotion moved(const RigidMotion& place, const Displacement& displacement);
 /// The placements that have these displacements, from a first one. Undoes displacementsOf.
 std::vector<RigidMotion> integrated(std::span<const Displacement> displacements, const RigidMotion& first);
 

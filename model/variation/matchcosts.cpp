@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/variation/matchcosts.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+namespace quadrille {
+
+namespace {
+
+constexpr Eigen::Index greatestSide = 512;
+
+/// Of each foot that has contacts, in which frames it stands.
+std::map<std::string, std::vector<bool>> standing(const MeshSequence& sequence)
+{
+    const auto count = static_cast<std::size_t>(sequence.frameCount());
+    std::map<std::string, std::vector<bool>> feet;
+    for (const ContactSpan& span : sequence.contacts) {
+        std::vector<bool>& stands = feet.try_emplace(span.foot, count, false).first->second;
+        for (std::int64_t f = std::max<std::int64_t>(span.frames.first.value, 0);
+             f <= std::min<std::int64_t>(span.frames.last.value, sequence.frameCount() - 1); ++f)
+            stands[static_cast<std::size_t>(f)] = true;
+    }
+    return feet;
+}
+
+} // namespace
+
+void addContactCosts(const MeshSequence& reference, const MeshSequence& take, double weight,
+                     Table<float>& costs)
+{
+    const auto feetOfReference = standing(reference);
+    const auto feetOfTake = standing(take);
+    std::vector<std::pair<const std::vector<bool>*, const std::vector<bool>*>> feet;
+    for (const auto& [name, stands] : feetOfReference) {
+        if (const auto other = feetOfTake.find(name); other != feetOfTake.end())
+            feet.emplace_back(&stands, &other->second);
+    }
+    if (feet.empty() || weight <= 0)
+        return;
+    const auto cost =
+        static_cast<float>(weight * static_cast<double>(costs.mean()) / static_cast<double>(feet.size()));
+    for (const auto& [ofReference, ofTake] : feet) {
+        for (Eigen::Index r = 0; r < costs.rows(); ++r) {
+            for (Eigen::Index c = 0; c < costs.cols(); ++c) {
+                if ((*ofReference)[static_cast<std::size_t>(r)] != (*ofTake)[static_cast<std::size_t>(c)])
+                    costs(r, c) += cost;
+            }
+        }
+    }
+}
+
+void shrink(const Table<float>& costs, WarpReport& report)
+{
+    const auto perCell = [](Eigen::Index count) { return (count + greatestSide - 1) / greatestSide; };
+    const Eigen::Index rows = perCell(costs.rows());
+    const Eigen::Index columns = perCell(costs.cols());
+    report.rowsPerCell = static_cast<int>(rows);
+    report.columnsPerCell = static_cast<int>(columns);
+    report.costs.resize((costs.rows() + rows - 1) / rows, (costs.cols() + columns - 1) / columns);
+    for (Eigen::Index r = 0; r < report.costs.rows(); ++r) {
+        for (Eigen::Index c = 0; c < report.costs.cols(); ++c) {
+            report.costs(r, c) = costs
+                                     .block(r * rows, c * columns, std::min(rows, costs.rows() - r * rows),
+                                            std::min(columns, costs.cols() - c * columns))
+                                     .mean();
+        }
+    }
+}
+
+} // namespace quadrille

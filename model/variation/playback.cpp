@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/variation/playback.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <tbb/parallel_for.h>
+
+namespace quadrille {
+
+namespace {
+
+/// A position on the reference, between two of its frames.
+struct Between
+{
+    std::size_t before = 0;
+    std::size_t after = 0;
+    double share = 0;
+};
+
+Between betweenFrames(double position, std::size_t count)
+{
+    const double clamped = std::clamp(position, 0.0, static_cast<double>(count - 1));
+    const auto before = static_cast<std::size_t>(clamped);
+    return {before, std::min(before + 1, count - 1), clamped - static_cast<double>(before)};
+}
+
+/// Frame of a take, from 0, at a position on the reference.
+NodeIndex nearestFrame(const TakeWarp& warp, double position)
+{
+    const Between at = betweenFrames(position, warp.positions.size());
+    const double frame = (1 - at.share) * warp.positions[at.before] + at.share * warp.positions[at.after];
+    return static_cast<NodeIndex>(std::lround(frame));
+}
+
+} // namespace
+
+RigidMotion interpolated(const RigidMotion& a, const RigidMotion& b, double share)
+{
+    return {a.rotation.slerp(share, b.rotation), (1 - share) * a.translation + share * b.translation};
+}
+
+Vec3d upSeenFrom(const RigidMotion& place, const Vec3d& up)
+{
+    return place.rotation.conjugate() * up;
+}
+
+RigidMotion leanedTo(const Vec3d& wantedUp, const RigidMotion& place, const Vec3d& up, double share)
+{
+    const Eigen::Quaterniond lean = Eigen::Quaterniond::FromTwoVectors(wantedUp, upSeenFrom(place, up));
+    return {(place.rotation * Eigen::Quaterniond::Identity().slerp(share, lean)).normalized(),
+            place.translation};
+}
+
+std::vector<RigidMotion> pathOnGround(std::span<const Displacement> displacements,
+                                      std::span<const RigidMotion> guide, const PathSettings& settings)
+{
+    assert(displacements.size() == guide.size());
+    const Vec3d up = Vec3d::Unit(static_cast<Eigen::Index>(settings.up));
+    const double frames = settings.driftHalfLife * settings.fps;
+    const double kept = frames > 0 ? std::exp2(-1 / frames) : 0;
+    std::vector<RigidMotion> path;
+    path.reserve(guide.size());
+    for (std::size_t i = 0; i < guide.size(); ++i) {
+        if (i == 0) {
+            path.push_back(guide[0]);
+            continue;
+        }
+        RigidMotion place = moved(path.back(), displacements[i]);
+        const double height = up.dot(place.translation);
+        place.translation += (1 - kept) * (up.dot(guide[i].translation) - height) * up;
+        path.push_back(leanedTo(upSeenFrom(guide[i], up), place, up, 1 - kept));
+    }
+    return path;
+}
+
+std::vector<Vec3f> played(std::span<const Vec3f> poses, std::span<const RigidMotion> placements,
+                          const TakeWarp& warp, const Progress& progress)
+{
+    const std::size_t vertices = placements.empty() ? 0 : poses.size() / placements.size();
+    std::vector<Vec3f> frames(warp.playback.size() * vertices);
+    tbb::parallel_for(std::size_t{0}, warp.playback.size(), [&](std::size_t k) {
+        progress.report(static_cast<double>(k) / static_cast<double>(warp.playback.size()));
+        const Between at = betweenFrames(warp.playback[k], placements.size());
+        const RigidMotion place = interpolated(placements[at.before], placements[at.after], at.share);
+        const Eigen::Matrix3f turn = place.rotation.toRotationMatrix().cast<float>();
+        const Vec3f shift = place.translation.cast<float>();
+        const auto share = static_cast<float>(at.share);
+        for (std::size_t v = 0; v < vertices; ++v) {
+            const Vec3f& before = poses[at.before * vertices + v];
+            const Vec3f& after = poses[at.after * vertices + v];
+            frames[k * vertices + v] = turn * (before + share * (after - before)) + shift;
+        }
+    });
+    return frames;
+}
+
+std::vector<FrameOrigin> variationOrigins(const TakeWarp& warp, NodeIndex firstNode)
+{
+    std::vector<FrameOrigin> origins;
+    for (std::int64_t f = warp.frames.first.value; f <= warp.frames.last.value; ++f) {
+        const auto node = static_cast<NodeIndex>(firstNode + f);
+        origins.push_back({node, node, 0, false});
+    }
+    return origins;
+}
+
+std::vector<FrameOrigin> variationOrigins(const TakeWarp& a, const TakeWarp& b, double weight,
+                                          NodeIndex firstNodeA, NodeIndex firstNodeB)
+{
+    if (weight <= 0)
+        return variationOrigins(a, firstNodeA);
+    if (weight >= 1)
+        return variationOrigins(b, firstNodeB);
+    std::vector<FrameOrigin> origins;
+    for (const double position : blendedWarp(a, b, weight).playback)
+        origins.push_back(
+            {firstNodeA + nearestFrame(a, position), firstNodeB + nearestFrame(b, position), weight, false});
+    return origins;
+}
+
+} // namespace quadrille

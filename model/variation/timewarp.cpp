@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/variation/timewarp.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace quadrille {
+
+namespace {
+
+constexpr double unreachable = std::numeric_limits<double>::infinity();
+
+/// The programme over costs: the state of a cell is the step that led to it, and how many of its kind there
+/// were in a row: 0 is the diagonal, 1 … run steps along the reference, run + 1 … 2·run along the take.
+class WarpProgramme
+{
+public:
+    WarpProgramme(const Table<float>& costs, int run, bool unlimited, bool within)
+        : m_costs(costs)
+        , m_run(run)
+        , m_unlimited(unlimited)
+        , m_states(static_cast<std::size_t>(2) * static_cast<std::size_t>(run) + 1)
+        , m_from(static_cast<std::size_t>(costs.size()) * m_states, noState)
+    {
+        std::vector<double> before;
+        std::vector<double> row(static_cast<std::size_t>(costs.cols()) * m_states);
+        for (Eigen::Index r = 0; r < costs.rows(); ++r) {
+            row.swap(before);
+            row.assign(static_cast<std::size_t>(costs.cols()) * m_states, unreachable);
+            for (Eigen::Index c = 0; c < costs.cols(); ++c)
+                enter(r, c, before, row, within);
+        }
+        m_last = std::move(row);
+    }
+
+    /// The cheapest of the last row's cells, from one column on; nothing where none can be reached.
+    std::optional<WarpPathResult> best(Eigen::Index firstColumn) const
+    {
+        std::size_t end = 0;
+        double least = unreachable;
+        for (std::size_t i = static_cast<std::size_t>(firstColumn) * m_states; i < m_last.size(); ++i) {
+            if (m_last[i] < least) {
+                least = m_last[i];
+                end = i;
+            }
+        }
+        if (least == unreachable)
+            return std::nullopt;
+        return trace(end, least);
+    }
+
+private:
+    static constexpr std::uint8_t noState = 255;
+    static constexpr std::uint8_t start = 254;
+
+    std::size_t cell(Eigen::Index r, Eigen::Index c) const
+    {
+        return static_cast<std::size_t>(r * m_costs.cols() + c) * m_states;
+    }
+
+    void enter(Eigen::Index r, Eigen::Index c, const std::vector<double>& before, std::vector<double>& row,
+               bool within)
+    {
+        const double cost = m_costs(r, c);
+        const std::size_t here = static_cast<std::size_t>(c) * m_states;
+        const auto take = [&](int state, double sum, std::uint8_t from) {
+            double& known = row[here + static_cast<std::size_t>(state)];
+            if (sum + cost < known) {
+                known = sum + cost;
+                m_from[cell(r, c) + static_cast<std::size_t>(state)] = from;
+            }
+        };
+        if (r == 0 && (within || c == 0))
+            take(0, 0, start);
+        if (r > 0 && c > 0) {
+            const double* const sums = &before[here - m_states];
+            for (std::size_t s = 0; s < m_states; ++s)
+                take(0, sums[s], static_cast<std::uint8_t>(s));
+        }
+        if (r > 0)
+            straight(&before[here], 1, take);
+        if (c > 0)
+            straight(&row[here - m_states], m_run + 1, take);
+    }
+
+    /// Steps of one kind, whose states begin with `first`, from a neighbour with these sums.
+    template <typename Take>
+    void straight(const double* sums, int first, const Take& take) const
+    {
+        for (int s = 0; s < static_cast<int>(m_states); ++s) {
+            const bool same = s >= first && s < first + m_run;
+            if (!same)
+                take(first, sums[s], static_cast<std::uint8_t>(s));
+            else if (s + 1 < first + m_run)
+                take(s + 1, sums[s], static_cast<std::uint8_t>(s));
+            else if (m_unlimited)
+                take(s, sums[s], static_cast<std::uint8_t>(s));
+        }
+    }
+
+    WarpPathResult trace(std::size_t end, double cost) const
+    {
+        WarpPathResult result{.path = {}, .cost = cost};
+        auto r = static_cast<int>(m_costs.rows()) - 1;
+        auto c = static_cast<int>(end / m_states);
+        auto state = static_cast<std::uint8_t>(end % m_states);
+        while (state != start) {
+            result.path.push_back({r, c});
+            const std::uint8_t from = m_from[cell(r, c) + state];
+            if (from != start) {
+                r -= state <= m_run ? 1 : 0;
+                c -= state == 0 || state > m_run ? 1 : 0;
+            }
+            state = from;
+        }
+        std::reverse(result.path.begin(), result.path.end());
+        return result;
+    }
+
+    const Table<float>& m_costs;
+    int m_run;
+    bool m_unlimited;
+    std::size_t m_states;
+    std::vector<std::uint8_t> m_from; ///< cells × states: the state of the cell before
+    std::vector<double> m_last;       ///< columns × states: sums of the last row
+};
+
+/// The matched points of both times that the cells of a path mean, strictly ascending in both.
+std::vector<Vec2d> anchorsOf(const std::vector<WarpMatch>& path)
+{
+    std::vector<Vec2d> anchors;
+    const Vec2d first(path.front().reference, path.front().take);
+    const Vec2d last(path.back().reference, path.back().take);
+    for (std::size_t i = 0; i < path.size();) {
+        const auto runs = [&](auto same) {
+            std::size_t end = i + 1;
+            while (end < path.size() && same(path[end], path[i]))
+                ++end;
+            return end;
+        };
+        const std::size_t across =
+            runs([](const WarpMatch& a, const WarpMatch& b) { return a.reference == b.reference; });
+        const std::size_t along =
+            runs([](const WarpMatch& a, const WarpMatch& b) { return a.take == b.take; });
+        const std::size_t end = std::max(across, along);
+        const Vec2d middle =
+            (Vec2d(path[i].reference, path[i].take) + Vec2d(path[end - 1].reference, path[end - 1].take)) / 2;
+        if ((middle.array() > first.array()).all() && (middle.array() < last.array()).all())
+            anchors.push_back(middle);
+        // The last cell of a run may be the first of one of the other kind.
+        const bool turns =
+            end - i > 1 && end < path.size() &&
+            (path[end].take == path[end - 1].take || path[end].reference == path[end - 1].reference);
+        i = turns ? end - 1 : end;
+    }
+    anchors.insert(anchors.begin(), first);
+    if (last != first)
+        anchors.push_back(last);
+    return anchors;
+}
+
+/// Evens an ascending function out by a Gaussian; continued point-symmetrically, so that ends and order stay.
+std::vector<double> smoothed(const std::vector<double>& values, double deviation)
+{
+    const auto count = static_cast<std::int64_t>(values.size());
+    const auto radius = static_cast<std::int64_t>(std::ceil(3 * deviation));
+    if (radius == 0 || count < 3)
+        return values;
+    const std::int64_t period = 2 * (count - 1);
+    const double rise = 2 * (values.back() - values.front());
+    const auto continued = [&](std::int64_t i) {
+        const std::int64_t turns = i >= 0 ? i / period : -((period - 1 - i) / period);
+        const std::int64_t within = i - turns * period;
+        const double there = within < count
+                                 ? values[static_cast<std::size_t>(within)]
+                                 : 2 * values.back() - values[static_cast<std::size_t>(period - within)];
+        return there + static_cast<double>(turns) * rise;
+    };
+    std::vector<double> result(values.size());
+    for (std::int64_t i = 0; i < count; ++i) {
+        double sum = 0;
+        double weights = 0;
+        for (std::int64_t d = -radius; d <= radius; ++d) {
+            const double z = static_cast<double>(d) / deviation;
+            const double weight = std::exp(-z * z / 2);
+            sum += weight * continued(i + d);
+            weights += weight;
+        }
+        result[static_cast<std::size_t>(i)] = sum / weights;
+    }
+    result.front() = values.front();
+    result.back() = values.back();
+    return result;
+}
+
+} // namespace
+
+WarpPathResult warpWhole(const Table<float>& costs, const WarpSteps& steps)
+{
+    assert(costs.rows() > 0 && costs.cols() > 0);
+    const auto longer = std::max(costs.rows(), costs.cols());
+    const auto shorter = std::min(costs.rows(), costs.cols());
+    const auto needed = static_cast<int>((longer + shorter - 1) / shorter) - 1;
+    const int longest = steps.longestRun <= 0 ? 0 : std::max(steps.longestRun, needed);
+    const bool unlimited = longest == 0 || longest > WarpSteps::greatestRun;
+    const int run = unlimited ? 1 : longest;
+    return *WarpProgramme(costs, run, unlimited, false).best(costs.cols() - 1);
+}
+
+std::optional<WarpPathResult> warpWithin(const Table<float>& costs, const WarpSteps& steps)
+{
+    assert(costs.rows() > 0 && costs.cols() > 0);
+    const bool unlimited = steps.longestRun <= 0 || steps.longestRun > WarpSteps::greatestRun;
+    return WarpProgramme(costs, unlimited ? 1 : steps.longestRun, unlimited, true).best(0);
+}
+
+TakeWarp warpOf(const std::vector<WarpMatch>& path, double smoothing, FrameIndex first)
+{
+    const std::vector<Vec2d> anchors = anchorsOf(path);
+    const int base = path.front().reference;
+    std::vector<double> positions;
+    std::size_t next = 1;
+    for (int r = base; r <= path.back().reference; ++r) {
+        while (next + 1 < anchors.size() && anchors[next].x() < r)
+            ++next;
+        const Vec2d& a = anchors[std::min(next, anchors.size() - 1) - (anchors.size() > 1 ? 1 : 0)];
+        const Vec2d& b = anchors[std::min(next, anchors.size() - 1)];
+        const double share = b.x() > a.x() ? (r - a.x()) / (b.x() - a.x()) : 0;
+        positions.push_back(static_cast<double>(first.value) + a.y() + share * (b.y() - a.y()));
+    }
+    TakeWarp warp{
+        .frames = {FrameIndex(first.value + path.front().take), FrameIndex(first.value + path.back().take)},
+        .positions = smoothed(positions, smoothing),
+        .playback = {}};
+    warp.playback =
+        inverseWarp(warp.positions, static_cast<double>(warp.frames.first.value), warp.frames.count());
+    return warp;
+}
+
+TakeWarp blendedWarp(const TakeWarp& a, const TakeWarp& b, double weight)
+{
+    assert(a.positions.size() == b.positions.size());
+    if (weight <= 0)
+        return a;
+    if (weight >= 1)
+        return b;
+    const auto firstOf = [](const TakeWarp& warp) { return static_cast<double>(warp.frames.first.value); };
+    const double length = (1 - weight) * static_cast<double>(a.frames.count() - 1) +
+                          weight * static_cast<double>(b.frames.count() - 1);
+    const double frames = std::max(1.0, std::round(length));
+    TakeWarp warp{
+        .frames = FrameRange::all(static_cast<std::int64_t>(frames) + 1), .positions = {}, .playback = {}};
+    for (std::size_t i = 0; i < a.positions.size(); ++i) {
+        const double position =
+            (1 - weight) * (a.positions[i] - firstOf(a)) + weight * (b.positions[i] - firstOf(b));
+        warp.positions.push_back(length > 0 ? position * frames / length : position);
+    }
+    warp.playback = inverseWarp(warp.positions, 0, warp.frames.count());
+    return warp;
+}
+
+std::vector<double> inverseWarp(const std::vector<double>& positions, double first, std::int64_t count)
+{
+    std::vector<double> inverse;
+    std::size_t next = 1;
+    for (std::int64_t k = 0; k < count; ++k) {
+        const double wanted = first + static_cast<double>(k);
+        while (next + 1 < positions.size() && positions[next] < wanted)
+            ++next;
+        const double from = positions[next - 1];
+        const double to = positions[next];
+        const double share = to > from ? std::clamp((wanted - from) / (to - from), 0.0, 1.0) : 0;
+        inverse.push_back(static_cast<double>(next - 1) + share);
+    }
+    return inverse;
+}
+
+} // namespace quadrille
