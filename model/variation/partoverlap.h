@@ -22,6 +22,7 @@ public:
 
     std::size_t vertexCount() const { return m_vertexCount; }
     std::size_t edgeCount() const { return m_edges.size(); }
+    std::array<std::uint32_t, 2> endsOf(std::size_t edge) const { return m_edges[edge].ends; }
     const std::vector<Triangle>& triangles() const { return m_triangles; }
 
     /// Adds to the cost of each edge what cutting along it costs: its length times the squared difference of
