@@ -5,6 +5,7 @@
 #include "editor/application/editorcontext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/currentvariation.h"
+#include "editor/workspaces/variations/movementpanel.h"
 #include "editor/workspaces/variations/variationbar.h"
 
 #include <QVBoxLayout>
@@ -33,6 +34,7 @@ VariationsWorkspace::VariationsWorkspace(EditorContext& context, QWidget* parent
     column->setSpacing(0);
     column->addWidget(new VariationBar(*m_variation));
     column->addWidget(m_view, 1);
+    m_panels.push_back({"movementDock", [] { return tr("Movement"); }, new MovementPanel(*m_variation)});
     connect(m_variation, &CurrentVariation::changed, this, &VariationsWorkspace::follow);
     connect(&context.media, &SequenceMedia::changed, this,
             [this](const QString& name) { stage().update(name); });
