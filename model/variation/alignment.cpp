@@ -101,10 +101,11 @@ void fillCosts(Matching& matching, const AlignmentSettings& settings, const Prog
     for (std::size_t t = 0; t < candidates.size(); ++t) {
         const bool isReference = t == matching.reference;
         const int sequence = isReference ? 0 : next++;
-        const Table<float> block = distances.block(matching.usable.first.value, layout.firstOf(sequence),
-                                                   matching.usable.count(), layout.countOf(sequence));
+        Table<float> block = distances.block(matching.usable.first.value, layout.firstOf(sequence),
+                                             matching.usable.count(), layout.countOf(sequence));
         matching.costs.push_back(isReference ? block
                                              : matchCosts(block, usable, candidates[t].sequence, settings));
+        matching.distances.push_back(std::move(block));
     }
 }
 

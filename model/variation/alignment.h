@@ -44,7 +44,7 @@ struct AlignmentSettings
     /// A take is locomotion when its poses come back after a cycle: their mean distance then, in the largest
     /// after fewer frames. For the reference, and for takes beside a reference that is locomotion.
     double greatestReturn = 0.3;
-    double greatestReturnBeside = 0.4;
+    double greatestReturnBeside = 0.35;
     /// In a take that is no locomotion all over, a cycle that resembles the reference's is used when the mean
     /// distance of its matches is at most this share of the mean of all.
     double greatestMatch = 0.3;
