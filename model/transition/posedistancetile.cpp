@@ -3,7 +3,6 @@
 #include "model/transition/posedistancetile.h"
 
 #include "model/geometry/procrustes.h"
-#include "model/transition/posedistancekernels.h"
 
 #include <algorithm>
 
@@ -57,19 +56,6 @@ std::vector<RotationF> rotationsOf(const FrameRun& rows, const FrameRun& columns
     return rotations;
 }
 
-void fillVertexSlice(const CentredPose& pose, std::size_t slice, VertexSlice& out)
-{
-    const std::size_t first = slice * sliceVertices;
-    const std::size_t count = std::min(sliceVertices, pose.positions.size() - first);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        auto& row = out.coordinates[axis];
-        for (std::size_t v = 0; v < count; ++v)
-            row[v] = static_cast<float>(double{pose.positions[first + v][static_cast<Eigen::Index>(axis)]} -
-                                        pose.centre[static_cast<Eigen::Index>(axis)]);
-        std::fill(row.begin() + static_cast<std::ptrdiff_t>(count), row.end(), 0.0F);
-    }
-}
-
 /// Adds what all slices of the frames give to the sums of the pairs above the diagonal.
 /// \param fill  (const CentredPose&, slice number, Slice& out)
 /// \param add  (const Slice& row, const Slice* columns, const RotationF*, count, double* sums)
@@ -99,6 +85,19 @@ std::vector<double> sumSlices(const FrameRun& rows, const FrameRun& columns, con
 }
 
 } // namespace
+
+void fillVertexSlice(const CentredPose& pose, std::size_t slice, VertexSlice& out)
+{
+    const std::size_t first = slice * sliceVertices;
+    const std::size_t count = std::min(sliceVertices, pose.positions.size() - first);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        auto& row = out.coordinates[axis];
+        for (std::size_t v = 0; v < count; ++v)
+            row[v] = static_cast<float>(double{pose.positions[first + v][static_cast<Eigen::Index>(axis)]} -
+                                        pose.centre[static_cast<Eigen::Index>(axis)]);
+        std::fill(row.begin() + static_cast<std::ptrdiff_t>(count), row.end(), 0.0F);
+    }
+}
 
 std::vector<float> poseDistanceTile(const PoseDistanceInputs& inputs, const PairTile& tile,
                                     const Progress& progress)

@@ -6,6 +6,7 @@
 #include "model/geometry/triangleframes.h"
 #include "model/transition/pairtiles.h"
 #include "model/transition/posedistance.h"
+#include "model/transition/posedistancekernels.h"
 
 #include <vector>
 
@@ -25,5 +26,8 @@ struct PoseDistanceInputs
 /// the column there is 0: the table is symmetric. \throws Error what reading frames throws, Cancelled.
 std::vector<float> poseDistanceTile(const PoseDistanceInputs& inputs, const PairTile& tile,
                                     const Progress& progress);
+
+/// Some vertices of a pose, for the kernels.
+void fillVertexSlice(const CentredPose& pose, std::size_t slice, VertexSlice& out);
 
 } // namespace quadrille
