@@ -22,7 +22,6 @@ class RelinkFlow;
 class SequencesWorkspace;
 class SessionKeeper;
 class StatusJobs;
-class VariationsWorkspace;
 class WelcomePage;
 class WorkspaceTabs;
 
@@ -50,7 +49,6 @@ public:
     SequencesWorkspace& sequences() { return *m_sequences; }
     GraphWorkspace& graph() { return *m_graph; }
     AnimateWorkspace& animate() { return *m_animate; }
-    VariationsWorkspace& variations() { return *m_variations; }
     PictureFlow& pictures() { return *m_pictures; }
 
 protected:
@@ -88,7 +86,6 @@ private:
     SequencesWorkspace* m_sequences = nullptr;
     GraphWorkspace* m_graph = nullptr;
     AnimateWorkspace* m_animate = nullptr;
-    VariationsWorkspace* m_variations = nullptr;
     PictureFlow* m_pictures = nullptr;
     QList<QDockWidget*> m_docks;
     QDockWidget* m_propertiesDock = nullptr;

@@ -11,8 +11,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr std::array sections{Section::Characters, Section::Sequences, Section::Animations,
-                              Section::Variations, Section::Exports};
+constexpr std::array sections{Section::Characters, Section::Sequences, Section::Animations, Section::Exports};
 /// Marks the index of a section; entries carry their section's row.
 constexpr quintptr sectionId = ~quintptr{0};
 
@@ -40,8 +39,6 @@ QString iconOf(Section section)
         return QStringLiteral("sequence");
     case Section::Animations:
         return QStringLiteral("trajectory");
-    case Section::Variations:
-        return QStringLiteral("variation");
     default:
         return QStringLiteral("export");
     }
@@ -122,8 +119,6 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const
             return tr("Sequences (%1)").arg(count);
         case Section::Animations:
             return tr("Animations (%1)").arg(count);
-        case Section::Variations:
-            return tr("Variations (%1)").arg(count);
         default:
             return tr("Exports (%1)").arg(count);
         }
@@ -186,8 +181,6 @@ QStringList ProjectTreeModel::namesOf(int section) const
         return names(project.sequences);
     case Section::Animations:
         return names(project.animations);
-    case Section::Variations:
-        return names(project.variations);
     default:
         return names(project.exports);
     }

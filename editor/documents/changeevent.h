@@ -15,8 +15,6 @@ enum class Section
     Sequences,
     Graphs, ///< an entry is called by its character
     Animations,
-    BodyParts, ///< an entry is called by its character
-    Variations,
     Exports,
 };
 

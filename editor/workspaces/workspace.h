@@ -26,7 +26,6 @@ public:
         QWidget* content;
         Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
         bool isShown = true; ///< the first time
-        bool isLower = false; ///< below those of its area, instead of with them
     };
 
     using QWidget::QWidget;

@@ -2,23 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "model/variation/covariancefactor.h"
 
-#include <Eigen/Cholesky>
-#include <limits>
+#include "model/core/densekernels.h"
 
 namespace quadrille {
 
-RowMatrix covarianceFactor(const RowMatrix& covariance)
+DenseMatrix covarianceFactor(const DenseMatrix& covariance, double scale)
 {
-    Eigen::LLT<RowMatrix> factor(covariance);
-    if (covariance.size() == 0)
-        return covariance;
-    const double mean = std::max(covariance.diagonal().mean(), std::numeric_limits<double>::min());
-    for (double rise = 1e-14; factor.info() != Eigen::Success && rise < 1; rise *= 10) {
-        RowMatrix raised = covariance;
-        raised.diagonal().array() += rise * mean;
-        factor.compute(raised);
+    DenseMatrix factor = covariance;
+    bool isDefinite = factoriseCholesky(factor);
+    for (double rise = 1e-14; !isDefinite && rise < 1; rise *= 10) {
+        factor = covariance;
+        factor.view().diagonal().array() += rise * scale;
+        isDefinite = factoriseCholesky(factor);
     }
-    return factor.matrixL();
+    return factor;
 }
 
 } // namespace quadrille

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/variation/gpdm.h"
+#include "model/core/densematrix.h"
 
 namespace quadrille {
 
 /// Lower Cholesky factor of a covariance matrix. Where rounding left it indefinite, its diagonal is raised by
-/// as little as is needed, at least 1e-14 of its mean.
-RowMatrix covarianceFactor(const RowMatrix& covariance);
+/// as little as is needed, at least 1e-14 of `scale`.
+/// \param scale  size of the terms that the covariance is a sum or difference of.
+DenseMatrix covarianceFactor(const DenseMatrix& covariance, double scale);
 
 } // namespace quadrille

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/core/densekernels.h"
 #include "model/variation/covariancefactor.h"
 #include "model/variation/sampling.h"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
 
@@ -11,36 +11,8 @@ namespace quadrille {
 
 namespace {
 
-/// The radial part of CVS eq. 6 between the rows of two matrices.
-RowMatrix radial(const RowMatrix& a, const RowMatrix& b, const GpdmHyperparameters& p)
-{
-    RowMatrix kernel = a * b.transpose();
-    const Eigen::VectorXd squaresA = a.rowwise().squaredNorm();
-    const Eigen::VectorXd squaresB = b.rowwise().squaredNorm();
-    for (Eigen::Index i = 0; i < a.rows(); ++i)
-        for (Eigen::Index j = 0; j < b.rows(); ++j)
-            kernel(i, j) = p.beta1 * std::exp(-0.5 * p.beta2 *
-                                              std::max(0.0, squaresA[i] + squaresB[j] - 2 * kernel(i, j)));
-    return kernel;
-}
-
-/// Both parts without the noise.
-RowMatrix withLinear(const RowMatrix& radialPart, const RowMatrix& a, const RowMatrix& b,
-                     const GpdmHyperparameters& p)
-{
-    return radialPart + p.beta3 * a * b.transpose();
-}
-
-/// Adds Σ_i H(i, j) · ∂k(a_i, b_j)/∂b_j for each j.
-void addKernelGradient(const RowMatrix& h, const RowMatrix& radialPart, const RowMatrix& a,
-                       const RowMatrix& b, const GpdmHyperparameters& p, Eigen::Ref<RowMatrix> gradient)
-{
-    const RowMatrix pull = p.beta2 * h.cwiseProduct(radialPart);
-    gradient += (pull + p.beta3 * h).transpose() * a;
-    gradient -= pull.colwise().sum().asDiagonal() * b;
-}
-
-/// All but the last row of each sequence, and all but the first.
+/// All but the last row of each sequence, or all but the first.
+/// \param offset  0 or 1.
 RowMatrix rowsFrom(const RowMatrix& latents, std::span<const RowSpan> spans, Eigen::Index offset)
 {
     Eigen::Index count = 0;
@@ -55,52 +27,79 @@ RowMatrix rowsFrom(const RowMatrix& latents, std::span<const RowSpan> spans, Eig
     return rows;
 }
 
+/// CVS eq. 6 without the noise, between the rows of two matrices.
+struct DynamicsKernel
+{
+    DenseMatrix radial;
+    DenseMatrix sum; ///< radial and linear
+
+    DynamicsKernel() = default;
+    DynamicsKernel(const RowMatrix& a, const RowMatrix& b, const GpdmHyperparameters& p)
+        : radial(a.rows(), b.rows()), sum(a.rows(), b.rows())
+    {
+        DenseMatrix::View products = sum.view();
+        DenseMatrix::View exponents = radial.view();
+        products.noalias() = a * b.transpose();
+        const Eigen::VectorXd squaresA = a.rowwise().squaredNorm();
+        const Eigen::RowVectorXd squaresB = b.rowwise().squaredNorm();
+        for (Eigen::Index i = 0; i < a.rows(); ++i) {
+            exponents.row(i) =
+                p.beta2 * (products.row(i) - 0.5 * (squaresB.array() + squaresA[i]).matrix()).cwiseMin(0.0);
+            exponentials({radial.row(i), static_cast<std::size_t>(b.rows())});
+            exponents.row(i) *= p.beta1;
+            products.row(i) = exponents.row(i) + p.beta3 * products.row(i);
+        }
+    }
+};
+
+/// Adds Σ_i H(i, j) · ∂k(a_i, b_j)/∂b_j for each j.
+void addKernelGradient(const RowMatrix& h, const DenseMatrix& radial, const RowMatrix& a, const RowMatrix& b,
+                       const GpdmHyperparameters& p, Eigen::Ref<RowMatrix> gradient)
+{
+    const RowMatrix pull = p.beta2 * h.cwiseProduct(radial.view());
+    gradient.noalias() += (pull + p.beta3 * h).transpose() * a;
+    gradient -= pull.colwise().sum().asDiagonal() * b;
+}
+
 } // namespace
 
 GpdmDynamics::GpdmDynamics(const GpdmState& state, std::span<const RowSpan> spans)
     : m_hyperparameters(state.hyperparameters), m_inputs(rowsFrom(state.latents, spans, 0))
 {
-    RowMatrix covariance =
-        withLinear(radial(m_inputs, m_inputs, m_hyperparameters), m_inputs, m_inputs, m_hyperparameters);
-    covariance.diagonal().array() += 1 / m_hyperparameters.beta4;
-    m_factor = covarianceFactor(covariance);
-    m_weights = rowsFrom(state.latents, spans, 1);
-    m_factor.triangularView<Eigen::Lower>().solveInPlace(m_weights);
-    m_factor.triangularView<Eigen::Lower>().transpose().solveInPlace(m_weights);
+    DynamicsKernel kernel(m_inputs, m_inputs, m_hyperparameters);
+    kernel.sum.view().diagonal().array() += 1 / m_hyperparameters.beta4;
+    m_factor = covarianceFactor(kernel.sum, kernel.sum.view().diagonal().mean());
+    DenseMatrix weights(rowsFrom(state.latents, spans, 1));
+    solveLower(m_factor, weights);
+    solveLowerTransposed(m_factor, weights);
+    m_weights = weights.view();
 }
 
 /// What training says about the steps that start at some positions.
 struct GpdmDynamics::Steps
 {
-    RowMatrix radialCross; ///< inputs × steps
-    RowMatrix radialOwn;   ///< steps × steps
-    RowMatrix cross;       ///< K*, inputs × steps
-    RowMatrix solved;      ///< L⁻¹·K*
-    RowMatrix means;       ///< steps × dimensions
-    RowMatrix covariance;  ///< of the steps, with the noise
+    DynamicsKernel cross;   ///< inputs × steps
+    DynamicsKernel own;     ///< steps × steps
+    DenseMatrix solved;     ///< L⁻¹·K*
+    RowMatrix means;        ///< steps × dimensions
+    DenseMatrix covariance; ///< of the steps, with the noise
 };
 
 GpdmDynamics::Steps GpdmDynamics::steps(const RowMatrix& from) const
 {
-    const GpdmHyperparameters& p = m_hyperparameters;
-    Steps s;
-    s.radialCross = radial(m_inputs, from, p);
-    s.radialOwn = radial(from, from, p);
-    s.cross = withLinear(s.radialCross, m_inputs, from, p);
-    s.solved = s.cross;
-    m_factor.triangularView<Eigen::Lower>().solveInPlace(s.solved);
-    s.means = s.cross.transpose() * m_weights;
-    s.covariance = withLinear(s.radialOwn, from, from, p) - s.solved.transpose() * s.solved;
-    s.covariance.diagonal().array() += 1 / p.beta4;
+    Steps s{.cross = {m_inputs, from, m_hyperparameters}, .own = {from, from, m_hyperparameters}};
+    s.solved = s.cross.sum;
+    solveLower(m_factor, s.solved);
+    s.means.noalias() = s.cross.sum.view().transpose() * m_weights;
+    s.covariance = s.own.sum;
+    s.covariance.view().noalias() -= s.solved.view().transpose() * s.solved.view();
+    s.covariance.view().diagonal().array() += 1 / m_hyperparameters.beta4;
     return s;
 }
 
 Eigen::RowVectorXd GpdmDynamics::next(const Eigen::RowVectorXd& latent) const
 {
-    const RowMatrix from = latent;
-    return withLinear(radial(m_inputs, from, m_hyperparameters), m_inputs, from, m_hyperparameters)
-               .transpose() *
-           m_weights;
+    return DynamicsKernel(m_inputs, latent, m_hyperparameters).sum.view().transpose() * m_weights;
 }
 
 double GpdmDynamics::variance(const Eigen::RowVectorXd& latent) const
@@ -123,28 +122,30 @@ double GpdmDynamics::energy(const RowMatrix& trajectory, RowMatrix* gradient) co
         gradient->setZero(trajectory.rows(), trajectory.cols());
     if (count == 0)
         return 0;
-    const GpdmHyperparameters& p = m_hyperparameters;
     const RowMatrix from = trajectory.topRows(count);
-    const Steps s = steps(from);
-    const Eigen::LLT<RowMatrix> factor(s.covariance);
-    if (factor.info() != Eigen::Success)
+    Steps s = steps(from);
+    if (!factoriseCholesky(s.covariance))
         return std::numeric_limits<double>::infinity();
     const auto dimensions = static_cast<double>(trajectory.cols());
     const RowMatrix residuals = trajectory.bottomRows(count) - s.means;
-    const RowMatrix pull = factor.solve(residuals);
-    const double value = dimensions * factor.matrixLLT().diagonal().array().log().sum() +
-                         0.5 * residuals.cwiseProduct(pull).sum();
+    DenseMatrix pulls(residuals);
+    solveLower(s.covariance, pulls);
+    const double value = 0.5 * (dimensions * logDeterminant(s.covariance) + pulls.view().squaredNorm());
     if (!gradient)
         return value;
     // E = d/2·log|C| + ½·tr(RᵀC⁻¹R), R = X̃′ − K*ᵀW, C = K** − K*ᵀK⁻¹K*
-    const RowMatrix byCovariance =
-        0.5 * (dimensions * factor.solve(RowMatrix::Identity(count, count)) - pull * pull.transpose());
-    RowMatrix solvedTwice = s.solved;
-    m_factor.triangularView<Eigen::Lower>().transpose().solveInPlace(solvedTwice);
-    const RowMatrix byCross = -m_weights * pull.transpose() - 2 * solvedTwice * byCovariance;
+    solveLowerTransposed(s.covariance, pulls);
+    const DenseMatrix::View pull = pulls.view();
+    DenseMatrix inverse(RowMatrix::Identity(count, count));
+    solveLower(s.covariance, inverse);
+    solveLowerTransposed(s.covariance, inverse);
+    const RowMatrix byCovariance = dimensions * inverse.view() - pull * pull.transpose(); // twice
+    solveLowerTransposed(m_factor, s.solved);
+    RowMatrix byCross = -m_weights * pull.transpose();
+    byCross.noalias() -= s.solved.view() * byCovariance;
     gradient->bottomRows(count) = pull;
-    addKernelGradient(byCross, s.radialCross, m_inputs, from, p, gradient->topRows(count));
-    addKernelGradient(2 * byCovariance, s.radialOwn, from, from, p, gradient->topRows(count));
+    addKernelGradient(byCross, s.cross.radial, m_inputs, from, m_hyperparameters, gradient->topRows(count));
+    addKernelGradient(byCovariance, s.own.radial, from, from, m_hyperparameters, gradient->topRows(count));
     gradient->row(0).setZero();
     return value;
 }
@@ -156,7 +157,6 @@ RowMatrix GpdmDynamics::curvature(const RowMatrix& trajectory) const
     const GpdmHyperparameters& p = m_hyperparameters;
     const RowMatrix from = trajectory.topRows(count);
     const Steps s = steps(from);
-    const RowMatrix factor = covarianceFactor(s.covariance);
     // The residuals' derivatives: 1 by the position a step leads to, −∂mean/∂z by the one it starts from.
     RowMatrix jacobian = RowMatrix::Zero(count * d, count * d);
     for (Eigen::Index step = 0; step < count; ++step) {
@@ -164,14 +164,16 @@ RowMatrix GpdmDynamics::curvature(const RowMatrix& trajectory) const
         if (step == 0)
             continue;
         // ∂k(x_i, z)/∂z = β₃·x_i − β₂·radial·(z − x_i)
-        const Eigen::VectorXd pull = p.beta2 * s.radialCross.col(step);
+        const Eigen::VectorXd pull = p.beta2 * s.cross.radial.view().col(step);
         const RowMatrix kernel =
             pull.asDiagonal() * (m_inputs.rowwise() - from.row(step)) + p.beta3 * m_inputs;
         jacobian.block(step * d, (step - 1) * d, d, d) = -(m_weights.transpose() * kernel);
     }
     // Whitened: L_C⁻¹ acts on the steps of each dimension alike.
     Eigen::Map<RowMatrix> bySteps(jacobian.data(), count, d * count * d);
-    factor.triangularView<Eigen::Lower>().solveInPlace(bySteps);
+    DenseMatrix whitened(bySteps);
+    solveLower(covarianceFactor(s.covariance, p.beta1), whitened);
+    bySteps = whitened.view();
     return jacobian.transpose() * jacobian;
 }
 

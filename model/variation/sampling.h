@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/core/densematrix.h"
 #include "model/variation/gpdm.h"
 #include "model/variation/hmc.h"
+#include "model/variation/rowpanels.h"
 
 #include <cstdint>
 #include <span>
@@ -41,9 +43,9 @@ private:
     Steps steps(const RowMatrix& from) const;
 
     GpdmHyperparameters m_hyperparameters;
-    RowMatrix m_inputs;  ///< all but the last latent of each sequence
-    RowMatrix m_factor;  ///< lower Cholesky factor of K_X
-    RowMatrix m_weights; ///< K_X⁻¹·X′
+    RowMatrix m_inputs;   ///< all but the last latent of each sequence
+    DenseMatrix m_factor; ///< lower Cholesky factor of K_X
+    RowMatrix m_weights;  ///< K_X⁻¹·X′
 };
 
 struct TrajectorySamples
@@ -58,6 +60,14 @@ struct TrajectorySamples
 TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const RowMatrix& trajectory, int count,
                                      std::uint64_t seed, const HmcSettings& settings = {},
                                      const Progress& progress = {});
+
+/// How a drawn pose deviates from the mean.
+enum class PoseDeviation
+{
+    Coordinates, ///< each coordinate on its own, as CVS eq. 11 says: rough where the model is unsure
+    /// Along combinations of the training poses with as much variance in each frame: as smooth as they are.
+    TrainingSpan,
+};
 
 /// The Gaussian process from latent positions to poses of a learned model (CVS eq. 11–13). Factorised once;
 /// immutable, safe from any thread.
@@ -75,15 +85,26 @@ public:
     double variance(const Eigen::Ref<const Eigen::RowVectorXd>& latent) const;
     /// Pose vectors of a trajectory by the mean, frames × coordinates.
     RowMatrix means(const RowMatrix& trajectory) const;
-    /// One draw for the whole trajectory, jointly over its frames, so that it does not flicker.
-    RowMatrix draw(const RowMatrix& trajectory, std::uint64_t seed) const;
+    /// One draw for the whole trajectory, jointly over its frames, so that it does not flicker, without the
+    /// noise.
+    RowMatrix draw(const RowMatrix& trajectory, std::uint64_t seed,
+                   PoseDeviation deviation = PoseDeviation::TrainingSpan) const;
 
 private:
+    /// What training says about some latent positions.
+    struct Prediction
+    {
+        DenseMatrix whitened;   ///< L⁻¹·k, training rows × positions
+        RowMatrix coefficients; ///< of the training rows in the poses, positions × training rows
+    };
+    Prediction predict(const RowMatrix& latents) const;
+
     GpdmHyperparameters m_hyperparameters;
     RowMatrix m_latents;
-    RowMatrix m_factor;  ///< lower Cholesky factor of K_Y
-    RowMatrix m_weights; ///< K_Y⁻¹·Y
+    DenseMatrix m_factor; ///< lower Cholesky factor of K_Y
     Eigen::RowVectorXd m_mean;
+    RowPanels m_rows;       ///< Y: sums of its rows are more precise than products with K_Y⁻¹·Y
+    double m_spanScale = 0; ///< that gives draws in the training span their variance
 };
 
 } // namespace quadrille
