@@ -26,6 +26,7 @@
 #include "editor/workspaces/animate/keysandstoryboard.h"
 #include "editor/workspaces/graph/graphworkspace.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
+#include "editor/workspaces/variations/variationsworkspace.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/icons.h"
@@ -127,6 +128,7 @@ void MainWindow::makeCentre()
     m_sequences = new SequencesWorkspace(m_context);
     m_graph = new GraphWorkspace(m_context);
     m_animate = new AnimateWorkspace(m_context);
+    m_variations = new VariationsWorkspace(m_context);
     m_animate->keysAndStoryboard().setShownPose(
         [this] { return m_workspaces->currentWorkspace()->shownPose(); });
     m_pages = new QStackedWidget;
@@ -193,12 +195,20 @@ void MainWindow::makeWorkspaces()
     const auto add = [this](const char* id, ActionRegistry::Text title, Workspace* workspace) {
         QList<QDockWidget*> docks;
         QHash<Qt::DockWidgetArea, QDockWidget*> firstOf;
+        QDockWidget* lower = nullptr;
         for (const Workspace::Panel& panel : workspace->panels()) {
             docks += addDock(panel.name, panel.title, panel.content, panel.area);
+            docks.back()->setProperty("isShownFirst", panel.isShown);
+            if (panel.isLower) {
+                if (lower != nullptr)
+                    tabifyDockWidget(lower, docks.back());
+                else
+                    splitDockWidget(firstOf.value(panel.area), lower = docks.back(), Qt::Vertical);
+                continue;
+            }
             // Side by side they would be too low to be of use.
             if (panel.area == Qt::RightDockWidgetArea)
                 tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("propertiesDock")), docks.back());
-            docks.back()->setProperty("isShownFirst", panel.isShown);
             QDockWidget*& first = firstOf[panel.area];
             if (first != nullptr)
                 tabifyDockWidget(first, docks.back());
@@ -218,6 +228,8 @@ void MainWindow::makeWorkspaces()
         "graph", [] { return tr("&Graph"); }, m_graph);
     add(
         "animate", [] { return tr("&Animate"); }, m_animate);
+    add(
+        "variations", [] { return tr("&Variations"); }, m_variations);
 }
 
 void MainWindow::makeMenus()

@@ -22,6 +22,7 @@ class RelinkFlow;
 class SequencesWorkspace;
 class SessionKeeper;
 class StatusJobs;
+class VariationsWorkspace;
 class WelcomePage;
 class WorkspaceTabs;
 
@@ -49,6 +50,7 @@ public:
     SequencesWorkspace& sequences() { return *m_sequences; }
     GraphWorkspace& graph() { return *m_graph; }
     AnimateWorkspace& animate() { return *m_animate; }
+    VariationsWorkspace& variations() { return *m_variations; }
     PictureFlow& pictures() { return *m_pictures; }
 
 protected:
@@ -86,6 +88,7 @@ private:
     SequencesWorkspace* m_sequences = nullptr;
     GraphWorkspace* m_graph = nullptr;
     AnimateWorkspace* m_animate = nullptr;
+    VariationsWorkspace* m_variations = nullptr;
     PictureFlow* m_pictures = nullptr;
     QList<QDockWidget*> m_docks;
     QDockWidget* m_propertiesDock = nullptr;

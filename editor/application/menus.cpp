@@ -24,6 +24,7 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
     QMenu* view = addMenu([] { return tr("&View"); }, {"workspace.sequences",
                                                        "workspace.graph",
                                                        "workspace.animate",
+                                                       "workspace.variations",
                                                        "",
                                                        "view.textured",
                                                        "view.clay",
@@ -124,6 +125,7 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
                                             "report.copy",
                                             "report.save",
                                             "report.saveFrames"});
+    addMenu([] { return tr("Va&riations"); }, {"variations.new", "variations.duplicate"});
     addMenu([] { return tr("&Playback"); },
             {"play.toggle", "", "play.previous", "play.next", "play.first", "play.last", "", "play.backwards",
              "play.pause", "play.forwards"});

@@ -10,7 +10,7 @@ namespace {
 
 std::size_t memoryOfAll(const Project& project)
 {
-    std::size_t bytes = memoryOf(project.graphs);
+    std::size_t bytes = memoryOf(project.graphs) + memoryOf(project.bodyParts);
     const auto add = [&](const auto& entries) {
         for (const auto& entry : entries)
             bytes += memoryOf(entry);
@@ -18,6 +18,7 @@ std::size_t memoryOfAll(const Project& project)
     add(project.characters);
     add(project.sequences);
     add(project.animations);
+    add(project.variations);
     add(project.exports);
     return bytes + project.evaluations.size() * sizeof(EvaluationEntry);
 }
@@ -68,6 +69,8 @@ void ChangeProject::show(const Project& project, std::vector<ChangeEvent> events
     tell(Section::Sequences, m_before.sequences == m_after.sequences);
     tell(Section::Graphs, m_before.graphs == m_after.graphs);
     tell(Section::Animations, m_before.animations == m_after.animations);
+    tell(Section::BodyParts, m_before.bodyParts == m_after.bodyParts);
+    tell(Section::Variations, m_before.variations == m_after.variations);
     tell(Section::Exports, m_before.exports == m_after.exports);
     apply([&](Project& shown) { shown = project; }, events);
 }

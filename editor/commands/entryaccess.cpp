@@ -71,6 +71,29 @@ std::size_t memoryOf(const AnimationEntry& animation)
     return bytes;
 }
 
+std::size_t memoryOf(const std::vector<BodyPartsEntry>& bodies)
+{
+    std::size_t bytes = bodies.size() * sizeof(BodyPartsEntry);
+    for (const BodyPartsEntry& body : bodies) {
+        bytes += body.character.capacity() + body.parts.size() * sizeof(PartEntry) + memoryOf(body.unknown);
+        for (const PartCurveEntry& curve : body.curves)
+            bytes +=
+                sizeof(curve) + (curve.curve.vertices.size() + curve.points.size()) * sizeof(VertexIndex);
+    }
+    return bytes;
+}
+
+std::size_t memoryOf(const VariationEntry& variation)
+{
+    std::size_t bytes = sizeof(variation) + variation.name.capacity() + memoryOf(variation.unknown) +
+                        variation.training.size() * sizeof(TrainingEntry);
+    for (const BlendEntry& blend : variation.blends)
+        bytes += sizeof(blend) + blend.weights.size() * sizeof(double);
+    for (const SamplesEntry& samples : variation.samples)
+        bytes += sizeof(samples) + samples.discarded.size() * sizeof(int);
+    return bytes;
+}
+
 std::size_t memoryOf(const ExportEntry& entry)
 {
     return sizeof(entry) + entry.name.capacity() + entry.what.capacity() + entry.path.capacity() +

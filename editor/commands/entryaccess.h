@@ -24,6 +24,10 @@ constexpr Section sectionOf()
         return Section::Graphs;
     else if constexpr (std::is_same_v<Entry, AnimationEntry>)
         return Section::Animations;
+    else if constexpr (std::is_same_v<Entry, std::vector<BodyPartsEntry>>)
+        return Section::BodyParts;
+    else if constexpr (std::is_same_v<Entry, VariationEntry>)
+        return Section::Variations;
     else
         return Section::Exports;
 }
@@ -38,11 +42,14 @@ auto& entriesOf(ProjectType& project)
         return project.sequences;
     else if constexpr (std::is_same_v<Entry, AnimationEntry>)
         return project.animations;
+    else if constexpr (std::is_same_v<Entry, VariationEntry>)
+        return project.variations;
     else
         return project.exports;
 }
 
-/// The entry of a name. \pre It is there. Of settings and graphs there is one value, whatever the name.
+/// The entry of a name. \pre It is there. Of settings, graphs and body parts there is one value, whatever the
+/// name.
 template <typename Entry, typename ProjectType>
 auto& entryOf(ProjectType& project, const QString& name)
 {
@@ -50,6 +57,8 @@ auto& entryOf(ProjectType& project, const QString& name)
         return project.settings;
     } else if constexpr (std::is_same_v<Entry, std::vector<GraphEntry>>) {
         return project.graphs;
+    } else if constexpr (std::is_same_v<Entry, std::vector<BodyPartsEntry>>) {
+        return project.bodyParts;
     } else {
         auto& entries = entriesOf<Entry>(project);
         const auto found = std::ranges::find(entries, name.toStdString(), &Entry::name);
@@ -64,6 +73,8 @@ std::size_t memoryOf(const CharacterEntry& character);
 std::size_t memoryOf(const SequenceEntry& sequence);
 std::size_t memoryOf(const std::vector<GraphEntry>& graphs);
 std::size_t memoryOf(const AnimationEntry& animation);
+std::size_t memoryOf(const std::vector<BodyPartsEntry>& bodies);
+std::size_t memoryOf(const VariationEntry& variation);
 std::size_t memoryOf(const ExportEntry& entry);
 
 } // namespace quadrille

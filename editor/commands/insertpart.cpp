@@ -34,7 +34,8 @@ void exchange(Project& project, const PlacedEntries<Entry>& part, bool insert)
 
 std::size_t ProjectPart::bytes() const
 {
-    return memoryOfAll(characters) + memoryOfAll(sequences) + memoryOfAll(animations) + memoryOfAll(exports);
+    return memoryOfAll(characters) + memoryOfAll(sequences) + memoryOfAll(animations) +
+           memoryOfAll(variations) + memoryOfAll(exports);
 }
 
 InsertPart::InsertPart(ProjectDocument& document, const QString& text, ProjectPart part)
@@ -59,6 +60,8 @@ void InsertPart::run(bool insert)
         events.push_back(ChangeEvent::list(Section::Sequences));
     if (!m_part.animations.empty())
         events.push_back(ChangeEvent::list(Section::Animations));
+    if (!m_part.variations.empty())
+        events.push_back(ChangeEvent::list(Section::Variations));
     if (!m_part.exports.empty())
         events.push_back(ChangeEvent::list(Section::Exports));
     if (m_part.fps)
@@ -68,6 +71,7 @@ void InsertPart::run(bool insert)
             exchange(project, m_part.characters, insert);
             exchange(project, m_part.sequences, insert);
             exchange(project, m_part.animations, insert);
+            exchange(project, m_part.variations, insert);
             exchange(project, m_part.exports, insert);
             if (m_part.fps)
                 std::swap(project.settings.fps, *m_part.fps);

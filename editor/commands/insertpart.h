@@ -20,6 +20,7 @@ struct ProjectPart
     PlacedEntries<CharacterEntry> characters;
     PlacedEntries<SequenceEntry> sequences;
     PlacedEntries<AnimationEntry> animations;
+    PlacedEntries<VariationEntry> variations;
     PlacedEntries<ExportEntry> exports;
     /// The project's rate while the part is in it, where that is another one; the first sequences bring
     /// theirs.
@@ -27,7 +28,8 @@ struct ProjectPart
 
     bool isEmpty() const
     {
-        return characters.empty() && sequences.empty() && animations.empty() && exports.empty();
+        return characters.empty() && sequences.empty() && animations.empty() && variations.empty() &&
+               exports.empty();
     }
     std::size_t bytes() const;
 };

@@ -31,6 +31,7 @@ bool isTaken(const Project& project, Section section, const QString& name)
     switch (section) {
     case Section::Project:
     case Section::Graphs:
+    case Section::BodyParts:
         return true;
     case Section::Characters:
         return hasName<CharacterEntry>(project, name);
@@ -38,6 +39,8 @@ bool isTaken(const Project& project, Section section, const QString& name)
         return hasName<SequenceEntry>(project, name);
     case Section::Animations:
         return hasName<AnimationEntry>(project, name);
+    case Section::Variations:
+        return hasName<VariationEntry>(project, name);
     case Section::Exports:
         return hasName<ExportEntry>(project, name);
     }
@@ -54,8 +57,11 @@ std::optional<NamedKind> kindOf(Section section)
         return NamedKind::Sequence;
     case Section::Animations:
         return NamedKind::Animation;
+    case Section::Variations:
+        return NamedKind::Variation;
     case Section::Project:
     case Section::Graphs:
+    case Section::BodyParts:
     case Section::Exports:
         break;
     }
@@ -89,6 +95,8 @@ QString removalText(Section section, const QStringList& names)
         return Texts::tr("Remove %n characters", nullptr, count);
     case Section::Animations:
         return Texts::tr("Remove %n animations", nullptr, count);
+    case Section::Variations:
+        return Texts::tr("Remove %n variations", nullptr, count);
     case Section::Exports:
         return Texts::tr("Remove %n exports", nullptr, count);
     default:

@@ -5,6 +5,7 @@
 #include "editor/application/editorcontext.h"
 #include "editor/commands/animationedits.h"
 #include "editor/commands/projectedits.h"
+#include "editor/commands/variationedits.h"
 #include "editor/docks/projecttreemodel.h"
 #include "editor/errors/errortext.h"
 #include "editor/language/retranslate.h"
@@ -105,14 +106,14 @@ void ProjectPanel::makeActions()
                                    "label",
                                    {Qt::Key_F2}},
                                   [this] { m_tree->edit(m_tree->currentIndex()); });
-    QAction* duplicate =
-        actions.add({"edit.duplicate",
-                     edit,
-                     [] { return tr("&Duplicate"); },
-                     [] { return tr("Add a copy of the selected sequence or animation, to change it"); },
-                     "copy",
-                     {QKeySequence(Qt::CTRL | Qt::Key_D)}},
-                    [this] { duplicateSelected(); });
+    QAction* duplicate = actions.add(
+        {"edit.duplicate",
+         edit,
+         [] { return tr("&Duplicate"); },
+         [] { return tr("Add a copy of the selected sequence, animation or variations, to change it"); },
+         "copy",
+         {QKeySequence(Qt::CTRL | Qt::Key_D)}},
+        [this] { duplicateSelected(); });
     QAction* remove = actions.add({"edit.remove",
                                    edit,
                                    [] { return tr("&Remove from the project"); },
@@ -136,7 +137,8 @@ void ProjectPanel::updateActions()
     m_context.actions.action("edit.remove")->setEnabled(isEntry);
     m_context.actions.action("edit.duplicate")
         ->setEnabled(isEntry &&
-                     (current.section == Section::Sequences || current.section == Section::Animations));
+                     (current.section == Section::Sequences || current.section == Section::Animations ||
+                      current.section == Section::Variations));
 }
 
 QStringList ProjectPanel::selectedNames(Section section) const
@@ -198,6 +200,9 @@ void ProjectPanel::duplicateSelected()
     const EntryRef current = m_context.selection.current();
     if (current.section == Section::Animations)
         m_context.selection.selectAnimations({duplicateAnimation(m_context.document, current.name)});
+    else if (current.section == Section::Variations)
+        m_context.selection.select(
+            {Section::Variations, duplicateVariation(m_context.document, current.name)});
     else
         m_context.selection.selectSequences({duplicateSequence(m_context.document, current.name)});
 }
@@ -210,6 +215,8 @@ void ProjectPanel::activate(const QModelIndex& index)
         m_context.media.retry(entry.name);
     else if (entry.section == Section::Animations && !entry.name.isEmpty())
         m_context.actions.action("workspace.animate")->trigger();
+    else if (entry.section == Section::Variations && !entry.name.isEmpty())
+        m_context.actions.action("workspace.variations")->trigger();
     else if (entry.section == Section::Exports && !entry.name.isEmpty())
         m_context.actions.action("file.export")->trigger();
 }

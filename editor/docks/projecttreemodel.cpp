@@ -11,7 +11,8 @@ namespace quadrille {
 
 namespace {
 
-constexpr std::array sections{Section::Characters, Section::Sequences, Section::Animations, Section::Exports};
+constexpr std::array sections{Section::Characters, Section::Sequences, Section::Animations,
+                              Section::Variations, Section::Exports};
 /// Marks the index of a section; entries carry their section's row.
 constexpr quintptr sectionId = ~quintptr{0};
 
@@ -39,6 +40,8 @@ QString iconOf(Section section)
         return QStringLiteral("sequence");
     case Section::Animations:
         return QStringLiteral("trajectory");
+    case Section::Variations:
+        return QStringLiteral("variation");
     default:
         return QStringLiteral("export");
     }
@@ -119,6 +122,8 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const
             return tr("Sequences (%1)").arg(count);
         case Section::Animations:
             return tr("Animations (%1)").arg(count);
+        case Section::Variations:
+            return tr("Variations (%1)").arg(count);
         default:
             return tr("Exports (%1)").arg(count);
         }
@@ -181,6 +186,8 @@ QStringList ProjectTreeModel::namesOf(int section) const
         return names(project.sequences);
     case Section::Animations:
         return names(project.animations);
+    case Section::Variations:
+        return names(project.variations);
     default:
         return names(project.exports);
     }

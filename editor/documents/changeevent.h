@@ -15,6 +15,8 @@ enum class Section
     Sequences,
     Graphs, ///< an entry is called by its character
     Animations,
+    BodyParts, ///< an entry is called by its character
+    Variations,
     Exports,
 };
 

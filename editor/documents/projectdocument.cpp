@@ -51,6 +51,11 @@ const AnimationEntry* ProjectDocument::animation(const QString& name) const
     return findByName(m_project.animations, name.toStdString());
 }
 
+const VariationEntry* ProjectDocument::variation(const QString& name) const
+{
+    return findByName(m_project.variations, name.toStdString());
+}
+
 const ExportEntry* ProjectDocument::exportEntry(const QString& name) const
 {
     return findByName(m_project.exports, name.toStdString());

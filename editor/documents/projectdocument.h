@@ -34,6 +34,7 @@ public:
     const SequenceEntry* sequence(const QString& name) const;
     const CharacterEntry* character(const QString& name) const;
     const AnimationEntry* animation(const QString& name) const;
+    const VariationEntry* variation(const QString& name) const;
     const ExportEntry* exportEntry(const QString& name) const;
     /// The character of a sequence: the one it names, or the only one.
     const CharacterEntry* characterOf(const SequenceEntry& sequence) const;

@@ -25,6 +25,8 @@ void Selection::select(const EntryRef& entry)
         return;
     m_current = entry;
     m_sequences.clear();
+    if (entry.section == Section::Variations && !entry.name.isEmpty())
+        m_shownVariation = entry.name;
     emit changed();
 }
 
@@ -62,6 +64,7 @@ bool Selection::exists(const EntryRef& entry) const
     switch (entry.section) {
     case Section::Project:
     case Section::Graphs:
+    case Section::BodyParts:
         return true;
     case Section::Characters:
         return m_document.character(entry.name) != nullptr;
@@ -69,6 +72,8 @@ bool Selection::exists(const EntryRef& entry) const
         return m_document.sequence(entry.name) != nullptr;
     case Section::Animations:
         return m_document.animation(entry.name) != nullptr;
+    case Section::Variations:
+        return m_document.variation(entry.name) != nullptr;
     case Section::Exports:
         return m_document.exportEntry(entry.name) != nullptr;
     }
@@ -82,6 +87,8 @@ void Selection::showExisting()
     };
     if (m_document.sequence(m_shown) == nullptr)
         m_shown = first(m_document.project().sequences);
+    if (m_document.variation(m_shownVariation) == nullptr)
+        m_shownVariation = first(m_document.project().variations);
     m_animations.removeIf([this](const QString& name) { return m_document.animation(name) == nullptr; });
     if (m_document.animation(m_shownAnimation) == nullptr)
         m_shownAnimation =
@@ -105,10 +112,13 @@ void Selection::follow(const ChangeEvent& event)
             if (m_shownAnimation == event.before)
                 m_shownAnimation = event.entry.name;
         }
+        if (event.entry.section == Section::Variations && m_shownVariation == event.before)
+            m_shownVariation = event.entry.name;
         emit changed();
     } else if (event.kind == ChangeEvent::Kind::List || event.kind == ChangeEvent::Kind::Reset) {
         const QString shownBefore = m_shown;
         const QString animationBefore = m_shownAnimation;
+        const QString variationBefore = m_shownVariation;
         const auto animationsBefore = m_animations.size();
         const auto countBefore = m_sequences.size();
         m_sequences.removeIf([this](const QString& name) { return m_document.sequence(name) == nullptr; });
@@ -117,7 +127,8 @@ void Selection::follow(const ChangeEvent& event)
         if (!currentIsThere)
             m_current = m_sequences.isEmpty() ? EntryRef{} : EntryRef{Section::Sequences, m_sequences.back()};
         if (!currentIsThere || m_shown != shownBefore || m_sequences.size() != countBefore ||
-            m_shownAnimation != animationBefore || m_animations.size() != animationsBefore)
+            m_shownAnimation != animationBefore || m_shownVariation != variationBefore ||
+            m_animations.size() != animationsBefore)
             emit changed();
     }
 }

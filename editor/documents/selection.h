@@ -28,6 +28,8 @@ public:
     const QStringList& animations() const { return m_animations; }
     /// The animation that its workspace works on: the last one selected that still exists.
     const QString& shownAnimation() const { return m_shownAnimation; }
+    /// The variations that their workspace works on: the last ones selected that still exist.
+    const QString& shownVariation() const { return m_shownVariation; }
 
     void select(const EntryRef& entry);
     /// \param current one of `names`, or empty for the last.
@@ -49,6 +51,7 @@ private:
     QString m_shown;
     QStringList m_animations;
     QString m_shownAnimation;
+    QString m_shownVariation;
 };
 
 } // namespace quadrille

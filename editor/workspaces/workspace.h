@@ -26,6 +26,7 @@ public:
         QWidget* content;
         Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
         bool isShown = true; ///< the first time
+        bool isLower = false; ///< below those of its area, instead of with them
     };
 
     using QWidget::QWidget;

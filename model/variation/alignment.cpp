@@ -18,7 +18,7 @@ namespace quadrille {
 
 namespace {
 
-/// A take as it is matched: its frames that may be used, with contacts.
+/// A take as it is matched: its frames that may be used, with contacts. The reference keeps all.
 struct Candidate
 {
     MeshSequence sequence;
@@ -35,6 +35,9 @@ void requireValid(std::span<const TrainingTake> takes, std::size_t reference,
     const auto isSize = [](double value) { return value >= 0 && std::isfinite(value); };
     if (!isSize(settings.contactWeight) || !isSize(settings.smoothing) || settings.steps.longestRun < 0)
         refuse("A setting of the alignment is negative", "Use 0 or more.");
+    if (!(settings.postureShare >= 0 && settings.postureShare <= 1))
+        refuse("The share of posture that alignment leaves out must be from 0 to 1",
+               "The usual share is 0.5.");
 }
 
 FrameRange usableFrames(const TrainingTake& take)
@@ -68,60 +71,88 @@ Candidate candidateOf(const TrainingTake& take, bool cut, UpAxis up, const Progr
     return candidate;
 }
 
-/// Of each take its costs against all frames of the reference.
-std::vector<Table<float>> costsOf(const std::vector<Candidate>& candidates, std::size_t reference,
-                                  const AlignmentSettings& settings, const Progress& progress)
+/// What all is matched by.
+struct Matching
 {
-    std::vector<MeshSequence> sequences{candidates[reference].sequence};
+    std::vector<Candidate> candidates;
+    std::size_t reference = 0;
+    FrameRange usable;                   ///< frames of the reference
+    Table<float> referenceDistances;     ///< of all its frames to each other
+    std::vector<Table<float>> distances; ///< of each take, usable frames of the reference × its frames
+    std::vector<Table<float>> costs;     ///< of the same matches
+};
+
+void fillCosts(Matching& matching, const AlignmentSettings& settings, const Progress& progress)
+{
+    const std::vector<Candidate>& candidates = matching.candidates;
+    const Candidate& reference = candidates[matching.reference];
+    std::vector<MeshSequence> sequences{reference.sequence};
     for (std::size_t t = 0; t < candidates.size(); ++t) {
-        if (t != reference)
+        if (t != matching.reference)
             sequences.push_back(candidates[t].sequence);
     }
     const CharacterFrames character(sequences);
     const FrameLayout& layout = character.layout();
     const Table<float> distances =
         poseDistancesOfFirst(character, layout.countOf(0), settings.distance, progress);
-    std::vector<Table<float>> costs(candidates.size());
+    matching.referenceDistances = distances.leftCols(layout.countOf(0));
+    const MeshSequence usable = reference.sequence.cutTo(matching.usable);
     int next = 1;
     for (std::size_t t = 0; t < candidates.size(); ++t) {
-        const int sequence = t == reference ? 0 : next++;
-        costs[t] = distances.middleCols(layout.firstOf(sequence), layout.countOf(sequence));
-        if (t != reference)
-            addContactCosts(sequences.front(), candidates[t].sequence, settings.contactWeight, costs[t]);
+        const bool isReference = t == matching.reference;
+        const int sequence = isReference ? 0 : next++;
+        Table<float> block = distances.block(matching.usable.first.value, layout.firstOf(sequence),
+                                             matching.usable.count(), layout.countOf(sequence));
+        matching.costs.push_back(isReference ? block
+                                             : matchCosts(block, usable, candidates[t].sequence, settings));
+        matching.distances.push_back(std::move(block));
     }
-    return costs;
 }
 
-/// The frames of the reference that are used, and its cycle.
+/// The frames of the reference that all takes are warped to.
 struct ReferenceFrames
 {
     TakeUse use = TakeUse::Whole;
-    std::int64_t first = 0;
+    std::int64_t first = 0; ///< of the usable ones
     std::int64_t count = 0;
     bool isCycle = false;
 };
 
-ReferenceFrames referenceFrames(const TrainingTake& take, const std::vector<Candidate>& candidates,
-                                std::size_t reference, const std::vector<Table<float>>& costs,
-                                const AlignmentSettings& settings)
+Table<float> ownDistances(const Candidate& candidate, const AlignmentSettings& settings,
+                          const Progress& progress)
 {
-    const std::int64_t all = costs[reference].rows();
-    ReferenceFrames frames{.use = TakeUse::Whole, .first = 0, .count = all, .isCycle = false};
-    const std::optional<std::int64_t> period =
-        settings.cycles ? findPeriod(costs[reference], settings.greatestReturn) : std::nullopt;
-    if (take.range) {
-        frames = {TakeUse::Given, take.range->first.value, take.range->count(), false};
+    return poseDistances(CharacterFrames(std::span(&candidate.sequence, 1)), settings.distance, progress)
+        .distances;
+}
+
+/// A take of which one cycle is wanted.
+bool isCut(const Matching& matching, std::size_t take)
+{
+    return take != matching.reference && !matching.candidates[take].isGiven;
+}
+
+/// \param own  as for reportOf. \param period  of the reference; 0: none.
+ReferenceFrames referenceFrames(const Matching& matching, const std::vector<Table<float>>& own,
+                                std::int64_t period, const AlignmentSettings& settings,
+                                const Progress& progress)
+{
+    const std::int64_t count = matching.usable.count();
+    if (matching.candidates[matching.reference].isGiven) {
         // Chosen by eye, a cycle may be a quarter longer or shorter.
-        frames.isCycle = period && 4 * std::abs(frames.count - *period) <= *period;
-    } else if (period) {
-        std::vector<Table<float>> others;
-        for (std::size_t t = 0; t < costs.size(); ++t) {
-            if (t != reference && !candidates[t].isGiven)
-                others.push_back(costs[t]);
-        }
-        frames = {TakeUse::Cycle, chooseCycleStart(others, *period, all, settings.steps), *period, true};
+        const bool isCycle = period > 0 && 4 * std::abs(count - period) <= period;
+        return {.use = TakeUse::Given, .first = 0, .count = count, .isCycle = isCycle};
     }
-    return frames;
+    if (period == 0)
+        return {.use = TakeUse::Whole, .first = 0, .count = count, .isCycle = false};
+    std::vector<CycleTake> takes;
+    for (std::size_t t = 0; t < own.size(); ++t) {
+        if (isCut(matching, t))
+            takes.push_back({&matching.costs[t], findPeriod(own[t], settings.greatestReturnBeside)});
+    }
+    return {.use = TakeUse::Cycle,
+            .first = chooseCycleStart(takes, period, count, progress),
+            .count = period,
+            .isCycle = true};
 }
 
 std::vector<WarpMatch> diagonal(std::int64_t first, std::int64_t count)
@@ -132,39 +163,45 @@ std::vector<WarpMatch> diagonal(std::int64_t first, std::int64_t count)
     return path;
 }
 
-/// How a take is matched with the reference's frames.
-/// \param costs  frames of the reference that are used × frames of the take.
-void matchTake(const Table<float>& costs, const ReferenceFrames& frames, bool isGiven,
-               const AlignmentSettings& settings, WarpReport& report)
+/// The frames of a take that are warped to the reference's.
+/// \param distances, costs  the reference's frames that are used × frames of the take. \param own  distances
+/// of its poses to each other; empty where no cycle is looked for.
+std::pair<TakeUse, FrameRange> usedFrames(const Table<float>& distances, const Table<float>& costs,
+                                          const Table<float>& own, bool isGiven,
+                                          const AlignmentSettings& settings)
 {
-    report.use = isGiven ? TakeUse::Given : TakeUse::Whole;
-    if (frames.isCycle && !isGiven) {
-        const std::optional<CycleMatch> match = matchCycle(costs, settings.steps);
-        if (match && match->meanCost <= settings.greatestMatch * static_cast<double>(costs.mean())) {
-            report.use = TakeUse::Cycle;
-            report.path = match->path;
-            report.meanCost = match->meanCost;
-            return;
-        }
-        report.use = costs.cols() < costs.rows() ? TakeUse::TooShort : TakeUse::NoMatch;
-    }
-    WarpPathResult whole = warpWhole(costs, settings.steps);
-    report.meanCost = whole.meanCost();
-    report.path = std::move(whole.path);
+    const FrameRange all = FrameRange::all(costs.cols());
+    if (own.size() == 0)
+        return {isGiven ? TakeUse::Given : TakeUse::Whole, all};
+    if (const auto period = findPeriod(own, settings.greatestReturnBeside))
+        return {TakeUse::Cycle, cycleWindow(costs, *period)};
+    if (const auto cycle =
+            cycleWithin(distances, own, settings.steps, settings.greatestMatch, settings.greatestReturn))
+        return {TakeUse::Cycle, *cycle};
+    return {costs.cols() < costs.rows() ? TakeUse::TooShort : TakeUse::NoCycle, all};
 }
 
-WarpReport reportOf(const Candidate& candidate, const Table<float>& costs, const ReferenceFrames& frames,
-                    bool isReference, const AlignmentSettings& settings)
+/// \param own  distances of the take's poses to each other; empty where no cycle is looked for.
+WarpReport reportOf(const Matching& matching, std::size_t take, const ReferenceFrames& frames,
+                    const Table<float>& own, const AlignmentSettings& settings)
 {
-    const Table<float> used = costs.middleRows(frames.first, frames.count);
+    const Candidate& candidate = matching.candidates[take];
+    const Table<float> costs = matching.costs[take].middleRows(frames.first, frames.count);
     WarpReport report{.firstColumn = candidate.first, .contacts = candidate.contacts};
-    if (isReference) {
+    if (take == matching.reference) {
         report.use = frames.use;
-        report.path = diagonal(frames.first, frames.count);
+        report.path = diagonal(matching.usable.first.value + frames.first, frames.count);
     } else {
-        matchTake(used, frames, candidate.isGiven, settings, report);
+        const auto [use, used] = usedFrames(matching.distances[take].middleRows(frames.first, frames.count),
+                                            costs, own, candidate.isGiven, settings);
+        WarpPathResult found = warpWhole(costs.middleCols(used.first.value, used.count()), settings.steps);
+        for (WarpMatch& match : found.path)
+            match.take += static_cast<int>(used.first.value);
+        report.use = use;
+        report.meanCost = found.meanCost();
+        report.path = std::move(found.path);
     }
-    shrink(used, report);
+    shrink(costs, report);
     return report;
 }
 
@@ -184,6 +221,14 @@ std::vector<Vec3f> centredTemplate(Positions given, const MeshSequence& referenc
     return centred;
 }
 
+/// The part of the work that one of several takes is.
+Progress partOf(const Progress& progress, double from, double to, std::size_t take, std::size_t takes)
+{
+    const double share = (to - from) / static_cast<double>(takes);
+    return progress.part(from + share * static_cast<double>(take),
+                         from + share * static_cast<double>(take + 1));
+}
+
 void fillPhases(const TakeWarp& warp, WarpReport& report)
 {
     for (const double position : warp.playback)
@@ -196,28 +241,37 @@ Alignment alignTakes(std::span<const TrainingTake> takes, std::size_t reference,
                      const AlignmentSettings& settings, Positions templatePose, const Progress& progress)
 {
     requireValid(takes, reference, settings);
-    std::vector<Candidate> candidates;
-    for (std::size_t t = 0; t < takes.size(); ++t) {
-        const double from = 0.2 * static_cast<double>(t) / static_cast<double>(takes.size());
-        const double to = 0.2 * static_cast<double>(t + 1) / static_cast<double>(takes.size());
-        candidates.push_back(candidateOf(takes[t], t != reference, settings.up, progress.part(from, to)));
+    Matching matching{.reference = reference, .usable = usableFrames(takes[reference])};
+    for (std::size_t t = 0; t < takes.size(); ++t)
+        matching.candidates.push_back(
+            candidateOf(takes[t], t != reference, settings.up, partOf(progress, 0, 0.2, t, takes.size())));
+    fillCosts(matching, settings, progress.part(0.2, 0.5));
+
+    const std::int64_t period =
+        settings.cycles ? findPeriod(matching.referenceDistances, settings.greatestReturn).value_or(0) : 0;
+    std::vector<Table<float>> own(takes.size());
+    for (std::size_t t = 0; t < takes.size() && period > 0; ++t) {
+        if (isCut(matching, t))
+            own[t] =
+                ownDistances(matching.candidates[t], settings, partOf(progress, 0.5, 0.7, t, takes.size()));
     }
-    const std::vector<Table<float>> costs = costsOf(candidates, reference, settings, progress.part(0.2, 0.7));
-    const ReferenceFrames frames = referenceFrames(takes[reference], candidates, reference, costs, settings);
+    const ReferenceFrames frames = referenceFrames(matching, own, period, settings, progress.part(0.7, 0.8));
+    if (!frames.isCycle)
+        own.assign(takes.size(), Table<float>());
 
     Alignment alignment{.reference = reference, .fps = takes[reference].sequence.fps};
-    alignment.templatePose =
-        centredTemplate(templatePose, takes[reference].sequence, FrameIndex(frames.first));
+    alignment.templatePose = centredTemplate(templatePose, takes[reference].sequence,
+                                             FrameIndex(matching.usable.first.value + frames.first));
     if (frames.isCycle)
         alignment.cycle = frames.count;
     for (std::size_t t = 0; t < takes.size(); ++t) {
-        progress.part(0.7, 1).report(static_cast<std::int64_t>(t), static_cast<std::int64_t>(takes.size()));
-        WarpReport report = reportOf(candidates[t], costs[t], frames, t == reference, settings);
+        WarpReport report = reportOf(matching, t, frames, own[t], settings);
         AlignedTake take{.name = takes[t].sequence.name,
-                         .warp = warpOf(report.path, settings.smoothing, candidates[t].first),
+                         .warp = warpOf(report.path, settings.smoothing, matching.candidates[t].first),
                          .poses = {},
                          .placements = {}};
-        alignPoses(takes[t].sequence, alignment.templatePose, take, progress.part(0.7, 1));
+        alignPoses(takes[t].sequence, alignment.templatePose, take,
+                   partOf(progress, 0.8, 1, t, takes.size()));
         fillPhases(take.warp, report);
         alignment.reports.push_back(std::move(report));
         alignment.takes.push_back(std::move(take));

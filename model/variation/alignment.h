@@ -32,17 +32,22 @@ struct AlignmentSettings
     /// Takes of locomotion are cut to one cycle, where the reference has one.
     bool cycles = true;
     PoseDistanceSettings distance;
-    /// Cost of a match whose feet all differ in standing or not, in mean pose distances of the two takes.
+    /// Two people, or two ways of moving, differ in posture all the time, often by more than one of them
+    /// changes within a step. So much of what a frame differs from all frames of the other take on average is
+    /// taken off the cost of its matches: 0 … 1.
+    double postureShare = 0.5;
+    /// Cost of a match whose feet all differ in standing or not, in standard deviations of the costs.
     double contactWeight = 0.5;
     WarpSteps steps;
     /// Of warps, in reference frames (see warpOf).
     double smoothing = 1.5;
-    /// A take is locomotion when its poses come back after a cycle: at most this share of how far apart they
-    /// get on average within it.
+    /// A take is locomotion when its poses come back after a cycle: their mean distance then, in the largest
+    /// after fewer frames. For the reference, and for takes beside a reference that is locomotion.
     double greatestReturn = 0.3;
-    /// The least match of a take with the reference's cycle: mean cost of the path in mean costs of all
-    /// matches.
-    double greatestMatch = 0.6;
+    double greatestReturnBeside = 0.35;
+    /// In a take that is no locomotion all over, a cycle that resembles the reference's is used when the mean
+    /// distance of its matches is at most this share of the mean of all.
+    double greatestMatch = 0.3;
 
     bool operator==(const AlignmentSettings&) const = default;
 };
@@ -53,8 +58,8 @@ enum class TakeUse
     Given,    ///< the range that the user chose
     Cycle,    ///< one cycle of locomotion
     Whole,    ///< all: the reference is no locomotion, or cycles were not asked for
-    TooShort, ///< all: it has no full cycle of the reference's locomotion
-    NoMatch,  ///< all: it has frames enough, but none of them run like the reference's cycle
+    TooShort, ///< all: it has no cycle, and fewer frames than one of the reference's
+    NoCycle,  ///< all: it has frames enough, but no cycle like the reference's
 };
 
 /// How one take was warped: what a view of the warps shows.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tbb/parallel_for.h>
 
 namespace quadrille {
 
@@ -16,6 +17,67 @@ double meanAtLag(const Table<float>& distances, Eigen::Index lag)
     for (Eigen::Index i = 0; i < pairs; ++i)
         sum += distances(i, i + lag);
     return sum / static_cast<double>(pairs);
+}
+
+/// A block of costs, in frames of both takes.
+struct Block
+{
+    Eigen::Index firstRow = 0;
+    Eigen::Index rows = 0;
+    Eigen::Index firstColumn = 0;
+    Eigen::Index columns = 0;
+};
+
+/// The least sum over a path from corner to corner of a block, without a limit of the slope, per frame of the
+/// longer side.
+double matchCost(const Table<float>& costs, const Block& block)
+{
+    std::vector<double> sums(static_cast<std::size_t>(block.columns) + 1,
+                             std::numeric_limits<double>::infinity());
+    for (Eigen::Index r = 0; r < block.rows; ++r) {
+        double diagonal = r == 0 ? 0 : std::numeric_limits<double>::infinity();
+        for (Eigen::Index c = 0; c < block.columns; ++c) {
+            double& sum = sums[static_cast<std::size_t>(c) + 1];
+            const double above = sum;
+            sum = std::min({diagonal, above, sums[static_cast<std::size_t>(c)]}) +
+                  costs(block.firstRow + r, block.firstColumn + c);
+            diagonal = above;
+        }
+    }
+    return sums.back() / static_cast<double>(std::max(block.rows, block.columns));
+}
+
+/// The least value of a function of 0 … count − 1: tried at so many places at most, then near the best.
+/// \return its place and the value; the first of equal ones.
+template <typename Function>
+std::pair<std::int64_t, double> leastOf(std::int64_t count, std::int64_t tries, const Function& function)
+{
+    const std::int64_t stride = (count + tries - 1) / tries;
+    std::pair<std::int64_t, double> best{0, std::numeric_limits<double>::infinity()};
+    const auto look = [&](std::int64_t first, std::int64_t last, std::int64_t step) {
+        std::vector<double> values(static_cast<std::size_t>((last - first) / step) + 1);
+        tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t i) {
+            values[i] = function(first + static_cast<std::int64_t>(i) * step);
+        });
+        const auto least = std::min_element(values.begin(), values.end());
+        const std::int64_t place = first + (least - values.begin()) * step;
+        if (*least < best.second || (*least == best.second && place < best.first))
+            best = {place, *least};
+    };
+    look(0, count - 1, stride);
+    if (stride > 1)
+        look(std::max<std::int64_t>(best.first - stride + 1, 0), std::min(best.first + stride, count) - 1, 1);
+    return best;
+}
+
+/// The window of a take that matches rows of the reference best, and its cost.
+std::pair<std::int64_t, double> bestWindow(const Table<float>& costs, std::int64_t firstRow,
+                                           std::int64_t rows, std::int64_t period)
+{
+    constexpr std::int64_t greatestWindows = 64;
+    return leastOf(costs.cols() - period + 1, greatestWindows, [&](std::int64_t first) {
+        return matchCost(costs, {firstRow, rows, first, period});
+    });
 }
 
 } // namespace
@@ -37,39 +99,50 @@ std::optional<std::int64_t> findPeriod(const Table<float>& distances, double gre
     return std::nullopt;
 }
 
-std::optional<CycleMatch> matchCycle(const Table<float>& costs, const WarpSteps& steps)
+std::int64_t chooseCycleStart(std::span<const CycleTake> takes, std::int64_t period,
+                              std::int64_t referenceFrames, const Progress& progress)
 {
-    Table<float> closed(costs.rows() + 1, costs.cols());
-    closed.topRows(costs.rows()) = costs;
-    closed.bottomRows(1) = costs.topRows(1);
-    std::optional<WarpPathResult> found = warpWithin(closed, steps);
-    if (!found)
-        return std::nullopt;
-    CycleMatch match{.path = std::move(found->path), .meanCost = 0};
-    match.meanCost = found->cost / static_cast<double>(match.path.size());
-    while (match.path.back().reference == costs.rows())
-        match.path.pop_back();
-    return match;
+    constexpr std::int64_t greatestStarts = 32;
+    const auto mismatch = [&](std::int64_t start) {
+        progress.report(0);
+        double sum = 0;
+        for (const CycleTake& take : takes) {
+            const Table<float>& costs = *take.costs;
+            const double cost = take.period ? bestWindow(costs, start, period, *take.period).second
+                                            : matchCost(costs, {start, period, 0, costs.cols()});
+            sum += cost / std::max(double{costs.mean()}, std::numeric_limits<double>::min());
+        }
+        return sum;
+    };
+    return leastOf(referenceFrames - period + 1, greatestStarts, mismatch).first;
 }
 
-std::int64_t chooseCycleStart(std::span<const Table<float>> costs, std::int64_t period,
-                              std::int64_t referenceFrames, const WarpSteps& steps)
+FrameRange cycleWindow(const Table<float>& costs, std::int64_t period)
 {
-    std::int64_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::int64_t start = 0; start + period <= referenceFrames; ++start) {
-        double sum = 0;
-        for (const Table<float>& table : costs) {
-            const std::optional<CycleMatch> match = matchCycle(table.middleRows(start, period), steps);
-            // A take that is too short for any cycle weighs the same wherever the cycle begins.
-            sum += match ? match->meanCost / std::max(double{table.mean()}, 1e-12) : 1;
-        }
-        if (sum < least) {
-            least = sum;
-            best = start;
-        }
-    }
-    return best;
+    const std::int64_t first = bestWindow(costs, 0, costs.rows(), period).first;
+    return {FrameIndex(first), FrameIndex(first + period - 1)};
+}
+
+std::optional<FrameRange> cycleWithin(const Table<float>& toReference, const Table<float>& own,
+                                      const WarpSteps& steps, double greatestMatch, double greatestReturn)
+{
+    // With its first frame again behind it the cycle ends where it comes back, not a little before.
+    Table<float> closed(toReference.rows() + 1, toReference.cols());
+    closed.topRows(toReference.rows()) = toReference;
+    closed.bottomRows(1) = toReference.topRows(1);
+    const std::optional<WarpPathResult> found = warpWithin(closed, steps);
+    if (!found)
+        return std::nullopt;
+    const int first = found->path.front().take;
+    const int next = found->path.back().take;
+    const bool matches = found->meanCost() <= greatestMatch * static_cast<double>(toReference.mean());
+    const bool returns = double{own(first, next)} <= greatestReturn * double{own.mean()};
+    // No tempo is half or twice that of the reference's.
+    const bool keepsTempo =
+        2 * (next - first) >= toReference.rows() && next - first <= 2 * toReference.rows();
+    if (!matches || !returns || !keepsTempo)
+        return std::nullopt;
+    return FrameRange{FrameIndex(first), FrameIndex(next - 1)};
 }
 
 } // namespace quadrille

@@ -3,6 +3,7 @@
 #include "model/variation/matchcosts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -26,11 +27,29 @@ std::map<std::string, std::vector<bool>> standing(const MeshSequence& sequence)
     return feet;
 }
 
+void removePosture(double share, Table<float>& costs)
+{
+    const auto part = static_cast<float>(share);
+    const Eigen::ArrayXf rows = costs.rowwise().mean();
+    const Eigen::ArrayXf columns = costs.colwise().mean();
+    const float mean = costs.mean();
+    costs.colwise() -= part * (rows - mean);
+    costs.rowwise() -= part * columns.transpose();
+    costs -= std::min(costs.minCoeff(), 0.0F);
+}
+
+double deviation(const Table<float>& values)
+{
+    return std::sqrt((values.cast<double>() - static_cast<double>(values.mean())).square().mean());
+}
+
 } // namespace
 
-void addContactCosts(const MeshSequence& reference, const MeshSequence& take, double weight,
-                     Table<float>& costs)
+Table<float> matchCosts(const Table<float>& distances, const MeshSequence& reference,
+                        const MeshSequence& take, const AlignmentSettings& settings)
 {
+    Table<float> costs = distances;
+    removePosture(settings.postureShare, costs);
     const auto feetOfReference = standing(reference);
     const auto feetOfTake = standing(take);
     std::vector<std::pair<const std::vector<bool>*, const std::vector<bool>*>> feet;
@@ -38,11 +57,9 @@ void addContactCosts(const MeshSequence& reference, const MeshSequence& take, do
         if (const auto other = feetOfTake.find(name); other != feetOfTake.end())
             feet.emplace_back(&stands, &other->second);
     }
-    if (feet.empty() || weight <= 0)
-        return;
-    const auto cost =
-        static_cast<float>(weight * static_cast<double>(costs.mean()) / static_cast<double>(feet.size()));
+    const double whole = settings.contactWeight * deviation(costs);
     for (const auto& [ofReference, ofTake] : feet) {
+        const auto cost = static_cast<float>(whole / static_cast<double>(feet.size()));
         for (Eigen::Index r = 0; r < costs.rows(); ++r) {
             for (Eigen::Index c = 0; c < costs.cols(); ++c) {
                 if ((*ofReference)[static_cast<std::size_t>(r)] != (*ofTake)[static_cast<std::size_t>(c)])
@@ -50,6 +67,7 @@ void addContactCosts(const MeshSequence& reference, const MeshSequence& take, do
             }
         }
     }
+    return costs;
 }
 
 void shrink(const Table<float>& costs, WarpReport& report)

@@ -6,12 +6,12 @@
 
 namespace quadrille {
 
-/// Adds to each match what it costs that feet stand in one frame and not in the other: of the feet that both
-/// sequences have contacts of.
-/// \param weight  of a match whose feet all differ, in mean costs. \param costs  frames of one × frames of
-/// the other.
-void addContactCosts(const MeshSequence& reference, const MeshSequence& take, double weight,
-                     Table<float>& costs);
+/// What matches cost, not negative: distances without a share of what the frames of either take differ from
+/// all of the other on average (see AlignmentSettings), and what it costs that feet stand in one frame and
+/// not in the other, of the feet that both sequences have contacts of.
+/// \param distances  frames of the reference × frames of the take.
+Table<float> matchCosts(const Table<float>& distances, const MeshSequence& reference,
+                        const MeshSequence& take, const AlignmentSettings& settings);
 
 /// Stores costs in a report, shrunk by means of blocks where there are too many.
 void shrink(const Table<float>& costs, WarpReport& report);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "editor/commands/projectedits.h"
+#include "editor/commands/variationedits.h"
 #include "editor/documents/sequencemedia.h"
 #include "editor/jobs/jobrunner.h"
 
@@ -34,6 +35,7 @@ Project exampleProject()
     KeyEntry key;
     key.sequence = "jump";
     project.animations = {{.name = "waltz", .character = "Ada", .constraints = {key}}};
+    project.variations = {{.name = "strolls", .character = "Ada", .training = {{.sequence = "walk"}}}};
     project.exports.push_back({.name = "dance", .what = "animations/waltz", .path = "/out/waltz.glb"});
     return project;
 }
@@ -93,6 +95,36 @@ const std::vector<Edit>& edits()
          },
          [](const Project& p) {
              return p.animations[0].name == "polka" && p.exports[2].what == "animations/polka";
+         }},
+        {"Add variations “strolls 2”", [](auto& d) { addVariation(d, {.name = "strolls"}); },
+         [](const Project& p) { return p.variations.size() == 2 && p.variations[1].name == "strolls 2"; }},
+        {"Duplicate “strolls”", [](auto& d) { duplicateVariation(d, "strolls"); },
+         [](const Project& p) {
+             return p.variations.size() == 2 && p.variations[1].training == p.variations[0].training;
+         }},
+        {"Change the dimensions",
+         [](auto& d) {
+             VariationEntry after = *d.variation("strolls");
+             after.learning.dimensions = 4;
+             setVariation(d, "strolls", "Change the dimensions", "dimensions", after);
+         },
+         [](const Project& p) { return p.variations[0].learning.dimensions == 4; }},
+        {"Rename “strolls” to “walks”",
+         [](auto& d) {
+             renameEntry(d, {Section::Variations, "strolls"}, "walks");
+         },
+         [](const Project& p) { return p.variations[0].name == "walks"; }},
+        {"Remove “strolls”", [](auto& d) { removeEntries(d, Section::Variations, {"strolls"}); },
+         [](const Project& p) { return p.variations.empty(); }},
+        {"Draw a curve",
+         [](auto& d) {
+             BodyPartsEntry body = bodyPartsEntry(d.project(), "Ada");
+             body.curves.push_back({.curve = {.name = "neck", .vertices = {VertexIndex(1)}}, .points = {}});
+             setBodyParts(d, "Draw a curve", "curve", body);
+         },
+         [](const Project& p) {
+             return p.bodyParts.size() == 1 && p.bodyParts[0].character == "Ada" &&
+                    p.bodyParts[0].curves.size() == 1;
          }},
         {"Remove “jump”", [](auto& d) { removeEntries(d, Section::Sequences, {"jump"}); },
          [](const Project& p) { return p.sequences.size() == 2 && p.animations[0].constraints.empty(); }},

@@ -7,7 +7,7 @@
 #include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
-#include "editor/workspaces/animate/partlist.h"
+#include "editor/fields/partlist.h"
 #include "editor/workspaces/animate/pathfields.h"
 #include "editor/workspaces/animate/pathforms.h"
 #include "editor/workspaces/animate/pathpoints.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/commands/changeentry.h"
-#include "editor/workspaces/animate/settingform.h"
+#include "editor/fields/settingform.h"
 
 #include <QWidget>
 #include <functional>

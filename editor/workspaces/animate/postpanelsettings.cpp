@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The sections that say how a clip is sought and blended.
 #include "editor/workspaces/animate/postpanel.h"
-#include "editor/workspaces/animate/settingform.h"
+#include "editor/fields/settingform.h"
 #include "model/synthesis/constraints.h"
 
 namespace quadrille {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "editor/workspaces/animate/settingform.h"
+#include "editor/fields/settingform.h"
 
 #include "editor/language/retranslate.h"
 #include "widgets/theme/icons.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "editor/workspaces/animate/partlist.h"
+#include "editor/fields/partlist.h"
 
 #include "widgets/theme/theme.h"
 

@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/variations/movementpanel.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/fields/settingform.h"
+#include "editor/help/helpviewer.h"
+#include "editor/language/retranslate.h"
+#include "editor/workspaces/variations/blendlist.h"
+#include "editor/workspaces/variations/currentvariation.h"
+#include "editor/workspaces/view/stageview.h"
+#include "widgets/controls/elidedbutton.h"
+#include "widgets/theme/theme.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QScopedValueRollback>
+#include <QScrollArea>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace quadrille {
+
+namespace {
+
+constexpr int margin = 12; // pixels
+constexpr int takeColumn = 0;
+constexpr int framesColumn = 1;
+constexpr int usedColumn = 2;
+
+bool isLearnedFrom(const VariationEntry* entry, const std::string& sequence)
+{
+    return entry != nullptr &&
+           std::ranges::find(entry->training, sequence, &TrainingEntry::sequence) != entry->training.end();
+}
+
+/// Takes a sequence out, with what speaks of it.
+void removeTake(VariationEntry& entry, const std::string& sequence)
+{
+    std::erase_if(entry.training, [&](const TrainingEntry& take) { return take.sequence == sequence; });
+    std::erase_if(entry.blends,
+                  [&](const BlendEntry& blend) { return blend.from == sequence || blend.to == sequence; });
+    std::erase_if(entry.samples, [&](const SamplesEntry& samples) {
+        return samples.of == sequence || samples.to == sequence;
+    });
+    if (entry.reference == sequence)
+        entry.reference.clear();
+}
+
+/// Without samples nothing would be seen of what is learned.
+void addTake(VariationEntry& entry, const std::string& sequence)
+{
+    TrainingEntry take;
+    take.sequence = sequence;
+    entry.training.push_back(std::move(take));
+    if (!entry.samples.empty())
+        return;
+    SamplesEntry samples;
+    samples.of = sequence;
+    entry.samples.push_back(std::move(samples));
+}
+
+} // namespace
+
+MovementPanel::MovementPanel(CurrentVariation& variation, QWidget* parent)
+    : QWidget(parent)
+    , m_variation(variation)
+    , m_hint(new QLabel)
+    , m_takes(new QTreeWidget)
+    , m_form(new SettingForm)
+    , m_reference(new QComboBox)
+    , m_template(new widgets::ElidedButton)
+    , m_cycles(new QCheckBox)
+    , m_blendHeading(new QLabel)
+    , m_blends(new BlendList(variation))
+{
+    setObjectName(QStringLiteral("movementPanel"));
+    setHelpPage(this, QStringLiteral("variations"));
+    m_hint->setObjectName(QStringLiteral("movementHint"));
+    m_hint->setWordWrap(true);
+    m_hint->setForegroundRole(QPalette::PlaceholderText);
+    m_takes->setObjectName(QStringLiteral("trainingTakes"));
+    m_takes->setRootIsDecorated(false);
+    m_takes->setUniformRowHeights(true);
+    m_takes->setColumnCount(3);
+    m_takes->header()->setStretchLastSection(false);
+    m_takes->header()->setSectionResizeMode(takeColumn, QHeaderView::Stretch);
+    m_takes->header()->setSectionResizeMode(framesColumn, QHeaderView::ResizeToContents);
+    m_takes->header()->setSectionResizeMode(usedColumn, QHeaderView::ResizeToContents);
+    QFont heavier = font();
+    heavier.setWeight(QFont::DemiBold);
+    m_blendHeading->setFont(heavier);
+    addSettings();
+    auto* lower = new QWidget;
+    auto* lowerColumn = new QVBoxLayout(lower);
+    lowerColumn->setContentsMargins(0, 0, 0, 0);
+    lowerColumn->setSpacing(0);
+    lowerColumn->addWidget(m_form);
+    auto* blends = new QVBoxLayout;
+    blends->setContentsMargins(margin, 0, margin, margin);
+    blends->setSpacing(4);
+    blends->addWidget(m_blendHeading);
+    blends->addWidget(m_blends);
+    lowerColumn->addLayout(blends);
+    lowerColumn->addStretch(1);
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(lower);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    m_hint->setContentsMargins(margin, 8, margin, 8);
+    column->addWidget(m_hint);
+    column->addWidget(m_takes, 1);
+    column->addWidget(scroll, 1);
+    connect(m_takes, &QTreeWidget::itemChanged, this, &MovementPanel::choose);
+    connect(m_takes, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
+        m_variation.context().selection.selectSequences({item->text(takeColumn)});
+    });
+    connect(&variation, &CurrentVariation::changed, this, &MovementPanel::refresh);
+    connect(&variation.context().media, &SequenceMedia::changed, this, &MovementPanel::refreshTakes);
+    retranslates(this, [this] {
+        m_hint->setText(tr("Check the takes of one kind of movement: they are learned from."));
+        m_takes->setHeaderLabels({tr("Take"), tr("Frames"), tr("Used")});
+        m_takes->headerItem()->setToolTip(usedColumn,
+                                          tr("The frames that are learned from: one cycle, or all"));
+        m_takes->setAccessibleName(tr("Takes to learn from"));
+        m_blendHeading->setText(tr("Blends"));
+        refresh();
+    });
+}
+
+void MovementPanel::addSettings()
+{
+    m_form->addHeading([] { return tr("Alignment"); });
+    m_form->add(
+        "variationReference", [] { return tr("Reference"); },
+        [] { return tr("The take whose timing the others are warped to"); }, m_reference,
+        [this] {
+            m_variation.edit(tr("Change the reference"), QStringLiteral("reference"),
+                             [](VariationEntry& entry) { entry.reference.clear(); });
+        });
+    m_form->add(
+        "variationTemplate", [] { return tr("Template"); },
+        [] { return tr("The pose that all frames are laid onto; a click takes the one that is shown"); },
+        m_template,
+        [this] {
+            m_variation.edit(tr("Change the template"), QStringLiteral("template"),
+                             [](VariationEntry& entry) { entry.templatePose.reset(); });
+        });
+    m_form->add(
+        "variationCycles", {}, [] { return tr("So that all takes begin in the same phase"); }, m_cycles,
+        [this] {
+            m_variation.edit(tr("Cut to cycles"), QStringLiteral("cycles"),
+                             [](VariationEntry& entry) { entry.cycles = true; });
+        });
+    connect(m_reference, &QComboBox::activated, this, [this](int index) {
+        m_variation.edit(tr("Change the reference"), QStringLiteral("reference"), [&](VariationEntry& entry) {
+            entry.reference = index == 0 ? std::string() : m_reference->currentText().toStdString();
+        });
+    });
+    connect(m_template, &QAbstractButton::clicked, this, &MovementPanel::takeTemplate);
+    connect(m_cycles, &QCheckBox::clicked, this, [this](bool checked) {
+        m_variation.edit(tr("Cut to cycles"), QStringLiteral("cycles"),
+                         [checked](VariationEntry& entry) { entry.cycles = checked; });
+    });
+}
+
+QStringList MovementPanel::takesOfCharacter() const
+{
+    const ProjectDocument& document = m_variation.context().document;
+    const QString character = m_variation.character();
+    QStringList takes;
+    for (const SequenceEntry& sequence : document.project().sequences) {
+        const CharacterEntry* its = document.characterOf(sequence);
+        if (its == nullptr || QString::fromStdString(its->name) == character)
+            takes += QString::fromStdString(sequence.name);
+    }
+    return takes;
+}
+
+void MovementPanel::refreshTakes()
+{
+    const QScopedValueRollback showing(m_isShowing, true);
+    const VariationEntry* entry = m_variation.entry();
+    const QStringList takes = takesOfCharacter();
+    while (m_takes->topLevelItemCount() > takes.size())
+        delete m_takes->takeTopLevelItem(m_takes->topLevelItemCount() - 1);
+    while (m_takes->topLevelItemCount() < takes.size())
+        new QTreeWidgetItem(m_takes);
+    for (int row = 0; row < takes.size(); ++row) {
+        QTreeWidgetItem* item = m_takes->topLevelItem(row);
+        const MeshSequence* sequence = m_variation.context().media.sequence(takes[row]);
+        const bool isChosen = isLearnedFrom(entry, takes[row].toStdString());
+        item->setText(takeColumn, takes[row]);
+        item->setToolTip(takeColumn, takes[row]);
+        item->setCheckState(takeColumn, isChosen ? Qt::Checked : Qt::Unchecked);
+        item->setText(framesColumn, sequence == nullptr
+                                        ? QStringLiteral("…")
+                                        : QLocale().toString(static_cast<qlonglong>(sequence->frameCount())));
+        for (const int number : {framesColumn, usedColumn}) {
+            item->setTextAlignment(number, Qt::AlignRight | Qt::AlignVCenter);
+            item->setFont(number, widgets::Theme::tabularFont(font()));
+        }
+    }
+}
+
+void MovementPanel::refresh()
+{
+    refreshTakes();
+    const QScopedValueRollback showing(m_isShowing, true);
+    const VariationEntry* entry = m_variation.entry();
+    m_reference->clear();
+    m_reference->addItem(tr("the first take"));
+    if (entry != nullptr) {
+        for (const TrainingEntry& take : entry->training)
+            m_reference->addItem(QString::fromStdString(take.sequence));
+    }
+    const VariationEntry usual;
+    const VariationEntry& shown = entry == nullptr ? usual : *entry;
+    m_reference->setCurrentIndex(
+        shown.reference.empty()
+            ? 0
+            : std::max(m_reference->findText(QString::fromStdString(shown.reference)), 0));
+    m_template->setText(shown.templatePose ? tr("%1, frame %2")
+                                                 .arg(QString::fromStdString(shown.templatePose->sequence))
+                                                 .arg(shown.templatePose->frame.value + 1)
+                                           : tr("the reference’s first frame"));
+    m_cycles->setText(tr("Cut walks and runs to one cycle"));
+    m_cycles->setChecked(shown.cycles);
+    m_form->setEnabled(entry != nullptr);
+    m_form->setUsual(m_reference, shown.reference.empty());
+    m_form->setUsual(m_template, !shown.templatePose);
+    m_form->setUsual(m_cycles, shown.cycles);
+}
+
+void MovementPanel::choose(QTreeWidgetItem* item)
+{
+    if (m_isShowing)
+        return;
+    const std::string name = item->text(takeColumn).toStdString();
+    const bool isChosen = item->checkState(takeColumn) == Qt::Checked;
+    if (isChosen == isLearnedFrom(m_variation.entry(), name))
+        return;
+    m_variation.edit(isChosen ? tr("Learn from “%1”").arg(item->text(takeColumn))
+                              : tr("Do not learn from “%1”").arg(item->text(takeColumn)),
+                     QStringLiteral("training"), [&](VariationEntry& entry) {
+                         if (isChosen)
+                             addTake(entry, name);
+                         else
+                             removeTake(entry, name);
+                     });
+}
+
+void MovementPanel::takeTemplate()
+{
+    const QString shown = m_variation.view().stage().shown().value(0);
+    if (!isLearnedFrom(m_variation.entry(), shown.toStdString()))
+        return;
+    m_variation.edit(tr("Change the template"), QStringLiteral("template"), [&](VariationEntry& entry) {
+        entry.templatePose = NamedFrame{shown.toStdString(), m_variation.view().player().frame()};
+    });
+}
+
+} // namespace quadrille

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/variations/variationbar.h"
+
+#include "editor/application/editorcontext.h"
+#include "editor/commands/variationedits.h"
+#include "editor/fields/actionbutton.h"
+#include "editor/language/retranslate.h"
+#include "editor/workspaces/variations/currentvariation.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+namespace quadrille {
+
+namespace {
+
+constexpr int gap = 8;
+
+} // namespace
+
+VariationBar::VariationBar(CurrentVariation& variation, QWidget* parent)
+    : QWidget(parent), m_variation(variation), m_names(new QComboBox), m_state(new QLabel)
+{
+    setObjectName(QStringLiteral("variationBar"));
+    m_names->setObjectName(QStringLiteral("variationNames"));
+    m_names->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_names->setMinimumContentsLength(12);
+    m_state->setObjectName(QStringLiteral("variationState"));
+    m_state->setFont(widgets::Theme::tabularFont(m_state->font()));
+    makeActions();
+    ActionRegistry& actions = variation.context().actions;
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(gap, gap / 2, gap, gap / 2);
+    row->setSpacing(gap / 2);
+    row->addWidget(m_names);
+    row->addWidget(makeActionButton(actions.action("variations.new")));
+    row->addWidget(makeActionButton(actions.action("variations.duplicate")));
+    row->addSpacing(gap);
+    row->addWidget(m_state, 1);
+    connect(m_names, &QComboBox::activated, this, [this] {
+        m_variation.context().selection.select({Section::Variations, m_names->currentText()});
+    });
+    connect(&variation, &CurrentVariation::changed, this, &VariationBar::refresh);
+    retranslates(this, [this] {
+        m_names->setAccessibleName(tr("Variations"));
+        m_names->setToolTip(tr("The variations that are worked on"));
+        m_names->setPlaceholderText(tr("No variations"));
+        refresh();
+    });
+}
+
+void VariationBar::makeActions()
+{
+    EditorContext& context = m_variation.context();
+    const auto group = [] { return tr("Variations"); };
+    context.actions.add({"variations.new",
+                         group,
+                         [] { return tr("&New variations"); },
+                         [] { return tr("Add variations of a movement to the project"); },
+                         "add",
+                         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V)}},
+                        [this] {
+                            m_variation.add();
+                            m_variation.context().actions.action("workspace.variations")->trigger();
+                        });
+    context.actions.add(
+        {"variations.duplicate",
+         group,
+         [] { return tr("&Duplicate the variations"); },
+         [] { return tr("Add a copy, to learn from other takes or in another way"); },
+         "copy",
+         {}},
+        [this, &context] {
+            context.selection.select(
+                {Section::Variations, duplicateVariation(context.document, m_variation.name())});
+        });
+}
+
+void VariationBar::refresh()
+{
+    const QSignalBlocker blocker(m_names);
+    m_names->clear();
+    for (const VariationEntry& entry : m_variation.context().document.project().variations)
+        m_names->addItem(QString::fromStdString(entry.name));
+    m_names->setCurrentIndex(m_names->findText(m_variation.name()));
+    m_names->setEnabled(m_names->count() > 0);
+    m_variation.context().actions.action("variations.duplicate")->setEnabled(m_variation.entry() != nullptr);
+    m_state->setText(m_variation.entry() == nullptr
+                         ? tr("Add variations, then choose the takes to learn from.")
+                         : QString());
+}
+
+} // namespace quadrille

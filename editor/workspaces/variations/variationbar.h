@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+
+namespace quadrille {
+
+class CurrentVariation;
+
+/// Which variations are worked on, and how far they are.
+class VariationBar : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit VariationBar(CurrentVariation& variation, QWidget* parent = nullptr);
+
+private:
+    void makeActions();
+    void refresh();
+
+    CurrentVariation& m_variation;
+    QComboBox* m_names;
+    QLabel* m_state;
+};
+
+} // namespace quadrille
