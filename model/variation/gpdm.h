@@ -69,8 +69,12 @@ public:
         GpdmHyperparameters hyperparameters;
     };
     double value(const GpdmState& state);
-    /// Both at once. Cost: O(frames³).
+    /// Both at once. Infinite, with a gradient of zero, where latents are too large to be told apart from
+    /// infinite ones. Cost: O(frames³).
     double value(const GpdmState& state, Gradient& gradient);
+    /// What the last value needed on the diagonal of a kernel matrix, beside the noise, to be factorised in
+    /// double precision: a share of its mean diagonal, 0 as a rule.
+    double jitter() const;
 
 private:
     struct Work;
