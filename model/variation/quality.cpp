@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/variation/quality.h"
+
+#include "model/core/bounds.h"
+#include "model/synthesis/framemeasures.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <tbb/parallel_for.h>
+
+namespace quadrille {
+
+namespace {
+
+std::vector<Positions> posesOf(std::span<const AlignedTake> takes, std::size_t vertexCount)
+{
+    std::vector<Positions> poses;
+    for (const AlignedTake& take : takes) {
+        for (std::size_t at = 0; at < take.poses.size(); at += vertexCount)
+            poses.push_back(Positions(take.poses).subspan(at, vertexCount));
+    }
+    return poses;
+}
+
+/// Mean of the values that are there.
+std::optional<double> meanOf(std::span<const std::optional<double>> values)
+{
+    double sum = 0;
+    int count = 0;
+    for (const std::optional<double>& value : values) {
+        sum += value.value_or(0);
+        count += value ? 1 : 0;
+    }
+    return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+} // namespace
+
+std::string_view toString(VariationFault fault)
+{
+    constexpr std::array<std::string_view, variationFaults> names{"pose-distance", "foot-skate",
+                                                                  "intersections", "volume"};
+    return names[static_cast<std::size_t>(fault)];
+}
+
+std::vector<VariationFault> judge(const VariationQuality& quality, const VariationLimits& limits)
+{
+    std::vector<VariationFault> faults;
+    if (quality.worstPoseDistance > limits.poseDistance * quality.size)
+        faults.push_back(VariationFault::PoseDistance);
+    if (quality.skate && *quality.skate > quality.takeSkate + limits.skate * quality.size)
+        faults.push_back(VariationFault::FootSkate);
+    const auto beyond = static_cast<double>(quality.intersections - quality.takeIntersections);
+    if (beyond > limits.intersections * static_cast<double>(quality.triangles))
+        faults.push_back(VariationFault::Intersections);
+    if (quality.volumeChange && std::abs(*quality.volumeChange) > limits.volumeChange)
+        faults.push_back(VariationFault::Volume);
+    return faults;
+}
+
+VariationMeter::VariationMeter(const CharacterFrames& character, std::span<const int> varied,
+                               std::span<const AlignedTake> training, UpAxis up, const Progress& progress)
+    : m_up(up)
+    , m_frames(static_cast<std::size_t>(character.frameCount()))
+    , m_training(posesOf(training, character.vertexCount()))
+    , m_intersections(character.sequences().front().topology, m_training.front())
+    , m_volume(*character.sequences().front().topology)
+{
+    m_size = boundsOf(m_training.front()).size().norm();
+    std::vector<MeshSequence> sequences;
+    std::vector<NodeIndex> nodes;
+    for (const int s : varied) {
+        sequences.push_back(character.sequences()[static_cast<std::size_t>(s)]);
+        for (NodeIndex node = character.layout().firstOf(s); node <= character.layout().lastOf(s); ++node)
+            nodes.push_back(node);
+    }
+    const CharacterFrames takes(sequences);
+    std::vector<Support> supports = findSupports(takes, up, progress.part(0, 0.3));
+    const std::vector<FrameMeasure> measures = frameMeasures(takes, supports, up, progress.part(0.3, 0.4));
+    const Progress rest = progress.part(0.4, 1);
+    std::atomic<std::int64_t> done = 0;
+    tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
+        const Frame frame = character.frame(nodes[i]);
+        m_frames[static_cast<std::size_t>(nodes[i])] = {
+            std::move(supports[i].vertices), measures[i].slip,
+            static_cast<std::int64_t>(m_intersections.find(frame.positions()).size())};
+        rest.report(++done, static_cast<std::int64_t>(nodes.size()));
+    });
+    m_leastVolume = std::numeric_limits<double>::infinity();
+    m_greatestVolume = -m_leastVolume;
+    for (const Positions& pose : m_training) {
+        const double volume = m_volume.of(pose).value_or(0);
+        m_leastVolume = std::min(m_leastVolume, volume);
+        m_greatestVolume = std::max(m_greatestVolume, volume);
+        m_meanVolume += volume / static_cast<double>(m_training.size());
+    }
+}
+
+std::vector<std::uint32_t> VariationMeter::standingIn(const FrameOrigin& origin) const
+{
+    return common(baselineOf(origin.source).standing, baselineOf(origin.destination).standing);
+}
+
+void VariationMeter::addSkate(const Clip& clip, VariationQuality& quality) const
+{
+    const Ground ground(m_up);
+    std::vector<std::optional<double>> speeds;
+    std::array<std::vector<std::optional<double>>, 2> takeSpeeds;
+    for (std::size_t f = 0; f + 1 < quality.frames.size(); ++f) {
+        const auto frame = static_cast<std::int64_t>(f);
+        const std::vector<std::uint32_t> standing =
+            common(standingIn(clip.origins[f]), standingIn(clip.origins[f + 1]));
+        if (!standing.empty())
+            quality.frames[f].skate =
+                clip.fps * meanSlip(clip.frame(frame), clip.frame(frame + 1), standing, ground);
+        speeds.push_back(quality.frames[f].skate);
+        takeSpeeds[0].push_back(baselineOf(clip.origins[f].source).slip);
+        takeSpeeds[1].push_back(baselineOf(clip.origins[f].destination).slip);
+    }
+    quality.skate = meanOf(speeds);
+    quality.takeSkate = std::max(meanOf(takeSpeeds[0]).value_or(0), meanOf(takeSpeeds[1]).value_or(0));
+}
+
+void VariationMeter::addIntersections(const Clip& clip, VariationQuality& quality) const
+{
+    for (const VariationFrameQuality& frame : quality.frames)
+        quality.intersections = std::max(quality.intersections, frame.intersections);
+    for (const FrameOrigin& origin : clip.origins) {
+        quality.takeIntersections =
+            std::max({quality.takeIntersections, baselineOf(origin.source).intersections,
+                      baselineOf(origin.destination).intersections});
+    }
+}
+
+void VariationMeter::addVolume(VariationQuality& quality) const
+{
+    if (!m_volume.isAvailable() || m_meanVolume == 0)
+        return;
+    double change = 0;
+    for (const VariationFrameQuality& frame : quality.frames) {
+        const double volume = frame.volume.value_or(0);
+        const double beyond = volume - std::clamp(volume, m_leastVolume, m_greatestVolume);
+        if (std::abs(beyond) > std::abs(change))
+            change = beyond;
+    }
+    quality.volumeChange = change / m_meanVolume;
+}
+
+VariationQuality VariationMeter::measure(const Clip& clip, const Progress& progress) const
+{
+    VariationQuality quality{.frames = std::vector<VariationFrameQuality>(clip.origins.size()),
+                             .size = m_size,
+                             .triangles = static_cast<std::int64_t>(clip.topology->triangles().size())};
+    std::vector<Positions> poses;
+    for (std::int64_t f = 0; f < clip.frameCount(); ++f)
+        poses.push_back(clip.frame(f));
+    const std::vector<NearestPose> nearest = nearestPoses(poses, m_training, progress.part(0, 0.4));
+    const Progress rest = progress.part(0.4, 1);
+    std::atomic<std::int64_t> done = 0;
+    tbb::parallel_for(std::size_t{0}, poses.size(), [&](std::size_t f) {
+        quality.frames[f] = {.nearest = nearest[f],
+                             .skate = std::nullopt,
+                             .intersections =
+                                 static_cast<std::int64_t>(m_intersections.find(poses[f]).size()),
+                             .volume = m_volume.of(poses[f])};
+        rest.report(++done, static_cast<std::int64_t>(poses.size()));
+    });
+    for (const NearestPose& pose : nearest) {
+        quality.meanPoseDistance += pose.distance / static_cast<double>(nearest.size());
+        quality.worstPoseDistance = std::max(quality.worstPoseDistance, pose.distance);
+    }
+    addSkate(clip, quality);
+    addIntersections(clip, quality);
+    addVolume(quality);
+    return quality;
+}
+
+} // namespace quadrille
