@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/variation/playback.h"
+#include "tests/model/codeof.h"
+#include "tests/model/variation/swayingtakes.h"
+
+#include <gtest/gtest.h>
+
+namespace quadrille {
+namespace {
+
+using testing::strideAt;
+
+std::vector<RigidMotion> stride(int frames)
+{
+    std::vector<RigidMotion> placements;
+    for (int f = 0; f < frames; ++f)
+        placements.push_back(strideAt(f));
+    return placements;
+}
+
+TEST(PathOnGround, OfATakesOwnDisplacementsIsItsPath)
+{
+    const std::vector<RigidMotion> placements = stride(50);
+    for (const double halfLife : {0.0, 0.25, 100.0}) {
+        const auto path = pathOnGround(displacementsOf(placements), placements, {.driftHalfLife = halfLife});
+        for (std::size_t f = 0; f < path.size(); ++f) {
+            EXPECT_LT((path[f].translation - placements[f].translation).norm(), 1e-9);
+            EXPECT_LT(path[f].rotation.angularDistance(placements[f].rotation), 1e-7);
+        }
+    }
+}
+
+TEST(PathOnGround, ForgetsDriftOfHeightAndTiltButNotOfTheWay)
+{
+    const std::vector<RigidMotion> placements = stride(200);
+    std::vector<Displacement> displacements = displacementsOf(placements);
+    for (Displacement& d : displacements) {
+        d[0] += 0.004;
+        d[1] += 0.002; // 40 cm over the take
+        d[3] += 0.002; // 23 degrees
+    }
+    const auto free = integrated(displacements, placements.front());
+    const auto path = pathOnGround(displacements, placements, {.fps = 25, .driftHalfLife = 0.25});
+    double greatestHeight = 0;
+    double greatestTilt = 0;
+    for (std::size_t f = 0; f < path.size(); ++f) {
+        greatestHeight =
+            std::max(greatestHeight, std::abs(path[f].translation.y() - placements[f].translation.y()));
+        const Vec3d up = upSeenFrom(path[f], Vec3d::UnitY());
+        greatestTilt = std::max(greatestTilt, (up - upSeenFrom(placements[f], Vec3d::UnitY())).norm());
+    }
+    // Drift that is halved every 6.25 frames comes to 8.5 frames' worth of it; leaning leads upwards, too.
+    EXPECT_LT(greatestHeight, 0.08);
+    EXPECT_LT(greatestTilt, 0.03);
+    EXPECT_GT(std::abs(free.back().translation.y() - placements.back().translation.y()), 0.3);
+    EXPECT_GT((free.back().translation - placements.back().translation).norm(), 0.3);
+    EXPECT_GT((path.back().translation - placements.back().translation).norm(), 0.3);
+}
+
+TEST(PathOnGround, TurnsWithItsGuide)
+{
+    const std::vector<RigidMotion> placements = stride(30);
+    std::vector<Displacement> displacements = displacementsOf(placements);
+    for (Displacement& d : displacements)
+        d[4] += 0.01;
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(1.3, Vec3d::UnitY()));
+    std::vector<RigidMotion> turned;
+    for (const RigidMotion& p : placements)
+        turned.push_back({turn * p.rotation, turn * p.translation + Vec3d(3, 0, -1)});
+    const auto a = pathOnGround(displacements, placements);
+    const auto b = pathOnGround(displacements, turned);
+    for (std::size_t f = 0; f < a.size(); ++f)
+        EXPECT_LT((turn * a[f].translation + Vec3d(3, 0, -1) - b[f].translation).norm(), 1e-9);
+}
+
+TEST(Played, PutsReferenceFramesInTheTimingOfATake)
+{
+    const TakeWarp warp{
+        .frames = {FrameIndex(5), FrameIndex(9)}, .positions = {5, 7, 9}, .playback = {0, 0.5, 1, 1.5, 2}};
+    const std::vector<Vec3f> poses = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    const Eigen::Quaterniond half(Eigen::AngleAxisd(1, Vec3d::UnitY()));
+    const std::vector<RigidMotion> placements = {{half, {0, 0, 0}}, {half, {0, 1, 0}}, {half, {0, 3, 0}}};
+    const std::vector<Vec3f> frames = played(poses, placements, warp);
+    ASSERT_EQ(frames.size(), 5U);
+    for (std::size_t k = 0; k < 5; ++k) {
+        const double height = k <= 2 ? 0.5 * static_cast<double>(k) : static_cast<double>(k) - 1;
+        const Vec3d expected = half * Vec3d(0.5 * static_cast<double>(k), 0, 0) + Vec3d(0, height, 0);
+        EXPECT_LT((frames[k].cast<double>() - expected).norm(), 1e-6);
+    }
+}
+
+TEST(Played, CanBeCancelled)
+{
+    CancelToken token;
+    token.cancel();
+    const TakeWarp warp{.frames = FrameRange::all(2), .positions = {0, 1}, .playback = {0, 1}};
+    const std::vector<Vec3f> poses(2, Vec3f::Zero());
+    const std::vector<RigidMotion> placements(2);
+    EXPECT_EQ(test::codeOf([&] { played(poses, placements, warp, Progress(token)); }), ErrorCode::Cancelled);
+}
+
+TEST(VariationOrigins, NameTheCapturedFramesOfTheSamePhase)
+{
+    const TakeWarp a{.frames = {FrameIndex(2), FrameIndex(4)}, .positions = {2, 3, 4}, .playback = {0, 1, 2}};
+    const TakeWarp b{
+        .frames = FrameRange::all(5), .positions = {0, 1, 4}, .playback = {0, 1, 4. / 3, 5. / 3, 2}};
+    const std::vector<FrameOrigin> own = variationOrigins(a, 100);
+    EXPECT_EQ(own,
+              (std::vector<FrameOrigin>{{102, 102, 0, false}, {103, 103, 0, false}, {104, 104, 0, false}}));
+    EXPECT_EQ(variationOrigins(a, b, 0, 100, 200), own);
+    EXPECT_EQ(variationOrigins(a, b, 1, 100, 200), variationOrigins(b, 200));
+    const std::vector<FrameOrigin> half = variationOrigins(a, b, 0.5, 100, 200);
+    ASSERT_EQ(half.size(), 4U);
+    EXPECT_EQ(half.front(), (FrameOrigin{102, 200, 0.5, false}));
+    EXPECT_EQ(half[1], (FrameOrigin{103, 201, 0.5, false}));
+    EXPECT_EQ(half.back(), (FrameOrigin{104, 204, 0.5, false}));
+}
+
+} // namespace
+} // namespace quadrille

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/variation/training.h"
+#include "tests/model/codeof.h"
+#include "tests/model/variation/swayingtakes.h"
+
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace quadrille {
+namespace {
+
+using testing::strideAt;
+using testing::swayedTube;
+
+AlignedTake takeOf(int frames, double start)
+{
+    AlignedTake take{.name = "take", .warp = {}, .poses = {}, .placements = {}};
+    for (int f = 0; f < frames; ++f) {
+        const std::vector<Vec3f> pose = swayedTube(start + 0.2 * f);
+        take.poses.insert(take.poses.end(), pose.begin(), pose.end());
+        take.placements.push_back(strideAt(f + static_cast<int>(10 * start)));
+    }
+    return take;
+}
+
+BodyPart partOf(std::initializer_list<unsigned> vertices, int parent)
+{
+    BodyPart part{.name = "part", .parent = parent};
+    for (const unsigned vertex : vertices)
+        part.vertices.emplace_back(vertex);
+    return part;
+}
+
+double variance(const RowMatrix& columns)
+{
+    return (columns.rowwise() - columns.colwise().mean()).squaredNorm() / static_cast<double>(columns.rows());
+}
+
+TEST(Displacements, OfAQuarterTurnAndAStepAreAsWorkedOutByHand)
+{
+    const Eigen::Quaterniond quarter(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3d::UnitY()));
+    const std::vector<RigidMotion> placements = {{quarter, {1, 0, 0}}, {quarter * quarter, {1, 0, -2}}};
+    const std::vector<Displacement> displacements = displacementsOf(placements);
+    ASSERT_EQ(displacements.size(), 2U);
+    EXPECT_EQ(displacements[0], displacements[1]);
+    // −z of the world is x of a frame that is turned by a quarter about y.
+    const Displacement expected = {2, 0, 0, 0, std::numbers::pi / 2, 0};
+    for (std::size_t k = 0; k < 6; ++k)
+        EXPECT_NEAR(displacements[0][k], expected[k], 1e-12);
+}
+
+TEST(Displacements, LeadBackToThePlacements)
+{
+    std::vector<RigidMotion> placements;
+    for (int f = 0; f < 40; ++f)
+        placements.push_back(strideAt(f));
+    // Turns of nearly half a circle, and none.
+    placements.push_back(
+        {placements.back().rotation * Eigen::AngleAxisd(3.1415, Vec3d(1, 2, 3).normalized()), {0, 1, 2}});
+    placements.push_back(placements.back());
+    const std::vector<RigidMotion> again = integrated(displacementsOf(placements), placements.front());
+    ASSERT_EQ(again.size(), placements.size());
+    for (std::size_t f = 0; f < again.size(); ++f) {
+        EXPECT_LT((again[f].translation - placements[f].translation).norm(), 1e-6);
+        EXPECT_LT(again[f].rotation.angularDistance(placements[f].rotation), 1e-6);
+    }
+}
+
+TEST(Displacements, DoNotDependOnWhereATakeBegins)
+{
+    std::vector<RigidMotion> placements;
+    std::vector<RigidMotion> elsewhere;
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(2, Vec3d(1, 3, -1).normalized()));
+    for (int f = 0; f < 10; ++f) {
+        placements.push_back(strideAt(f));
+        elsewhere.push_back(
+            {turn * placements.back().rotation, turn * placements.back().translation + Vec3d(5, -2, 7)});
+    }
+    const auto a = displacementsOf(placements);
+    const auto b = displacementsOf(elsewhere);
+    for (std::size_t f = 0; f < a.size(); ++f) {
+        for (std::size_t k = 0; k < 6; ++k)
+            EXPECT_NEAR(a[f][k], b[f][k], 1e-12);
+    }
+}
+
+TEST(PartTraining, StacksVerticesOfAllTakesCentred)
+{
+    const std::vector<AlignedTake> takes = {takeOf(6, 0), takeOf(6, 1)};
+    const BodyPart part = partOf({3, 10, 55}, 0);
+    const PartTraining training = partTraining(takes, part);
+    ASSERT_EQ(training.rows.rows(), 12);
+    ASSERT_EQ(training.rows.cols(), 9);
+    EXPECT_EQ(training.displacementScale, 0);
+    EXPECT_EQ(training.spans, (std::vector<RowSpan>{{0, 6}, {6, 6}}));
+    EXPECT_LT(training.rows.colwise().mean().norm(), 1e-12);
+    for (Eigen::Index row = 0; row < 12; ++row) {
+        const Eigen::RowVectorXd vector = training.rows.row(row) + training.mean;
+        std::vector<Vec3f> out(3);
+        partPose({vector.data(), 9}, out);
+        const AlignedTake& take = takes[static_cast<std::size_t>(row / 6)];
+        for (std::size_t v = 0; v < 3; ++v)
+            EXPECT_EQ(out[v], take.pose(static_cast<std::size_t>(row % 6))[part.vertices[v].value]);
+    }
+}
+
+TEST(PartTraining, GivesDisplacementsTheShareThatWasAskedFor)
+{
+    const std::vector<AlignedTake> takes = {takeOf(9, 0), takeOf(9, 2)};
+    const BodyPart root = partOf({0, 7, 20, 21, 40}, -1);
+    for (const double share : {6.0, 0.5}) {
+        const PartTraining training = partTraining(takes, root, share);
+        ASSERT_EQ(training.rows.cols(), 21);
+        EXPECT_NEAR(variance(training.rows.rightCols(6)), share * variance(training.rows.leftCols(15)) / 15,
+                    1e-9);
+        const Eigen::RowVectorXd vector = training.rows.row(12) + training.mean;
+        const Displacement found = partDisplacement({vector.data(), 21}, training.displacementScale);
+        const Displacement expected = displacementsOf(takes[1].placements)[3];
+        for (std::size_t k = 0; k < 6; ++k)
+            EXPECT_NEAR(found[k], expected[k], 1e-12);
+    }
+}
+
+TEST(PartTraining, ScalesByOneWhereNothingMoves)
+{
+    AlignedTake still = takeOf(4, 0);
+    still.placements.assign(4, RigidMotion());
+    EXPECT_EQ(partTraining(std::span(&still, 1), partOf({0, 1}, -1)).displacementScale, 1);
+}
+
+TEST(PartTraining, RefusesWhatItCannotLearnFrom)
+{
+    const AlignedTake take = takeOf(4, 0);
+    const BodyPart root = partOf({0}, -1);
+    EXPECT_EQ(test::codeOf([&] { partTraining({}, root); }), ErrorCode::BadArgument);
+    EXPECT_EQ(test::codeOf([&] { partTraining(std::span(&take, 1), root, 0); }), ErrorCode::BadArgument);
+}
+
+} // namespace
+} // namespace quadrille
