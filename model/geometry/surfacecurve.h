@@ -12,7 +12,8 @@ namespace quadrille {
 
 struct CurveSettings
 {
-    /// How much creases attract a curve: 0 not at all; at 1 a way along a full crease counts half.
+    /// How much creases attract a curve, 0 … 1: the share of its cost that a way along a full crease is
+    /// spared.
     double creases = 0.5;
 };
 
@@ -62,12 +63,15 @@ public:
     std::size_t pointAfter(std::size_t place) const;
 
 private:
-    struct Work;
-    void route(std::vector<VertexIndex> points, std::vector<std::vector<VertexIndex>> kept);
+    class Router;
+    /// From each point the vertices up to the next one, without it; empty where it is still to be routed.
+    using Pieces = std::vector<std::vector<VertexIndex>>;
+    void route(std::vector<VertexIndex> points, Pieces kept);
 
     std::vector<VertexIndex> m_points;
+    Pieces m_pieces;
     std::vector<VertexIndex> m_vertices;
-    std::unique_ptr<Work> m_work;
+    std::unique_ptr<Router> m_router;
 };
 
 /// Length over the edges, metres. \param curve  closed.

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/sequence/topology.h"
+#include "model/geometry/vertextriangles.h"
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -37,11 +36,8 @@ public:
         return {m_edges.data() + m_edgeStarts[v.value], m_edgeStarts[v.value + 1] - m_edgeStarts[v.value]};
     }
     /// Indices of the triangles around a vertex, ascending.
-    std::span<const std::uint32_t> trianglesOf(VertexIndex v) const
-    {
-        return {m_triangles.data() + m_triangleStarts[v.value],
-                m_triangleStarts[v.value + 1] - m_triangleStarts[v.value]};
-    }
+    std::span<const std::uint32_t> trianglesOf(VertexIndex v) const { return m_around.of(v); }
+    const VertexTriangles& around() const { return m_around; }
     bool haveEdge(VertexIndex a, VertexIndex b) const;
     /// Mean length of an edge, metres.
     float meanEdge() const { return m_meanEdge; }
@@ -49,15 +45,13 @@ public:
     float area(TriangleIndex triangle) const { return m_areas[triangle.value]; }
 
 private:
-    void findTriangles();
-    void findEdges();
+    void addEdgesOf(VertexIndex v);
 
     std::shared_ptr<const Topology> m_topology;
     std::vector<Vec3f> m_pose;
     std::vector<std::uint32_t> m_edgeStarts;
     std::vector<Edge> m_edges; ///< of each vertex in ascending order of their other ends
-    std::vector<std::uint32_t> m_triangleStarts;
-    std::vector<std::uint32_t> m_triangles;
+    VertexTriangles m_around;
     std::vector<float> m_areas;
     float m_meanEdge = 0;
 };

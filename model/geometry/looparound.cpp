@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/geometry/looparound.h"
+
+#include "model/geometry/surfacedistances.h"
+
+#include <algorithm>
+
+namespace quadrille {
+
+namespace {
+
+class FrontLoop
+{
+public:
+    FrontLoop(const SurfaceGraph& graph, VertexIndex through)
+        : m_graph(graph), m_through(through), m_distances(graph), m_reached(graph.vertexCount())
+    {
+        m_distances.add({through, 0}, 0);
+    }
+
+    std::optional<std::vector<VertexIndex>> find()
+    {
+        while (const auto reached = m_distances.next()) {
+            const VertexIndex v = reached->vertex;
+            if (m_reached[v.value])
+                continue;
+            m_reached[v.value] = true;
+            if (auto loop = loopClosedAt(v))
+                return loop;
+        }
+        return std::nullopt;
+    }
+
+private:
+    /// The nearest vertex of each run of neighbours that the front has reached already.
+    std::vector<VertexIndex> arrivalsAt(VertexIndex v) const
+    {
+        std::vector<VertexIndex> ring;
+        for (const SurfaceGraph::Edge& edge : m_graph.edgesOf(v)) {
+            if (m_reached[edge.to])
+                ring.emplace_back(edge.to);
+        }
+        std::vector<std::size_t> run(ring.size());
+        for (std::size_t i = 0; i < run.size(); ++i)
+            run[i] = i;
+        for (const std::uint32_t t : m_graph.trianglesOf(v)) {
+            std::vector<std::size_t> joined;
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                if (hasCorner(m_graph.topology().triangles()[t], ring[i]))
+                    joined.push_back(i);
+            }
+            if (joined.size() == 2)
+                std::ranges::replace(run, run[joined[0]], run[joined[1]]);
+        }
+        std::vector<VertexIndex> nearest;
+        for (std::size_t r = 0; r < ring.size(); ++r) {
+            std::optional<VertexIndex> best;
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                if (run[i] == r && (!best || distance(ring[i]) < distance(*best)))
+                    best = ring[i];
+            }
+            if (best)
+                nearest.push_back(*best);
+        }
+        return nearest;
+    }
+
+    float distance(VertexIndex v) const { return m_distances.at({v, 0}); }
+
+    std::vector<VertexIndex> wayBack(VertexIndex from) const
+    {
+        std::vector<VertexIndex> way{from};
+        while (way.back() != m_through && way.size() <= m_graph.vertexCount())
+            way.push_back(m_distances.before({way.back(), 0}));
+        return way;
+    }
+
+    std::optional<std::vector<VertexIndex>> loopClosedAt(VertexIndex v) const
+    {
+        const std::vector<VertexIndex> arrivals = arrivalsAt(v);
+        for (std::size_t i = 0; i < arrivals.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                auto loop = joined(wayBack(arrivals[j]), v, wayBack(arrivals[i]));
+                if (loop.size() >= 3 && surroundsEnough(loop, 2 * distance(v)))
+                    return loop;
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// Both ways up to where they meet; empty where they meet far from the start.
+    std::vector<VertexIndex> joined(const std::vector<VertexIndex>& one, VertexIndex at,
+                                    const std::vector<VertexIndex>& other) const
+    {
+        constexpr float farthestMeeting = 0.15F;
+        std::size_t common = 0;
+        while (common + 1 < std::min(one.size(), other.size()) &&
+               one[one.size() - 2 - common] == other[other.size() - 2 - common])
+            ++common;
+        const VertexIndex meeting = one[one.size() - 1 - common];
+        if (distance(meeting) > farthestMeeting * distance(at))
+            return {};
+        std::vector<VertexIndex> loop(one.rbegin() + static_cast<std::ptrdiff_t>(common), one.rend());
+        loop.push_back(at);
+        loop.insert(loop.end(), other.begin(), other.end() - static_cast<std::ptrdiff_t>(common + 1));
+        return loop;
+    }
+
+    bool surroundsEnough(const std::vector<VertexIndex>& loop, float length) const
+    {
+        const auto sides = curveSides(m_graph.topology(), m_graph.around(), loop);
+        if (!sides)
+            return false;
+        // A half ball has length² / 2π = 0.16 length².
+        constexpr float least = 0.13F;
+        float left = 0;
+        float right = 0;
+        for (std::uint32_t t = 0; t < sides->size(); ++t) {
+            if ((*sides)[t] != TriangleSide::Elsewhere)
+                ((*sides)[t] == TriangleSide::Left ? left : right) += m_graph.area(TriangleIndex(t));
+        }
+        return std::min(left, right) > least * length * length;
+    }
+
+    const SurfaceGraph& m_graph;
+    VertexIndex m_through;
+    SurfaceDistances m_distances;
+    std::vector<bool> m_reached;
+};
+
+} // namespace
+
+std::optional<std::vector<VertexIndex>> loopAround(const SurfaceGraph& graph, VertexIndex through)
+{
+    return FrontLoop(graph, through).find();
+}
+
+} // namespace quadrille
