@@ -104,6 +104,7 @@ enum class ErrorCode
     CurvePointTaken,
     CurveNoRoute,
     CurveNoParallel,
+    CurveBoundsNothing,
     // parts of a body
     PartNameTaken,
     PartRootMissing,

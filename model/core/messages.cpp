@@ -241,6 +241,11 @@ ErrorMessage errorMessage(ErrorCode code)
         return {QUADRILLE_MESSAGE("There is no curve {distance} m beside this one: the surface ends before, "
                                   "or other curves are in the way."),
                 QUADRILLE_MESSAGE("Choose a smaller distance.")};
+    case ErrorCode::CurveBoundsNothing:
+        return {
+            QUADRILLE_MESSAGE("This curve does not cut the mesh in two, so there is nothing to draw it tight "
+                              "around, and no side to lay another on."),
+            QUADRILLE_MESSAGE("Lead it once around a limb first.")};
     case ErrorCode::PartNameTaken:
         return {QUADRILLE_MESSAGE("There are two parts “{part}”."), QUADRILLE_MESSAGE("Rename one of them.")};
     case ErrorCode::PartRootMissing:

@@ -28,13 +28,13 @@ struct GuidedCurve
 /// to pass once around between what lies beyond its reach on either side. \param curve  closed, simple,
 /// separating. \param travel  how far each of its points may go at most, metres over the surface.
 /// \param obstacles  vertices that it must not touch.
-/// \throws Error CurveDoesNotSeparate.
+/// \throws Error CurveBoundsNothing.
 std::vector<VertexIndex> shortenedCurve(const SurfaceGraph& graph, std::span<const VertexIndex> curve,
                                         double travel, std::span<const VertexIndex> obstacles = {});
 
 /// The curve at a distance over the surface from another: the second one that an overlap needs.
 /// \param curve  closed, simple, separating. \param obstacles  vertices that it must not touch.
-/// \throws Error CurveDoesNotSeparate, CurveNoParallel (the surface ends before, or obstacles leave no way).
+/// \throws Error CurveBoundsNothing, CurveNoParallel (the surface ends before, or obstacles leave no way).
 std::vector<VertexIndex> parallelCurve(const SurfaceGraph& graph, std::span<const VertexIndex> curve,
                                        double metres, CurveSide side,
                                        std::span<const VertexIndex> obstacles = {});
@@ -42,10 +42,12 @@ std::vector<VertexIndex> parallelCurve(const SurfaceGraph& graph, std::span<cons
 /// The curve on the other side of the body. With an exact symmetry vertex by vertex; with one of shape only
 /// through the vertices nearest to the points' counterparts, routed anew. A curve without points gets some.
 /// \throws Error as SurfaceCurve::setPoints.
-GuidedCurve mirroredCurve(std::shared_ptr<const SurfaceGraph> graph, const Symmetry& symmetry,
+GuidedCurve mirroredCurve(const std::shared_ptr<const SurfaceGraph>& graph, const Symmetry& symmetry,
                           const GuidedCurve& curve, const CurveSettings& settings = {});
 
-/// Points that lead a curve that has none: few where it runs straight. At least three.
-std::vector<VertexIndex> guidesOf(const SurfaceGraph& graph, std::span<const VertexIndex> curve);
+/// Points that lead a curve that has none: as few, at least three and at most a dozen, as lead a SurfaceCurve
+/// along it within an edge or two.
+std::vector<VertexIndex> guidesOf(const std::shared_ptr<const SurfaceGraph>& graph,
+                                  std::span<const VertexIndex> curve, const CurveSettings& settings = {});
 
 } // namespace quadrille

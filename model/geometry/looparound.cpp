@@ -4,6 +4,7 @@
 
 #include "model/geometry/surfacedistances.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace quadrille {
@@ -82,7 +83,8 @@ private:
         for (std::size_t i = 0; i < arrivals.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j) {
                 auto loop = joined(wayBack(arrivals[j]), v, wayBack(arrivals[i]));
-                if (loop.size() >= 3 && surroundsEnough(loop, 2 * distance(v)))
+                if (loop.size() >= 3 && isOpen(loop, 2 * distance(v)) &&
+                    surroundsEnough(loop, 2 * distance(v)))
                     return loop;
             }
         }
@@ -105,6 +107,17 @@ private:
         loop.push_back(at);
         loop.insert(loop.end(), other.begin(), other.end() - static_cast<std::ptrdiff_t>(common + 1));
         return loop;
+    }
+
+    /// Not folded together: seen from its best side, at least a quarter as large as a circle.
+    bool isOpen(const std::vector<VertexIndex>& loop, float length) const
+    {
+        Vec3f area = Vec3f::Zero();
+        const Vec3f& first = m_graph.pose()[loop[0].value];
+        for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+            area +=
+                (m_graph.pose()[loop[i].value] - first).cross(m_graph.pose()[loop[i + 1].value] - first) / 2;
+        return area.norm() > 0.02F * length * length;
     }
 
     bool surroundsEnough(const std::vector<VertexIndex>& loop, float length) const

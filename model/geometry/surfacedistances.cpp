@@ -116,7 +116,8 @@ void SurfaceDistances::across(SheetVertex a, SheetVertex b, SheetVertex to)
     const float gate = sourceX + (cornerX - sourceX) * sourceY / height;
     if (gate < 0 || gate > length)
         return;
-    const float distance = std::hypot(cornerX - sourceX, height);
+    const float width = cornerX - sourceX;
+    const float distance = std::sqrt(width * width + height * height);
     push(to, distance, 2 * gate < length ? a.vertex : b.vertex);
 }
 

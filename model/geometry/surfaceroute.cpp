@@ -25,6 +25,8 @@ float costOf(const SurfaceGraph::Edge& edge, float deviation, float creases)
     return edge.length * (1 + stiffness * ratio) * (1 - creases * edge.crease);
 }
 
+using Way = std::vector<SheetVertex>;
+
 class Search
 {
 public:
@@ -38,7 +40,8 @@ public:
     {
     }
 
-    std::optional<std::vector<VertexIndex>> route(SheetVertex from, SheetVertex to)
+    /// Empty where there is none.
+    Way route(SheetVertex from, SheetVertex to)
     {
         m_to = to;
         m_costs[m_surface.place(from)] = 0;
@@ -51,7 +54,7 @@ public:
             if (nearest.cost <= m_costs[m_surface.place(nearest.vertex)])
                 spread(nearest.vertex);
         }
-        return std::nullopt;
+        return {};
     }
 
 private:
@@ -82,20 +85,11 @@ private:
         }
     }
 
-    /// Nothing where it meets itself.
-    std::optional<std::vector<VertexIndex>> traced(SheetVertex from) const
+    Way traced(SheetVertex from) const
     {
-        std::vector<VertexIndex> way;
-        std::unordered_set<VertexIndex> seen;
-        for (SheetVertex v = m_to; v != from; v = m_before[m_surface.place(v)]) {
-            if (!seen.insert(v.vertex).second)
-                return std::nullopt;
-            way.push_back(v.vertex);
-        }
-        // A loop ends where it began.
-        if (from.vertex != m_to.vertex && seen.contains(from.vertex))
-            return std::nullopt;
-        way.push_back(from.vertex);
+        Way way{m_to};
+        while (way.back() != from)
+            way.push_back(m_before[m_surface.place(way.back())]);
         std::ranges::reverse(way);
         return way;
     }
@@ -109,6 +103,25 @@ private:
     std::priority_queue<Waiting> m_queue;
 };
 
+/// Whether some vertex is passed twice; a loop ends where it began.
+bool meetsItself(const Way& way)
+{
+    std::unordered_set<VertexIndex> seen;
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        if (!seen.insert(way[i].vertex).second)
+            return true;
+    }
+    return way.front().vertex != way.back().vertex && seen.contains(way.front().vertex);
+}
+
+std::vector<VertexIndex> verticesOf(const Way& way)
+{
+    std::vector<VertexIndex> vertices;
+    for (const SheetVertex& v : way)
+        vertices.push_back(v.vertex);
+    return vertices;
+}
+
 } // namespace
 
 std::optional<std::vector<VertexIndex>> routeNear(const OpenedSurface& surface, SheetVertex from,
@@ -116,7 +129,27 @@ std::optional<std::vector<VertexIndex>> routeNear(const OpenedSurface& surface, 
                                                   const std::function<float(std::size_t)>& deviation,
                                                   const RouteRules& rules)
 {
-    return Search(surface, deviation, rules).route(from, to);
+    Way way = Search(surface, deviation, rules).route(from, to);
+    if (way.empty())
+        return std::nullopt;
+    if (!meetsItself(way))
+        return verticesOf(way);
+    // Two sheets of one place were used: the second half has to go around the first.
+    way.resize(way.size() / 2 + 1);
+    while (way.size() > 1 && meetsItself(way))
+        way.pop_back();
+    if (way.size() < 2)
+        return std::nullopt;
+    std::vector<bool> blocked =
+        rules.blocked ? *rules.blocked : std::vector<bool>(surface.graph->vertexCount());
+    for (const SheetVertex& v : way)
+        blocked[v.vertex.value] = true;
+    const RouteRules around{.blocked = &blocked, .creases = rules.creases};
+    const Way rest = Search(surface, deviation, around).route(way.back(), to);
+    if (rest.empty() || meetsItself(rest))
+        return std::nullopt;
+    way.insert(way.end(), rest.begin() + 1, rest.end());
+    return verticesOf(way);
 }
 
 std::optional<std::vector<VertexIndex>> shortestRoute(const OpenedSurface& surface, SurfaceDistances& forward,
