@@ -18,7 +18,7 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 /// times its own length it makes no difference any more, so that detours around obstacles stay short.
 float costOf(const SurfaceGraph::Edge& edge, float deviation, float creases)
 {
-    constexpr float stiffness = 1;
+    constexpr float stiffness = 0.5F;
     constexpr float farthest = 16;
     const float ratio =
         edge.length > 0 ? std::min(deviation / (edge.length * edge.length), farthest) : farthest;
