@@ -186,6 +186,14 @@ PieceRouter::Pieces PieceRouter::routed(const std::vector<VertexIndex>& points, 
     check(points);
     if (points.empty())
         return {};
+    // A piece that a point came to lie on has to make way.
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto isOn = [&](VertexIndex p) {
+            return p != points[i] && std::ranges::find(kept[i], p) != kept[i].end();
+        };
+        if (std::ranges::any_of(points, isOn))
+            kept[i].clear();
+    }
     findLimb(points.front());
     Attempt found;
     if (m_limb) {
