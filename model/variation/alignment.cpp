@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace quadrille {
 
@@ -38,6 +39,15 @@ void requireValid(std::span<const TrainingTake> takes, std::size_t reference,
     if (!(settings.postureShare >= 0 && settings.postureShare <= 1))
         refuse("The share of posture that alignment leaves out must be from 0 to 1",
                "The usual share is 0.5.");
+}
+
+void requireAnchor(std::span<const VertexIndex> anchor, std::uint32_t vertexCount)
+{
+    const auto greatest = std::max_element(anchor.begin(), anchor.end());
+    if (greatest != anchor.end() && greatest->value >= vertexCount)
+        throw Error(ErrorCode::IndexOutOfRange, {.values = {{"what", "vertex"},
+                                                            {"index", std::to_string(greatest->value)},
+                                                            {"count", std::to_string(vertexCount)}}});
 }
 
 FrameRange usableFrames(const TrainingTake& take)
@@ -205,7 +215,8 @@ WarpReport reportOf(const Matching& matching, std::size_t take, const ReferenceF
     return report;
 }
 
-std::vector<Vec3f> centredTemplate(Positions given, const MeshSequence& reference, FrameIndex first)
+std::vector<Vec3f> centredTemplate(Positions given, const MeshSequence& reference, FrameIndex first,
+                                   std::span<const VertexIndex> anchor)
 {
     const std::size_t expected = reference.topology->vertexCount();
     if (!given.empty() && given.size() != expected)
@@ -213,7 +224,7 @@ std::vector<Vec3f> centredTemplate(Positions given, const MeshSequence& referenc
                                                                 {"expected", std::to_string(expected)}}});
     const Frame frame = reference.frame(first);
     const Positions pose = given.empty() ? frame.positions() : given;
-    const Vec3d centre = centroid(pose);
+    const Vec3d centre = centroid(anchorOf(pose, anchor));
     std::vector<Vec3f> centred;
     centred.reserve(pose.size());
     for (const Vec3f& p : pose)
@@ -237,10 +248,25 @@ void fillPhases(const TakeWarp& warp, WarpReport& report)
 
 } // namespace
 
+std::vector<VertexIndex> anchorVertices(const BodyParts& parts)
+{
+    if (parts.parts.size() < 2)
+        return {};
+    std::vector<VertexIndex> anchor = parts.parts.front().vertices;
+    for (const BodyPart& part : parts.parts) {
+        std::vector<VertexIndex> rest;
+        std::set_difference(anchor.begin(), anchor.end(), part.overlap.begin(), part.overlap.end(),
+                            std::back_inserter(rest));
+        anchor = std::move(rest);
+    }
+    return anchor;
+}
+
 Alignment alignTakes(std::span<const TrainingTake> takes, std::size_t reference,
                      const AlignmentSettings& settings, Positions templatePose, const Progress& progress)
 {
     requireValid(takes, reference, settings);
+    requireAnchor(settings.anchor, takes[reference].sequence.topology->vertexCount());
     Matching matching{.reference = reference, .usable = usableFrames(takes[reference])};
     for (std::size_t t = 0; t < takes.size(); ++t)
         matching.candidates.push_back(
@@ -260,8 +286,9 @@ Alignment alignTakes(std::span<const TrainingTake> takes, std::size_t reference,
         own.assign(takes.size(), Table<float>());
 
     Alignment alignment{.reference = reference, .fps = takes[reference].sequence.fps};
-    alignment.templatePose = centredTemplate(templatePose, takes[reference].sequence,
-                                             FrameIndex(matching.usable.first.value + frames.first));
+    alignment.templatePose =
+        centredTemplate(templatePose, takes[reference].sequence,
+                        FrameIndex(matching.usable.first.value + frames.first), settings.anchor);
     if (frames.isCycle)
         alignment.cycle = frames.count;
     for (std::size_t t = 0; t < takes.size(); ++t) {
@@ -270,7 +297,7 @@ Alignment alignTakes(std::span<const TrainingTake> takes, std::size_t reference,
                          .warp = warpOf(report.path, settings.smoothing, matching.candidates[t].first),
                          .poses = {},
                          .placements = {}};
-        alignPoses(takes[t].sequence, alignment.templatePose, take,
+        alignPoses(takes[t].sequence, alignment.templatePose, settings.anchor, take,
                    partOf(progress, 0.8, 1, t, takes.size()));
         fillPhases(take.warp, report);
         alignment.reports.push_back(std::move(report));

@@ -19,6 +19,10 @@ namespace quadrille {
 /// Fewer frames than this are no movement that could be learned.
 inline constexpr std::int64_t leastTrainingFrames = 4;
 
+/// The vertices of the root that it shares with no other part: a body is laid onto another by its torso, so
+/// that limbs swing beside it. None where the body is one part.
+std::vector<VertexIndex> anchorVertices(const BodyParts& parts);
+
 /// A take that variations are learned from.
 struct TrainingTake
 {
@@ -29,6 +33,9 @@ struct TrainingTake
 struct AlignmentSettings
 {
     UpAxis up = UpAxis::Y;
+    /// Vertices by which frames are laid onto the template: those of the root part. All when empty; then
+    /// limbs that swing turn the whole body against the template, by up to a quarter turn in a wide stride.
+    std::vector<VertexIndex> anchor;
     /// Takes of locomotion are cut to one cycle, where the reference has one.
     bool cycles = true;
     PoseDistanceSettings distance;
@@ -85,7 +92,7 @@ struct Alignment
     std::vector<AlignedTake> takes; ///< in the order of the training
     std::size_t reference = 0;
     std::vector<WarpReport> reports; ///< of each take
-    /// That all frames are laid onto, moved so that its centroid is the origin, metres.
+    /// That all frames are laid onto, moved so that the centroid of its anchor is the origin, metres.
     std::vector<Vec3f> templatePose;
     std::optional<std::int64_t> cycle; ///< frames of the reference's cycle, where it has one
     double fps = 25;                   ///< of the reference frames
@@ -101,8 +108,9 @@ struct Alignment
 /// \param reference  whose timing the others are warped to. \param templatePose  of all vertices; empty: the
 /// first frame of the reference that is used.
 /// \throws Error TakeTooShort (fewer than leastTrainingFrames), RangeOutside, CharacterTopologyMismatch,
-/// VertexCountMismatch (the template), BadArgument (no takes, settings), NoUsableTriangles, what reading
-/// frames throws, Cancelled. Cost: pose distances of the reference's frames with all others.
+/// VertexCountMismatch (the template), IndexOutOfRange (the anchor), BadArgument (no takes, settings),
+/// NoUsableTriangles, what reading frames throws, Cancelled. Cost: pose distances of the reference's frames
+/// with all others.
 Alignment alignTakes(std::span<const TrainingTake> takes, std::size_t reference,
                      const AlignmentSettings& settings = {}, Positions templatePose = {},
                      const Progress& progress = {});

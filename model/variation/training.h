@@ -19,7 +19,7 @@ struct AlignedTake
 {
     std::string name;
     TakeWarp warp;
-    /// Reference frames × vertices, metres, Procrustes-aligned to the template, whose centroid is the origin.
+    /// Reference frames × vertices, metres, Procrustes-aligned to the template, whose middle is the origin.
     std::vector<Vec3f> poses;
     /// Of each reference frame the motion from the template's place to where it was captured.
     std::vector<RigidMotion> placements;

@@ -121,6 +121,55 @@ TEST(Alignment, LaysFramesOntoTheTemplateThatIsGiven)
     EXPECT_EQ(test::codeOf([&] { align({reachingTake()}, {}, other); }), ErrorCode::VertexCountMismatch);
 }
 
+TEST(Alignment, LaysFramesByTheirAnchor)
+{
+    // A body that only turns and goes, with a limb that swings far.
+    std::vector<VertexIndex> anchor;
+    for (unsigned v = 0; v < 24; ++v)
+        anchor.emplace_back(v);
+    std::vector<Vec3f> positions;
+    for (int f = 0; f < 12; ++f) {
+        const std::vector<Vec3f> swung = testing::swayedTube(0.5 * f, 2);
+        std::vector<Vec3f> pose = testing::swayedTube(0);
+        std::copy(swung.begin() + 24, swung.end(), pose.begin() + 24);
+        for (const Vec3f& p : pose)
+            positions.push_back(strideAt(f)(p.cast<double>()).cast<float>());
+    }
+    const MeshSequence take = makeSequence("limb", testing::swayingTopology(),
+                                           std::make_shared<MemoryFrames>(std::move(positions), 56), 25);
+    const std::vector<TrainingTake> takes = {{take, {}}};
+    const AlignedTake byAnchor = alignTakes(takes, 0, {.anchor = anchor}).takes[0];
+    const AlignedTake byAll = alignTakes(takes, 0).takes[0];
+    double greatestByAll = 0;
+    for (int f = 1; f < 12; ++f) {
+        const auto turnOf = [f](const AlignedTake& aligned) {
+            const Eigen::Quaterniond turned = aligned.placements[static_cast<std::size_t>(f)].rotation *
+                                              aligned.placements[0].rotation.conjugate();
+            return turned.angularDistance(strideAt(f).rotation * strideAt(0).rotation.conjugate());
+        };
+        EXPECT_LT(turnOf(byAnchor), 1e-5);
+        greatestByAll = std::max(greatestByAll, turnOf(byAll));
+    }
+    EXPECT_GT(greatestByAll, 0.1);
+    EXPECT_EQ(test::codeOf([&] { alignTakes(takes, 0, {.anchor = {VertexIndex(56)}}); }),
+              ErrorCode::IndexOutOfRange);
+}
+
+TEST(Alignment, AnchorIsWhatTheRootSharesWithNoOtherPart)
+{
+    const auto vertices = [](std::initializer_list<unsigned> numbers) {
+        std::vector<VertexIndex> result;
+        for (const unsigned number : numbers)
+            result.emplace_back(number);
+        return result;
+    };
+    BodyParts parts{{{.name = "torso", .vertices = vertices({1, 2, 3, 5, 8})}}};
+    EXPECT_TRUE(anchorVertices(parts).empty());
+    parts.parts.push_back({.name = "arm", .parent = 0, .overlap = vertices({2, 8})});
+    parts.parts.push_back({.name = "leg", .parent = 0, .overlap = vertices({3})});
+    EXPECT_EQ(anchorVertices(parts), vertices({1, 5}));
+}
+
 TEST(Alignment, CutsLocomotionToCyclesFromOnePhaseOn)
 {
     // Different tempo, different start, different size.
