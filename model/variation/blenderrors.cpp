@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/variation/blenderrors.h"
 
-#include "model/core/badargument.h"
+#include "model/variation/latentblend.h"
 
-#include <algorithm>
-#include <cassert>
 #include <numeric>
 
 namespace quadrille {
@@ -15,12 +13,6 @@ namespace {
 double mean(const std::vector<double>& values)
 {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-RowMatrix between(const LearnedBlend& a, const LearnedBlend& b, double weight)
-{
-    const double share = (weight - a.weight) / (b.weight - a.weight);
-    return (1 - share) * a.latents + share * b.latents;
 }
 
 std::vector<double> errorsOf(const PoseReconstruction& reconstruction, const RowMatrix& trajectory,
@@ -56,18 +48,16 @@ double BlendErrors::meanFromNearby() const
 BlendErrors blendErrors(const PoseReconstruction& reconstruction, std::span<const LearnedBlend> learned,
                         double weight, const AlignedTake& truth, const BodyPart& part)
 {
-    if (!(weight >= 0 && weight <= 1))
-        refuse("A blend of two takes has a weight from 0 to 1", "0 is the first take, 1 the second.");
-    const auto ascends = [](const LearnedBlend& a, const LearnedBlend& b) { return a.weight >= b.weight; };
-    if (learned.size() < 2 || learned.front().weight != 0 || learned.back().weight != 1 ||
-        std::adjacent_find(learned.begin(), learned.end(), ascends) != learned.end())
-        refuse("The learned trajectories do not reach from one take to the other",
-               "Give them in the order of their weights, the first with 0, the last with 1.");
-    const auto above = std::find_if(learned.begin() + 1, learned.end(),
-                                    [weight](const LearnedBlend& blend) { return blend.weight >= weight; });
-    return {.fromTakes =
-                errorsOf(reconstruction, between(learned.front(), learned.back(), weight), truth, part),
-            .fromNearby = errorsOf(reconstruction, between(*(above - 1), *above, weight), truth, part)};
+    std::vector<double> weights;
+    for (const LearnedBlend& blend : learned)
+        weights.push_back(blend.weight);
+    const BlendNeighbours nearby = blendNeighbours(weights, weight);
+    const auto errors = [&](std::size_t first, std::size_t second, double share) {
+        return errorsOf(reconstruction, latentBlend(learned[first].latents, learned[second].latents, share),
+                        truth, part);
+    };
+    return {.fromTakes = errors(0, learned.size() - 1, 1 - weight),
+            .fromNearby = errors(nearby.first, nearby.second, nearby.share)};
 }
 
 } // namespace quadrille
