@@ -90,7 +90,7 @@ std::vector<VertexIndex> peaks(const SurfaceGraph& graph, std::vector<VertexInde
             peakOf[low] = high;
         }
     }
-    found.push_back(vertices.front());
+    found.emplace_back(find(vertices.front().value));
     return found;
 }
 
