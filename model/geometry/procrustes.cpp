@@ -125,4 +125,26 @@ RigidMotion rigidProcrustes(Positions moved, Positions target)
     return {rotation, to - rotation * from};
 }
 
+RigidMotion rigidProcrustes(Positions moved, Positions target, std::span<const double> weights)
+{
+    assert(moved.size() == target.size() && moved.size() == weights.size());
+    Vec3d from = Vec3d::Zero();
+    Vec3d to = Vec3d::Zero();
+    double sum = 0;
+    for (std::size_t v = 0; v < moved.size(); ++v) {
+        from += weights[v] * moved[v].cast<double>();
+        to += weights[v] * target[v].cast<double>();
+        sum += weights[v];
+    }
+    from /= sum;
+    to /= sum;
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (std::size_t v = 0; v < moved.size(); ++v) {
+        covariance +=
+            weights[v] * (target[v].cast<double>() - to) * (moved[v].cast<double>() - from).transpose();
+    }
+    const Eigen::Quaterniond rotation = rotationOfCovariance(covariance);
+    return {rotation, to - rotation * from};
+}
+
 } // namespace quadrille

@@ -5,6 +5,7 @@
 #include "model/core/units.h"
 
 #include <Eigen/Geometry>
+#include <span>
 
 namespace quadrille {
 
@@ -30,5 +31,7 @@ Vec3d centroid(Positions positions);
 /// The rigid motion that brings one pose nearest to another, by the mean squared vertex distance.
 /// \pre Both poses have as many vertices.
 RigidMotion rigidProcrustes(Positions moved, Positions target);
+/// The same by the weighted mean. \param weights  one per vertex, none negative, not all zero.
+RigidMotion rigidProcrustes(Positions moved, Positions target, std::span<const double> weights);
 
 } // namespace quadrille

@@ -60,7 +60,8 @@ PartOverlap::PartOverlap(const Topology& topology, const BodyPart& part, Positio
     linkEdges(places, marked(m_vertexCount, m_end), marked(m_vertexCount, parentEnd));
     m_toEnd = distancesFrom(m_end);
     m_toParentEnd = distancesFrom(parentEnd);
-    weighEdges(places);
+    weighEdges();
+    weighTriangles(places);
     cutAcross();
 }
 
@@ -106,7 +107,7 @@ void PartOverlap::linkEdges(Positions places, const std::vector<bool>& isEnd,
     }
 }
 
-void PartOverlap::weighEdges(Positions places)
+void PartOverlap::weighEdges()
 {
     double rims = 0;
     double all = 0;
@@ -124,7 +125,19 @@ void PartOverlap::weighEdges(Positions places)
         const double middle = std::max(4 * share * (1 - share), 1 / costOfRims);
         m_edges[e].weight = std::max(m_lengths[e], 1e-9 * m_radius) / middle;
     }
+}
+
+void PartOverlap::weighTriangles(Positions places)
+{
     const PoseFrames frames = poseFrames(m_triangles, places);
+    m_areas.assign(m_vertexCount, 0.0);
+    for (std::size_t m = 0; m < m_triangles.size(); ++m) {
+        const bool hasArea = !std::ranges::binary_search(frames.degenerate, static_cast<int>(m));
+        for (const VertexIndex v : m_triangles[m])
+            m_areas[v.value] += hasArea ? 0.5 * frames.b11[m] * frames.b22[m] : 0;
+    }
+    if (std::ranges::all_of(m_areas, [](double area) { return area == 0; }))
+        std::ranges::fill(m_areas, 1.0);
     for (std::size_t m = 0; m < m_triangles.size(); ++m) {
         const double b11 = frames.b11[m];
         const double b12 = frames.b12[m];

@@ -24,6 +24,8 @@ public:
     std::size_t edgeCount() const { return m_edges.size(); }
     std::array<std::uint32_t, 2> endsOf(std::size_t edge) const { return m_edges[edge].ends; }
     const std::vector<Triangle>& triangles() const { return m_triangles; }
+    /// Of each vertex the area of the triangles around it, m²; 1 for all where no triangle has any.
+    const std::vector<double>& areas() const { return m_areas; }
 
     /// Adds to the cost of each edge what cutting along it costs: its length times the squared difference of
     /// the two instances of the surface there – of their places, in radii of the band, and of their
@@ -59,7 +61,8 @@ private:
     class SeamSearch;
 
     void linkEdges(Positions places, const std::vector<bool>& isEnd, const std::vector<bool>& isParentEnd);
-    void weighEdges(Positions places);
+    void weighEdges();
+    void weighTriangles(Positions places);
     void cutAcross();
     std::span<const Neighbour> neighboursOf(std::uint32_t vertex) const;
     /// Along the edges from some vertices; infinite where there is no way.
@@ -74,6 +77,7 @@ private:
     std::size_t m_vertexCount;
     std::vector<std::uint32_t> m_end; ///< where the part ends, in order
     std::vector<Triangle> m_triangles;
+    std::vector<double> m_areas;
     std::vector<std::array<double, 3>> m_gradientWeights;      ///< halved cotangents over the area, 1/m²
     std::vector<std::array<std::uint32_t, 3>> m_triangleEdges; ///< opposite the corners
     std::vector<Edge> m_edges;

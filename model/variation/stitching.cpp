@@ -41,10 +41,10 @@ struct OverlapPair
     std::vector<Vec3f> parent; ///< as given
     RigidMotion ontoParent;    ///< of the child
 
-    OverlapPair(const PartPlan& plan, Positions childPose, Positions parentPose)
+    OverlapPair(const PartPlan& plan, const PartOverlap& overlap, Positions childPose, Positions parentPose)
         : child(gathered(childPose, plan.inPart))
         , parent(gathered(parentPose, plan.inParent))
-        , ontoParent(rigidProcrustes(child, parent))
+        , ontoParent(rigidProcrustes(child, parent, overlap.areas()))
     {
     }
 
@@ -181,7 +181,7 @@ Stitching::Frame::Frame(const Stitching& stitching, std::span<const Positions> g
     assert(poses.size() == parts.parts.size());
     for (std::size_t p = 1; p < poses.size(); ++p) {
         const auto parent = static_cast<std::size_t>(parts.parts[p].parent);
-        pairs.emplace_back(work.plans[p], poses[p], poses[parent]);
+        pairs.emplace_back(work.plans[p], work.overlaps[p - 1], poses[p], poses[parent]);
         placements.push_back(after(placements[parent], pairs.back().ontoParent));
     }
 }

@@ -113,3 +113,28 @@ TEST_F(Procrustes, BringsAMovedPoseBack)
     for (std::size_t v = 0; v < moved.size(); ++v)
         EXPECT_LT((motion(moved[v].cast<double>()) - target[v].cast<double>()).norm(), 1e-6);
 }
+
+TEST_F(Procrustes, CountsVerticesByTheirWeights)
+{
+    std::vector<Vec3f> moved;
+    std::vector<Vec3f> target;
+    for (int v = 0; v < 12; ++v) {
+        moved.push_back(Vec3d(normal(), normal(), normal()).cast<float>());
+        target.push_back(moved.back() + 0.1F * Vec3d(normal(), normal(), normal()).cast<float>());
+    }
+    // Weights of 1, 2 and 0 are as good as one, two or none of the vertices.
+    std::vector<double> weights;
+    std::vector<Vec3f> movedAgain;
+    std::vector<Vec3f> targetAgain;
+    for (std::size_t v = 0; v < moved.size(); ++v) {
+        weights.push_back(static_cast<double>(v % 3));
+        for (std::size_t i = 0; i < v % 3; ++i) {
+            movedAgain.push_back(moved[v]);
+            targetAgain.push_back(target[v]);
+        }
+    }
+    const RigidMotion motion = rigidProcrustes(moved, target, weights);
+    const RigidMotion expected = rigidProcrustes(movedAgain, targetAgain);
+    EXPECT_LT((motion.rotation.coeffs() - expected.rotation.coeffs()).norm(), 1e-12);
+    EXPECT_LT((motion.translation - expected.translation).norm(), 1e-12);
+}

@@ -56,7 +56,8 @@ Eigen::Matrix3d exponential(const Eigen::Matrix3d& symmetric)
 }
 
 /// Each part laid onto its parent, by vertices of the mesh.
-std::vector<std::map<VertexIndex, Vec3d>> laidParts(const BodyParts& parts, std::span<const Positions> poses)
+std::vector<std::map<VertexIndex, Vec3d>> laidParts(const Topology& topology, const BodyParts& parts,
+                                                    Positions pose, std::span<const Positions> poses)
 {
     std::vector<std::map<VertexIndex, Vec3d>> laid;
     for (std::size_t p = 0; p < poses.size(); ++p) {
@@ -70,7 +71,17 @@ std::vector<std::map<VertexIndex, Vec3d>> laidParts(const BodyParts& parts, std:
                 own.push_back(poses[p][static_cast<std::size_t>(place)]);
                 parents.push_back(laid[static_cast<std::size_t>(part.parent)].at(v).cast<float>());
             }
-            motion = rigidProcrustes(own, parents);
+            std::map<VertexIndex, double> areas;
+            for (const TriangleIndex t : part.overlapTriangles) {
+                const auto& [a, b, c] = topology.triangles()[t.value];
+                const Vec3f across = (pose[b.value] - pose[a.value]).cross(pose[c.value] - pose[a.value]);
+                for (const VertexIndex v : topology.triangles()[t.value])
+                    areas[v] += static_cast<double>(across.norm());
+            }
+            std::vector<double> weights;
+            for (const VertexIndex v : part.overlap)
+                weights.push_back(areas[v]);
+            motion = rigidProcrustes(own, parents, weights);
         }
         laid.emplace_back();
         for (std::size_t i = 0; i < part.vertices.size(); ++i)
@@ -137,7 +148,7 @@ std::vector<Vec3f> plainStitch(const Topology& topology, const BodyParts& parts,
                                std::span<const Positions> poses,
                                std::span<const std::vector<VertexIndex>> seams)
 {
-    const std::vector<std::map<VertexIndex, Vec3d>> laid = laidParts(parts, poses);
+    const std::vector<std::map<VertexIndex, Vec3d>> laid = laidParts(topology, parts, pose, poses);
     // Of each triangle the part, and how much of it the rest being its parent's.
     std::vector<std::pair<std::size_t, double>> shares(topology.triangles().size(), {0, 1.0});
     for (std::size_t p = 0; p < poses.size(); ++p) {

@@ -6,6 +6,7 @@
 #include "model/variation/stitching.h"
 #include "tests/model/codeof.h"
 #include "tests/model/transition/bars.h"
+#include "tests/model/variation/creases.h"
 #include "tests/model/variation/handmadeparts.h"
 #include "tests/model/variation/plainstitching.h"
 
@@ -64,21 +65,6 @@ std::vector<Pose> variousPoses(const PartedBar& parted, double amount)
     return cutDifferently(parted, wholes);
 }
 
-/// Between the normals of the two triangles at an edge, radians.
-double creaseAt(const Topology& topology, Positions pose, VertexIndex a, VertexIndex b)
-{
-    std::vector<Vec3d> normals;
-    for (const Triangle& triangle : topology.triangles()) {
-        if (std::ranges::find(triangle, a) == triangle.end() ||
-            std::ranges::find(triangle, b) == triangle.end())
-            continue;
-        const auto corner = [&](std::size_t c) -> Vec3d { return pose[triangle[c].value].cast<double>(); };
-        normals.push_back((corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized());
-    }
-    return normals.size() == 2 ? std::atan2(normals[0].cross(normals[1]).norm(), normals[0].dot(normals[1]))
-                               : 0;
-}
-
 } // namespace
 
 // A hundredth of what is asked for; positions are stored to 6e-8 of their size.
@@ -134,6 +120,7 @@ TEST(Stitching, LeavesNoCrease)
 {
     const PartedBar parted;
     const Topology& topology = *parted.bar.topology;
+    const EdgeNormals normals(topology);
     const Stitching stitching(parted.bar.topology, parted.parts, parted.bar.positions);
     const std::vector<Pose> poses = variousPoses(parted, 0.15);
     Pose out(topology.vertexCount());
@@ -156,9 +143,9 @@ TEST(Stitching, LeavesNoCrease)
             const VertexIndex a = seam[i];
             const VertexIndex b = seam[(i + 1) % seam.size()];
             const double sharpest =
-                std::max({creaseAt(topology, asParent, a, b), creaseAt(topology, asChild, a, b),
-                          creaseAt(topology, parted.bar.positions, a, b)});
-            EXPECT_LT(creaseAt(topology, out, a, b), sharpest + 0.01) << p << " " << i;
+                std::max({normals.creaseAt(asParent, a, b), normals.creaseAt(asChild, a, b),
+                          normals.creaseAt(parted.bar.positions, a, b)});
+            EXPECT_LT(normals.creaseAt(out, a, b), sharpest + 0.01) << p << " " << i;
         }
     }
 }

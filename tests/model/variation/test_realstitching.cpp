@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+// Stitching on a real body, cut at its neck, shoulders and hips.
+#include "model/variation/stitching.h"
+#include "tests/model/sequence/realtakes.h"
+#include "tests/model/variation/creases.h"
+#include "tests/model/variation/handmadeparts.h"
+
+#include <queue>
+
+using namespace quadrille;
+using namespace quadrille::testing;
+
+namespace {
+
+std::vector<double> distancesAlong(const Topology& topology, Positions pose, std::uint32_t source)
+{
+    std::vector<std::vector<std::uint32_t>> neighbours(pose.size());
+    for (const Triangle& triangle : topology.triangles()) {
+        for (std::size_t c = 0; c < 3; ++c)
+            neighbours[triangle[c].value].push_back(triangle[(c + 1) % 3].value);
+    }
+    std::vector<double> distances(pose.size(), 1e9);
+    using Entry = std::pair<double, std::uint32_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    distances[source] = 0;
+    queue.emplace(0.0, source);
+    while (!queue.empty()) {
+        const auto [distance, v] = queue.top();
+        queue.pop();
+        if (distance > distances[v])
+            continue;
+        for (const std::uint32_t next : neighbours[v]) {
+            const double further = distance + static_cast<double>((pose[v] - pose[next]).norm());
+            if (further < distances[next]) {
+                distances[next] = further;
+                queue.emplace(further, next);
+            }
+        }
+    }
+    return distances;
+}
+
+/// A take, and five limbs of its body by the distance from head, hands and feet along the surface.
+struct Walker
+{
+    std::vector<Vec3f> frames;
+    std::shared_ptr<const Topology> topology;
+    std::size_t vertexCount;
+    double fps;
+    BodyParts parts;
+
+    explicit Walker(const MeshSequence& take)
+        : frames(loadFrames(take))
+        , topology(take.topology)
+        , vertexCount(topology->vertexCount())
+        , fps(take.fps)
+    {
+        const Positions pose = frame(0);
+        std::vector<std::uint32_t> tips;
+        std::vector<std::vector<double>> distances;
+        const auto add = [&](auto score) {
+            std::uint32_t best = 0;
+            for (std::uint32_t v = 1; v < vertexCount; ++v)
+                best = score(v) > score(best) ? v : best;
+            tips.push_back(best);
+            distances.push_back(distancesAlong(*topology, pose, best));
+        };
+        add([&](std::uint32_t v) { return static_cast<double>(pose[v].y()); });
+        for (int limb = 1; limb < 5; ++limb) {
+            add([&](std::uint32_t v) {
+                double nearest = 1e9;
+                for (const std::vector<double>& from : distances)
+                    nearest = std::min(nearest, from[v]);
+                return nearest;
+            });
+        }
+        const auto isWithin = [this, distances](std::size_t limb, double reach, std::uint32_t t) {
+            return std::ranges::all_of(topology->triangles()[t],
+                                       [&](VertexIndex v) { return distances[limb][v.value] <= reach; });
+        };
+        std::vector<std::array<double, 2>> reaches;
+        for (std::size_t limb = 0; limb < 5; ++limb) {
+            reaches.push_back(limb == 0                     ? std::array{0.34, 0.42}
+                              : pose[tips[limb]].y() < 0.3F ? std::array{0.85, 1.0}
+                                                            : std::array{0.60, 0.72});
+        }
+        std::vector<HandmadePart> described{{"trunk", -1, [=](std::uint32_t t) {
+                                                 for (std::size_t limb = 0; limb < 5; ++limb) {
+                                                     if (isWithin(limb, reaches[limb][0], t))
+                                                         return false;
+                                                 }
+                                                 return true;
+                                             }}};
+        for (std::size_t limb = 0; limb < 5; ++limb) {
+            described.push_back({"limb " + std::to_string(limb), 0,
+                                 [=](std::uint32_t t) { return isWithin(limb, reaches[limb][1], t); }});
+        }
+        parts = handmadeParts(*topology, described);
+    }
+    Positions frame(std::size_t f) const { return Positions(frames).subspan(f * vertexCount, vertexCount); }
+    std::size_t frameCount() const { return frames.size() / vertexCount; }
+    /// Parts that lag behind each other by some frames.
+    std::vector<std::vector<Vec3f>> lagging(std::size_t count, std::size_t lag) const
+    {
+        std::vector<std::vector<Vec3f>> sequences(parts.parts.size());
+        for (std::size_t f = 0; f < count; ++f) {
+            for (std::size_t p = 0; p < sequences.size(); ++p) {
+                const std::vector<Vec3f> part = cutPose(parts, frame(f + lag * (p % 3)))[p];
+                sequences[p].insert(sequences[p].end(), part.begin(), part.end());
+            }
+        }
+        return sequences;
+    }
+};
+
+std::optional<Walker> walker()
+{
+    const std::optional<MeshSequence> take = realTake("walk_1");
+    return take ? std::optional<Walker>(std::in_place, *take) : std::nullopt;
+}
+
+/// Root mean square over the frames of the acceleration of some vertices, m/s².
+double accelerationOf(const Walker& body, const std::vector<Vec3f>& frames,
+                      const std::vector<VertexIndex>& vertices)
+{
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t f = 1; f + 1 < frames.size() / body.vertexCount; ++f) {
+        const auto at = [&](std::size_t frame, VertexIndex v) {
+            return frames[frame * body.vertexCount + v.value];
+        };
+        for (const VertexIndex v : vertices)
+            sum += static_cast<double>((at(f - 1, v) - 2 * at(f, v) + at(f + 1, v)).squaredNorm());
+        count += vertices.size();
+    }
+    return std::sqrt(sum / static_cast<double>(count)) * body.fps * body.fps;
+}
+
+} // namespace
+
+TEST(RealStitching, GivesBackAnUnchangedMesh)
+{
+    const auto body = walker();
+    if (!body)
+        GTEST_SKIP() << "no real data";
+    const Stitching stitching(body->topology, body->parts, body->frame(0));
+    for (std::size_t f = 0; f < body->frameCount(); f += 10) {
+        std::vector<Vec3f> out(body->vertexCount);
+        stitching.stitch(viewed(cutPose(body->parts, body->frame(f))), out);
+        double largest = 0;
+        for (std::size_t v = 0; v < out.size(); ++v)
+            largest = std::max(largest, static_cast<double>((out[v] - body->frame(f)[v]).norm()));
+        EXPECT_LT(largest, 1e-6) << f;
+    }
+}
+
+// Limbs lag by 33 to 133 ms behind the trunk: shoulders and hips bend differently on either side.
+TEST(RealStitching, LeavesNoCreaseAlongTheSeams)
+{
+    const auto body = walker();
+    if (!body)
+        GTEST_SKIP() << "no real data";
+    const Stitching stitching(body->topology, body->parts, body->frame(0));
+    const EdgeNormals normals(*body->topology);
+    for (const std::size_t lag : {1U, 2U}) {
+        const std::vector<std::vector<Vec3f>> sequences = body->lagging(50, lag);
+        const std::vector<Vec3f> frames = stitchFrames(stitching, viewed(sequences));
+        const Stitching::Seams seams = stitching.bestSeams(viewed(sequences));
+        for (std::size_t f = 0; f < 50; f += 7) {
+            for (std::size_t p = 1; p < seams.curves.size(); ++p) {
+                const std::vector<VertexIndex>& seam = seams.curves[p];
+                for (std::size_t i = 0; i < seam.size(); ++i) {
+                    const auto crease = [&](Positions pose) {
+                        return normals.creaseAt(pose, seam[i], seam[(i + 1) % seam.size()]);
+                    };
+                    const double sharpest =
+                        std::max(crease(body->frame(f)), crease(body->frame(f + lag * (p % 3))));
+                    EXPECT_LT(crease(Positions(frames).subspan(f * body->vertexCount, body->vertexCount)),
+                              sharpest + 0.01)
+                        << lag << " " << f << " " << p << " " << i;
+                }
+            }
+        }
+    }
+}
+
+TEST(RealStitching, DoesNotFlickerAtTheSeams)
+{
+    const auto body = walker();
+    if (!body)
+        GTEST_SKIP() << "no real data";
+    const Stitching stitching(body->topology, body->parts, body->frame(0));
+    const std::vector<Vec3f> frames = stitchFrames(stitching, viewed(body->lagging(50, 1)));
+    const std::vector<Vec3f> captured(body->frames.begin(), body->frames.begin() + frames.size());
+    for (std::size_t p = 1; p < body->parts.parts.size(); ++p) {
+        const std::vector<VertexIndex>& overlap = body->parts.parts[p].overlap;
+        EXPECT_LT(accelerationOf(*body, frames, overlap), 1.15 * accelerationOf(*body, captured, overlap))
+            << p;
+    }
+}
