@@ -1,47 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-// Stitching on a real body, cut at its neck, shoulders and hips.
+// Stitching on a real body, cut into the proposed parts.
+#include "model/variation/proposedparts.h"
 #include "model/variation/stitching.h"
 #include "tests/model/sequence/realtakes.h"
 #include "tests/model/variation/creases.h"
 #include "tests/model/variation/handmadeparts.h"
 
-#include <queue>
+#include <gtest/gtest.h>
 
 using namespace quadrille;
 using namespace quadrille::testing;
 
 namespace {
 
-std::vector<double> distancesAlong(const Topology& topology, Positions pose, std::uint32_t source)
-{
-    std::vector<std::vector<std::uint32_t>> neighbours(pose.size());
-    for (const Triangle& triangle : topology.triangles()) {
-        for (std::size_t c = 0; c < 3; ++c)
-            neighbours[triangle[c].value].push_back(triangle[(c + 1) % 3].value);
-    }
-    std::vector<double> distances(pose.size(), 1e9);
-    using Entry = std::pair<double, std::uint32_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    distances[source] = 0;
-    queue.emplace(0.0, source);
-    while (!queue.empty()) {
-        const auto [distance, v] = queue.top();
-        queue.pop();
-        if (distance > distances[v])
-            continue;
-        for (const std::uint32_t next : neighbours[v]) {
-            const double further = distance + static_cast<double>((pose[v] - pose[next]).norm());
-            if (further < distances[next]) {
-                distances[next] = further;
-                queue.emplace(further, next);
-            }
-        }
-    }
-    return distances;
-}
-
-/// A take, and five limbs of its body by the distance from head, hands and feet along the surface.
+/// A take and the proposed parts of its body.
 struct Walker
 {
     std::vector<Vec3f> frames;
@@ -56,47 +29,8 @@ struct Walker
         , vertexCount(topology->vertexCount())
         , fps(take.fps)
     {
-        const Positions pose = frame(0);
-        std::vector<std::uint32_t> tips;
-        std::vector<std::vector<double>> distances;
-        const auto add = [&](auto score) {
-            std::uint32_t best = 0;
-            for (std::uint32_t v = 1; v < vertexCount; ++v)
-                best = score(v) > score(best) ? v : best;
-            tips.push_back(best);
-            distances.push_back(distancesAlong(*topology, pose, best));
-        };
-        add([&](std::uint32_t v) { return static_cast<double>(pose[v].y()); });
-        for (int limb = 1; limb < 5; ++limb) {
-            add([&](std::uint32_t v) {
-                double nearest = 1e9;
-                for (const std::vector<double>& from : distances)
-                    nearest = std::min(nearest, from[v]);
-                return nearest;
-            });
-        }
-        const auto isWithin = [this, distances](std::size_t limb, double reach, std::uint32_t t) {
-            return std::ranges::all_of(topology->triangles()[t],
-                                       [&](VertexIndex v) { return distances[limb][v.value] <= reach; });
-        };
-        std::vector<std::array<double, 2>> reaches;
-        for (std::size_t limb = 0; limb < 5; ++limb) {
-            reaches.push_back(limb == 0                     ? std::array{0.34, 0.42}
-                              : pose[tips[limb]].y() < 0.3F ? std::array{0.85, 1.0}
-                                                            : std::array{0.60, 0.72});
-        }
-        std::vector<HandmadePart> described{{"trunk", -1, [=](std::uint32_t t) {
-                                                 for (std::size_t limb = 0; limb < 5; ++limb) {
-                                                     if (isWithin(limb, reaches[limb][0], t))
-                                                         return false;
-                                                 }
-                                                 return true;
-                                             }}};
-        for (std::size_t limb = 0; limb < 5; ++limb) {
-            described.push_back({"limb " + std::to_string(limb), 0,
-                                 [=](std::uint32_t t) { return isWithin(limb, reaches[limb][1], t); }});
-        }
-        parts = handmadeParts(*topology, described);
+        const ProposedParts proposed = proposeParts(topology, frame(0));
+        parts = cutIntoParts(*topology, frame(0), proposed.curves, proposed.parts);
     }
     Positions frame(std::size_t f) const { return Positions(frames).subspan(f * vertexCount, vertexCount); }
     std::size_t frameCount() const { return frames.size() / vertexCount; }
