@@ -287,7 +287,7 @@ Stitching::Seams Stitching::cheapestSeams(const EdgeCosts& costs) const
 Stitching::Seams Stitching::stitch(std::span<const Positions> poses, MutablePositions out) const
 {
     const Frame frame(*this, poses);
-    const Seams seams = cheapestSeams(frame.costs());
+    Seams seams = cheapestSeams(frame.costs());
     std::vector<double> solution;
     m_work->poisson.solve(frame.edges(seams), solution);
     frame.place(solution, out);

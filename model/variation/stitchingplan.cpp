@@ -72,6 +72,7 @@ std::vector<PartVertex> nearestTo(const std::vector<PartVertex>& others, const s
     if (of.empty())
         return {};
     std::vector<Vec3f> points;
+    points.reserve(of.size());
     for (const PartVertex& v : of)
         points.push_back(pose[v.vertex]);
     const PointTree tree(points);
@@ -79,6 +80,7 @@ std::vector<PartVertex> nearestTo(const std::vector<PartVertex>& others, const s
     for (const PartVertex& v : others)
         nearest.insert(tree.nearest(pose[v.vertex]));
     std::vector<PartVertex> chosen;
+    chosen.reserve(nearest.size());
     for (const std::uint32_t index : nearest)
         chosen.push_back(of[index]);
     return chosen;
