@@ -20,6 +20,7 @@ class Stitching
 {
 public:
     /// \param pose  of all vertices, metres: gives the areas and the angles of the triangles.
+    /// \pre The parts are those of the topology, as cutIntoParts makes them.
     Stitching(std::shared_ptr<const Topology> topology, BodyParts parts, Positions pose);
     ~Stitching();
 

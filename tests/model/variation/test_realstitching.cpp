@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Stitching on a real body, cut into the proposed parts.
+#include "model/variation/partoverlap.h"
 #include "model/variation/proposedparts.h"
 #include "model/variation/stitching.h"
 #include "tests/model/sequence/realtakes.h"
@@ -8,6 +9,8 @@
 #include "tests/model/variation/handmadeparts.h"
 
 #include <gtest/gtest.h>
+#include <numeric>
+#include <random>
 
 using namespace quadrille;
 using namespace quadrille::testing;
@@ -131,5 +134,72 @@ TEST(RealStitching, DoesNotFlickerAtTheSeams)
         const std::vector<VertexIndex>& overlap = body->parts.parts[p].overlap;
         EXPECT_LT(accelerationOf(*body, frames, overlap), 1.15 * accelerationOf(*body, captured, overlap))
             << p;
+    }
+}
+
+// Costs as they come: seams wind to and fro, and touch the rims.
+TEST(RealStitching, CutsEachLimbRightAround)
+{
+    const auto body = walker();
+    if (!body)
+        GTEST_SKIP() << "no real data";
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> cost(0.01, 1.0);
+    for (std::size_t p = 1; p < body->parts.parts.size(); ++p) {
+        const BodyPart& part = body->parts.parts[p];
+        const PartOverlap overlap(*body->topology, part, body->frame(0));
+        for (int trial = 0; trial < 20; ++trial) {
+            std::vector<double> costs(overlap.edgeCount());
+            std::ranges::generate(costs, [&] { return cost(random); });
+            const std::vector<std::uint32_t> seam = overlap.cheapestSeam(costs);
+            std::set<std::array<std::uint32_t, 2>> cut;
+            for (std::size_t i = 0; i < seam.size(); ++i) {
+                const std::uint32_t next = seam[(i + 1) % seam.size()];
+                cut.insert({std::min(seam[i], next), std::max(seam[i], next)});
+            }
+            ASSERT_EQ(std::set(seam.begin(), seam.end()).size(), seam.size());
+            std::size_t found = 0;
+            // Which triangles hang together without crossing the seam, by the smallest of each lot.
+            std::vector<std::size_t> lot(overlap.triangles().size());
+            std::iota(lot.begin(), lot.end(), 0);
+            std::map<std::array<std::uint32_t, 2>, std::vector<std::size_t>> around;
+            for (std::size_t t = 0; t < lot.size(); ++t) {
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const auto [a, b] = std::minmax(overlap.triangles()[t][c].value,
+                                                    overlap.triangles()[t][(c + 1) % 3].value);
+                    around[{a, b}].push_back(t);
+                }
+            }
+            for (bool changes = true; changes;) {
+                changes = false;
+                for (const auto& [edge, triangles] : around) {
+                    if (triangles.size() < 2 || cut.contains(edge) || lot[triangles[0]] == lot[triangles[1]])
+                        continue;
+                    lot[triangles[0]] = lot[triangles[1]] = std::min(lot[triangles[0]], lot[triangles[1]]);
+                    changes = true;
+                }
+            }
+            const auto lotsAt = [&](const std::vector<VertexIndex>& curve) {
+                std::set<std::size_t> lots;
+                for (std::size_t i = 0; i < curve.size(); ++i) {
+                    const auto placeOf = [&](VertexIndex v) {
+                        return static_cast<std::uint32_t>(std::ranges::lower_bound(part.overlap, v) -
+                                                          part.overlap.begin());
+                    };
+                    const std::uint32_t from = placeOf(curve[i]);
+                    const std::uint32_t to = placeOf(curve[(i + 1) % curve.size()]);
+                    const auto [a, b] = std::minmax(from, to);
+                    if (!cut.contains({a, b}))
+                        lots.insert(lot[around.at({a, b}).front()]);
+                }
+                return lots;
+            };
+            for (const auto& edge : cut)
+                found += around.contains(edge) ? 1 : 0;
+            EXPECT_EQ(found, seam.size());
+            const std::set<std::size_t> inner = lotsAt(part.end);
+            for (const std::size_t outer : lotsAt(part.parentEnd))
+                EXPECT_FALSE(inner.contains(outer)) << p << " " << trial;
+        }
     }
 }
