@@ -4,12 +4,10 @@
 
 #include "model/geometry/surfacedistances.h"
 
-#include <limits>
-
 namespace quadrille {
 
 std::optional<CurveNeighbourhood> neighbourhoodOf(const SurfaceGraph& graph,
-                                                  std::span<const VertexIndex> curve)
+                                                  std::span<const VertexIndex> curve, float limit)
 {
     const auto sides = curveSides(graph.topology(), graph.around(), curve);
     if (!sides)
@@ -17,17 +15,17 @@ std::optional<CurveNeighbourhood> neighbourhoodOf(const SurfaceGraph& graph,
     SurfaceDistances distances(graph);
     for (const VertexIndex v : curve)
         distances.add({v, 0}, 0);
-    distances.growTo(std::numeric_limits<float>::infinity());
+    distances.growTo(limit);
     std::vector<float> offsets(graph.vertexCount());
     std::array<VertexIndex, 2> ends{curve[0], curve[0]};
     for (std::uint32_t v = 0; v < graph.vertexCount(); ++v) {
         const VertexIndex vertex(v);
         offsets[v] = distances.at({vertex, 0});
-        if (!std::isfinite(offsets[v]))
+        if (graph.trianglesOf(vertex).empty())
             continue;
         const bool isRight = (*sides)[graph.trianglesOf(vertex).front()] == TriangleSide::Right;
         VertexIndex& end = ends[isRight ? 1 : 0];
-        if (offsets[v] > std::abs(offsets[end.value]))
+        if (std::isfinite(offsets[v]) && offsets[v] > std::abs(offsets[end.value]))
             end = vertex;
         if (isRight)
             offsets[v] = -offsets[v];

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -16,9 +17,9 @@ namespace quadrille {
 struct CurveNeighbourhood
 {
     /// Of each vertex its distance from the curve over the surface, metres, negative on the right; infinite
-    /// where no way leads.
+    /// beyond the limit and where no way leads.
     std::vector<float> offsets;
-    /// Farthest from the curve on the left and on the right.
+    /// Farthest from the curve within the limit on the left and on the right.
     std::array<VertexIndex, 2> ends;
     /// Areas on the left and on the right, square metres.
     std::array<double, 2> areas{};
@@ -27,8 +28,10 @@ struct CurveNeighbourhood
     float depth(std::size_t side) const { return std::abs(offsets[ends[side].value]); }
 };
 
-/// Nothing where the curve does not part the surface, or has no vertices beside it.
+/// Nothing where the curve does not part the surface, or has no vertices beside it. \param limit  how far
+/// from the curve to look, metres.
 std::optional<CurveNeighbourhood> neighbourhoodOf(const SurfaceGraph& graph,
-                                                  std::span<const VertexIndex> curve);
+                                                  std::span<const VertexIndex> curve,
+                                                  float limit = std::numeric_limits<float>::infinity());
 
 } // namespace quadrille

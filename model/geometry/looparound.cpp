@@ -6,16 +6,23 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <utility>
 
 namespace quadrille {
 
 namespace {
 
+constexpr std::uint32_t none = ~0U;
+
 class FrontLoop
 {
 public:
     FrontLoop(const SurfaceGraph& graph, VertexIndex through)
-        : m_graph(graph), m_through(through), m_distances(graph), m_reached(graph.vertexCount())
+        : m_graph(graph)
+        , m_through(through)
+        , m_distances(graph)
+        , m_reached(graph.vertexCount())
+        , m_worth(graph)
     {
         m_distances.add({through, 0}, 0);
     }
@@ -77,14 +84,13 @@ private:
         return way;
     }
 
-    std::optional<std::vector<VertexIndex>> loopClosedAt(VertexIndex v) const
+    std::optional<std::vector<VertexIndex>> loopClosedAt(VertexIndex v)
     {
         const std::vector<VertexIndex> arrivals = arrivalsAt(v);
         for (std::size_t i = 0; i < arrivals.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j) {
                 auto loop = joined(wayBack(arrivals[j]), v, wayBack(arrivals[i]));
-                if (loop.size() >= 3 && isOpen(loop, 2 * distance(v)) &&
-                    surroundsEnough(loop, 2 * distance(v)))
+                if (loop.size() >= 3 && m_worth.surroundsSomething(loop, 2 * distance(v)))
                     return loop;
             }
         }
@@ -109,40 +115,77 @@ private:
         return loop;
     }
 
-    /// Not folded together: seen from its best side, at least a quarter as large as a circle.
-    bool isOpen(const std::vector<VertexIndex>& loop, float length) const
-    {
-        Vec3f area = Vec3f::Zero();
-        const Vec3f& first = m_graph.pose()[loop[0].value];
-        for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-            area +=
-                (m_graph.pose()[loop[i].value] - first).cross(m_graph.pose()[loop[i + 1].value] - first) / 2;
-        return area.norm() > 0.02F * length * length;
-    }
-
-    bool surroundsEnough(const std::vector<VertexIndex>& loop, float length) const
-    {
-        const auto sides = curveSides(m_graph.topology(), m_graph.around(), loop);
-        if (!sides)
-            return false;
-        // A half ball has length² / 2π = 0.16 length².
-        constexpr float least = 0.13F;
-        float left = 0;
-        float right = 0;
-        for (std::uint32_t t = 0; t < sides->size(); ++t) {
-            if ((*sides)[t] != TriangleSide::Elsewhere)
-                ((*sides)[t] == TriangleSide::Left ? left : right) += m_graph.area(TriangleIndex(t));
-        }
-        return std::min(left, right) > least * length * length;
-    }
-
     const SurfaceGraph& m_graph;
     VertexIndex m_through;
     SurfaceDistances m_distances;
     std::vector<bool> m_reached;
+    CurveWorth m_worth;
 };
 
 } // namespace
+
+CurveWorth::CurveWorth(const SurfaceGraph& graph)
+    : m_graph(graph), m_next(graph.vertexCount(), none), m_visit(graph.topology().triangles().size())
+{
+}
+
+bool CurveWorth::surroundsSomething(std::span<const VertexIndex> curve, float length)
+{
+    if (!isOpen(curve, length))
+        return false;
+    for (std::size_t i = 0; i < curve.size(); ++i)
+        m_next[curve[i].value] = curve[(i + 1) % curve.size()].value;
+    // A half ball has length² / 2π = 0.16 length².
+    const float least = 0.13F * length * length;
+    const bool isBetweenLarge = isLarge(curve, true, least) && isLarge(curve, false, least);
+    for (const VertexIndex v : curve)
+        m_next[v.value] = none;
+    return isBetweenLarge && curveSides(m_graph.topology(), m_graph.around(), curve);
+}
+
+/// Seen from its best side, at least a third as large as a circle.
+bool CurveWorth::isOpen(std::span<const VertexIndex> curve, float length) const
+{
+    Vec3f area = Vec3f::Zero();
+    const Vec3f& first = m_graph.pose()[curve[0].value];
+    for (std::size_t i = 1; i + 1 < curve.size(); ++i)
+        area +=
+            (m_graph.pose()[curve[i].value] - first).cross(m_graph.pose()[curve[i + 1].value] - first) / 2;
+    return area.norm() > 0.027F * length * length;
+}
+
+/// Whether the surface on one side has some area; looks no farther than that.
+bool CurveWorth::isLarge(std::span<const VertexIndex> curve, bool isLeft, float area)
+{
+    ++m_look;
+    std::vector<std::uint32_t> left;
+    const auto visit = [&](std::uint32_t t) {
+        if (std::exchange(m_visit[t], m_look) != m_look)
+            left.push_back(t);
+    };
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        const VertexIndex from = curve[isLeft ? i : (i + 1) % curve.size()];
+        const VertexIndex to = curve[isLeft ? (i + 1) % curve.size() : i];
+        for (const std::uint32_t t : m_graph.trianglesOf(from)) {
+            if (hasDirectedEdge(m_graph.topology().triangles()[t], from, to))
+                visit(t);
+        }
+    }
+    while (!left.empty() && area > 0) {
+        const std::uint32_t here = left.back();
+        left.pop_back();
+        area -= m_graph.area(TriangleIndex(here));
+        const Triangle& t = m_graph.topology().triangles()[here];
+        for (std::size_t c = 0; c < 3; ++c) {
+            const VertexIndex a = t[c];
+            const VertexIndex b = t[(c + 1) % 3];
+            if (m_next[a.value] == b.value || m_next[b.value] == a.value)
+                continue;
+            m_graph.around().forEachBeside(here, c, visit);
+        }
+    }
+    return area <= 0;
+}
 
 std::optional<std::vector<VertexIndex>> loopAround(const SurfaceGraph& graph, VertexIndex through)
 {

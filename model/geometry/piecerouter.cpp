@@ -3,7 +3,6 @@
 #include "model/geometry/piecerouter.h"
 
 #include "model/core/error.h"
-#include "model/geometry/looparound.h"
 
 #include <algorithm>
 #include <array>
@@ -32,7 +31,7 @@ std::string text(std::uint64_t number)
 } // namespace
 
 PieceRouter::PieceRouter(std::shared_ptr<const SurfaceGraph> graph, const CurveSettings& settings)
-    : m_graph(std::move(graph)), m_settings(settings), m_obstacles(m_graph->vertexCount())
+    : m_graph(std::move(graph)), m_settings(settings), m_obstacles(m_graph->vertexCount()), m_worth(*m_graph)
 {
 }
 
@@ -58,14 +57,33 @@ void PieceRouter::check(const std::vector<VertexIndex>& points) const
     }
 }
 
-void PieceRouter::findLimb(VertexIndex at)
+void PieceRouter::findLimb(const std::vector<VertexIndex>& points)
 {
-    if (m_limbAt == at)
+    if (m_limbAt != points.front()) {
+        m_limbAt = points.front();
+        m_loop = loopAround(*m_graph, points.front());
+        m_limbLimit = 0;
+        m_limb.reset();
+    }
+    if (!m_loop)
         return;
-    m_limbAt = at;
-    m_limb.reset();
-    if (const auto loop = loopAround(*m_graph, at))
-        m_limb = neighbourhoodOf(*m_graph, *loop);
+    if (m_limbLimit == 0) {
+        m_limbLimit = static_cast<float>(lengthOf(*m_graph, *m_loop)) / 2;
+        m_limb = neighbourhoodOf(*m_graph, *m_loop, m_limbLimit);
+    }
+    const auto isFar = [&](VertexIndex p) { return !std::isfinite(m_limb->offsets[p.value]); };
+    if (m_limb && m_limbLimit < infinite && std::ranges::any_of(points, isFar)) {
+        m_limbLimit = infinite;
+        m_limb = neighbourhoodOf(*m_graph, *m_loop);
+    }
+}
+
+bool PieceRouter::isAround(const Pieces& pieces)
+{
+    std::vector<VertexIndex> curve;
+    for (const auto& piece : pieces)
+        curve.insert(curve.end(), piece.begin(), piece.end());
+    return m_worth.surroundsSomething(curve, static_cast<float>(lengthOf(*m_graph, curve)));
 }
 
 std::vector<bool> PieceRouter::reachFor(const std::vector<VertexIndex>& points) const
@@ -194,16 +212,22 @@ PieceRouter::Pieces PieceRouter::routed(const std::vector<VertexIndex>& points, 
         if (std::ranges::any_of(points, isOn))
             kept[i].clear();
     }
-    findLimb(points.front());
+    Attempt plain;
+    if (points.size() > 2) {
+        plain = attempt({m_graph.get()}, points, kept);
+        if (plain.pieces && isAround(*plain.pieces))
+            return std::move(*plain.pieces);
+    }
+    findLimb(points);
     Attempt found;
     if (m_limb) {
         const std::vector<bool> within = reachFor(points);
-        found = attempt({m_graph.get(), &m_limb->cut, &within}, points, kept);
+        found = attempt({m_graph.get(), &m_limb->cut, &within}, points, std::move(kept));
     }
-    if (!found.pieces && points.size() > 2)
-        found = attempt({m_graph.get()}, points, std::move(kept));
     if (found.pieces)
         return std::move(*found.pieces);
+    if (plain.pieces)
+        return std::move(*plain.pieces);
     if (points.size() == 1 || (points.size() == 2 && !m_limb))
         return {};
     fail(ErrorCode::CurveNoRoute, {{"from", text(found.stuck[0].value)}, {"to", text(found.stuck[1].value)}});

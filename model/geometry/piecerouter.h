@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/geometry/curveneighbourhood.h"
+#include "model/geometry/looparound.h"
 #include "model/geometry/surfacecurve.h"
 #include "model/geometry/surfaceroute.h"
 
@@ -13,8 +14,8 @@
 
 namespace quadrille {
 
-/// Routes the pieces of a closed curve so that it goes once around the limb at its first point, where there
-/// is one.
+/// Routes the pieces of a closed curve: the shortest ways, and where these surround nothing, ways that go
+/// once around the limb at its first point, where there is one.
 class PieceRouter
 {
 public:
@@ -41,7 +42,8 @@ private:
         SurfaceDistances distances;
     };
     void check(const std::vector<VertexIndex>& points) const;
-    void findLimb(VertexIndex at);
+    void findLimb(const std::vector<VertexIndex>& points);
+    bool isAround(const Pieces& pieces);
     std::vector<bool> reachFor(const std::vector<VertexIndex>& points) const;
     int climbOf(const std::vector<VertexIndex>& piece, VertexIndex end) const;
     static Plan shortestPlan(const OpenedSurface& surface, std::size_t piece,
@@ -59,8 +61,11 @@ private:
     std::shared_ptr<const SurfaceGraph> m_graph;
     CurveSettings m_settings;
     std::vector<bool> m_obstacles;
-    std::optional<VertexIndex> m_limbAt; ///< where `m_limb` was looked for
+    std::optional<VertexIndex> m_limbAt; ///< where `m_loop` was looked for
+    std::optional<std::vector<VertexIndex>> m_loop;
+    float m_limbLimit = 0; ///< how far from the loop `m_limb` is known
     std::optional<CurveNeighbourhood> m_limb;
+    CurveWorth m_worth;
 };
 
 } // namespace quadrille

@@ -6,7 +6,8 @@
 
 namespace quadrille {
 
-VertexTriangles::VertexTriangles(const Topology& topology) : m_starts(topology.vertexCount() + 1U)
+VertexTriangles::VertexTriangles(const Topology& topology)
+    : m_topology(&topology), m_starts(topology.vertexCount() + 1U)
 {
     const std::vector<Triangle>& triangles = topology.triangles();
     for (const Triangle& t : triangles) {
@@ -21,6 +22,26 @@ VertexTriangles::VertexTriangles(const Topology& topology) : m_starts(topology.v
         for (const VertexIndex v : triangles[t])
             m_triangles[next[v.value]++] = t;
     }
+    m_beside.resize(triangles.size(), {none, none, none});
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            for (const std::uint32_t other : of(triangles[t][c])) {
+                if (other != t && hasCorner(triangles[other], triangles[t][(c + 1) % 3]))
+                    m_beside[t][c] = m_beside[t][c] == none ? other : several;
+            }
+        }
+    }
+}
+
+std::vector<std::uint32_t> VertexTriangles::besideEdge(std::uint32_t triangle, std::size_t corner) const
+{
+    const Triangle& t = m_topology->triangles()[triangle];
+    std::vector<std::uint32_t> found;
+    for (const std::uint32_t other : of(t[corner])) {
+        if (other != triangle && hasCorner(m_topology->triangles()[other], t[(corner + 1) % 3]))
+            found.push_back(other);
+    }
+    return found;
 }
 
 bool hasCorner(const Triangle& triangle, VertexIndex v)
@@ -68,21 +89,24 @@ public:
         m_sides[seed] = side;
         std::vector<std::uint32_t> left{seed};
         while (!left.empty()) {
-            const Triangle& t = m_topology.triangles()[left.back()];
+            const std::uint32_t here = left.back();
+            const Triangle& t = m_topology.triangles()[here];
             left.pop_back();
             for (std::size_t c = 0; c < 3; ++c) {
                 const VertexIndex a = t[c];
                 const VertexIndex b = t[(c + 1) % 3];
                 if (m_next[a.value] == b.value || m_next[b.value] == a.value)
                     continue;
-                for (const std::uint32_t neighbour : m_around.of(a)) {
-                    if (m_sides[neighbour] == side || !hasCorner(m_topology.triangles()[neighbour], b))
-                        continue;
-                    if (m_sides[neighbour] != TriangleSide::Elsewhere)
-                        return false;
+                bool meetsOther = false;
+                m_around.forEachBeside(here, c, [&](std::uint32_t neighbour) {
+                    if (m_sides[neighbour] == side)
+                        return;
+                    meetsOther = meetsOther || m_sides[neighbour] != TriangleSide::Elsewhere;
                     m_sides[neighbour] = side;
                     left.push_back(neighbour);
-                }
+                });
+                if (meetsOther)
+                    return false;
             }
         }
         return true;

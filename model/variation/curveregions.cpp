@@ -44,10 +44,7 @@ Groups groupedTriangles(const Topology& topology, const VertexTriangles& around,
             const VertexIndex b = triangle[(c + 1) % 3];
             if (next[a.value] == b.value || next[b.value] == a.value)
                 continue;
-            for (const std::uint32_t neighbour : around.of(a)) {
-                if (neighbour > t && hasCorner(topology.triangles()[neighbour], b))
-                    groups.join(t, neighbour);
-            }
+            around.forEachBeside(t, c, [&](std::uint32_t neighbour) { groups.join(t, neighbour); });
         }
     }
     return groups;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/geometry/curveedits.h"
 #include "model/geometry/curveneighbourhood.h"
-#include "model/sample/sample.h"
 #include "tests/model/codeof.h"
 #include "tests/model/geometry/surfaces.h"
 
@@ -146,24 +145,32 @@ TEST(GuidesOf, LeadBackAlongTheCurve)
     }
 }
 
-TEST(MirroredCurve, OfTheSampleIsItsCounterpartVertexByVertex)
+TEST(MirroredCurve, IsTheCounterpartVertexByVertex)
 {
-    const SampleCharacter sample = makeSampleCharacter({.textureSize = 64, .takesPerKind = 1});
-    const auto graph = std::make_shared<const SurfaceGraph>(sample.body.topology, sample.body.rest);
-    const Symmetry symmetry = findSymmetry(*sample.body.topology, sample.body.rest);
-    ASSERT_TRUE(symmetry.isExact());
-    // Around the thigh on one side.
-    const auto from = std::ranges::min_element(
-        sample.body.rest, {}, [](const Vec3f& p) { return (p - Vec3f(0.2F, 0.65F, 0)).norm(); });
+    // Slanting edges slant the other way on the other side, where other vertices have to step in.
+    const auto graph = makeCapsule(around, 60).graph();
+    Symmetry symmetry;
+    for (std::uint32_t v = 0; v < graph->vertexCount(); ++v) {
+        const std::uint32_t place = v % around;
+        const bool isTip = v >= 60 * around;
+        symmetry.opposite.emplace_back(isTip ? v : v - place + (around - place) % around);
+    }
+    const std::vector<VertexIndex> points{VertexIndex(30 * around + 2), VertexIndex(36 * around + 8),
+                                          VertexIndex(27 * around + 17)};
     SurfaceCurve curve(graph);
-    curve.setPoints({VertexIndex(from - sample.body.rest.begin())});
-    ASSERT_FALSE(curve.vertices().empty());
-    const GuidedCurve mirrored = mirroredCurve(graph, symmetry, {curve.points(), curve.vertices()});
+    curve.setPoints(points);
+    const GuidedCurve mirrored = mirroredCurve(graph, symmetry, {points, curve.vertices()});
     EXPECT_TRUE(isSimpleLoop(*graph, mirrored.vertices));
-    EXPECT_EQ(mirrored.points.front(), symmetry.opposite[curve.points().front().value]);
+    EXPECT_TRUE(separates(*graph, mirrored.vertices));
+    EXPECT_GT(mirrored.vertices.size(), curve.vertices().size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        EXPECT_EQ(mirrored.points[i], symmetry.opposite[points[i].value]);
     const auto found = setOf(mirrored.vertices);
     for (const VertexIndex v : curve.vertices())
         EXPECT_TRUE(found.contains(symmetry.opposite[v.value]));
+    // A ring has no slanting edges.
+    EXPECT_EQ(setOf(mirroredCurve(graph, symmetry, {{}, ring(around, 30)}).vertices),
+              setOf(ring(around, 30)));
 }
 
 /// A symmetry that knows shapes only: across the plane z = 0, the nearest vertex and some triangle at it.

@@ -81,6 +81,19 @@ void expectFiveParts(const Character& character)
         EXPECT_LT(middleOf(parts.parts[leg], character.pose).y(), torso.y());
 }
 
+Character realCharacter(const std::string& name, const std::string& take)
+{
+    const std::filesystem::path folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters" / name;
+    if (!std::filesystem::exists(folder))
+        return {};
+    ImportOptions options;
+    options.mesh = folder / "mesh.obj";
+    options.fps = 30;
+    const MeshSequence sequence = openSequences(folder / (take + ".pc2"), options).sequences.front();
+    const Frame frame = sequence.frame(FrameIndex(0));
+    return {sequence.topology, {frame.positions().begin(), frame.positions().end()}};
+}
+
 TEST(ProposedParts, OfTheSampleAreFive)
 {
     expectFiveParts(sample());
@@ -95,11 +108,8 @@ TEST(ProposedParts, OfTheSampleAreFive)
                 static_cast<double>(parts.parts[2].vertices.size()), 12);
     EXPECT_NEAR(static_cast<double>(parts.parts[3].vertices.size()),
                 static_cast<double>(parts.parts[4].vertices.size()), 12);
-}
 
-TEST(ProposedParts, DoNotMindPlaceAndDirection)
-{
-    const ProposedParts here = proposeParts(sample().topology, sample().pose);
+    // Place and direction do not matter.
     std::vector<Vec3f> turned = sample().pose;
     std::vector<Vec3f> lying = sample().pose;
     const Eigen::Affine3f motion = Eigen::Translation3f(5, 1, -3) * Eigen::AngleAxisf(2, Vec3f::UnitY());
@@ -108,23 +118,21 @@ TEST(ProposedParts, DoNotMindPlaceAndDirection)
         lying[v] = conversionMatrix({.up = UpAxis::Y}, {.up = UpAxis::Z}) * lying[v];
     }
     // Rounding may decide between ways of one length on a symmetric body; then they are mirrored.
-    const auto counts = [](const ProposedParts& parts) {
+    const auto counts = [](const ProposedParts& of) {
         std::vector<std::size_t> found;
-        for (const PartCurve& curve : parts.curves)
+        for (const PartCurve& curve : of.curves)
             found.push_back(curve.vertices.size());
         return found;
     };
-    EXPECT_EQ(counts(proposeParts(sample().topology, turned)), counts(here));
-    EXPECT_EQ(counts(proposeParts(sample().topology, lying, {.up = UpAxis::Z})), counts(here));
-}
+    EXPECT_EQ(counts(proposeParts(sample().topology, turned)), counts(proposed));
+    EXPECT_EQ(counts(proposeParts(sample().topology, lying, {.up = UpAxis::Z})), counts(proposed));
 
-TEST(ProposedParts, HaveOverlapsAsWideAsWanted)
-{
+    // Overlaps are as wide as wanted.
     const SurfaceGraph graph(sample().topology, sample().pose);
     const auto width = [&](double share) {
-        const ProposedParts proposed = proposeParts(sample().topology, sample().pose, {.overlap = share});
-        return widthOf(
-            graph, cutIntoParts(*sample().topology, sample().pose, proposed.curves, proposed.parts).parts[3]);
+        const ProposedParts wide = proposeParts(sample().topology, sample().pose, {.overlap = share});
+        return widthOf(graph,
+                       cutIntoParts(*sample().topology, sample().pose, wide.curves, wide.parts).parts[3]);
     };
     EXPECT_NEAR(width(0.08), 0.08 * 1.75, 0.02);
     EXPECT_NEAR(width(0.05), 0.05 * 1.75, 0.02);
@@ -141,28 +149,20 @@ TEST(ProposedParts, NeedArmsAndLegs)
 
 TEST(ProposedParts, CanBeCancelled)
 {
-    CancelToken token;
-    int reports = 0;
-    const Progress progress(token, [&](double) {
-        if (++reports == 12)
-            token.cancel();
-    });
-    EXPECT_EQ(codeOf([&] { proposeParts(sample().topology, sample().pose, {}, progress); }),
-              ErrorCode::Cancelled);
-    EXPECT_EQ(reports, 12);
-}
-
-Character realCharacter(const std::string& name, const std::string& take)
-{
-    const std::filesystem::path folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters" / name;
-    if (!std::filesystem::exists(folder))
-        return {};
-    ImportOptions options;
-    options.mesh = folder / "mesh.obj";
-    options.fps = 30;
-    const MeshSequence sequence = openSequences(folder / (take + ".pc2"), options).sequences.front();
-    const Frame frame = sequence.frame(FrameIndex(0));
-    return {sequence.topology, {frame.positions().begin(), frame.positions().end()}};
+    const Character character = realCharacter("mh_male", "m_avg__walk");
+    if (!character.topology)
+        GTEST_SKIP();
+    for (const int last : {1, 12, 40}) {
+        CancelToken token;
+        int reports = 0;
+        const Progress progress(token, [&](double) {
+            if (++reports == last)
+                token.cancel();
+        });
+        EXPECT_EQ(codeOf([&] { proposeParts(character.topology, character.pose, {}, progress); }),
+                  ErrorCode::Cancelled);
+        EXPECT_EQ(reports, last);
+    }
 }
 
 class RealParts : public ::testing::TestWithParam<std::pair<const char*, const char*>>
