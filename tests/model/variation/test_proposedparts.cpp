@@ -152,7 +152,7 @@ TEST(ProposedParts, CanBeCancelled)
     const Character character = realCharacter("mh_male", "m_avg__walk");
     if (!character.topology)
         GTEST_SKIP();
-    for (const int last : {1, 12, 40}) {
+    for (const int last : {1, 12, 25}) {
         CancelToken token;
         int reports = 0;
         const Progress progress(token, [&](double) {
