@@ -30,6 +30,20 @@ TEST(PoseDistances, DoesNotDependOnTilesThreadsAndSequences)
     EXPECT_TRUE((whole == whole.transpose()).all());
 }
 
+TEST(PoseDistances, OfTheFirstFramesAreTheFirstRowsOfAll)
+{
+    const CharacterFrames frames = characterOf(swayingTube(tubeTopology(8, 20), 8, 60, 0.1));
+    for (const PoseMetric metric : {PoseMetric::Surface, PoseMetric::Euclidean}) {
+        const Table<float> all = poseDistances(frames, {.metric = metric}).distances;
+        for (const NodeIndex rows : {0, 1, 23, 60}) {
+            const Table<float> first = poseDistancesOfFirst(frames, rows, {.metric = metric});
+            ASSERT_EQ(first.rows(), rows);
+            EXPECT_TRUE((first == all.topRows(rows)).all());
+        }
+    }
+    EXPECT_THROW(poseDistancesOfFirst(frames, 5, {.stretchWeight = -1}), Error);
+}
+
 TEST(PoseDistances, SeldomReadsFramesAgainThatTheCacheDoesNotHold)
 {
     /// Counts how often a frame is read.
