@@ -26,15 +26,15 @@ public:
         , m_states(static_cast<std::size_t>(2) * static_cast<std::size_t>(run) + 1)
         , m_from(static_cast<std::size_t>(costs.size()) * m_states, noState)
     {
-        std::vector<double> before;
-        std::vector<double> row(static_cast<std::size_t>(costs.cols()) * m_states);
+        const auto columns = static_cast<std::size_t>(costs.cols());
+        Row above(columns, m_states);
+        Row row(columns, m_states);
         for (Eigen::Index r = 0; r < costs.rows(); ++r) {
-            row.swap(before);
-            row.assign(static_cast<std::size_t>(costs.cols()) * m_states, unreachable);
+            std::swap(above, row);
             for (Eigen::Index c = 0; c < costs.cols(); ++c)
-                enter(r, c, before, row, within);
+                enter(r, c, above, row, r == 0 && (within || c == 0));
         }
-        m_last = std::move(row);
+        m_last = std::move(row.sums);
     }
 
     /// The cheapest of the last row's cells, from one column on; nothing where none can be reached.
@@ -57,49 +57,83 @@ private:
     static constexpr std::uint8_t noState = 255;
     static constexpr std::uint8_t start = 254;
 
+    /// The cheapest of some states of a cell; the first of equal ones.
+    struct Least
+    {
+        double sum = unreachable;
+        std::uint8_t state = noState;
+    };
+    struct Cell
+    {
+        Least any;
+        Least notAlong;  ///< not by a step along the reference
+        Least notAcross; ///< not by a step along the take
+    };
+
     std::size_t cell(Eigen::Index r, Eigen::Index c) const
     {
         return static_cast<std::size_t>(r * m_costs.cols() + c) * m_states;
     }
 
-    void enter(Eigen::Index r, Eigen::Index c, const std::vector<double>& before, std::vector<double>& row,
-               bool within)
+    struct Row
     {
-        const double cost = m_costs(r, c);
-        const std::size_t here = static_cast<std::size_t>(c) * m_states;
-        const auto take = [&](int state, double sum, std::uint8_t from) {
-            double& known = row[here + static_cast<std::size_t>(state)];
-            if (sum + cost < known) {
-                known = sum + cost;
-                m_from[cell(r, c) + static_cast<std::size_t>(state)] = from;
-            }
-        };
-        if (r == 0 && (within || c == 0))
-            take(0, 0, start);
-        if (r > 0 && c > 0) {
-            const double* const sums = &before[here - m_states];
-            for (std::size_t s = 0; s < m_states; ++s)
-                take(0, sums[s], static_cast<std::uint8_t>(s));
+        std::vector<Cell> cells;
+        std::vector<double> sums; ///< cells × states
+
+        Row(std::size_t columns, std::size_t states) : cells(columns), sums(columns * states) {}
+    };
+
+    void enter(Eigen::Index r, Eigen::Index column, const Row& above, Row& row, bool isStart)
+    {
+        const auto c = static_cast<std::size_t>(column);
+        double* const here = &row.sums[c * m_states];
+        std::uint8_t* const from = &m_from[cell(r, column)];
+        const Least corner = r > 0 && c > 0 ? above.cells[c - 1].any : Least();
+        here[0] = isStart ? 0 : corner.sum;
+        from[0] = isStart ? start : corner.state;
+        std::fill_n(here + 1, m_states - 1, unreachable);
+        if (r > 0) {
+            const Cell& neighbour = above.cells[c];
+            goStraight(m_unlimited ? neighbour.any : neighbour.notAlong, &above.sums[c * m_states], 1, here,
+                       from);
         }
-        if (r > 0)
-            straight(&before[here], 1, take);
-        if (c > 0)
-            straight(&row[here - m_states], m_run + 1, take);
+        if (c > 0) {
+            const Cell& neighbour = row.cells[c - 1];
+            goStraight(m_unlimited ? neighbour.any : neighbour.notAcross, here - m_states, m_run + 1, here,
+                       from);
+        }
+        const double cost = m_costs(r, column);
+        std::for_each_n(here, m_states, [cost](double& sum) { sum += cost; });
+        row.cells[c] = summary(here);
     }
 
-    /// Steps of one kind, whose states begin with `first`, from a neighbour with these sums.
-    template <typename Take>
-    void straight(const double* sums, int first, const Take& take) const
+    /// Steps of one kind, whose states begin with `first`: the first in a row behind another kind, the others
+    /// one behind the other.
+    void goStraight(const Least& turn, const double* sums, int first, double* out, std::uint8_t* from) const
     {
-        for (int s = 0; s < static_cast<int>(m_states); ++s) {
-            const bool same = s >= first && s < first + m_run;
-            if (!same)
-                take(first, sums[s], static_cast<std::uint8_t>(s));
-            else if (s + 1 < first + m_run)
-                take(s + 1, sums[s], static_cast<std::uint8_t>(s));
-            else if (m_unlimited)
-                take(s, sums[s], static_cast<std::uint8_t>(s));
+        out[first] = turn.sum;
+        from[first] = turn.state;
+        for (int state = first + 1; state < first + m_run; ++state) {
+            out[state] = sums[state - 1];
+            from[state] = static_cast<std::uint8_t>(state - 1);
         }
+    }
+
+    Cell summary(const double* sums) const
+    {
+        const auto least = [sums](int from, int to, Least best) {
+            for (int state = from; state < to; ++state) {
+                if (sums[state] < best.sum)
+                    best = {sums[state], static_cast<std::uint8_t>(state)};
+            }
+            return best;
+        };
+        const Least diagonal = least(0, 1, {});
+        const Least notAcross = least(1, m_run + 1, diagonal);
+        const int states = 2 * m_run + 1;
+        return {.any = least(m_run + 1, states, notAcross),
+                .notAlong = least(m_run + 1, states, diagonal),
+                .notAcross = notAcross};
     }
 
     WarpPathResult trace(std::size_t end, double cost) const
