@@ -137,9 +137,9 @@ std::optional<FrameRange> cycleWithin(const Table<float>& toReference, const Tab
     const int next = found->path.back().take;
     const bool matches = found->meanCost() <= greatestMatch * static_cast<double>(toReference.mean());
     const bool returns = double{own(first, next)} <= greatestReturn * double{own.mean()};
-    // No tempo is half or twice that of the reference's.
-    const bool keepsTempo =
-        2 * (next - first) >= toReference.rows() && next - first <= 2 * toReference.rows();
+    // Nobody walks at less than half the tempo of the reference, or at more than twice.
+    const std::int64_t count = next - first;
+    const bool keepsTempo = 2 * count >= toReference.rows() && count <= 2 * toReference.rows();
     if (!matches || !returns || !keepsTempo)
         return std::nullopt;
     return FrameRange{FrameIndex(first), FrameIndex(next - 1)};
