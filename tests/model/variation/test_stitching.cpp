@@ -319,6 +319,46 @@ TEST(Stitching, CutsAllFramesAlongOneCurve)
     EXPECT_EQ(stitching.stitch(first, out), stitching.bestSeams(first));
 }
 
+TEST(Stitching, CutsWhereTheInstancesAgreeInAllFrames)
+{
+    const PartedBar parted(61, 4, 2.0F, 0.3F, true, 12);
+    const Stitching stitching(parted.bar.topology, parted.parts, parted.bar.positions);
+    const BodyPart& left = parted.parts.parts[1];
+    const auto ringOf = [&](VertexIndex v) {
+        return std::lround(parted.bar.positions[v.value].x() * 30) -
+               std::lround(parted.bar.positions[left.overlap.front().value].x() * 30);
+    };
+    // The first frame agrees at rings 4 and 8, the second at 4 and 11, each with their neighbours.
+    std::vector<Pose> sequences(5);
+    for (const long other : {8L, 11L}) {
+        std::vector<Pose> poses = cutPose(parted.parts, parted.bar.positions);
+        const Pose noisy = cutPose(parted.parts, shaken(parted.bar.positions, 0.02, 3))[1];
+        for (const VertexIndex v : left.overlap) {
+            const auto place =
+                static_cast<std::size_t>(std::ranges::lower_bound(left.vertices, v) - left.vertices.begin());
+            if (std::abs(ringOf(v) - 4) > 1 && std::abs(ringOf(v) - other) > 1)
+                poses[1][place] = noisy[place];
+        }
+        for (std::size_t p = 0; p < sequences.size(); ++p)
+            sequences[p].insert(sequences[p].end(), poses[p].begin(), poses[p].end());
+    }
+    const auto ringsOf = [&](const Stitching::Seams& seams) {
+        std::set<long> rings;
+        for (const VertexIndex v : seams.curves[1])
+            rings.insert(ringOf(v));
+        return rings;
+    };
+    const auto frame = [&](std::size_t f) {
+        std::vector<Positions> poses;
+        for (const Pose& sequence : sequences)
+            poses.push_back(Positions(sequence).subspan(f * sequence.size() / 2, sequence.size() / 2));
+        return poses;
+    };
+    EXPECT_EQ(ringsOf(stitching.bestSeams(frame(0))), std::set{8L});
+    EXPECT_EQ(ringsOf(stitching.bestSeams(frame(1))), std::set{4L});
+    EXPECT_EQ(ringsOf(stitching.bestSeams(viewed(sequences))), std::set{4L});
+}
+
 TEST(Stitching, IsTheSameForAnyNumberOfThreads)
 {
     const PartedBar parted;
