@@ -92,7 +92,8 @@ TEST(RealStitching, GivesBackAnUnchangedMesh)
     }
 }
 
-// Limbs lag by 33 to 133 ms behind the trunk: shoulders and hips bend differently on either side.
+// Limbs lag by up to 270 ms behind the trunk: shoulders and hips bend differently on either side. Within a
+// degree; a sudden change of gradients at the seams leaves creases of up to 2.3 degrees here.
 TEST(RealStitching, LeavesNoCreaseAlongTheSeams)
 {
     const auto body = walker();
@@ -100,11 +101,11 @@ TEST(RealStitching, LeavesNoCreaseAlongTheSeams)
         GTEST_SKIP() << "no real data";
     const Stitching stitching(body->topology, body->parts, body->frame(0));
     const EdgeNormals normals(*body->topology);
-    for (const std::size_t lag : {1U, 2U}) {
+    for (const std::size_t lag : {1U, 2U, 4U}) {
         const std::vector<std::vector<Vec3f>> sequences = body->lagging(50, lag);
         const std::vector<Vec3f> frames = stitchFrames(stitching, viewed(sequences));
         const Stitching::Seams seams = stitching.bestSeams(viewed(sequences));
-        for (std::size_t f = 0; f < 50; f += 7) {
+        for (std::size_t f = 0; f < 50; f += 2) {
             for (std::size_t p = 1; p < seams.curves.size(); ++p) {
                 const std::vector<VertexIndex>& seam = seams.curves[p];
                 for (std::size_t i = 0; i < seam.size(); ++i) {
@@ -114,7 +115,7 @@ TEST(RealStitching, LeavesNoCreaseAlongTheSeams)
                     const double sharpest =
                         std::max(crease(body->frame(f)), crease(body->frame(f + lag * (p % 3))));
                     EXPECT_LT(crease(Positions(frames).subspan(f * body->vertexCount, body->vertexCount)),
-                              sharpest + 0.01)
+                              sharpest + 0.017)
                         << lag << " " << f << " " << p << " " << i;
                 }
             }
