@@ -76,6 +76,11 @@ public:
     /// double precision: a share of its mean diagonal, 0 as a rule.
     double jitter() const;
 
+    /// Multiplies the two terms with K_Y; 1 is the objective that is meant. Learning raises it to 1 in steps.
+    void setPoseWeight(double weight);
+    /// The last value, had the weight been 1.
+    double unweighted() const;
+
 private:
     struct Work;
     std::unique_ptr<Work> m_work;
@@ -99,23 +104,30 @@ enum class GpdmStop
 {
     Converged,
     IterationLimit,
+    Stalled,   ///< not even along the gradient does the objective fall any more in double precision
     Cancelled, ///< the best so far is kept
 };
 
 struct GpdmLearning
 {
     GpdmState state;
-    std::vector<double> objective;       ///< of each iteration of the start that won; the last one is final
+    /// Of the start that won, before and after each iteration; the last one is final.
+    std::vector<double> objective;
     std::vector<double> finalObjectives; ///< of each start
     GpdmStop stop = GpdmStop::Converged;
     /// Names of hyperparameters that stayed at a bound, "alpha3", …
     std::vector<std::string> activeBounds;
+    /// GpdmObjective::jitter() of the state.
+    double jitter = 0;
 };
 
-/// Told after iterations, from the thread that learns: how many there were, the objective, and the state.
+/// Told after each iteration, from the thread that learns: how many there were of this start, the objective,
+/// and the state. What it throws ends learning and is thrown on.
 using GpdmWatch = std::function<void(int iteration, double objective, const GpdmState& state)>;
 
-/// Learns a model of one part by L-BFGS from principal components.
+/// Learns a model of one part by L-BFGS from principal components. The variables are latents and u with
+/// ln(hyperparameter) = L·tanh(u/L), L = ln 1e6. The same on as many threads as there are; to be called for
+/// several parts at a time.
 /// \param rows  centred training rows Y, frames × coordinates.
 /// \param progress  once cancelled, learning stops and returns its best so far with GpdmStop::Cancelled.
 /// \throws Error BadArgument (a sequence of fewer than 3 frames, fewer frames than dimensions),
@@ -124,7 +136,11 @@ GpdmLearning learnGpdm(const Eigen::Ref<const RowMatrix>& rows, std::span<const 
                        const GpdmSettings& settings, const Progress& progress = {},
                        const GpdmWatch& watch = {});
 
-/// Principal components as the first latents: scores scaled to unit variance of the first component.
+/// Y·Yᵀ. \throws Error Cancelled.
+RowMatrix gramMatrix(const Eigen::Ref<const RowMatrix>& rows, const Progress& progress = {});
+
+/// Principal components as the first latents: scores scaled to unit variance of the first component, each
+/// with its largest score positive. Zero where all frames are the same.
 /// \param gram  Y·Yᵀ. \return frames × dimensions.
 RowMatrix principalLatents(const RowMatrix& gram, int dimensions);
 

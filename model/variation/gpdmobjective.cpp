@@ -94,6 +94,8 @@ struct GpdmObjective::Work
     DenseMatrix linearGradient;
     std::vector<double> row;
     double jitter = 0;
+    double poseWeight = 1;
+    double unweighted = 0;
 
     void load(const RowMatrix& latents);
     double poseValue(const GpdmHyperparameters& h);
@@ -148,8 +150,8 @@ void GpdmObjective::Work::poseGradient(const GpdmHyperparameters& h, Gradient& g
     for (Eigen::Index i = 0; i < half.filledRows(); ++i) {
         double* const values = half.row(i);
         for (Eigen::Index j = 0; j < i; ++j)
-            values[j] *= -0.5;
-        values[i] = 0.25 * (static_cast<double>(coordinates) - values[i]);
+            values[j] *= -0.5 * poseWeight;
+        values[i] = 0.25 * poseWeight * (static_cast<double>(coordinates) - values[i]);
         std::fill(values + i + 1, values + half.filledColumns(), 0.0);
     }
     multiplyLower(half, pose.inverse, product);
@@ -222,6 +224,16 @@ double GpdmObjective::jitter() const
     return m_work->jitter;
 }
 
+void GpdmObjective::setPoseWeight(double weight)
+{
+    m_work->poseWeight = weight;
+}
+
+double GpdmObjective::unweighted() const
+{
+    return m_work->unweighted;
+}
+
 double GpdmObjective::value(const GpdmState& state)
 {
     Work& work = *m_work;
@@ -230,8 +242,11 @@ double GpdmObjective::value(const GpdmState& state)
     double firsts = 0;
     for (const RowSpan& span : work.spans)
         firsts += state.latents.row(span.first).squaredNorm();
-    return work.poseValue(state.hyperparameters) + work.dynamicsValue(state.hyperparameters) + 0.5 * firsts +
-           logSum(state.hyperparameters);
+    const double poses = work.poseValue(state.hyperparameters);
+    const double others =
+        work.dynamicsValue(state.hyperparameters) + 0.5 * firsts + logSum(state.hyperparameters);
+    work.unweighted = poses + others;
+    return work.poseWeight * poses + others;
 }
 
 double GpdmObjective::value(const GpdmState& state, Gradient& gradient)
