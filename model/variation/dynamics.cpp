@@ -115,6 +115,43 @@ RowMatrix GpdmDynamics::meanPrediction(const Eigen::RowVectorXd& start, Eigen::I
     return trajectory;
 }
 
+// With C = L·Lᵀ, R = L·U for the residuals R and the innovations U. A row of L depends on the positions
+// before it only, so that trajectory and factor grow together.
+RowMatrix GpdmDynamics::trajectory(const Eigen::RowVectorXd& start, const RowMatrix& innovations) const
+{
+    const Eigen::Index count = innovations.rows();
+    RowMatrix trajectory(count + 1, start.size());
+    trajectory.row(0) = start;
+    RowMatrix solved(count, m_inputs.rows()); // L_X⁻¹·k of each step
+    RowMatrix factor = RowMatrix::Zero(count, count);
+    const double least = std::numeric_limits<double>::epsilon() / m_hyperparameters.beta4;
+    for (Eigen::Index step = 0; step < count; ++step) {
+        const RowMatrix from = trajectory.row(step);
+        DynamicsKernel cross(m_inputs, from, m_hyperparameters);
+        trajectory.row(step + 1).noalias() = cross.sum.view().transpose() * m_weights;
+        solveLower(m_factor, cross.sum);
+        solved.row(step) = cross.sum.view().transpose();
+        Eigen::VectorXd row =
+            DynamicsKernel(trajectory.topRows(step + 1), from, m_hyperparameters).sum.view().col(0) -
+            solved.topRows(step + 1) * solved.row(step).transpose();
+        factor.topLeftCorner(step, step).triangularView<Eigen::Lower>().solveInPlace(row.head(step));
+        const double variance = row[step] + 1 / m_hyperparameters.beta4 - row.head(step).squaredNorm();
+        row[step] = std::sqrt(std::max(variance, least));
+        factor.row(step).head(step + 1) = row.transpose();
+        trajectory.row(step + 1).noalias() += row.transpose() * innovations.topRows(step + 1);
+    }
+    return trajectory;
+}
+
+RowMatrix GpdmDynamics::innovations(const RowMatrix& trajectory) const
+{
+    const Eigen::Index count = std::max<Eigen::Index>(trajectory.rows() - 1, 0);
+    const Steps s = steps(trajectory.topRows(count));
+    DenseMatrix residuals(trajectory.bottomRows(count) - s.means);
+    solveLower(covarianceFactor(s.covariance, m_hyperparameters.beta1), residuals);
+    return residuals.view();
+}
+
 double GpdmDynamics::energy(const RowMatrix& trajectory, RowMatrix* gradient) const
 {
     const Eigen::Index count = std::max<Eigen::Index>(trajectory.rows() - 1, 0);
@@ -148,33 +185,6 @@ double GpdmDynamics::energy(const RowMatrix& trajectory, RowMatrix* gradient) co
     addKernelGradient(byCovariance, s.own.radial, from, from, m_hyperparameters, gradient->topRows(count));
     gradient->row(0).setZero();
     return value;
-}
-
-RowMatrix GpdmDynamics::curvature(const RowMatrix& trajectory) const
-{
-    const Eigen::Index count = std::max<Eigen::Index>(trajectory.rows() - 1, 0);
-    const Eigen::Index d = trajectory.cols();
-    const GpdmHyperparameters& p = m_hyperparameters;
-    const RowMatrix from = trajectory.topRows(count);
-    const Steps s = steps(from);
-    // The residuals' derivatives: 1 by the position a step leads to, −∂mean/∂z by the one it starts from.
-    RowMatrix jacobian = RowMatrix::Zero(count * d, count * d);
-    for (Eigen::Index step = 0; step < count; ++step) {
-        jacobian.block(step * d, step * d, d, d).setIdentity();
-        if (step == 0)
-            continue;
-        // ∂k(x_i, z)/∂z = β₃·x_i − β₂·radial·(z − x_i)
-        const Eigen::VectorXd pull = p.beta2 * s.cross.radial.view().col(step);
-        const RowMatrix kernel =
-            pull.asDiagonal() * (m_inputs.rowwise() - from.row(step)) + p.beta3 * m_inputs;
-        jacobian.block(step * d, (step - 1) * d, d, d) = -(m_weights.transpose() * kernel);
-    }
-    // Whitened: L_C⁻¹ acts on the steps of each dimension alike.
-    Eigen::Map<RowMatrix> bySteps(jacobian.data(), count, d * count * d);
-    DenseMatrix whitened(bySteps);
-    solveLower(covarianceFactor(s.covariance, p.beta1), whitened);
-    bySteps = whitened.view();
-    return jacobian.transpose() * jacobian;
 }
 
 } // namespace quadrille

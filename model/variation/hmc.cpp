@@ -21,6 +21,7 @@ public:
     Chain(const HmcEnergy& energy, const Eigen::VectorXd& start, const Eigen::MatrixXd& mass,
           std::uint64_t seed, int leapfrogSteps, const Progress& progress)
         : m_energy(energy)
+        , m_hasMass(mass.size() > 0)
         , m_mass(mass)
         , m_random(seed)
         , m_leapfrogSteps(std::max(leapfrogSteps, 1))
@@ -52,7 +53,9 @@ public:
         for (int i = 0; i < steps; ++i) {
             if (m_token.isCancelled())
                 throw Error(ErrorCode::Cancelled);
-            m_velocity = m_mass.solve(m_momentum);
+            m_velocity = m_momentum;
+            if (m_hasMass)
+                m_mass.solveInPlace(m_velocity);
             m_proposal += stepSize * m_velocity;
             value = m_energy(m_proposal, m_proposalGradient);
             if (!std::isfinite(value))
@@ -74,15 +77,21 @@ public:
 private:
     void drawMomentum()
     {
-        m_velocity.resize(m_position.size());
-        for (double& value : m_velocity)
+        m_momentum.resize(m_position.size());
+        for (double& value : m_momentum)
             value = m_random.normal();
-        m_momentum = m_mass.matrixL() * m_velocity;
+        if (m_hasMass)
+            m_momentum = (m_mass.matrixL() * m_momentum).eval();
     }
 
-    double kinetic() const { return 0.5 * m_mass.matrixL().solve(m_momentum).squaredNorm(); }
+    double kinetic() const
+    {
+        return 0.5 *
+               (m_hasMass ? m_mass.matrixL().solve(m_momentum).squaredNorm() : m_momentum.squaredNorm());
+    }
 
     const HmcEnergy& m_energy;
+    bool m_hasMass;
     Eigen::LLT<Eigen::MatrixXd> m_mass;
     Random m_random;
     int m_leapfrogSteps;

@@ -47,7 +47,7 @@ struct HmcChain
 /// Draws from a density by Hybrid Monte Carlo (Neal 2011): the step size is tuned during burn-in and stays
 /// from then on; the chain grows up to 16-fold until its effective sample size reaches `count`. The same seed
 /// gives the same samples.
-/// \param mass  symmetric, positive definite; best near the second derivatives of the energy.
+/// \param mass  symmetric, positive definite; best near the second derivatives of the energy. Empty: one.
 /// \throws Error Cancelled. Cost: O(burnIn + count · thinning) trajectories.
 HmcChain drawByHmc(const HmcEnergy& energy, const Eigen::VectorXd& start, const Eigen::MatrixXd& mass,
                    int count, std::uint64_t seed, const HmcSettings& settings = {},

@@ -2,46 +2,36 @@
 // SPDX-License-Identifier: MIT
 #include "model/variation/sampling.h"
 
+#include "model/core/badargument.h"
+
+#include <cmath>
+
 namespace quadrille {
-
-namespace {
-
-/// A trajectory from its start and all later positions one after the other.
-RowMatrix trajectoryOf(const Eigen::RowVectorXd& start, const Eigen::VectorXd& later)
-{
-    const Eigen::Index count = start.size() > 0 ? later.size() / start.size() : 0;
-    RowMatrix trajectory(count + 1, start.size());
-    trajectory.row(0) = start;
-    trajectory.bottomRows(count) = Eigen::Map<const RowMatrix>(later.data(), count, start.size());
-    return trajectory;
-}
-
-Eigen::VectorXd laterPositions(const RowMatrix& trajectory)
-{
-    const Eigen::Index d = trajectory.cols();
-    return Eigen::Map<const Eigen::VectorXd>(trajectory.data() + d, trajectory.size() - d);
-}
-
-} // namespace
 
 TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const RowMatrix& trajectory, int count,
                                      std::uint64_t seed, const HmcSettings& settings,
-                                     const Progress& progress)
+                                     const Progress& progress, double spread)
 {
-    const Eigen::RowVectorXd start = trajectory.row(0);
-    const RowMatrix first = dynamics.meanPrediction(start, trajectory.rows());
-    RowMatrix byTrajectory;
-    const HmcEnergy energy = [&](const Eigen::VectorXd& position, Eigen::VectorXd& gradient) {
-        const double value = dynamics.energy(trajectoryOf(start, position), &byTrajectory);
-        gradient = laterPositions(byTrajectory);
-        return value;
+    if (trajectory.rows() == 0)
+        refuse("the trajectory has no positions", "choose a learned trajectory");
+    if (!(spread >= 0) || !std::isfinite(spread))
+        refuse("the spread of variations is negative or infinite", "choose a number from 0 on, such as 1");
+    const Eigen::Index steps = trajectory.rows() - 1;
+    const Eigen::Index dimensions = trajectory.cols();
+    const HmcEnergy energy = [](const Eigen::VectorXd& innovations, Eigen::VectorXd& gradient) {
+        gradient = innovations;
+        return 0.5 * innovations.squaredNorm();
     };
-    HmcChain chain =
-        drawByHmc(energy, laterPositions(first), dynamics.curvature(first), count, seed, settings, progress);
-    TrajectorySamples samples;
-    for (const Eigen::VectorXd& sample : chain.samples)
-        samples.trajectories.push_back(trajectoryOf(start, sample));
-    samples.report = std::move(chain.report);
+    const HmcChain chain = drawByHmc(energy, Eigen::VectorXd::Zero(steps * dimensions), {}, count, seed,
+                                     settings, progress.part(0, 0.5));
+    TrajectorySamples samples{.report = chain.report};
+    const Progress drawing = progress.part(0.5, 1);
+    for (const Eigen::VectorXd& sample : chain.samples) {
+        const Eigen::Map<const RowMatrix> innovations(sample.data(), steps, dimensions);
+        samples.trajectories.push_back(dynamics.trajectory(trajectory.row(0), spread * innovations));
+        samples.energies.push_back(dynamics.energy(samples.trajectories.back()));
+        drawing.report(std::ssize(samples.trajectories), std::ssize(chain.samples));
+    }
     return samples;
 }
 

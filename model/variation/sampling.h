@@ -31,9 +31,13 @@ public:
     /// conditional of ALGORITHMS section 8, and its gradient by the trajectory (first row zero).
     /// Cost: O(length · inputs² + length³).
     double energy(const RowMatrix& trajectory, RowMatrix* gradient = nullptr) const;
-    /// The energy's second derivatives by the positions after the first, row after row, as far as they come
-    /// from the residuals' first derivatives (Gauss–Newton): positive definite.
-    RowMatrix curvature(const RowMatrix& trajectory) const;
+    /// The trajectory whose steps depart from their means, given the training and all steps before them, by
+    /// so many standard deviations. Zeros give the mean prediction; independent standard normals make the
+    /// trajectory a draw from the joint conditional.
+    /// \param innovations  steps × dimensions. \return one row more. Cost: O(steps · (inputs + steps)²).
+    RowMatrix trajectory(const Eigen::RowVectorXd& start, const RowMatrix& innovations) const;
+    /// Undoes trajectory().
+    RowMatrix innovations(const RowMatrix& trajectory) const;
 
     const RowMatrix& inputs() const { return m_inputs; }
     const GpdmHyperparameters& hyperparameters() const { return m_hyperparameters; }
@@ -51,15 +55,20 @@ private:
 struct TrajectorySamples
 {
     std::vector<RowMatrix> trajectories; ///< each frames × dimensions; the first row is the start
-    HmcReport report;
+    std::vector<double> energies;        ///< of the trajectories (see GpdmDynamics::energy)
+    HmcReport report;                    ///< of the chain; its energies are those of the innovations
 };
 
 /// Draws variations of a latent trajectory by Hybrid Monte Carlo, started at the mean prediction from its
-/// first position, which stays (CVS §6). The same seed gives the same samples.
-/// \throws Error Cancelled.
+/// first position, which stays (CVS §6). The chain moves in the innovations of the trajectory: there the
+/// joint conditional is a standard normal distribution, while in the positions themselves it is so stiff that
+/// a chain stays about where it began. The same seed gives the same samples. \param trajectory  of which the
+/// first position and the length count: a learned one. \param spread  scale of all innovations: 1 is what the
+/// model says; less stays closer to the mean. \throws Error BadArgument (a trajectory without positions, a
+/// spread that is negative or infinite), Cancelled.
 TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const RowMatrix& trajectory, int count,
                                      std::uint64_t seed, const HmcSettings& settings = {},
-                                     const Progress& progress = {});
+                                     const Progress& progress = {}, double spread = 1);
 
 /// How a drawn pose deviates from the mean.
 enum class PoseDeviation

@@ -36,7 +36,7 @@ inline LatentLoops latentLoops(Eigen::Index sequences, Eigen::Index frames, int 
         }
     }
     loops.state.hyperparameters = {
-        .alpha1 = 0.05, .alpha3 = 2e4, .beta1 = 0.8, .beta2 = 0.7, .beta3 = 0.9, .beta4 = 4e3};
+        .alpha1 = 0.05, .alpha3 = 2e4, .beta1 = 0.8, .beta2 = 0.7, .beta3 = 0.02, .beta4 = 4e4};
     return loops;
 }
 
