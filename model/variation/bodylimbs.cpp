@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <optional>
 
 namespace quadrille {
 
@@ -94,22 +94,43 @@ std::vector<VertexIndex> peaks(const SurfaceGraph& graph, std::vector<VertexInde
     return found;
 }
 
-/// Where a foot points from its ankle, level.
-Vec3d toes(const SurfaceGraph& graph, const Limb& foot, const BodyLimbs& body)
+/// Mean place of the vertices that a test passes; none where it passes none.
+template <typename Test>
+std::optional<Vec3d> meanPlace(const SurfaceGraph& graph, Test&& passes)
 {
     Vec3d sum = Vec3d::Zero();
     double count = 0;
-    for (std::size_t v = 0; v < foot.distances.size(); ++v) {
-        const double share = static_cast<double>(foot.distances[v]) / body.height;
-        if (share < 0.14 || share > 0.2)
+    for (std::size_t v = 0; v < graph.vertexCount(); ++v) {
+        if (!passes(v))
             continue;
         sum += graph.pose()[v].cast<double>();
         ++count;
     }
-    if (count == 0)
-        return Vec3d::Zero();
-    const Vec3d ahead = graph.pose()[foot.tip.value].cast<double>() - sum / count;
-    return ahead - ahead.dot(body.up) * body.up;
+    return count > 0 ? std::optional<Vec3d>(sum / count) : std::nullopt;
+}
+
+/// Where a foot points from its heel and ankle.
+Vec3d toes(const SurfaceGraph& graph, const Limb& foot, double height)
+{
+    const auto behind = meanPlace(graph, [&](std::size_t v) {
+        const double share = static_cast<double>(foot.distances[v]) / height;
+        return 0.09 < share && share < 0.15;
+    });
+    return behind ? Vec3d(graph.pose()[foot.tip.value].cast<double>() - *behind) : Vec3d::Zero();
+}
+
+/// From the middle of the trunk's half that is nearer to one foot to that of the other.
+Vec3d acrossTrunk(const SurfaceGraph& graph, const Limb& from, const Limb& to, double height)
+{
+    const auto half = [&](const Limb& near, const Limb& far) {
+        return meanPlace(graph, [&](std::size_t v) {
+            const double share = static_cast<double>(near.distances[v]) / height;
+            return near.distances[v] < far.distances[v] && 0.55 < share && share < 0.8;
+        });
+    };
+    const auto one = half(from, to);
+    const auto other = half(to, from);
+    return one && other ? Vec3d(*other - *one) : Vec3d::Zero();
 }
 
 float between(const Limb& limb, const Limb& other)
@@ -162,9 +183,8 @@ BodyLimbs findLimbs(const SurfaceGraph& graph, UpAxis up, const Progress& progre
     }
     std::swap(limbs[2], limbs[hands[0]]);
     std::swap(limbs[3], limbs[hands[1]]);
-    const Vec3d ahead = toes(graph, limbs[0], body) + toes(graph, limbs[1], body);
-    const Vec3d apart = (graph.pose()[limbs[0].tip.value] - graph.pose()[limbs[1].tip.value]).cast<double>();
-    if (body.up.cross(ahead).dot(apart) < 0)
+    const Vec3d ahead = toes(graph, limbs[0], body.height) + toes(graph, limbs[1], body.height);
+    if (body.up.cross(ahead).dot(acrossTrunk(graph, limbs[0], limbs[1], body.height)) > 0)
         std::swap(limbs[0], limbs[1]);
     if (between(limbs[0], limbs[2]) + between(limbs[1], limbs[3]) >
         between(limbs[0], limbs[3]) + between(limbs[1], limbs[2]))
