@@ -259,7 +259,8 @@ std::vector<VertexIndex> anchorVertices(const BodyParts& parts)
                             std::back_inserter(rest));
         anchor = std::move(rest);
     }
-    return anchor;
+    constexpr std::size_t fewest = 3; // they turn about nothing
+    return anchor.size() < fewest ? std::vector<VertexIndex>() : anchor;
 }
 
 Alignment alignTakes(std::span<const TrainingTake> takes, std::size_t reference,

@@ -20,7 +20,7 @@ namespace quadrille {
 inline constexpr std::int64_t leastTrainingFrames = 4;
 
 /// The vertices of the root that it shares with no other part: a body is laid onto another by its torso, so
-/// that limbs swing beside it. None where the body is one part.
+/// that limbs swing beside it. None where the body is one part, or where too few are left.
 std::vector<VertexIndex> anchorVertices(const BodyParts& parts);
 
 /// A take that variations are learned from.

@@ -163,11 +163,13 @@ TEST(Alignment, AnchorIsWhatTheRootSharesWithNoOtherPart)
             result.emplace_back(number);
         return result;
     };
-    BodyParts parts{{{.name = "torso", .vertices = vertices({1, 2, 3, 5, 8})}}};
+    BodyParts parts{{{.name = "torso", .vertices = vertices({1, 2, 3, 5, 8, 13})}}};
     EXPECT_TRUE(anchorVertices(parts).empty());
     parts.parts.push_back({.name = "arm", .parent = 0, .overlap = vertices({2, 8})});
     parts.parts.push_back({.name = "leg", .parent = 0, .overlap = vertices({3})});
-    EXPECT_EQ(anchorVertices(parts), vertices({1, 5}));
+    EXPECT_EQ(anchorVertices(parts), vertices({1, 5, 13}));
+    parts.parts.push_back({.name = "head", .parent = 0, .overlap = vertices({1})});
+    EXPECT_TRUE(anchorVertices(parts).empty());
 }
 
 TEST(Alignment, CutsLocomotionToCyclesFromOnePhaseOn)
