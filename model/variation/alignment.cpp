@@ -215,8 +215,8 @@ WarpReport reportOf(const Matching& matching, std::size_t take, const ReferenceF
     return report;
 }
 
-std::vector<Vec3f> centredTemplate(Positions given, const MeshSequence& reference, FrameIndex first,
-                                   std::span<const VertexIndex> anchor)
+AlignmentTemplate centredTemplate(Positions given, const MeshSequence& reference, FrameIndex first,
+                                  const std::vector<VertexIndex>& anchor)
 {
     const std::size_t expected = reference.topology->vertexCount();
     if (!given.empty() && given.size() != expected)
@@ -224,12 +224,14 @@ std::vector<Vec3f> centredTemplate(Positions given, const MeshSequence& referenc
                                                                 {"expected", std::to_string(expected)}}});
     const Frame frame = reference.frame(first);
     const Positions pose = given.empty() ? frame.positions() : given;
-    const Vec3d centre = centroid(anchorOf(pose, anchor));
-    std::vector<Vec3f> centred;
-    centred.reserve(pose.size());
-    for (const Vec3f& p : pose)
-        centred.emplace_back((p.cast<double>() - centre).cast<float>());
-    return centred;
+    AlignmentTemplate result{.pose = {pose.begin(), pose.end()}, .anchor = anchor};
+    Vec3d sum = Vec3d::Zero();
+    for (const VertexIndex vertex : anchor)
+        sum += pose[vertex.value].cast<double>();
+    const Vec3d centre = anchor.empty() ? centroid(pose) : Vec3d(sum / static_cast<double>(anchor.size()));
+    for (Vec3f& p : result.pose)
+        p = (p.cast<double>() - centre).cast<float>();
+    return result;
 }
 
 /// The part of the work that one of several takes is.
@@ -287,9 +289,10 @@ Alignment alignTakes(std::span<const TrainingTake> takes, std::size_t reference,
         own.assign(takes.size(), Table<float>());
 
     Alignment alignment{.reference = reference, .fps = takes[reference].sequence.fps};
-    alignment.templatePose =
+    const auto laidOnto = std::make_shared<const AlignmentTemplate>(
         centredTemplate(templatePose, takes[reference].sequence,
-                        FrameIndex(matching.usable.first.value + frames.first), settings.anchor);
+                        FrameIndex(matching.usable.first.value + frames.first), settings.anchor));
+    alignment.templatePose = laidOnto->pose;
     if (frames.isCycle)
         alignment.cycle = frames.count;
     for (std::size_t t = 0; t < takes.size(); ++t) {
@@ -297,9 +300,9 @@ Alignment alignTakes(std::span<const TrainingTake> takes, std::size_t reference,
         AlignedTake take{.name = takes[t].sequence.name,
                          .warp = warpOf(report.path, settings.smoothing, matching.candidates[t].first),
                          .poses = {},
-                         .placements = {}};
-        alignPoses(takes[t].sequence, alignment.templatePose, settings.anchor, take,
-                   partOf(progress, 0.8, 1, t, takes.size()));
+                         .placements = {},
+                         .laidOnto = laidOnto};
+        alignPoses(takes[t].sequence, take, partOf(progress, 0.8, 1, t, takes.size()));
         fillPhases(take.warp, report);
         alignment.reports.push_back(std::move(report));
         alignment.takes.push_back(std::move(take));

@@ -18,18 +18,17 @@ struct LaidFrames
     std::vector<RigidMotion> placements;
 };
 
-LaidFrames layFrames(const MeshSequence& sequence, FrameRange frames, Positions templatePose,
-                     std::span<const VertexIndex> anchor, const Progress& progress)
+LaidFrames layFrames(const MeshSequence& sequence, FrameRange frames, const AlignmentTemplate& templatePose,
+                     const Progress& progress)
 {
-    const std::vector<Vec3f> target = anchorOf(templatePose, anchor);
-    const std::size_t vertices = templatePose.size();
+    const std::size_t vertices = templatePose.pose.size();
     const auto count = static_cast<std::size_t>(frames.count());
     LaidFrames laid{.poses = std::vector<Vec3f>(count * vertices),
                     .placements = std::vector<RigidMotion>(count)};
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
         progress.report(static_cast<double>(k) / static_cast<double>(count));
         const Frame frame = sequence.frame(FrameIndex(frames.first.value + static_cast<std::int64_t>(k)));
-        const RigidMotion onto = rigidProcrustes(anchorOf(frame.positions(), anchor), target);
+        const RigidMotion onto = templatePose.onto(frame.positions());
         for (std::size_t v = 0; v < vertices; ++v)
             laid.poses[k * vertices + v] = onto(frame.positions()[v].cast<double>()).cast<float>();
         const Eigen::Quaterniond back = onto.rotation.conjugate();
@@ -40,22 +39,10 @@ LaidFrames layFrames(const MeshSequence& sequence, FrameRange frames, Positions 
 
 } // namespace
 
-std::vector<Vec3f> anchorOf(Positions pose, std::span<const VertexIndex> anchor)
+void alignPoses(const MeshSequence& sequence, AlignedTake& take, const Progress& progress)
 {
-    if (anchor.empty())
-        return {pose.begin(), pose.end()};
-    std::vector<Vec3f> positions;
-    positions.reserve(anchor.size());
-    for (const VertexIndex vertex : anchor)
-        positions.push_back(pose[vertex.value]);
-    return positions;
-}
-
-void alignPoses(const MeshSequence& sequence, Positions templatePose, std::span<const VertexIndex> anchor,
-                AlignedTake& take, const Progress& progress)
-{
-    const LaidFrames laid = layFrames(sequence, take.warp.frames, templatePose, anchor, progress);
-    const std::size_t vertices = templatePose.size();
+    const LaidFrames laid = layFrames(sequence, take.warp.frames, *take.laidOnto, progress);
+    const std::size_t vertices = take.laidOnto->pose.size();
     take.poses.resize(take.warp.positions.size() * vertices);
     for (std::size_t f = 0; f < take.warp.positions.size(); ++f) {
         const double frame =

@@ -7,14 +7,9 @@
 
 namespace quadrille {
 
-/// Some vertices of a pose; all where none are named.
-std::vector<Vec3f> anchorOf(Positions pose, std::span<const VertexIndex> anchor);
-
-/// Fills the poses and placements of a take whose warp is known: captured frames are laid onto the template
-/// by Procrustes; between two of them poses are interpolated linearly, placements by slerp.
-/// \param templatePose  whose anchor is centred at the origin. \param anchor  vertices that decide; all when
-/// empty. \throws Error what reading frames throws, Cancelled. Parallel over the frames.
-void alignPoses(const MeshSequence& sequence, Positions templatePose, std::span<const VertexIndex> anchor,
-                AlignedTake& take, const Progress& progress = {});
+/// Fills the poses and placements of a take whose warp and template are known: captured frames are laid onto
+/// the template; between two of them poses are interpolated linearly, placements by slerp.
+/// \throws Error what reading frames throws, Cancelled. Parallel over the frames.
+void alignPoses(const MeshSequence& sequence, AlignedTake& take, const Progress& progress = {});
 
 } // namespace quadrille

@@ -8,6 +8,7 @@
 #include "model/variation/playback.h"
 
 #include <cassert>
+#include <tbb/parallel_for.h>
 
 namespace quadrille {
 
@@ -30,6 +31,19 @@ std::vector<Positions> posesOf(const AlignedTake& take)
     return poses;
 }
 
+/// Between two poses that lie on the template a pose lies beside it: its centre keeps to a straight line,
+/// around which its anchor moves as limbs swing.
+void layOnto(const AlignmentTemplate& target, std::size_t frames, std::vector<Vec3f>& poses)
+{
+    const std::size_t vertices = target.pose.size();
+    tbb::parallel_for(std::size_t{0}, frames, [&](std::size_t f) {
+        const auto pose = std::span(poses).subspan(f * vertices, vertices);
+        const RigidMotion onto = target.onto(pose);
+        for (Vec3f& p : pose)
+            p = onto(p.cast<double>()).cast<float>();
+    });
+}
+
 } // namespace
 
 AlignedTake blendedTake(const std::shared_ptr<const PoissonSystem>& system, const AlignedTake& a,
@@ -44,11 +58,14 @@ AlignedTake blendedTake(const std::shared_ptr<const PoissonSystem>& system, cons
     AlignedTake blend{.name = std::move(name),
                       .warp = blendedWarp(a.warp, b.warp, weight),
                       .poses = {},
-                      .placements = blendedPlacements(a.placements, b.placements, weight, settings.up)};
+                      .placements = blendedPlacements(a.placements, b.placements, weight, settings.up),
+                      .laidOnto = a.laidOnto};
     std::vector<BlendStep> steps;
     for (std::size_t f = 0; f < a.placements.size(); ++f)
         steps.push_back({static_cast<int>(f), static_cast<int>(f), weight, {}, {}});
     blend.poses = blendPoses(system, posesOf(a), posesOf(b), steps, settings.method, progress);
+    if (a.laidOnto && a.laidOnto == b.laidOnto)
+        layOnto(*a.laidOnto, steps.size(), blend.poses);
     return blend;
 }
 

@@ -21,10 +21,10 @@ struct BlendSettings
     InterpolationMethod method = InterpolationMethod::Poisson;
 };
 
-/// A movement between two takes on one reference (CVS §7): poses by non-linear interpolation, placements by
-/// blendedPlacements, timing by blendedWarp. At 0 and 1 the takes themselves, but for their names.
-/// \param weight  of the second take, 0 … 1.
-/// \throws Error BadArgument (weight), VertexCountMismatch, Cancelled. Parallel over the frames.
+/// A movement between two takes on one reference (CVS §7): poses by non-linear interpolation, laid onto
+/// the takes' template, placements by blendedPlacements, timing by blendedWarp. At 0 and 1 the takes
+/// themselves, but for their names. \param weight  of the second take, 0 … 1. \throws Error BadArgument
+/// (weight), VertexCountMismatch, Cancelled. Parallel over the frames.
 AlignedTake blendedTake(const std::shared_ptr<const PoissonSystem>& system, const AlignedTake& a,
                         const AlignedTake& b, double weight, std::string name,
                         const BlendSettings& settings = {}, const Progress& progress = {});

@@ -53,6 +53,19 @@ double totalVariance(const Eigen::Ref<const RowMatrix>& rows)
 
 } // namespace
 
+RigidMotion AlignmentTemplate::onto(Positions other) const
+{
+    if (anchor.empty())
+        return rigidProcrustes(other, pose);
+    std::vector<Vec3f> moved;
+    std::vector<Vec3f> target;
+    for (const VertexIndex vertex : anchor) {
+        moved.push_back(other[vertex.value]);
+        target.push_back(pose[vertex.value]);
+    }
+    return rigidProcrustes(moved, target);
+}
+
 Positions AlignedTake::pose(std::size_t frame) const
 {
     const std::size_t vertices = poses.size() / placements.size();

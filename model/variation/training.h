@@ -8,21 +8,34 @@
 #include "model/variation/timewarp.h"
 
 #include <array>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace quadrille {
 
+/// What frames are laid onto by Procrustes.
+struct AlignmentTemplate
+{
+    std::vector<Vec3f> pose;         ///< the centroid of its anchor is the origin, metres
+    std::vector<VertexIndex> anchor; ///< vertices that decide; all when empty
+
+    /// The motion that brings a pose onto the template. \pre It has as many vertices.
+    RigidMotion onto(Positions other) const;
+};
+
 /// A take on the reference's frames, its poses laid onto the template frame.
 struct AlignedTake
 {
     std::string name;
     TakeWarp warp;
-    /// Reference frames × vertices, metres, Procrustes-aligned to the template, whose middle is the origin.
+    /// Reference frames × vertices, metres, Procrustes-aligned to the template.
     std::vector<Vec3f> poses;
     /// Of each reference frame the motion from the template's place to where it was captured.
     std::vector<RigidMotion> placements;
+    /// That the poses lie on; blends of two such takes are laid onto it, too. Null where poses lie anywhere.
+    std::shared_ptr<const AlignmentTemplate> laidOnto;
 
     /// Pose of a reference frame. \pre frame < placements.size().
     Positions pose(std::size_t frame) const;

@@ -17,7 +17,7 @@ using testing::strideAt;
 using testing::swayingTake;
 
 /// Two takes of different length that face different ways; the second goes faster.
-Alignment twoTakes()
+Alignment twoTakes(const std::vector<VertexIndex>& anchor = {})
 {
     const auto reach = [](double t) { return 2.5 * std::sin(std::numbers::pi * t); };
     const auto behind = [](int f) {
@@ -32,7 +32,7 @@ Alignment twoTakes()
         {swayingTake(
              "b", 30, [&](int f) { return reach(f / 29.0); }, behind, 1.3),
          {}}};
-    return alignTakes(takes, 0);
+    return alignTakes(takes, 0, {.anchor = anchor});
 }
 
 TEST(PreBlend, AtItsEndsIsTheTakes)
@@ -62,9 +62,27 @@ TEST(PreBlend, InterpolatesPosesNonLinearlyFrameByFrame)
     const AlignedTake blend = blendedTake(system, alignment.takes[0], alignment.takes[1], 0.3, "blend");
     EXPECT_EQ(blend.warp.frames.count(), 23);
     for (const std::size_t f : {0U, 7U, 19U}) {
-        const std::vector<Vec3f> expected = interpolatePoses(
-            testing::swayingTopology(), alignment.takes[0].pose(f), alignment.takes[1].pose(f), 0.3);
+        std::vector<Vec3f> expected = interpolatePoses(testing::swayingTopology(), alignment.takes[0].pose(f),
+                                                       alignment.takes[1].pose(f), 0.3);
+        const RigidMotion onto = rigidProcrustes(expected, alignment.templatePose);
+        for (Vec3f& p : expected)
+            p = onto(p.cast<double>()).cast<float>();
         EXPECT_LT(testing::largestDistance(blend.pose(f), expected), 1e-6);
+    }
+}
+
+TEST(PreBlend, LiesOnTheTemplateByItsAnchor)
+{
+    std::vector<VertexIndex> anchor;
+    for (unsigned v = 0; v < 24; ++v)
+        anchor.emplace_back(v);
+    const Alignment alignment = twoTakes(anchor);
+    const auto system = std::make_shared<PoissonSystem>(testing::swayingTopology());
+    const AlignedTake blend = blendedTake(system, alignment.takes[0], alignment.takes[1], 0.5, "blend");
+    for (std::size_t f = 0; f < blend.placements.size(); ++f) {
+        const RigidMotion rest = alignment.takes[0].laidOnto->onto(blend.pose(f));
+        EXPECT_LT(rest.translation.norm(), 1e-5);
+        EXPECT_LT(rest.rotation.angularDistance(Eigen::Quaterniond::Identity()), 1e-4);
     }
 }
 
