@@ -125,7 +125,11 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
                                             "report.copy",
                                             "report.save",
                                             "report.saveFrames"});
-    addMenu([] { return tr("Va&riations"); }, {"variations.new", "variations.duplicate"});
+    addMenu([] { return tr("Va&riations"); },
+            {"variations.new", "variations.duplicate", "", "variations.parts.propose",
+             "variations.curve.draw", "variations.curve.second", "variations.curve.mirror",
+             "variations.curve.shorten", "variations.curve.snap", "variations.parts.add",
+             "variations.parts.remove", "variations.parts.show"});
     addMenu([] { return tr("&Playback"); },
             {"play.toggle", "", "play.previous", "play.next", "play.first", "play.last", "", "play.backwards",
              "play.pause", "play.forwards"});

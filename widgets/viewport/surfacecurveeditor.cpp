@@ -81,6 +81,17 @@ void SurfaceCurveEditor::setPreview(std::vector<std::uint32_t> vertices)
     emit repaintAsked();
 }
 
+void SurfaceCurveEditor::setRefusal(const QString& text)
+{
+    d->refusal = text;
+    emit repaintAsked();
+}
+
+const QString& SurfaceCurveEditor::refusal() const
+{
+    return d->refusal;
+}
+
 void SurfaceCurveEditor::setActive(bool active)
 {
     if (active == d->active)
@@ -104,6 +115,7 @@ void SurfaceCurveEditor::setMode(Mode mode)
     if (mode == d->mode)
         return;
     d->mode = mode;
+    d->refusal.clear();
     d->preview.clear();
     d->pointer.reset();
     d->cursor.reset();

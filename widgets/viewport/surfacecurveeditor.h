@@ -48,6 +48,9 @@ public:
     int drawn() const;
     /// The piece from the last point to the pointer, while drawing.
     void setPreview(std::vector<std::uint32_t> vertices);
+    /// Why the last gesture could not be done, in the view until the next one; empty for nothing.
+    void setRefusal(const QString& text);
+    const QString& refusal() const;
     /// Shows nothing and uses no events while false.
     void setActive(bool active);
     bool isActive() const;

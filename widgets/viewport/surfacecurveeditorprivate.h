@@ -36,6 +36,7 @@ struct SurfaceCurveEditor::Private
     std::vector<ShownCurve> curves;
     int drawn = -1;
     std::vector<std::uint32_t> preview;
+    QString refusal;
     bool active = true;
     Mode mode = Mode::Edit;
     SurfaceCurvePart selected;
@@ -74,6 +75,7 @@ struct SurfaceCurveEditor::Private
     void paintPoints(QPainter& painter, int curve) const;
     void paintName(QPainter& painter, int curve, std::vector<QRectF>& taken) const;
     void paintDrawing(QPainter& painter) const;
+    void paintHint(QPainter& painter) const;
     /// What mouse and keys do now.
     QString hint() const;
 };

@@ -152,8 +152,19 @@ void SurfaceCurveEditor::Private::paintDrawing(QPainter& painter) const
                     {.form = cursor ? HandleLook::Form::Diamond : HandleLook::Form::Circle,
                      .radius = 4.0,
                      .color = accent});
-    constexpr double margin = 24.0;
-    paintToolWords(painter, {owner.viewSize().width() / 2.0, owner.viewSize().height() - margin}, hint());
+}
+
+void SurfaceCurveEditor::Private::paintHint(QPainter& painter) const
+{
+    const QString text = !refusal.isEmpty() ? refusal : mode == Mode::Draw ? hint() : QString();
+    if (text.isEmpty())
+        return;
+    constexpr double margin = 32.0; // pixels
+    const QSizeF& view = owner.viewSize();
+    const QRectF plate = paintToolWords(painter, {view.width() / 2.0, view.height() - margin}, text,
+                                        std::max(view.width() - 4.0 * margin, margin));
+    if (!refusal.isEmpty())
+        paintBadge(painter, {plate.left() - 12.0, plate.center().y()});
 }
 
 QString SurfaceCurveEditor::Private::hint() const
@@ -189,6 +200,7 @@ void SurfaceCurveEditor::paint(QPainter& painter) const
         d->paintPoints(painter, curve);
     if (d->mode == Mode::Draw)
         d->paintDrawing(painter);
+    d->paintHint(painter);
 }
 
 } // namespace quadrille::widgets

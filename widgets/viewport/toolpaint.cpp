@@ -57,10 +57,12 @@ void paintHandle(QPainter& painter, const QPointF& at, const HandleLook& look)
     painter.strokePath(form, QPen(look.isSelected ? Theme::color(ColorRole::Text) : look.color, 2.0));
 }
 
-void paintToolWords(QPainter& painter, const QPointF& at, const QString& text)
+QRectF paintToolWords(QPainter& painter, const QPointF& at, const QString& text, double widest)
 {
-    const QRectF box = painter.fontMetrics().boundingRect(text).toRectF().adjusted(-6, -3, 6, 3);
-    QRectF plate = box;
+    constexpr int wrapped = Qt::AlignCenter | Qt::TextWordWrap;
+    constexpr double tallest = 1024.0;
+    QRectF plate =
+        painter.boundingRect(QRectF(0.0, 0.0, widest, tallest), wrapped, text).adjusted(-6, -3, 6, 3);
     plate.moveCenter(at);
     QColor background = Theme::color(ColorRole::Base);
     background.setAlphaF(0.86F);
@@ -68,7 +70,8 @@ void paintToolWords(QPainter& painter, const QPointF& at, const QString& text)
     painter.setBrush(background);
     painter.drawRoundedRect(plate, 4.0, 4.0);
     painter.setPen(Theme::color(ColorRole::Text));
-    painter.drawText(plate, Qt::AlignCenter, text);
+    painter.drawText(plate.adjusted(2, 0, -2, 0), wrapped, text);
+    return plate;
 }
 
 } // namespace quadrille::widgets

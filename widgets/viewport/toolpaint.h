@@ -5,6 +5,7 @@
 #include <QColor>
 #include <QPointF>
 #include <QPolygonF>
+#include <QRectF>
 #include <QString>
 
 class QPainter;
@@ -36,7 +37,8 @@ struct HandleLook
 
 void paintHandle(QPainter& painter, const QPointF& at, const HandleLook& look);
 
-/// Words on a plate whose middle is `at`.
-void paintToolWords(QPainter& painter, const QPointF& at, const QString& text);
+/// Words on a plate whose middle is `at`. \param widest  pixels; longer ones take several lines.
+/// \return the plate.
+QRectF paintToolWords(QPainter& painter, const QPointF& at, const QString& text, double widest = 4096.0);
 
 } // namespace quadrille::widgets

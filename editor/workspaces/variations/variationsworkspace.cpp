@@ -4,8 +4,10 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/language/retranslate.h"
+#include "editor/workspaces/variations/bodypartspanel.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/movementpanel.h"
+#include "editor/workspaces/variations/partcurvetool.h"
 #include "editor/workspaces/variations/variationbar.h"
 
 #include <QVBoxLayout>
@@ -27,6 +29,7 @@ VariationsWorkspace::VariationsWorkspace(EditorContext& context, QWidget* parent
     , m_context(context)
     , m_view(new StageView(context, sourceOf(context), QStringLiteral("variations")))
     , m_variation(new CurrentVariation(context, *m_view, this))
+    , m_parts(new PartCurveTool(*m_variation, this))
 {
     setObjectName(QStringLiteral("variationsWorkspace"));
     auto* column = new QVBoxLayout(this);
@@ -35,6 +38,7 @@ VariationsWorkspace::VariationsWorkspace(EditorContext& context, QWidget* parent
     column->addWidget(new VariationBar(*m_variation));
     column->addWidget(m_view, 1);
     m_panels.push_back({"movementDock", [] { return tr("Movement"); }, new MovementPanel(*m_variation)});
+    m_panels.push_back({"bodyPartsDock", [] { return tr("Body parts"); }, new BodyPartsPanel(*m_parts)});
     connect(m_variation, &CurrentVariation::changed, this, &VariationsWorkspace::follow);
     connect(&context.media, &SequenceMedia::changed, this,
             [this](const QString& name) { stage().update(name); });

@@ -7,6 +7,7 @@
 namespace quadrille {
 
 class CurrentVariation;
+class PartCurveTool;
 
 /// The workspace in which movements are learned and natural variations of them are drawn.
 class VariationsWorkspace : public Workspace
@@ -20,6 +21,7 @@ public:
     std::vector<Panel> panels() override { return m_panels; }
     void setActive(bool active) override;
     CurrentVariation& variation() { return *m_variation; }
+    PartCurveTool& parts() { return *m_parts; }
 
 private:
     void follow();
@@ -28,6 +30,7 @@ private:
     EditorContext& m_context;
     StageView* m_view;
     CurrentVariation* m_variation;
+    PartCurveTool* m_parts;
     std::vector<Panel> m_panels;
     bool m_isActive = false;
 };

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/geometry/surfacegraph.h"
+#include "model/project/variationentry.h"
+#include "widgets/viewport/colormap.h"
+
+#include <QRgb>
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// What becomes of a body with the curves and parts that it has now.
+struct PartCut
+{
+    std::vector<PartProblem> problems;
+    /// Without the curves and parts that something is wrong with; none where nothing is left to cut.
+    BodyParts parts;
+
+    /// The first that concerns a curve, or a part; null where nothing does.
+    const PartProblem* problemOfCurve(const std::string& name) const;
+    const PartProblem* problemOfPart(const std::string& name) const;
+    /// Null where it cannot be cut.
+    const BodyPart* part(const std::string& name) const;
+    /// The part that most of some vertices belong to, the one that an overlap ends in; empty without parts.
+    std::string partOf(std::span<const VertexIndex> vertices) const;
+};
+
+PartCut cutBody(const SurfaceGraph& graph, const BodyPartsEntry& body);
+
+/// The colour that a part has in view and tree, by its place in the project.
+QColor partColor(const BodyPartsEntry& body, const std::string& part);
+
+/// How parts are coloured on the body: each has a colour of its own; what a part shares with its parent is
+/// lighter.
+struct PartColors
+{
+    std::vector<QRgb> triangles; ///< one per triangle; empty where there are no parts to tell apart
+    widgets::ColorKey key;
+};
+
+/// \param title, overlap  words of the key, translated.
+PartColors partColors(const PartCut& cut, const BodyPartsEntry& body, std::size_t triangleCount,
+                      const QString& title, const QString& overlap);
+
+} // namespace quadrille
