@@ -3,6 +3,7 @@
 #include "model/variation/variationspread.h"
 
 #include "model/geometry/procrustes.h"
+#include "model/variation/alignment.h"
 
 #include <atomic>
 #include <cmath>
@@ -15,9 +16,10 @@ namespace {
 
 using Pose = std::vector<Vec3f>;
 
-Pose laidOnto(Positions moved, Positions target)
+/// Laid onto another pose by vertices that weigh.
+Pose laidOnto(Positions moved, Positions target, std::span<const double> weights)
 {
-    const RigidMotion motion = rigidProcrustes(moved, target);
+    const RigidMotion motion = rigidProcrustes(moved, target, weights);
     Pose laid;
     laid.reserve(moved.size());
     for (const Vec3f& position : moved)
@@ -26,7 +28,7 @@ Pose laidOnto(Positions moved, Positions target)
 }
 
 /// Of one frame of each run, the mean distance of each vertex from its mean, metres.
-std::vector<double> deviations(std::span<const Positions> poses)
+std::vector<double> deviations(std::span<const Positions> poses, std::span<const double> weights)
 {
     const std::size_t count = poses.front().size();
     Pose mean(poses.front().begin(), poses.front().end());
@@ -34,7 +36,7 @@ std::vector<double> deviations(std::span<const Positions> poses)
     // Laid onto the first, then once more onto the mean of them all.
     for (int pass = 0; pass < 2; ++pass) {
         for (std::size_t run = 0; run < poses.size(); ++run)
-            laid[run] = laidOnto(poses[run], mean);
+            laid[run] = laidOnto(poses[run], mean, weights);
         for (std::size_t v = 0; v < count; ++v) {
             Vec3d sum = Vec3d::Zero();
             for (const Pose& pose : laid)
@@ -53,9 +55,10 @@ std::vector<double> deviations(std::span<const Positions> poses)
 }
 
 /// The mean over the frames, of each vertex; empty where there is nothing to compare.
-std::vector<double> spreadOf(std::span<const Positions> runs, std::size_t vertexCount,
+std::vector<double> spreadOf(std::span<const Positions> runs, std::span<const double> weights,
                              const Progress& progress)
 {
+    const std::size_t vertexCount = weights.size();
     if (runs.size() < 2)
         return {};
     const std::size_t frameCount = runs.front().size() / vertexCount;
@@ -65,7 +68,7 @@ std::vector<double> spreadOf(std::span<const Positions> runs, std::size_t vertex
         std::vector<Positions> poses;
         for (const Positions& run : runs)
             poses.push_back(run.subspan(f * vertexCount, vertexCount));
-        frames[f] = deviations(poses);
+        frames[f] = deviations(poses, weights);
         progress.report(++done, static_cast<std::int64_t>(frameCount));
     });
     std::vector<double> spread(vertexCount, 0.0);
@@ -87,8 +90,12 @@ std::vector<PartSpread> variationSpread(const BodyParts& parts, std::size_t vert
                                         std::span<const Positions> variations,
                                         std::span<const Positions> takes, const Progress& progress)
 {
-    const std::vector<double> ofVariations = spreadOf(variations, vertexCount, progress.part(0, 0.5));
-    const std::vector<double> ofTakes = spreadOf(takes, vertexCount, progress.part(0.5, 1));
+    const std::vector<VertexIndex> anchor = anchorVertices(parts);
+    std::vector<double> weights(vertexCount, anchor.empty() ? 1.0 : 0.0);
+    for (const VertexIndex v : anchor)
+        weights[v.value] = 1;
+    const std::vector<double> ofVariations = spreadOf(variations, weights, progress.part(0, 0.5));
+    const std::vector<double> ofTakes = spreadOf(takes, weights, progress.part(0.5, 1));
     const auto meanOver = [](const std::vector<double>& spread, const std::vector<VertexIndex>& vertices) {
         if (spread.empty() || vertices.empty())
             return std::optional<double>();

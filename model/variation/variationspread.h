@@ -26,11 +26,11 @@ struct PartSpread
 };
 
 /// The spread between variations of a movement beside the spread between captured takes of it, by the parts
-/// of the body. Whole poses are laid rigidly onto each other, frame by frame, so that where the figure stands
-/// does not count. Spreads are those of so many runs, made larger by √(n/(n − 1)) so that few and many
-/// compare.
-/// \param variations, takes  of each run frames × vertices, metres, with the same phase of the movement at
-/// the same frame. \return of all parts in their order, then of the whole body, without a name. \throws Error
+/// of the body. Frame by frame, figures are laid rigidly onto each other by the vertices that belong to the
+/// root alone, so that neither where they stand counts nor that limbs turn the rest against each other.
+/// Spreads are those of so many runs, made larger by √(n/(n − 1)) so that few and many compare. \param
+/// variations, takes  of each run frames × vertices, metres, with the same phase of the movement at the same
+/// frame. \return of all parts in their order, then of the whole body, without a name. \throws Error
 /// Cancelled. \pre All runs have as many frames.
 std::vector<PartSpread> variationSpread(const BodyParts& parts, std::size_t vertexCount,
                                         std::span<const Positions> variations,

@@ -90,6 +90,22 @@ TEST(VariationSpread, DoesNotDependOnWhereTheFigureStands)
         EXPECT_NEAR(after[p].variations.value(), before[p].variations.value(), 2e-6) << p;
 }
 
+TEST(VariationSpread, OfLimbsThatSwingLeavesTheRestAlone)
+{
+    const PartedBar parted(31, 2, 2.0F, 0.3F, true, 4);
+    std::vector<std::vector<Vec3f>> runs;
+    for (const double swing : {-0.1, 0.1}) {
+        runs.push_back(moved(parted.bar.positions, [&](const Vec3d& p) -> Vec3d {
+            return {p.x(), p.y() + swing * std::max(0.0, 0.5 - p.x()), p.z()};
+        }));
+    }
+    const std::vector<PartSpread> spreads =
+        variationSpread(parted.parts, parted.bar.positions.size(), views(runs), {});
+    EXPECT_LT(spreads[0].variations.value(), 1e-6);
+    EXPECT_LT(spreads[2].variations.value(), 1e-6);
+    EXPECT_GT(spreads[3].variations.value(), 0.01);
+}
+
 TEST(VariationSpread, NeedsTwoRunsOfEach)
 {
     const PartedBar parted(31, 2);
