@@ -288,8 +288,9 @@ TEST(Alignment, RefusesBadArguments)
     EXPECT_EQ(test::codeOf([] { alignTakes({}, 0); }), ErrorCode::BadArgument);
     EXPECT_EQ(test::codeOf([] { align({reachingTake()}, {.postureShare = 2}); }), ErrorCode::BadArgument);
     EXPECT_EQ(test::codeOf([] { align({reachingTake()}, {.contactWeight = -1}); }), ErrorCode::BadArgument);
-    const MeshSequence other = makeSequence("other", testing::tubeTopology(5, 4),
-                                            std::make_shared<MemoryFrames>(std::vector<Vec3f>(200), 20), 25);
+    const MeshSequence other =
+        makeSequence("other", testing::tubeTopology(5, 4),
+                     std::make_shared<MemoryFrames>(std::vector<Vec3f>(200, Vec3f::Zero()), 20), 25);
     EXPECT_EQ(test::codeOf([&] { align({reachingTake(), other}); }), ErrorCode::CharacterTopologyMismatch);
 }
 
