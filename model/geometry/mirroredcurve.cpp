@@ -4,6 +4,7 @@
 #include "model/geometry/surfaceroute.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace quadrille {
@@ -78,8 +79,7 @@ std::vector<VertexIndex> guidesOf(const std::shared_ptr<const SurfaceGraph>& gra
         chosen.push_back(i * curve.size() / fewest);
     const auto points = [&] {
         std::vector<VertexIndex> found;
-        for (const std::size_t i : chosen)
-            found.push_back(curve[i]);
+        std::ranges::transform(chosen, std::back_inserter(found), [&](std::size_t i) { return curve[i]; });
         return found;
     };
     SurfaceCurve led(graph, settings);

@@ -46,7 +46,7 @@ void SurfaceCurve::restore(std::vector<VertexIndex> points, std::vector<VertexIn
         if (isReversed)
             std::ranges::reverse(vertices);
         if (!points.empty())
-            std::ranges::rotate(vertices, std::ranges::find(vertices, points.front()));
+            std::rotate(vertices.begin(), std::ranges::find(vertices, points.front()), vertices.end());
         std::vector<std::size_t> starts;
         for (const VertexIndex p : points)
             starts.push_back(static_cast<std::size_t>(std::ranges::find(vertices, p) - vertices.begin()));

@@ -27,7 +27,7 @@ std::vector<double> areasOf(const Topology& topology, Positions pose, const Curv
     std::vector<double> areas(at(regions.count));
     for (std::size_t t = 0; t < topology.triangles().size(); ++t) {
         const Triangle& triangle = topology.triangles()[t];
-        const Vec3f a = pose[triangle[0].value];
+        const Vec3f& a = pose[triangle[0].value];
         const float area = (pose[triangle[1].value] - a).cross(pose[triangle[2].value] - a).norm() / 2;
         if (regions.ofTriangle[t] != none)
             areas[at(regions.ofTriangle[t])] += static_cast<double>(area);
@@ -133,7 +133,7 @@ std::vector<LoosePiece> loosePieces(const Topology& topology, const CurveRegions
 }
 
 /// Gives each piece to the part with the vertex nearest to it; to the first one where there are no others.
-void addLoosePieces(std::vector<LoosePiece> pieces, Positions pose, Assembly& assembly,
+void addLoosePieces(const std::vector<LoosePiece>& pieces, Positions pose, Assembly& assembly,
                     const std::vector<VertexPart>& partOf)
 {
     std::vector<Vec3f> points;

@@ -183,7 +183,7 @@ Symmetry shapeOnly(const SurfaceGraph& graph)
                                                       [&](const Vec3f& q) { return (q - reflected).norm(); });
         const VertexIndex v(nearest - graph.pose().begin());
         Triangle t = graph.topology().triangles()[graph.trianglesOf(v).front()];
-        std::ranges::rotate(t, std::ranges::find(t, v));
+        std::rotate(t.begin(), std::ranges::find(t, v), t.end());
         symmetry.points.push_back({.corners = t, .weights = {0.8F, 0.1F, 0.1F}});
     }
     return symmetry;

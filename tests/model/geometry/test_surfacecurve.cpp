@@ -69,6 +69,32 @@ TEST(SurfaceDistances, StayNearTheTruthOnWildTriangles)
     }
 }
 
+TEST(CrossCut, TellsSheetsOnItsLeftAlsoBesideAHole)
+{
+    constexpr std::uint32_t columns = 7;
+    Surface sheet = makeSheet(columns, 7);
+    const auto at = [](std::uint32_t column, std::uint32_t row) {
+        return VertexIndex(row * columns + column);
+    };
+    // Two triangles above the middle of the cut are missing, so that a turn around it is interrupted.
+    std::erase_if(sheet.data.triangles,
+                  [&](const Triangle& t) { return hasCorner(t, at(3, 3)) && hasCorner(t, at(3, 4)); });
+    const auto graph = sheet.graph();
+    const CrossCut cut(*graph, {at(1, 3), at(2, 3), at(3, 3), at(4, 3), at(5, 3)});
+    for (std::uint32_t v = 0; v < graph->vertexCount(); ++v) {
+        for (const SurfaceGraph::Edge& edge : graph->edgesOf(VertexIndex(v))) {
+            const bool leaves = v / columns == 3 && v % columns > 1 && v % columns < 5;
+            const bool enters = edge.to / columns == 3 && edge.to % columns > 1 && edge.to % columns < 5;
+            const int expected = leaves && edge.to / columns == 4 ? 1 : enters && v / columns == 4 ? -1 : 0;
+            EXPECT_EQ(cut.crossing(VertexIndex(v), VertexIndex(edge.to)), expected) << v << " " << edge.to;
+        }
+    }
+    // Once around one end.
+    const std::vector<VertexIndex> round{at(3, 2), at(4, 2), at(5, 2), at(6, 2),
+                                         at(6, 3), at(5, 4), at(4, 4), at(4, 3)};
+    EXPECT_EQ(std::abs(cut.climbOf(round)), 1);
+}
+
 TEST(SurfaceCurve, OfOnePointIsTheRingThroughIt)
 {
     const auto graph = makeCapsule(24, 60).graph();
@@ -110,6 +136,12 @@ TEST(SurfaceCurve, OfPointsOnOneSideStillSurroundsTheLimb)
     SurfaceCurve curve(graph);
     curve.setPoints({onTube(30, 0), onTube(30, 2), onTube(30, 5)});
     EXPECT_EQ(setOf(curve.vertices()), setOf(ring(24, 30)));
+    // Also after an edit that re-routes the piece that goes round, wherever on the ring.
+    for (std::uint32_t k = 0; k < 24; ++k) {
+        curve.setPoints({onTube(30, k), onTube(30, (k + 2) % 24), onTube(30, (k + 5) % 24)});
+        curve.move(0, onTube(30, (k + 1) % 24));
+        EXPECT_EQ(setOf(curve.vertices()), setOf(ring(24, 30))) << k;
+    }
     // The same in another order of clicks.
     curve.setPoints({onTube(30, 2), onTube(30, 5), onTube(30, 0)});
     EXPECT_EQ(setOf(curve.vertices()), setOf(ring(24, 30)));

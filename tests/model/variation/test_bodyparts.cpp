@@ -4,6 +4,7 @@
 #include "tests/model/codeof.h"
 #include "tests/model/geometry/surfaces.h"
 
+#include <array>
 #include <gmock/gmock.h>
 
 namespace quadrille {
@@ -224,6 +225,13 @@ TEST(BodyParts, MayTouchHoles)
         cut(limb, {ringCurve("a", 8), ringCurve("b", 11)}, {torso, {"arm", "torso", {"a", "b"}}});
     EXPECT_EQ(parts.parts[1].overlapTriangles.size(), 3 * 2 * around - 1);
     EXPECT_EQ(std::ranges::count(sharers(limb, parts), 0), 0);
+    // Two gaps take the row between two curves to pieces, which stay one overlap.
+    Surface gaps = makeTube(around, 20, 1, 1);
+    gaps.data.triangles.erase(gaps.data.triangles.begin() + 8 * 2 * around + 6);
+    gaps.data.triangles.erase(gaps.data.triangles.begin() + 8 * 2 * around);
+    const BodyParts thin =
+        cut(gaps, {ringCurve("a", 8), ringCurve("b", 9)}, {torso, {"arm", "torso", {"a", "b"}}});
+    EXPECT_EQ(thin.parts[1].overlapTriangles.size(), 2 * around - 2);
 }
 
 TEST(PartProblems, AreNoneWhereAllIsWell)
@@ -333,6 +341,34 @@ TEST(PartProblems, OfPlaces)
     EXPECT_THAT(codes(limb, {ringCurve("a", 10), ringCurve("b", 14), ringCurve("c", 15), ringCurve("d", 19)},
                       {torso, {"arm", "torso", {"a", "b"}}, {"hand", "arm", {"c", "d"}}}),
                 ElementsAre(ErrorCode::PartEmpty));
+}
+
+TEST(PartProblems, NoticeALimbThatStandsBetweenTwoCurves)
+{
+    constexpr std::uint32_t wide = 20;
+    // The vertices some steps from one in the middle of a tube's side.
+    const auto patch = [](const std::string& name, std::uint32_t steps) {
+        PartCurve curve{name, {}};
+        std::uint32_t ring = 20;
+        std::uint32_t place = 10 + steps;
+        const std::array<std::array<int, 2>, 6> ways{{{1, -1}, {0, -1}, {-1, 0}, {-1, 1}, {0, 1}, {1, 0}}};
+        for (const auto& [up, along] : ways) {
+            for (std::uint32_t i = 0; i < steps; ++i) {
+                curve.vertices.emplace_back(ring * wide + place);
+                ring = static_cast<std::uint32_t>(static_cast<int>(ring) + up);
+                place = static_cast<std::uint32_t>(static_cast<int>(place) + along);
+            }
+        }
+        return curve;
+    };
+    const Surface limb = makeTube(wide, 40, 1, 1);
+    const std::vector<PartCurve> curves{
+        {"a", ring(wide, 10)}, {"b", ring(wide, 30)}, patch("c", 2), patch("d", 4)};
+    const PartDescription arm{"arm", "torso", {"a", "b"}};
+    const PartDescription button{"button", "torso", {"c", "d"}};
+    EXPECT_THAT(codes(limb, curves, {torso, arm}), IsEmpty());
+    EXPECT_THAT(codes(limb, curves, {torso, button}), IsEmpty());
+    EXPECT_THAT(codes(limb, curves, {torso, arm, button}), ElementsAre(ErrorCode::PartCurvesApart));
 }
 
 TEST(PartProblems, SayNothingOfWhatFollowsFromAnother)

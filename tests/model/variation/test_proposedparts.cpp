@@ -178,7 +178,8 @@ TEST_P(RealParts, AreFive)
 }
 
 INSTANTIATE_TEST_SUITE_P(ProposedParts, RealParts,
-                         ::testing::Values(std::pair{"rb_m04", "walk_1"}, std::pair{"rb_m04", "jump_high"},
+                         ::testing::Values(std::pair{"rb_m04", "walk_1"},
+                                           std::pair{"rb_m04", "walk_turn_right_2"},
                                            std::pair{"rb_f01", "walk_1"}, std::pair{"mh_male", "m_avg__walk"},
                                            std::pair{"mh_male", "m_heavy__walk"},
                                            std::pair{"liam", "talk_a"}));
