@@ -189,6 +189,7 @@ BodyLimbs findLimbs(const SurfaceGraph& graph, UpAxis up, const Progress& progre
     if (between(limbs[0], limbs[2]) + between(limbs[1], limbs[3]) >
         between(limbs[0], limbs[3]) + between(limbs[1], limbs[2]))
         std::swap(limbs[2], limbs[3]);
+    body.hasMore = limbs.size() > 4;
     body.feet = {std::move(limbs[0]), std::move(limbs[1])};
     body.hands = {std::move(limbs[2]), std::move(limbs[3])};
     return body;

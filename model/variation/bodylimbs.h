@@ -23,7 +23,8 @@ struct BodyLimbs
 {
     std::array<Limb, 2> hands;
     std::array<Limb, 2> feet;
-    double height = 0; ///< of the figure, metres
+    bool hasMore = false; ///< more sticks out than four limbs: a head, hair
+    double height = 0;    ///< of the figure, metres
     Vec3d up = Vec3d::UnitY();
 };
 

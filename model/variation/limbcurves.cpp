@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/variation/limbcurves.h"
 
-#include "model/core/error.h"
-
 #include <algorithm>
 #include <limits>
 
@@ -42,9 +40,9 @@ LimbCurves::LimbCurves(const SurfaceGraph& graph, const BodyLimbs& body, const L
         m_half.push_back(limb.distances[v] < opposite.distances[v]);
 }
 
-void LimbCurves::fail() const
+void LimbCurves::fail(ErrorCode code) const
 {
-    throw Error(ErrorCode::PartsNotCut, {.file = {}, .place = {}, .values = {{"limb", m_name}}});
+    throw Error(code, {.file = {}, .place = {}, .values = {{"limb", m_name}}});
 }
 
 VertexIndex LimbCurves::armpit(const Limb& other, const Progress& progress)
@@ -74,6 +72,10 @@ VertexIndex LimbCurves::armpit(const Limb& other, const Progress& progress)
     }
     if (!best)
         fail();
+    // An arm that has grown together with the trunk does not stick out, and the head takes its place.
+    constexpr float longestHead = 0.28F;
+    if (!m_body.hasMore && m_limb.distances[best->value] < longestHead * height)
+        fail(ErrorCode::PartsLimbGrown);
     return *best;
 }
 

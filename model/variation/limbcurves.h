@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/core/error.h"
 #include "model/geometry/surfaceroute.h"
 #include "model/variation/bodylimbs.h"
 
@@ -21,7 +22,7 @@ public:
 
     /// The innermost point of a limb whose end the body's surface leaves on its way to the tip of another:
     /// loops around the limb grow slowly up to there, and beyond as fast as they have to lead back to it.
-    /// \throws Error PartsNotCut, Cancelled.
+    /// \throws Error PartsNotCut, PartsLimbGrown where a head has to be taken for the limb, Cancelled.
     VertexIndex armpit(const Limb& other, const Progress& progress);
     /// The last point before the middle between the limb and the one opposite. \throws Error PartsNotCut.
     VertexIndex crotch();
@@ -38,7 +39,7 @@ private:
     std::vector<VertexIndex> routed(SurfaceDistances& forward, SheetVertex from, SheetVertex to,
                                     const std::vector<bool>& blocked) const;
     VertexIndex beyond(VertexIndex outside) const;
-    [[noreturn]] void fail() const;
+    [[noreturn]] void fail(ErrorCode code = ErrorCode::PartsNotCut) const;
 
     const SurfaceGraph& m_graph;
     const BodyLimbs& m_body;
