@@ -277,7 +277,7 @@ GpdmLearning learnGpdm(const Eigen::Ref<const RowMatrix>& rows, std::span<const 
                        const GpdmSettings& settings, const Progress& progress, const GpdmWatch& watch)
 {
     check(rows, spans, settings);
-    const RowMatrix gram = gramMatrix(rows);
+    const RowMatrix gram = gramMatrix(rows, progress.part(0, 0));
     const RowMatrix components = principalLatents(gram, 2 * settings.dimensions);
     GpdmObjective objective(gram, rows.cols(), spans);
     const std::vector<double> weights = poseWeights(rows.cols());
