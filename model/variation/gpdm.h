@@ -111,8 +111,8 @@ enum class GpdmStop
 struct GpdmLearning
 {
     GpdmState state;
-    /// Of the start that won, before and after each iteration; the last one is final and the least, but before
-    /// the last stage of learning it may rise now and then.
+    /// Of the start that won, before and after each iteration; the last one is final and the least, but
+    /// before the last stage of learning it may rise now and then.
     std::vector<double> objective;
     std::vector<double> finalObjectives; ///< of each start
     GpdmStop stop = GpdmStop::Converged;
@@ -128,13 +128,12 @@ using GpdmWatch = std::function<void(int iteration, double objective, const Gpdm
 
 /// Learns a model of one part by L-BFGS from principal components. The variables are latents and u with
 /// ln(hyperparameter) = L·tanh(u/L), L = ln 1e6. The same on as many threads as there are; to be called for
-/// several parts at a time. The terms of the poses come to their full weight in stages: so latents stay smooth
-/// and the minimum is lower than from the components alone.
-/// \param rows  centred training rows Y, frames × coordinates.
-/// \param progress  once cancelled, learning stops and returns its best so far with GpdmStop::Cancelled. How
-/// much is left is a guess: it reports the fraction that learning usually has done after so many iterations.
-/// \throws Error BadArgument (a sequence of fewer than 3 frames, fewer frames than dimensions),
-/// NonFiniteCoordinate, Cancelled (before there is any state to return).
+/// several parts at a time. The terms of the poses come to their full weight in stages: so latents stay
+/// smooth and the minimum is lower than from the components alone. \param rows  centred training rows Y,
+/// frames × coordinates. \param progress  once cancelled, learning stops and returns its best so far with
+/// GpdmStop::Cancelled. How much is left is a guess: it reports the fraction that learning usually has done
+/// after so many iterations. \throws Error BadArgument (a sequence of fewer than 3 frames, fewer frames than
+/// dimensions), NonFiniteCoordinate, Cancelled (before there is any state to return).
 GpdmLearning learnGpdm(const Eigen::Ref<const RowMatrix>& rows, std::span<const RowSpan> spans,
                        const GpdmSettings& settings, const Progress& progress = {},
                        const GpdmWatch& watch = {});
