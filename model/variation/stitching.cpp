@@ -6,6 +6,7 @@
 #include "model/geometry/procrustes.h"
 #include "model/geometry/trianglelogs.h"
 #include "model/variation/stitchingplan.h"
+#include "model/variation/stretchrange.h"
 
 #include <algorithm>
 #include <atomic>
@@ -133,14 +134,18 @@ struct Stitching::Work
     std::vector<ComponentPlan> components;
     std::vector<PartVertex> loose;    ///< that no triangle uses
     std::vector<std::size_t> looseOf; ///< their parts
+    StretchRange stretches;
 
-    Work(std::shared_ptr<const Topology> of, const BodyParts& parts, Positions pose)
+    Work(std::shared_ptr<const Topology> of, const BodyParts& parts, Positions pose,
+         std::span<const Positions> shapes)
         : topology(std::move(of))
         , system(topology)
         , poisson(system, poseFrames(topology->triangles(), pose))
         , plans(planParts(*topology, parts))
         , components(planComponents(*topology, parts, pose))
     {
+        if (!shapes.empty())
+            stretches = StretchRange(*topology, pose, shapes);
         std::vector<bool> isKnown(topology->vertexCount(), false);
         for (std::size_t p = 0; p < plans.size(); ++p) {
             const BodyPart& part = parts.parts[p];
@@ -219,6 +224,7 @@ std::vector<TriangleEdges> Stitching::Frame::edges(const Seams& seams) const
         for (std::size_t t = 0; t < mixed.size(); ++t)
             edges[work.plans[p].overlapTriangles[t]] = mixed[t];
     }
+    work.stretches.restrict(edges);
     return edges;
 }
 
@@ -254,8 +260,10 @@ void Stitching::Frame::place(const std::vector<double>& solution, MutablePositio
         out[work.loose[i].vertex] = laid(work.looseOf[i], work.loose[i].place).cast<float>();
 }
 
-Stitching::Stitching(std::shared_ptr<const Topology> topology, BodyParts parts, Positions pose)
-    : m_parts(std::move(parts)), m_work(std::make_unique<const Work>(std::move(topology), m_parts, pose))
+Stitching::Stitching(std::shared_ptr<const Topology> topology, BodyParts parts, Positions pose,
+                     std::span<const Positions> shapes)
+    : m_parts(std::move(parts))
+    , m_work(std::make_unique<const Work>(std::move(topology), m_parts, pose, shapes))
 {
 }
 

@@ -20,8 +20,11 @@ class Stitching
 {
 public:
     /// \param pose  of all vertices, metres: gives the areas and the angles of the triangles.
+    /// \param shapes  of all vertices: no triangle stretches or shrinks further than in these poses; without
+    /// any, all stay as they are given.
     /// \pre The parts are those of the topology, as cutIntoParts makes them.
-    Stitching(std::shared_ptr<const Topology> topology, BodyParts parts, Positions pose);
+    Stitching(std::shared_ptr<const Topology> topology, BodyParts parts, Positions pose,
+              std::span<const Positions> shapes = {});
     ~Stitching();
 
     const Topology& topology() const;
