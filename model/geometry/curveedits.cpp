@@ -99,8 +99,7 @@ std::vector<VertexIndex> parallelCurve(const SurfaceGraph& graph, std::span<cons
     const auto missed = [&](VertexIndex v) { return std::abs(sign * around.offsets[v.value] - distance); };
     const OpenedSurface surface{&graph, &around.cut, &within};
     const auto deviation = [&](std::size_t place) {
-        // Its distance counts more than its length.
-        const float miss = 2 * missed(VertexIndex(place / surface.sheets()));
+        const float miss = missed(VertexIndex(place / surface.sheets()));
         return miss * miss;
     };
     std::optional<VertexIndex> start;
