@@ -64,12 +64,16 @@ void addKernelGradient(const RowMatrix& h, const DenseMatrix& radial, const RowM
 } // namespace
 
 GpdmDynamics::GpdmDynamics(const GpdmState& state, std::span<const RowSpan> spans)
-    : m_hyperparameters(state.hyperparameters), m_inputs(rowsFrom(state.latents, spans, 0))
+    : m_hyperparameters(state.hyperparameters)
+    , m_latents(state.latents)
+    , m_inputs(rowsFrom(state.latents, spans, 0))
 {
+    const RowMatrix outputs = rowsFrom(state.latents, spans, 1);
+    m_meanStep = outputs.rows() > 0 ? (outputs - m_inputs).rowwise().norm().mean() : 0;
     DynamicsKernel kernel(m_inputs, m_inputs, m_hyperparameters);
     kernel.sum.view().diagonal().array() += 1 / m_hyperparameters.beta4;
     m_factor = covarianceFactor(kernel.sum, kernel.sum.view().diagonal().mean());
-    DenseMatrix weights(rowsFrom(state.latents, spans, 1));
+    DenseMatrix weights(outputs);
     solveLower(m_factor, weights);
     solveLowerTransposed(m_factor, weights);
     m_weights = weights.view();
@@ -150,6 +154,15 @@ RowMatrix GpdmDynamics::innovations(const RowMatrix& trajectory) const
     DenseMatrix residuals(trajectory.bottomRows(count) - s.means);
     solveLower(covarianceFactor(s.covariance, m_hyperparameters.beta1), residuals);
     return residuals.view();
+}
+
+double GpdmDynamics::furthestFromTraining(const RowMatrix& trajectory) const
+{
+    double furthest = 0;
+    for (Eigen::Index i = 0; i < trajectory.rows(); ++i)
+        furthest =
+            std::max(furthest, (m_latents.rowwise() - trajectory.row(i)).rowwise().squaredNorm().minCoeff());
+    return furthest > 0 ? std::sqrt(furthest) / m_meanStep : 0;
 }
 
 double GpdmDynamics::energy(const RowMatrix& trajectory, RowMatrix* gradient) const

@@ -39,6 +39,10 @@ public:
     /// Undoes trajectory().
     RowMatrix innovations(const RowMatrix& trajectory) const;
 
+    /// How far the position of a trajectory that is furthest from all learned ones is from the nearest of
+    /// them, in mean steps of the training.
+    double furthestFromTraining(const RowMatrix& trajectory) const;
+
     const RowMatrix& inputs() const { return m_inputs; }
     const GpdmHyperparameters& hyperparameters() const { return m_hyperparameters; }
 
@@ -47,9 +51,23 @@ private:
     Steps steps(const RowMatrix& from) const;
 
     GpdmHyperparameters m_hyperparameters;
+    RowMatrix m_latents;
+    double m_meanStep = 0;
     RowMatrix m_inputs;   ///< all but the last latent of each sequence
     DenseMatrix m_factor; ///< lower Cholesky factor of K_X
     RowMatrix m_weights;  ///< K_X⁻¹·X′
+};
+
+/// How far variations may go. A model knows little of what lies between its training takes, and trajectories
+/// that leave them give poses that nobody would take.
+struct VariationLimits
+{
+    double spread = 1; ///< scale of all innovations at most: 1 is what the model says
+    /// Trajectories that go further from all training latents are rejected, in mean steps of the training.
+    /// Where less than a quarter of them keep within it, the spread is made smaller.
+    double reach = 1;
+
+    bool operator==(const VariationLimits&) const = default;
 };
 
 struct TrajectorySamples
@@ -57,18 +75,20 @@ struct TrajectorySamples
     std::vector<RowMatrix> trajectories; ///< each frames × dimensions; the first row is the start
     std::vector<double> energies;        ///< of the trajectories (see GpdmDynamics::energy)
     HmcReport report;                    ///< of the chain; its energies are those of the innovations
+    double spread = 1;                   ///< that was used
+    int rejected = 0;                    ///< went beyond the reach
+    int beyondReach = 0;                 ///< of the trajectories, where too few of all kept within it
 };
 
 /// Draws variations of a latent trajectory by Hybrid Monte Carlo, started at the mean prediction from its
 /// first position, which stays (CVS §6). The chain moves in the innovations of the trajectory: there the
 /// joint conditional is a standard normal distribution, while in the positions themselves it is so stiff that
 /// a chain stays about where it began. The same seed gives the same samples. \param trajectory  of which the
-/// first position and the length count: a learned one. \param spread  scale of all innovations: 1 is what the
-/// model says; less stays closer to the mean. \throws Error BadArgument (a trajectory without positions, a
-/// spread that is negative or infinite), Cancelled.
+/// first position and the length count: a learned one. \throws Error BadArgument (a trajectory without
+/// positions, limits that are negative or no numbers), Cancelled.
 TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const RowMatrix& trajectory, int count,
                                      std::uint64_t seed, const HmcSettings& settings = {},
-                                     const Progress& progress = {}, double spread = 1);
+                                     const Progress& progress = {}, const VariationLimits& limits = {});
 
 /// How a drawn pose deviates from the mean.
 enum class PoseDeviation

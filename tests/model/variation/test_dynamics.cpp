@@ -190,6 +190,19 @@ TEST(GpdmDynamics, isSureWhereItWasTaughtAndUnsureElsewhere)
     EXPECT_GT(dynamics.variance(Eigen::RowVectorXd::Constant(3, 9)), p.beta1);
 }
 
+// Steps of 2 and 4 along one axis: 3 on average.
+TEST(GpdmDynamics, measuresDistancesFromTheTrainingInItsMeanSteps)
+{
+    GpdmState state{.latents = RowMatrix(3, 2)};
+    state.latents << 0, 0, 2, 0, 6, 0;
+    const RowSpan span{0, 3};
+    const GpdmDynamics dynamics(state, std::span(&span, 1));
+    EXPECT_EQ(dynamics.furthestFromTraining(state.latents), 0);
+    RowMatrix trajectory(2, 2);
+    trajectory << 2, 1.5, 4, 0;
+    EXPECT_NEAR(dynamics.furthestFromTraining(trajectory), 2.0 / 3, 1e-14);
+}
+
 TEST(GpdmDynamics, oneFrameHasNeitherEnergyNorGradient)
 {
     const LatentLoops loops = latentLoops(1, 5);

@@ -16,6 +16,8 @@ using namespace quadrille::test;
 
 namespace {
 
+constexpr VariationLimits anywhere{.reach = std::numeric_limits<double>::infinity()};
+
 Eigen::VectorXd laterPositions(const RowMatrix& trajectory)
 {
     return Eigen::Map<const Eigen::VectorXd>(trajectory.data() + trajectory.cols(),
@@ -82,7 +84,8 @@ TEST(TrajectorySamples, ofTwoFramesHaveTheMeanAndVarianceOfThePrediction)
     const GpdmDynamics dynamics(loops.state, loops.spans);
     const RowMatrix start = loops.trajectory(0).topRows(2);
     constexpr int count = 2000;
-    const TrajectorySamples samples = sampleTrajectories(dynamics, start, count, 3, {.thinning = 2});
+    const TrajectorySamples samples =
+        sampleTrajectories(dynamics, start, count, 3, {.thinning = 1}, {}, anywhere);
     ASSERT_EQ(samples.trajectories.size(), static_cast<std::size_t>(count));
     const Eigen::RowVectorXd mean = dynamics.next(start.row(0));
     const double variance = dynamics.variance(start.row(0));
@@ -108,7 +111,8 @@ TEST(TrajectorySamples, haveTheMomentsOfAChainInPositions)
     const GpdmDynamics dynamics(loops.state, loops.spans);
     const RowMatrix trajectory = loops.trajectory(1).topRows(6);
     const HmcChain inPositions = drawInPositions(dynamics, trajectory, 1500);
-    const TrajectorySamples samples = sampleTrajectories(dynamics, trajectory, 1500, 6, {.thinning = 2});
+    const TrajectorySamples samples =
+        sampleTrajectories(dynamics, trajectory, 1500, 6, {.thinning = 1}, {}, anywhere);
     EXPECT_GE(inPositions.report.effectiveSampleSize, 1000);
     std::vector<Eigen::VectorXd> later;
     for (const RowMatrix& sample : samples.trajectories)
@@ -136,15 +140,13 @@ TEST(TrajectorySamples, varyAroundWhatWasLearnedAndAreWorthTheirNumber)
         EXPECT_GE(report.effectiveSampleSize, 20);
         EXPECT_LT(std::abs(report.lag1), 1);
         ASSERT_EQ(samples.energies.size(), 20u);
-        int near = 0;
         for (std::size_t i = 0; i < 20; ++i) {
             const RowMatrix& trajectory = samples.trajectories[i];
             const double distance = (trajectory - learned).rowwise().norm().mean();
             EXPECT_GT(distance, 0.01);
-            near += distance < 0.6; // half the size of a loop
+            EXPECT_LE(dynamics.furthestFromTraining(trajectory), 1);
             EXPECT_EQ(samples.energies[i], dynamics.energy(trajectory));
         }
-        EXPECT_GE(near, 12);
     }
 }
 
@@ -155,9 +157,11 @@ TEST(TrajectorySamples, comeCloserToTheMeanPredictionWithLessSpread)
     const RowMatrix learned = loops.trajectory(0);
     const RowMatrix mean = dynamics.meanPrediction(learned.row(0), 20);
     const auto distance = [&](double spread) {
+        VariationLimits limits = anywhere;
+        limits.spread = spread;
         double sum = 0;
         for (const RowMatrix& trajectory :
-             sampleTrajectories(dynamics, learned, 10, 1, {}, {}, spread).trajectories)
+             sampleTrajectories(dynamics, learned, 10, 1, {}, {}, limits).trajectories)
             sum += (trajectory - mean).norm();
         return sum;
     };
@@ -198,16 +202,51 @@ TEST(TrajectorySamples, refuseWhatHasNoSense)
     const LatentLoops loops = latentLoops(1, 5);
     const GpdmDynamics dynamics(loops.state, loops.spans);
     EXPECT_EQ(codeOf([&] { sampleTrajectories(dynamics, RowMatrix(0, 3), 1, 1); }), ErrorCode::BadArgument);
-    for (const double spread : {-1.0, std::numeric_limits<double>::infinity()})
-        EXPECT_EQ(codeOf([&] { sampleTrajectories(dynamics, loops.state.latents, 1, 1, {}, {}, spread); }),
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const VariationLimits& limits : {VariationLimits{.spread = -1}, VariationLimits{.spread = infinity},
+                                          VariationLimits{.reach = -1}, VariationLimits{.reach = NAN}})
+        EXPECT_EQ(codeOf([&] { sampleTrajectories(dynamics, loops.state.latents, 1, 1, {}, {}, limits); }),
                   ErrorCode::BadArgument);
+    EXPECT_TRUE(sampleTrajectories(dynamics, loops.state.latents, 0, 1).trajectories.empty());
+}
+
+TEST(TrajectorySamples, keepWithinTheReachAndSayWhatThatTook)
+{
+    const LatentLoops loops = latentLoops(4, 40);
+    const GpdmDynamics dynamics(loops.state, loops.spans);
+    const RowMatrix learned = loops.trajectory(2);
+    const TrajectorySamples free = sampleTrajectories(dynamics, learned, 10, 1, {}, {}, anywhere);
+    EXPECT_EQ(free.spread, 1);
+    EXPECT_EQ(free.rejected, 0);
+    const TrajectorySamples kept = sampleTrajectories(dynamics, learned, 10, 1, {}, {}, {.reach = 0.25});
+    EXPECT_LT(kept.spread, 1);
+    EXPECT_EQ(kept.beyondReach, 0);
+    for (const RowMatrix& trajectory : kept.trajectories)
+        EXPECT_LE(dynamics.furthestFromTraining(trajectory), 0.25);
+    // Nothing keeps within this: the nearest are given, and counted.
+    const TrajectorySamples none = sampleTrajectories(dynamics, learned, 10, 1, {}, {}, {.reach = 1e-9});
+    EXPECT_EQ(none.beyondReach, 10);
+    EXPECT_EQ(none.rejected, 80);
+    ASSERT_EQ(none.trajectories.size(), 10u);
+    EXPECT_LE(dynamics.furthestFromTraining(none.trajectories[0]),
+              dynamics.furthestFromTraining(none.trajectories[9]));
+}
+
+TEST(TrajectorySamples, theFirstStayWhenMoreAreAskedFor)
+{
+    const LatentLoops loops = latentLoops(2, 20);
+    const GpdmDynamics dynamics(loops.state, loops.spans);
+    const auto few = sampleTrajectories(dynamics, loops.trajectory(0), 5, 3).trajectories;
+    const auto more = sampleTrajectories(dynamics, loops.trajectory(0), 9, 3).trajectories;
+    for (std::size_t i = 0; i < few.size(); ++i)
+        EXPECT_EQ(few[i], more[i]);
 }
 
 TEST(TrajectorySamples, stopSoonAfterTheyWereCancelled)
 {
     const LatentLoops loops = latentLoops(5, 40);
     const GpdmDynamics dynamics(loops.state, loops.spans);
-    for (const double when : {0.2, 0.6}) {
+    for (const double when : {0.1, 0.6}) {
         CancelToken token;
         double last = 0;
         const Progress progress(token, [&](double done) {
