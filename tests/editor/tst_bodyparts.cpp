@@ -17,7 +17,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QToolButton>
 #include <QTreeWidget>
 #include <memory>
 
@@ -458,7 +457,7 @@ private slots:
         QTRY_COMPARE(m_window->variations().stage().frame(), FrameIndex(2));
         drawOnArm(0.45F);
         const Project before = document().project();
-        QTest::mouseClick(test::find<QToolButton>("takePose"), Qt::LeftButton);
+        QTest::mouseClick(test::find<QPushButton>("takePose"), Qt::LeftButton);
         QVERIFY(body().pose == (NamedFrame{.sequence = "stand", .frame = FrameIndex(2)}));
         checkHistory(before);
         QTRY_VERIFY_WITH_TIMEOUT(tool().surface().graph() != nullptr, 20000);

@@ -70,10 +70,15 @@ struct SurfaceCurveEditor::Private
     int pointBefore(int curve, const QPointF& pixel) const;
     std::vector<SurfaceCurvePart> points() const;
     QVector3D normalAt(std::uint32_t vertex) const;
+    /// Whether a curve is worked on: selected, under the pointer or drawn.
+    bool isInHand(int curve) const;
+    /// Around a curve on the view.
+    QRectF boxOf(int curve) const;
 
     void paintCurve(QPainter& painter, int curve) const;
     void paintPoints(QPainter& painter, int curve) const;
-    void paintName(QPainter& painter, int curve, std::vector<QRectF>& taken) const;
+    /// \param middle  of all curves on the view. \param taken  by names before it.
+    void paintName(QPainter& painter, int curve, const QPointF& middle, std::vector<QRectF>& taken) const;
     void paintDrawing(QPainter& painter) const;
     void paintHint(QPainter& painter) const;
     /// What mouse and keys do now.

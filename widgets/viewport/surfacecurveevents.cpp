@@ -310,7 +310,6 @@ bool SurfaceCurveEditor::wantsKey(const QKeyEvent& event) const
     case Qt::Key_Enter:
     case Qt::Key_Delete:
     case Qt::Key_Backspace:
-        return isDrawing || hasSelection;
     case Qt::Key_Insert:
         return isDrawing || hasSelection;
     case Qt::Key_Menu:

@@ -80,9 +80,31 @@ void SurfaceCurveEditor::Private::paintCurve(QPainter& painter, int index) const
         paintToolLine(painter, line, color, width, Qt::SolidLine);
 }
 
+bool SurfaceCurveEditor::Private::isInHand(int curve) const
+{
+    const auto isOf = [curve](const SurfaceCurvePart& part) {
+        return part.kind != SurfaceCurvePart::Kind::None && part.curve == curve;
+    };
+    return isOf(selected) || isOf(hovered) || (mode == Mode::Draw && curve == drawn);
+}
+
+QRectF SurfaceCurveEditor::Private::boxOf(int index) const
+{
+    QPolygonF pixels;
+    for (const std::uint32_t vertex : curves[static_cast<std::size_t>(index)].vertices)
+        if (const auto pixel = project(vertex))
+            pixels << *pixel;
+    return pixels.boundingRect();
+}
+
 void SurfaceCurveEditor::Private::paintPoints(QPainter& painter, int index) const
 {
     const ShownCurve& curve = curves[static_cast<std::size_t>(index)];
+    // From afar, points of curves that nobody works on would hide the curves.
+    constexpr double roomy = 18.0; // pixels of the box around a curve for each point
+    const QRectF box = boxOf(index);
+    const bool isSmall =
+        !isInHand(index) && box.width() + box.height() < roomy * static_cast<double>(curve.points.size());
     for (int point = 0; point < static_cast<int>(curve.points.size()); ++point) {
         const SurfaceCurvePart part{SurfaceCurvePart::Kind::Point, index, point};
         const auto pixel = owner.pixelOf(part);
@@ -95,42 +117,52 @@ void SurfaceCurveEditor::Private::paintPoints(QPainter& painter, int index) cons
         if (mode == Mode::Draw && index == drawn && point == 0)
             look.form = HandleLook::Form::Square;
         const bool isSeen = owner.isSeen(part);
-        if (!isSeen && !look.isSelected)
-            look.radius = 3.0;
+        if (isSmall && !isSeen)
+            continue;
+        if (isSmall || (!isSeen && !look.isSelected))
+            look.radius = isSmall ? 1.5 : 3.0;
         painter.setOpacity(isSeen || look.isSelected ? 1.0 : hiddenOpacity);
         paintHandle(painter, *pixel, look);
         painter.setOpacity(1.0);
     }
 }
 
-void SurfaceCurveEditor::Private::paintName(QPainter& painter, int index, std::vector<QRectF>& taken) const
+void SurfaceCurveEditor::Private::paintName(QPainter& painter, int index, const QPointF& middle,
+                                            std::vector<QRectF>& taken) const
 {
     const ShownCurve& curve = curves[static_cast<std::size_t>(index)];
     const auto& visible = seen()[static_cast<std::size_t>(index)];
-    std::optional<QPointF> rightmost;
-    for (std::size_t i = 0; i < curve.vertices.size(); ++i)
-        if (const auto pixel = project(curve.vertices[i]);
-            pixel && visible[i] && (!rightmost || pixel->x() > rightmost->x()))
-            rightmost = pixel;
-    if (!rightmost)
-        return;
     const bool isWrong = !curve.problem.isEmpty() && !(mode == Mode::Draw && index == drawn);
     const bool isSelected = selected.kind != SurfaceCurvePart::Kind::None && selected.curve == index;
     const QString text = isWrong && isSelected ? curve.problem : curve.name;
-    if (text.isEmpty())
+    const QRectF box = boxOf(index);
+    constexpr double roomy = 70.0; // pixels
+    if (text.isEmpty() || (!isWrong && !isInHand(index) && box.width() + box.height() < roomy))
         return;
-    constexpr double away = 18.0; // pixels beside the curve
+    // Outwards from the body, so that the words do not hide it.
+    const bool isRight = box.center().x() >= middle.x();
+    std::optional<QPointF> edge;
+    for (std::size_t i = 0; i < curve.vertices.size(); ++i)
+        if (const auto pixel = project(curve.vertices[i]);
+            pixel && visible[i] && (!edge || (pixel->x() > edge->x()) == isRight))
+            edge = pixel;
+    if (!edge)
+        return;
+    constexpr double away = 24.0;
     const double badge = isWrong ? 20.0 : 0.0;
     const QFontMetricsF metrics(painter.font());
     QRectF plate(0.0, 0.0, metrics.horizontalAdvance(text) + 16.0, metrics.height() + 6.0);
-    plate.moveLeft(std::min(rightmost->x() + away + badge, owner.viewSize().width() - plate.width() - 4.0));
-    plate.moveTop(rightmost->y() - plate.height() / 2.0);
+    plate.moveTop(edge->y() - plate.height() / 2.0);
+    if (isRight)
+        plate.moveLeft(std::min(edge->x() + away + badge, owner.viewSize().width() - plate.width() - 4.0));
+    else
+        plate.moveRight(std::max(edge->x() - away, plate.width() + badge + 4.0));
     const auto isTaken = [&](const QRectF& other) { return other.intersects(plate); };
     for (int tries = 0; tries < 20 && std::any_of(taken.begin(), taken.end(), isTaken); ++tries)
         plate.translate(0.0, plate.height() / 2.0);
-    taken.push_back(plate);
+    taken.push_back(plate.adjusted(-badge, 0.0, 0.0, 0.0));
     painter.setPen(QPen(Theme::color(ColorRole::ViewportText), 1.0));
-    painter.drawLine(*rightmost, QPointF(plate.left() - badge, plate.center().y()));
+    painter.drawLine(*edge, QPointF(isRight ? plate.left() - badge : plate.right(), plate.center().y()));
     paintToolWords(painter, plate.center(), text);
     if (isWrong)
         paintBadge(painter, QPointF(plate.left() - badge / 2.0, plate.center().y()));
@@ -185,17 +217,18 @@ void SurfaceCurveEditor::paint(QPainter& painter) const
     painter.setRenderHint(QPainter::Antialiasing);
     const auto count = static_cast<int>(d->curves.size());
     std::vector<int> order;
+    order.reserve(d->curves.size());
     for (int curve = 0; curve < count; ++curve)
         order.push_back(curve);
-    const auto isLast = [this](int curve) {
-        return d->selected.kind != SurfaceCurvePart::Kind::None && d->selected.curve == curve;
-    };
-    std::stable_partition(order.begin(), order.end(), [&](int curve) { return !isLast(curve); });
+    std::stable_partition(order.begin(), order.end(), [this](int curve) { return !d->isInHand(curve); });
+    QRectF all;
+    for (const int curve : order)
+        all |= d->boxOf(curve);
     std::vector<QRectF> taken;
     for (const int curve : order)
         d->paintCurve(painter, curve);
     for (const int curve : order)
-        d->paintName(painter, curve, taken);
+        d->paintName(painter, curve, all.center(), taken);
     for (const int curve : order)
         d->paintPoints(painter, curve);
     if (d->mode == Mode::Draw)

@@ -74,7 +74,11 @@ private:
     static constexpr int side = 16; // pixels
     static int column(float x) { return static_cast<int>(std::min(x, 1e6F)) / side; }
     static int row(float y) { return column(y); }
-    std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * m_columns + x); }
+    std::size_t index(int x, int y) const
+    {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_columns) +
+               static_cast<std::size_t>(x);
+    }
 
     int m_columns;
     int m_rows;

@@ -140,9 +140,8 @@ QWidget* BodyPartsPanel::makeSettings()
     m_poseLabel = new QLabel;
     m_pose = new QLabel;
     m_pose->setObjectName(QStringLiteral("drawingPose"));
-    m_takePose = new QToolButton;
+    m_takePose = new QPushButton;
     m_takePose->setObjectName(QStringLiteral("takePose"));
-    m_takePose->setFocusPolicy(Qt::TabFocus);
     auto* settings = new QWidget;
     auto* grid = new QGridLayout(settings);
     grid->setContentsMargins(margin, gap, margin, gap);
@@ -164,7 +163,7 @@ QWidget* BodyPartsPanel::makeSettings()
             [this](double centimetres) { m_tool.setSnapRadius(centimetres / 100); });
     connect(m_overlap, &QDoubleSpinBox::valueChanged, this,
             [this](double centimetres) { m_tool.setOverlap(centimetres / 100); });
-    connect(m_takePose, &QToolButton::clicked, &m_tool, &PartCurveTool::takeShownPose);
+    connect(m_takePose, &QPushButton::clicked, &m_tool, &PartCurveTool::takeShownPose);
     return settings;
 }
 

@@ -12,7 +12,6 @@ class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QStackedLayout;
-class QToolButton;
 
 namespace quadrille {
 
@@ -62,7 +61,7 @@ private:
     QDoubleSpinBox* m_overlap;
     QLabel* m_poseLabel;
     QLabel* m_pose;
-    QToolButton* m_takePose;
+    QPushButton* m_takePose;
 };
 
 } // namespace quadrille

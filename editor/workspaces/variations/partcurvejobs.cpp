@@ -152,6 +152,7 @@ void PartCurveTool::draw()
     context.actions.action(QStringLiteral("workspace.variations"))->trigger();
     context.actions.action(QStringLiteral("variations.parts.show"))->setChecked(true);
     emit panelAsked();
+    m_variation.view().player().pause(); // what is clicked on is to stand still
     m_editor->setMode(m_editor->mode() == Mode::Draw ? Mode::Edit : Mode::Draw);
     m_variation.view().viewport().setTool(widgets::Viewport::Tool::Navigate);
     m_variation.view().viewport().setFocus();

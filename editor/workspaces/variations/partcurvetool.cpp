@@ -67,6 +67,8 @@ PartCurveTool::PartCurveTool(CurrentVariation& variation, QObject* parent)
         refreshFigure();
         refreshColors();
     });
+    connect(&variation.view().viewport(), &widgets::Viewport::figureChanged, this,
+            &PartCurveTool::frameFigure);
     connect(&widgets::Theme::instance(), &widgets::Theme::changed, this, &PartCurveTool::refresh);
     retranslates(&variation.view(), [this] { refresh(); });
 }
@@ -183,6 +185,32 @@ void PartCurveTool::refreshFigure()
             figure = stage.figureOf(name);
     }
     m_editor->setFigure(figure);
+    frameFigure();
+}
+
+/// The body instead of all its way, the first time that its parts are worked on.
+void PartCurveTool::frameFigure()
+{
+    widgets::Viewport& viewport = m_variation.view().viewport();
+    const auto shape = viewport.figureShape(m_editor->figure());
+    if (!m_isActive || m_framed == m_editor->figure() || !shape || shape->positions.empty())
+        return;
+    QVector3D lower = shape->place(0);
+    QVector3D upper = lower;
+    for (std::uint32_t vertex = 1; vertex < shape->mesh.vertexCount; ++vertex) {
+        const QVector3D place = shape->place(vertex);
+        for (int axis = 0; axis < 3; ++axis) {
+            lower[axis] = std::min(lower[axis], place[axis]);
+            upper[axis] = std::max(upper[axis], place[axis]);
+        }
+    }
+    if (lower == upper) // nothing was loaded yet
+        return;
+    m_framed = m_editor->figure();
+    m_variation.view().stage().keepCamera();
+    widgets::Turntable camera = viewport.camera();
+    camera.frame(lower, upper, viewport.size());
+    viewport.setCamera(camera);
 }
 
 ShownCurve PartCurveTool::shown(const PartCurveEntry& entry) const

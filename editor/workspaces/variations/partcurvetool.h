@@ -120,6 +120,7 @@ private:
     void connectEditor();
     void refresh();
     void refreshFigure();
+    void frameFigure();
     void refreshCurves();
     void refreshColors();
     void refreshActions();
@@ -168,6 +169,7 @@ private:
     QPointer<Job> m_job;
     std::shared_ptr<const Symmetry> m_symmetry; ///< of m_shownGraph, once it was asked for
     bool m_isActive = false;
+    int m_framed = -1; ///< the figure that the view came close to
     bool m_snaps = true;
     double m_snapRadius = 0.02;
     double m_overlap = 0.075;
