@@ -20,13 +20,14 @@ namespace {
 constexpr int history = 100;
 
 /// Of stages before the last one: enough for latents to find their order.
-constexpr double stageTolerance = 1e-5;
+constexpr double stageTolerance = 1e-4;
 
 /// Of the variables' latents (see GpdmVariables).
-constexpr double smoothness = 3;
+constexpr double smoothness = 10;
 
-/// Fewer let the latents shrink to a point where there are few frames.
-constexpr double firstCoordinates = 10;
+/// Fewer let the noise of the dynamics go to its bound, and the latents shrink to a point where there are few
+/// frames.
+constexpr double firstCoordinates = 100;
 
 /// From one stage to the next.
 constexpr double weightFactor = 1.8;
@@ -159,8 +160,8 @@ void Start::accept(const double* x, double value)
     }
     if (m_watch)
         m_watch(static_cast<int>(iterations()), m_values.back(), m_state);
-    // How many iterations there will be is not known; some 2,000 are usual.
-    m_progress.report(1 - std::exp(-static_cast<double>(iterations()) / 1000));
+    // How many iterations there will be is not known; some 1,000 are usual.
+    m_progress.report(1 - std::exp(-static_cast<double>(iterations()) / 500));
 }
 
 bool Start::converged() const
