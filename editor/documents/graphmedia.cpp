@@ -4,6 +4,7 @@
 
 #include "editor/commands/animationedits.h"
 #include "editor/jobs/jobrunner.h"
+#include "model/project/madeclips.h"
 #include "model/project/opencharacter.h"
 
 #include <utility>
@@ -123,10 +124,15 @@ GraphMedia::Source GraphMedia::sourceOf(const QString& character) const
                   .settings = project.settings,
                   .characters = project.characters,
                   .sequences = project.sequences,
-                  .animations = {}};
+                  .animations = {},
+                  .bodyParts = {},
+                  .variations = {}};
     for (const SequenceEntry& sequence : project.sequences) {
-        if (shownAnimation(project, sequence) != nullptr)
+        if (shownClip(project, sequence)) {
             source.animations = project.animations;
+            source.bodyParts = project.bodyParts;
+            source.variations = project.variations;
+        }
     }
     return source;
 }

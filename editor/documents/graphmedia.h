@@ -66,7 +66,10 @@ private:
         ProjectSettings settings;
         std::vector<CharacterEntry> characters;
         std::vector<SequenceEntry> sequences;
-        std::vector<AnimationEntry> animations; ///< where a sequence shows one
+        /// Where a sequence shows a clip that is made.
+        std::vector<AnimationEntry> animations;
+        std::vector<BodyPartsEntry> bodyParts;
+        std::vector<VariationEntry> variations;
         bool operator==(const Source&) const = default;
     };
     struct Item

@@ -4,7 +4,7 @@
 
 #include "editor/jobs/jobrunner.h"
 #include "model/project/clipparts.h"
-#include "model/project/clipresult.h"
+#include "model/project/madeclips.h"
 #include "model/project/paths.h"
 #include "model/project/resultstore.h"
 #include "model/project/stage.h"
@@ -122,14 +122,19 @@ SequenceMedia::Source SequenceMedia::sourceOf(const SequenceEntry& entry) const
     if (const auto clip = clipOfSource(entry.source)) {
         source.entry.character = entry.character;
         source.parts = partsOfClip(m_document.project(), *clip);
-        if (!source.parts->animations.empty())
+        if (!source.parts->animations.empty() || !source.parts->variations.empty())
             source.results = cacheFolder(m_document.workingFile());
         const ResultStore store(source.results);
-        for (const AnimationEntry& animation : source.parts->animations) {
-            std::error_code missing;
-            source.computed.push_back(
-                std::filesystem::last_write_time(store.fileOf(clipStageOf(animation.name)), missing));
-        }
+        const auto addClip = [&](const std::string& clip) {
+            for (const std::string& stage : clipStagesOf(*source.parts, clip)) {
+                std::error_code missing;
+                source.computed.push_back(std::filesystem::last_write_time(store.fileOf(stage), missing));
+            }
+        };
+        for (const AnimationEntry& animation : source.parts->animations)
+            addClip("animations/" + animation.name);
+        for (const VariationEntry& variation : source.parts->variations)
+            addClip("variations/" + variation.name);
     }
     source.settings.fps = m_document.project().settings.fps;
     source.settings.axes = m_document.project().settings.axes;

@@ -5,6 +5,7 @@
 #include "model/project/clippost.h"
 #include "model/project/clipresult.h"
 #include "model/project/lengthunit.h"
+#include "model/project/madeclips.h"
 #include "model/project/tablebuilder.h"
 #include "model/project/walkrequest.h"
 
@@ -149,7 +150,7 @@ Walk walkOf(const Result& result, const CharacterGraph& graph)
 ResultStage clipStage(const CharacterWork& work, const AnimationEntry& animation, const ResultStage& walk)
 {
     ResultStage stage;
-    stage.name = clipStageOf(animation.name);
+    stage.name = clipStageOf("animations/" + animation.name);
     stage.dataPrefix = walk.dataPrefix;
     const AnimationEntry made{.interpolation = animation.interpolation,
                               .gentleBlend = animation.gentleBlend,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/characterstages.h"
 
+#include "model/project/madeclips.h"
 #include "model/project/sequencesettings.h"
 #include "model/synthesis/liveliness.h"
 

@@ -5,6 +5,7 @@
 #include "model/core/file.h"
 #include "model/project/exportentry.h"
 #include "model/project/jsontext.h"
+#include "model/project/madeclips.h"
 #include "model/project/media.h"
 #include "model/project/paths.h"
 #include "model/project/stagestate.h"
@@ -91,7 +92,7 @@ private:
             m_progress.report(0.8 * static_cast<double>(i) / static_cast<double>(count));
             const std::string pointer = "/sequences/" + std::to_string(i);
             const SequenceEntry& entry = m_project.sequences[static_cast<std::size_t>(i)];
-            if (lacksMedia(pointer) || shownAnimation(m_project, entry) != nullptr)
+            if (lacksMedia(pointer) || shownClip(m_project, entry))
                 continue;
             try {
                 const auto opened = m_opener->open(entry.name, Progress(m_progress.token()));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/clipparts.h"
 
+#include "model/project/madeclips.h"
 #include "model/project/opensequence.h"
 #include "model/project/paths.h"
 
@@ -11,19 +12,17 @@ namespace quadrille {
 
 namespace {
 
-/// What a clip shows: a sequence its source, an animation the sequences of its graph.
+/// What a clip shows: a sequence its source, a made clip the sequences whose frames it has.
 std::vector<std::string> shownBy(const Project& project, const std::string& clip)
 {
     std::vector<std::string> shown;
-    const auto animated = nameOfClip(clip, "animations");
-    const auto named = nameOfClip(clip, "sequences");
-    if (const auto* animation = animated ? findAnimation(project, *animated) : nullptr) {
-        for (const std::string& sequence : sequencesOfGraph(project, characterNameOf(project, *animation)))
-            shown.push_back("sequences/" + sequence);
-    } else if (const auto* sequence =
-                   clip.starts_with("sequences/") ? findSequence(project, *named) : nullptr) {
-        if (auto source = clipOfSource(sequence->source))
+    if (const auto named = nameOfClip(clip, "sequences")) {
+        const SequenceEntry* sequence = findSequence(project, *named);
+        if (auto source = sequence ? clipOfSource(sequence->source) : std::nullopt)
             shown.push_back(std::move(*source));
+    } else {
+        for (const std::string& sequence : sequencesOfClip(project, clip))
+            shown.push_back("sequences/" + sequence);
     }
     return shown;
 }
@@ -61,6 +60,14 @@ Project partsOfClip(const Project& project, const std::string& clip)
         if (clips.contains("animations/" + animation.name))
             parts.animations.push_back(animation);
     }
+    for (const VariationEntry& variation : project.variations) {
+        const std::string prefix = "variations/" + variation.name + "/";
+        const auto at = clips.lower_bound(prefix);
+        if (at != clips.end() && at->starts_with(prefix))
+            parts.variations.push_back(variation);
+    }
+    if (!parts.variations.empty())
+        parts.bodyParts = project.bodyParts;
     return parts;
 }
 

@@ -8,10 +8,10 @@
 
 namespace quadrille {
 
-/// The parts of a project that a clip is made of: settings, characters, and the sequences and
-/// animations that it shows, directly or through others. Where it has animations, the clip is there only once
-/// they are computed.
-/// \param clip  "sequences/NAME" or "animations/NAME".
+/// The parts of a project that a clip is made of: settings, characters, and the sequences,
+/// animations and variations that it shows, directly or through others. Where it has made clips, it is there
+/// only once they are computed.
+/// \param clip  "sequences/NAME", "animations/NAME" or "variations/NAME/3".
 Project partsOfClip(const Project& project, const std::string& clip);
 
 /// Whether a clip is, through others, made of itself.

@@ -4,6 +4,7 @@
 
 #include "model/core/error.h"
 #include "model/geometry/procrustes.h"
+#include "model/project/madeclips.h"
 #include "model/project/resultstore.h"
 #include "model/project/tablebuilder.h"
 
@@ -44,11 +45,6 @@ std::optional<NodeIndex> nodeOf(const std::string& sequence, std::int64_t frame,
 
 } // namespace
 
-std::string clipStageOf(const std::string& animation)
-{
-    return "animations/" + animation + "/clip";
-}
-
 Result clipResult(const Clip& clip, const FrameLayout& layout, const std::vector<std::string>& sequences,
                   const std::string& unit)
 {
@@ -84,12 +80,12 @@ Result clipResult(const Clip& clip, const FrameLayout& layout, const std::vector
     return result;
 }
 
-std::optional<MeshSequence> readClip(const std::filesystem::path& results, const std::string& animation,
+std::optional<MeshSequence> readClip(const std::filesystem::path& results, const std::string& name,
                                      std::span<const MeshSequence> sequences, double fps)
 {
     if (results.empty() || sequences.empty())
         return std::nullopt;
-    const auto entry = ResultStore(results).load(clipStageOf(animation), {});
+    const auto entry = ResultStore(results).load(clipStageOf(name), {});
     if (entry.result.arrays.empty() || entry.result.tables.empty())
         return std::nullopt;
     const CharacterFrames character(sequences);
@@ -120,7 +116,7 @@ std::optional<MeshSequence> readClip(const std::filesystem::path& results, const
                                 .lambda = lambdas[f],
                                 .mirrored = texts(MirroredColumn)[f] == "yes"});
     }
-    return toSequence(animation, std::move(clip), character);
+    return toSequence(name.substr(name.find('/') + 1), std::move(clip), character);
 }
 
 } // namespace quadrille

@@ -14,18 +14,15 @@
 
 namespace quadrille {
 
-/// The stage that computes the clip of an animation.
-std::string clipStageOf(const std::string& animation);
-
 /// A clip as a result: the array “positions” and the table “frames”, which says where each frame comes from.
 /// \param sequences  names, in the order of the layout that the origins count.
 Result clipResult(const Clip& clip, const FrameLayout& layout, const std::vector<std::string>& sequences,
                   const std::string& unit);
 
-/// The clip of an animation from the results of a project, with textures, labels and contacts; nothing where
-/// it is not there. \param sequences  of the graph of its character, in project order.
+/// A made clip from the results of a project, with textures, labels and contacts; nothing where it is not
+/// there. \param clip  "animations/NAME", "variations/NAME/3". \param sequences  as sequencesOfClip has them.
 /// \throws Error PermissionDenied, ReadFailed, VertexCountMismatch.
-std::optional<MeshSequence> readClip(const std::filesystem::path& results, const std::string& animation,
+std::optional<MeshSequence> readClip(const std::filesystem::path& results, const std::string& clip,
                                      std::span<const MeshSequence> sequences, double fps);
 
 } // namespace quadrille

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/exportentry.h"
 
-#include "model/project/clipresult.h"
+#include "model/project/madeclips.h"
+#include "model/project/opensequence.h"
 #include "model/project/paths.h"
 #include "model/project/pictureoptions.h"
-#include "model/project/stage.h"
 #include "model/sequence/io/registry.h"
 
 #include <algorithm>
@@ -37,10 +37,7 @@ const Exporter& exporterOf(const ExportEntry& entry)
 
 std::vector<std::string> stagesOf(const Project& project, const ExportEntry& entry)
 {
-    if (const auto animation = nameOfClip(entry.what, "animations"))
-        return {clipStageOf(*animation)};
-    const auto sequence = nameOfClip(entry.what, "sequences");
-    return sequence ? clipInputs(project, {*sequence}) : std::vector<std::string>();
+    return clipStagesOf(project, entry.what);
 }
 
 const AudioEntry* soundOf(const Project& project, const ExportEntry& entry)

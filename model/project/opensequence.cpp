@@ -5,6 +5,7 @@
 #include "model/core/message.h"
 #include "model/project/clipparts.h"
 #include "model/project/clipresult.h"
+#include "model/project/madeclips.h"
 #include "model/project/paths.h"
 #include "model/sequence/io/findtextures.h"
 #include "model/sequence/io/meshfile.h"
@@ -20,7 +21,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view sequencesSection = "sequences/";
-constexpr std::string_view animationsSection = "animations/";
 
 [[noreturn]] void throwInvalid(const fs::path& file, std::string reason, std::string remedy)
 {
@@ -170,34 +170,6 @@ const BodyPartsEntry* bodyPartsOf(const Project& project, const std::string& cha
     return found == project.bodyParts.end() ? nullptr : &*found;
 }
 
-const AnimationEntry* shownAnimation(const Project& project, const SequenceEntry& entry)
-{
-    const SequenceEntry* at = &entry;
-    // Sequences that go round in a circle show none.
-    for (std::size_t steps = 0; at != nullptr && steps <= project.sequences.size(); ++steps) {
-        const auto clip = clipOfSource(at->source).value_or("");
-        const std::string name = clip.substr(clip.find('/') + 1);
-        if (clip.starts_with(animationsSection))
-            return findAnimation(project, name);
-        at = clip.starts_with(sequencesSection) ? findSequence(project, name) : nullptr;
-    }
-    return nullptr;
-}
-
-std::vector<std::string> sequencesOfGraph(const Project& project, const std::string& character)
-{
-    std::vector<std::string> names;
-    for (const SequenceEntry& entry : project.sequences) {
-        const CharacterEntry* own = characterOf(project, entry);
-        if ((own ? own->name : "") != character)
-            continue;
-        const AnimationEntry* animation = shownAnimation(project, entry);
-        if (animation == nullptr || characterNameOf(project, *animation) != character)
-            names.push_back(entry.name);
-    }
-    return names;
-}
-
 SequenceOpener::SequenceOpener(Project project, fs::path folder, fs::path results)
     : m_project(std::move(project)), m_folder(std::move(folder)), m_results(std::move(results))
 {
@@ -218,39 +190,39 @@ std::shared_ptr<const OpenedSequence> SequenceOpener::openClip(const std::string
                                                                const Progress& progress)
 {
     const std::string name = clip.substr(clip.find('/') + 1);
-    const bool isAnimation = clip.starts_with(animationsSection);
-    const SequenceEntry* entry = isAnimation ? nullptr : findSequence(m_project, name);
-    if (!isAnimation && entry == nullptr)
+    const bool isMade = isMadeClip(clip);
+    const SequenceEntry* entry = isMade ? nullptr : findSequence(m_project, name);
+    if (!isMade && entry == nullptr)
         throwInvalid({}, "There is no sequence “" + name + "”", QUADRILLE_MESSAGE("Correct the name."));
     Slot& own = slot(clip);
     const std::scoped_lock lock(own.mutex);
     if (!own.opened)
-        own.opened = std::make_shared<const OpenedSequence>(isAnimation ? openAnimation(name, progress)
-                                                                        : openEntry(*entry, progress));
+        own.opened = std::make_shared<const OpenedSequence>(isMade ? openMadeClip(clip, progress)
+                                                                   : openEntry(*entry, progress));
     return own.opened;
 }
 
 std::vector<fs::path> SequenceOpener::filesOf(const std::string& name, const Progress& progress)
 {
     const SequenceEntry* entry = findSequence(m_project, name);
-    if (entry != nullptr && shownAnimation(m_project, *entry) != nullptr)
+    if (entry != nullptr && shownClip(m_project, *entry))
         return {};
     return open(name, progress)->files;
 }
 
-OpenedSequence SequenceOpener::openAnimation(const std::string& name, const Progress& progress)
+OpenedSequence SequenceOpener::openMadeClip(const std::string& clip, const Progress& progress)
 {
-    const AnimationEntry* animation = findAnimation(m_project, name);
-    if (animation == nullptr)
-        throwInvalid({}, "There is no animation “" + name + "”", QUADRILLE_MESSAGE("Correct the name."));
+    const std::vector<std::string> names = sequencesOfClip(m_project, clip);
+    if (names.empty())
+        throwInvalid({}, "There is no clip “" + clip + "”", QUADRILLE_MESSAGE("Correct the name."));
     std::vector<MeshSequence> sequences;
-    for (const std::string& sequence : sequencesOfGraph(m_project, characterNameOf(m_project, *animation)))
+    for (const std::string& sequence : names)
         sequences.push_back(open(sequence, progress)->sequence);
-    auto clip = readClip(m_results, name, sequences, m_project.settings.fps);
-    if (!clip)
-        throwInvalid({}, "The animation “" + name + "” is not computed yet",
+    auto made = readClip(m_results, clip, sequences, m_project.settings.fps);
+    if (!made)
+        throwInvalid({}, "The clip “" + clip + "” is not computed yet",
                      QUADRILLE_MESSAGE("Rebuild the project."));
-    return {.sequence = std::move(*clip)};
+    return {.sequence = std::move(*made)};
 }
 
 OpenedSequence SequenceOpener::openEntry(const SequenceEntry& entry, const Progress& progress)
@@ -258,7 +230,7 @@ OpenedSequence SequenceOpener::openEntry(const SequenceEntry& entry, const Progr
     const CharacterEntry* character = characterOf(m_project, entry);
     OpenedSequence opened;
     if (const auto clip = clipOfSource(entry.source)) {
-        if (!clip->starts_with(sequencesSection) && !clip->starts_with(animationsSection))
+        if (!clip->starts_with(sequencesSection) && !isMadeClip(*clip))
             throwInvalid({}, "Clips of “" + *clip + "” cannot be used by this version", "");
         if (isMadeOfItself(m_project, std::string(sequencesSection) + entry.name))
             throwInvalid({}, "“" + entry.name + "” is its own source",

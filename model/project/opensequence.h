@@ -61,7 +61,7 @@ private:
     };
 
     OpenedSequence openEntry(const SequenceEntry& entry, const Progress& progress);
-    OpenedSequence openAnimation(const std::string& name, const Progress& progress);
+    OpenedSequence openMadeClip(const std::string& clip, const Progress& progress);
     OpenedSequence openFile(const SequenceEntry& entry, const CharacterEntry* character,
                             const Progress& progress);
     void shareTopology(OpenedSequence& opened, const CharacterEntry& character);
@@ -99,10 +99,5 @@ std::string characterNameOf(const Project& project, const AnimationEntry& animat
 std::string characterNameOf(const Project& project, const VariationEntry& variation);
 /// The parts of a character's body; null where the project has none.
 const BodyPartsEntry* bodyPartsOf(const Project& project, const std::string& character);
-/// The animation whose clip a sequence shows, perhaps through other sequences; null when it shows none.
-const AnimationEntry* shownAnimation(const Project& project, const SequenceEntry& entry);
-/// The sequences that the graph of a character is made of, in project order: all of the character's but those
-/// that are clips of its own animations.
-std::vector<std::string> sequencesOfGraph(const Project& project, const std::string& character);
 
 } // namespace quadrille

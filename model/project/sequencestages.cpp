@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/bounds.h"
 #include "model/project/lengthunit.h"
+#include "model/project/madeclips.h"
 #include "model/project/sequencesettings.h"
 #include "model/project/stage.h"
 #include "model/sequence/contacts.h"

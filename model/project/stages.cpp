@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/clipresult.h"
+#include "model/project/madeclips.h"
 #include "model/project/stage.h"
 
 #include <algorithm>
@@ -38,13 +38,10 @@ std::vector<std::string> clipInputs(const Project& project, const std::vector<st
 {
     std::vector<std::string> inputs;
     for (const std::string& name : sequences) {
-        const SequenceEntry* entry = findSequence(project, name);
-        const AnimationEntry* animation = entry ? shownAnimation(project, *entry) : nullptr;
-        if (animation == nullptr)
-            continue;
-        const std::string stage = clipStageOf(animation->name);
-        if (std::find(inputs.begin(), inputs.end(), stage) == inputs.end())
-            inputs.push_back(stage);
+        for (std::string& stage : clipStagesOf(project, "sequences/" + name)) {
+            if (std::find(inputs.begin(), inputs.end(), stage) == inputs.end())
+                inputs.push_back(std::move(stage));
+        }
     }
     return inputs;
 }

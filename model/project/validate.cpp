@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/validate.h"
 
+#include "model/project/madeclips.h"
 #include "model/project/opensequence.h"
 #include "model/project/paths.h"
 #include "model/project/validateanimations.h"
 #include "model/project/validateevaluations.h"
+#include "model/project/validatevariations.h"
 #include "model/project/validationtexts.h"
 
 #include <algorithm>
@@ -29,6 +31,7 @@ public:
         checkNames(m_project.characters, "/characters");
         checkNames(m_project.sequences, "/sequences");
         checkNames(m_project.animations, "/animations");
+        checkNames(m_project.variations, "/variations");
         checkNames(m_project.exports, "/exports");
         for (std::size_t i = 0; i < m_project.characters.size(); ++i)
             checkCharacter(m_project.characters[i], "/characters/" + std::to_string(i));
@@ -37,6 +40,7 @@ public:
         checkCycles();
         checkGraphs();
         validateAnimations(m_project, m_problems);
+        validateVariations(m_project, m_problems);
         validateEvaluations(m_project, m_problems);
         for (std::size_t i = 0; i < m_project.exports.size(); ++i)
             checkExport(m_project.exports[i], "/exports/" + std::to_string(i));
@@ -196,6 +200,8 @@ private:
             if (std::find(known.begin(), known.end(), name) == known.end())
                 invalid(pointer, "There is no animation " + quoted(name),
                         meantOr(name, known, "Correct the name."));
+        } else if (section == "variations") {
+            checkVariationClip(clip, pointer);
         } else if (section != "sequences") {
             if (m_project.unknown.is_object() && m_project.unknown.contains(section))
                 m_problems.push_back(warningAt(pointer, "Clips of the section " + quoted(section) +
@@ -210,21 +216,35 @@ private:
         }
     }
 
-    /// What a clip is made of: a sequence of its source, an animation of the sequences in its graph.
+    void checkVariationClip(const std::string& clip, const std::string& pointer)
+    {
+        const auto varied = variationOfClip(clip);
+        const auto known = namesOf(m_project.variations);
+        const VariationEntry* entry = varied ? findVariation(m_project, varied->variation) : nullptr;
+        if (!varied)
+            invalid(pointer, quoted(clip) + " names no variation",
+                    "Write variations/NAME/NUMBER, with numbers from 1.");
+        else if (entry == nullptr)
+            invalid(pointer, "There are no variations " + quoted(varied->variation),
+                    meantOr(varied->variation, known, "Correct the name."));
+        else if (varied->number > variationCount(*entry))
+            m_problems.push_back(warningAt(pointer,
+                                           quoted(varied->variation) + " has only " +
+                                               std::to_string(variationCount(*entry)) + " variations",
+                                           "Draw more of them, or name another."));
+    }
+
+    /// What a clip is made of: a sequence of its source, a made clip of the sequences whose frames it has.
     std::vector<std::string> sourcesOf(const std::string& clip) const
     {
-        const std::string name = clip.substr(clip.find('/') + 1);
-        if (clip.starts_with("sequences/")) {
-            const SequenceEntry* sequence = findSequence(m_project, name);
+        if (const auto name = nameOfClip(clip, "sequences")) {
+            const SequenceEntry* sequence = findSequence(m_project, *name);
             const auto source = sequence ? clipOfSource(sequence->source) : std::nullopt;
             return source ? std::vector{*source} : std::vector<std::string>{};
         }
         std::vector<std::string> sources;
-        if (const AnimationEntry* animation = findAnimation(m_project, name)) {
-            for (const std::string& sequence :
-                 sequencesOfGraph(m_project, characterNameOf(m_project, *animation)))
-                sources.push_back("sequences/" + sequence);
-        }
+        for (const std::string& sequence : sequencesOfClip(m_project, clip))
+            sources.push_back("sequences/" + sequence);
         return sources;
     }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/validateanimations.h"
 
+#include "model/project/madeclips.h"
 #include "model/project/opensequence.h"
 #include "model/project/validationtexts.h"
 

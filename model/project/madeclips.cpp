@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/madeclips.h"
+
+#include "model/project/opensequence.h"
+#include "model/project/paths.h"
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+namespace quadrille {
+
+namespace {
+
+constexpr auto animationsSection = "animations";
+constexpr auto variationsSection = "variations";
+
+/// Whether a clip is, directly or through others, one of an animation of a character.
+class AnimationSearch
+{
+public:
+    AnimationSearch(const Project& project, const std::string& character)
+        : m_project(project), m_character(character)
+    {
+    }
+
+    bool finds(const SequenceEntry& entry)
+    {
+        if (!m_seen.insert(entry.name).second)
+            return false;
+        const auto clip = clipOfSource(entry.source);
+        if (!clip)
+            return false;
+        if (const auto name = nameOfClip(*clip, animationsSection)) {
+            const AnimationEntry* animation = findAnimation(m_project, *name);
+            return animation != nullptr && characterNameOf(m_project, *animation) == m_character;
+        }
+        if (const auto name = nameOfClip(*clip, "sequences"))
+            return findsIn(*name);
+        const auto varied = variationOfClip(*clip);
+        const VariationEntry* variation = varied ? findVariation(m_project, varied->variation) : nullptr;
+        return variation != nullptr &&
+               std::any_of(variation->training.begin(), variation->training.end(),
+                           [this](const TrainingEntry& take) { return findsIn(take.sequence); });
+    }
+
+private:
+    bool findsIn(const std::string& name)
+    {
+        const SequenceEntry* sequence = findSequence(m_project, name);
+        return sequence != nullptr && finds(*sequence);
+    }
+
+    const Project& m_project;
+    const std::string& m_character;
+    std::set<std::string> m_seen;
+};
+
+} // namespace
+
+std::string variationClip(const std::string& variation, int number)
+{
+    return std::string(variationsSection) + "/" + variation + "/" + std::to_string(number);
+}
+
+std::optional<VariationNumber> variationOfClip(std::string_view clip)
+{
+    const auto rest = nameOfClip(clip, variationsSection);
+    if (!rest)
+        return std::nullopt;
+    const auto slash = rest->find('/');
+    if (slash == std::string::npos)
+        return VariationNumber{*rest, 0};
+    VariationNumber found{rest->substr(0, slash), 0};
+    const char* const last = rest->data() + rest->size();
+    const auto [end, error] = std::from_chars(rest->data() + slash + 1, last, found.number);
+    if (error != std::errc() || end != last || found.number < 1)
+        return std::nullopt;
+    return found;
+}
+
+int variationCount(const VariationEntry& entry)
+{
+    int count = 0;
+    for (const SamplesEntry& samples : entry.samples)
+        count += samples.count;
+    return count;
+}
+
+bool isMadeClip(std::string_view clip)
+{
+    const auto varied = variationOfClip(clip);
+    return nameOfClip(clip, animationsSection).has_value() || (varied && varied->number > 0);
+}
+
+std::string clipStageOf(const std::string& clip)
+{
+    return clip + "/clip";
+}
+
+std::vector<std::string> clipStagesOf(const Project& project, const std::string& clip)
+{
+    if (const auto name = nameOfClip(clip, "sequences")) {
+        const SequenceEntry* entry = findSequence(project, *name);
+        const auto shown = entry ? shownClip(project, *entry) : std::nullopt;
+        return shown ? std::vector{clipStageOf(*shown)} : std::vector<std::string>();
+    }
+    if (isMadeClip(clip))
+        return {clipStageOf(clip)};
+    std::vector<std::string> stages;
+    const auto varied = variationOfClip(clip);
+    if (const VariationEntry* variation = varied ? findVariation(project, varied->variation) : nullptr) {
+        for (int number = 1; number <= variationCount(*variation); ++number)
+            stages.push_back(clipStageOf(variationClip(variation->name, number)));
+    }
+    return stages;
+}
+
+std::optional<std::string> shownClip(const Project& project, const SequenceEntry& entry)
+{
+    const SequenceEntry* at = &entry;
+    // Sequences that go round in a circle show none.
+    for (std::size_t steps = 0; at != nullptr && steps <= project.sequences.size(); ++steps) {
+        auto clip = clipOfSource(at->source);
+        if (!clip)
+            return std::nullopt;
+        if (isMadeClip(*clip))
+            return sequencesOfClip(project, *clip).empty() ? std::nullopt : std::move(clip);
+        const auto name = nameOfClip(*clip, "sequences");
+        at = name ? findSequence(project, *name) : nullptr;
+    }
+    return std::nullopt;
+}
+
+std::vector<std::string> sequencesOfClip(const Project& project, const std::string& clip)
+{
+    if (const auto name = nameOfClip(clip, animationsSection)) {
+        const AnimationEntry* animation = findAnimation(project, *name);
+        return animation ? sequencesOfGraph(project, characterNameOf(project, *animation))
+                         : std::vector<std::string>();
+    }
+    std::vector<std::string> names;
+    const auto varied = variationOfClip(clip);
+    const VariationEntry* variation = varied ? findVariation(project, varied->variation) : nullptr;
+    if (variation != nullptr && varied->number <= variationCount(*variation)) {
+        for (const TrainingEntry& take : variation->training)
+            names.push_back(take.sequence);
+    }
+    return names;
+}
+
+std::vector<std::string> sequencesOfGraph(const Project& project, const std::string& character)
+{
+    std::vector<std::string> names;
+    for (const SequenceEntry& entry : project.sequences) {
+        const CharacterEntry* own = characterOf(project, entry);
+        if ((own ? own->name : "") == character && !AnimationSearch(project, character).finds(entry))
+            names.push_back(entry.name);
+    }
+    return names;
+}
+
+} // namespace quadrille

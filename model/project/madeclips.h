@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/project.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// The name of one variation, from 1: "variations/NAME/3".
+std::string variationClip(const std::string& variation, int number);
+
+/// A variation in a clip "variations/NAME/3".
+struct VariationNumber
+{
+    std::string variation;
+    int number = 0; ///< from 1; 0: all of "variations/NAME"
+
+    bool operator==(const VariationNumber&) const = default;
+};
+/// Nothing for clips of other sections, and where the number is none.
+std::optional<VariationNumber> variationOfClip(std::string_view clip);
+/// How many variations an entry draws.
+int variationCount(const VariationEntry& entry);
+
+/// Whether a clip is one that stages make: "animations/NAME" or "variations/NAME/3".
+bool isMadeClip(std::string_view clip);
+/// The stage that makes it. \pre isMadeClip.
+std::string clipStageOf(const std::string& clip);
+/// The stages of the clips that a clip "SECTION/NAME" means, more than one for all of "variations/NAME";
+/// none where it is a sequence that shows a file.
+std::vector<std::string> clipStagesOf(const Project& project, const std::string& clip);
+
+/// The clip that a sequence shows, perhaps through other sequences, where it is made; nothing where it shows
+/// files.
+std::optional<std::string> shownClip(const Project& project, const SequenceEntry& entry);
+
+/// The sequences whose frames a made clip shows, in the order in which its origins count them; empty where
+/// there is no such clip.
+std::vector<std::string> sequencesOfClip(const Project& project, const std::string& clip);
+
+/// The sequences that the graph of a character is made of, in project order: all of the character's but those
+/// that are clips of its own animations, or variations of such.
+std::vector<std::string> sequencesOfGraph(const Project& project, const std::string& character);
+
+} // namespace quadrille

@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/validatevariations.h"
+
+#include "model/project/opensequence.h"
+#include "model/project/validate.h"
+#include "model/project/validationtexts.h"
+
+#include <algorithm>
+#include <set>
+
+namespace quadrille {
+
+namespace {
+
+constexpr int greatestDimensions = 10;
+constexpr int greatestRestarts = 100;
+constexpr int greatestCount = 10'000;
+
+bool contains(const std::vector<std::string>& names, const std::string& name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// What both sections have in common.
+class SectionValidator
+{
+public:
+    SectionValidator(const Project& project, std::string pointer, ProjectProblems& problems)
+        : m_project(project), m_pointer(std::move(pointer)), m_problems(problems)
+    {
+    }
+
+protected:
+    void invalid(const std::string& key, std::string reason, std::string remedy = {})
+    {
+        m_problems.push_back(invalidAt(m_pointer + key, std::move(reason), std::move(remedy)));
+    }
+    void warn(const std::string& key, std::string reason, std::string remedy = {})
+    {
+        m_problems.push_back(warningAt(m_pointer + key, std::move(reason), std::move(remedy)));
+    }
+
+    void checkCharacter(const std::string& character)
+    {
+        const auto known = namesOf(m_project.characters);
+        if (character.empty() && known.size() > 1)
+            invalid("", "“character” is missing here", "The project has several characters.");
+        else if (!character.empty() && !contains(known, character))
+            invalid("/character", "There is no character " + quoted(character),
+                    meantOr(character, known, "Add it under “characters”."));
+    }
+
+    void checkFrame(const std::optional<NamedFrame>& frame, const std::string& key)
+    {
+        const auto known = namesOf(m_project.sequences);
+        if (frame && !contains(known, frame->sequence))
+            invalid(key + "/sequence", "There is no sequence " + quoted(frame->sequence),
+                    meantOr(frame->sequence, known, "Correct the name."));
+    }
+
+    /// Names that must differ and be usable.
+    void checkNames(const std::vector<std::string>& names, const std::string& list)
+    {
+        std::set<std::string> seen;
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const std::string key = list + std::to_string(i) + "/name";
+            if (const auto reason = problemWithName(names[i]))
+                invalid(key, *reason);
+            else if (!seen.insert(names[i]).second)
+                invalid(key, "There are two entries with the name " + quoted(names[i]) + " here",
+                        "Give one of them another name.");
+        }
+    }
+
+    const Project& project() const { return m_project; }
+
+private:
+    const Project& m_project;
+    std::string m_pointer;
+    ProjectProblems& m_problems;
+};
+
+class PartsValidator : SectionValidator
+{
+public:
+    using SectionValidator::SectionValidator;
+
+    void run(const BodyPartsEntry& entry)
+    {
+        checkCharacter(entry.character);
+        checkFrame(entry.pose, "/pose");
+        std::vector<std::string> curves;
+        for (const PartCurveEntry& curve : entry.curves)
+            curves.push_back(curve.curve.name);
+        std::vector<std::string> parts;
+        for (const PartEntry& part : entry.parts)
+            parts.push_back(part.part.name);
+        checkNames(curves, "/curves/");
+        checkNames(parts, "/parts/");
+        for (std::size_t i = 0; i < entry.parts.size(); ++i)
+            checkPart(entry.parts[i].part, parts, curves, "/parts/" + std::to_string(i));
+    }
+
+private:
+    void checkPart(const PartDescription& part, const std::vector<std::string>& parts,
+                   const std::vector<std::string>& curves, const std::string& key)
+    {
+        if (!part.parent.empty() && !contains(parts, part.parent))
+            warn(key + "/parent", "There is no part " + quoted(part.parent),
+                 meantOr(part.parent, parts, "Correct the name."));
+        for (std::size_t c = 0; c < part.curves.size(); ++c) {
+            if (!contains(curves, part.curves[c]))
+                warn(key + "/curves/" + std::to_string(c), "There is no curve " + quoted(part.curves[c]),
+                     meantOr(part.curves[c], curves, "Correct the name."));
+        }
+        if (!part.parent.empty() && part.curves.size() != 2)
+            warn(key + "/curves",
+                 "Two curves bound what the part " + quoted(part.name) + " shares with its parent",
+                 "Name both.");
+    }
+};
+
+class VariationValidator : SectionValidator
+{
+public:
+    using SectionValidator::SectionValidator;
+
+    void run(const VariationEntry& entry)
+    {
+        checkCharacter(entry.character);
+        checkTraining(entry);
+        if (!entry.reference.empty())
+            checkTake(entry.reference, "/reference");
+        checkFrame(entry.templatePose, "/template");
+        for (std::size_t i = 0; i < entry.blends.size(); ++i)
+            checkBlend(entry.blends[i], "/blends/" + std::to_string(i));
+        if (!(entry.displacementShare > 0))
+            invalid("/displacement_share", "The share of the displacements is not above zero");
+        checkLearning(entry.learning);
+        checkSampling(entry.chain);
+        for (std::size_t i = 0; i < entry.samples.size(); ++i)
+            checkSamples(entry.samples[i], "/samples/" + std::to_string(i));
+    }
+
+private:
+    void checkTraining(const VariationEntry& entry)
+    {
+        std::vector<std::string> own;
+        const std::string character = characterNameOf(project(), entry);
+        for (const SequenceEntry& sequence : project().sequences) {
+            const CharacterEntry* of = characterOf(project(), sequence);
+            if ((of ? of->name : "") == character)
+                own.push_back(sequence.name);
+        }
+        if (entry.training.empty())
+            warn("", "The variations " + quoted(entry.name) + " have no takes to learn from",
+                 "Name them under “sequences”.");
+        for (std::size_t i = 0; i < entry.training.size(); ++i) {
+            const TrainingEntry& take = entry.training[i];
+            const std::string key = "/sequences/" + std::to_string(i);
+            if (!contains(own, take.sequence))
+                invalid(key, "There is no sequence " + quoted(take.sequence) + " of the character",
+                        meantOr(take.sequence, own, "Correct the name."));
+            else if (contains(m_takes, take.sequence))
+                invalid(key, "The take " + quoted(take.sequence) + " is here twice",
+                        "Leave one of them out.");
+            m_takes.push_back(take.sequence);
+            if (take.range && take.range->count() == 0)
+                invalid(key + "/range", "The range ends before it begins",
+                        "Write [first, last], zero-based, both included.");
+        }
+    }
+
+    void checkTake(const std::string& name, const std::string& key)
+    {
+        if (!contains(m_takes, name))
+            invalid(key, quoted(name) + " is none of the takes that are learned",
+                    meantOr(name, m_takes, "Name it under “sequences”, too."));
+    }
+
+    void checkPair(const std::string& from, const std::string& to, const std::string& key)
+    {
+        if (from == to)
+            invalid(key, "A take cannot be blended with itself", "Name two takes.");
+    }
+
+    void checkBlend(const BlendEntry& blend, const std::string& key)
+    {
+        checkTake(blend.from, key + "/from");
+        checkTake(blend.to, key + "/to");
+        checkPair(blend.from, blend.to, key + "/to");
+        double before = 0;
+        for (const double weight : blend.weights) {
+            if (!(weight > before && weight < 1)) {
+                invalid(key + "/weights", "Weights must lie between 0 and 1, ascending",
+                        "Write them like [0.25, 0.5, 0.75].");
+                break;
+            }
+            before = weight;
+        }
+    }
+
+    void checkLearning(const GpdmSettings& learning)
+    {
+        if (learning.dimensions < 1 || learning.dimensions > greatestDimensions)
+            invalid("/learning/dimensions", "The dimensions must be from 1 to 10", "Write 3, as usual.");
+        if (learning.restarts > greatestRestarts)
+            invalid("/learning/restarts", "There are more than 100 restarts");
+        if (!(learning.tolerance > 0))
+            invalid("/learning/tolerance", "The tolerance is not above zero", "Write 1e-6, as usual.");
+        if (learning.window < 1)
+            invalid("/learning/window", "The window is below one iteration", "Write 10, as usual.");
+        if (learning.greatestIterations < 1)
+            invalid("/learning/iterations", "There is no iteration to learn in");
+    }
+
+    void checkSampling(const HmcSettings& chain)
+    {
+        if (chain.leapfrogSteps < 1)
+            invalid("/sampling/leapfrog_steps", "A trajectory has at least one step");
+        if (chain.thinning < 1)
+            invalid("/sampling/thinning", "Samples are at least one trajectory apart");
+        if (!(chain.leastAcceptance > 0 && chain.leastAcceptance < chain.greatestAcceptance &&
+              chain.greatestAcceptance < 1))
+            invalid("/sampling/acceptance", "Shares that are accepted must lie between 0 and 1, ascending",
+                    "Write [0.6, 0.9], as usual.");
+    }
+
+    void checkSamples(const SamplesEntry& samples, const std::string& key)
+    {
+        checkTake(samples.of, key + "/of");
+        if (!samples.to.empty()) {
+            checkTake(samples.to, key + "/to");
+            checkPair(samples.of, samples.to, key + "/to");
+        } else if (samples.weight != 0) {
+            invalid(key + "/weight", "The weight belongs to no second take", "Name it as “to”.");
+        }
+        if (!(samples.weight >= 0 && samples.weight <= 1))
+            invalid(key + "/weight", "The weight of a blend must be from 0 to 1");
+        if (samples.count > greatestCount)
+            invalid(key + "/count", "There are more than 10000 variations");
+    }
+
+    std::vector<std::string> m_takes;
+};
+
+} // namespace
+
+void validateVariations(const Project& project, ProjectProblems& problems)
+{
+    std::set<std::string> characters;
+    for (std::size_t i = 0; i < project.bodyParts.size(); ++i) {
+        const BodyPartsEntry& entry = project.bodyParts[i];
+        const bool isAlone = project.bodyParts.size() == 1 && entry.character.empty();
+        const std::string pointer = isAlone ? "/body_parts" : "/body_parts/" + std::to_string(i);
+        PartsValidator(project, pointer, problems).run(entry);
+        if (!characters.insert(entry.character).second)
+            problems.push_back(invalidAt(pointer, "The parts of one character's body are here twice",
+                                         "Leave one of them out."));
+    }
+    for (std::size_t i = 0; i < project.variations.size(); ++i)
+        VariationValidator(project, "/variations/" + std::to_string(i), problems).run(project.variations[i]);
+}
+
+} // namespace quadrille
