@@ -95,7 +95,7 @@ TEST(ProjectFile, UnknownKeysAreKeptEverywhere)
   "exports": [ { "name": "e", "what": "sequences/s", "path": "e.obj", "mood": "front",
     "picture": { "width": 64, "lens": "wide" } } ],
   "evaluations": [ "fig7", { "table": "fig9", "mood": "calm" } ],
-  "graph": { "alpha": 3.0 }, "body_parts": [])");
+  "graph": { "alpha": 3.0 }, "motion_spaces": [])");
     const Project project = loadProject(folder.write("p.quadrille", text));
     saveProject(project, folder / "q.quadrille");
     const Json saved = Json::parse(textOf(folder / "q.quadrille"));
@@ -110,7 +110,7 @@ TEST(ProjectFile, UnknownKeysAreKeptEverywhere)
     EXPECT_EQ(saved["exports"][0]["picture"]["lens"], "wide");
     EXPECT_EQ(saved["graph"], Json::parse(R"({"alpha":3.0})"));
     EXPECT_EQ(saved["evaluations"], Json::parse(R"(["fig7",{"table":"fig9","mood":"calm"}])"));
-    EXPECT_EQ(saved["body_parts"], Json::array());
+    EXPECT_EQ(saved["motion_spaces"], Json::array());
     EXPECT_EQ(loadProject(folder / "q.quadrille"), project);
 }
 

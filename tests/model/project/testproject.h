@@ -160,7 +160,7 @@ inline BodyPartsEntry fullBodyParts()
 inline VariationEntry fullVariation()
 {
     VariationEntry variation;
-    variation.name = "talking";
+    variation.name = "chat";
     variation.character = "liam";
     TrainingEntry talk;
     talk.sequence = "talk";
