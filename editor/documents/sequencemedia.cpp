@@ -125,8 +125,8 @@ SequenceMedia::Source SequenceMedia::sourceOf(const SequenceEntry& entry) const
         if (!source.parts->animations.empty() || !source.parts->variations.empty())
             source.results = cacheFolder(m_document.workingFile());
         const ResultStore store(source.results);
-        const auto addClip = [&](const std::string& clip) {
-            for (const std::string& stage : clipStagesOf(*source.parts, clip)) {
+        const auto addClip = [&](const std::string& made) {
+            for (const std::string& stage : clipStagesOf(*source.parts, made)) {
                 std::error_code missing;
                 source.computed.push_back(std::filesystem::last_write_time(store.fileOf(stage), missing));
             }
