@@ -4,8 +4,7 @@
 
 #include "model/project/animationentry.h"
 #include "model/variation/bodyparts.h"
-#include "model/variation/gpdm.h"
-#include "model/variation/sampling.h"
+#include "model/variation/variations.h"
 
 #include <optional>
 #include <string>
@@ -77,13 +76,6 @@ struct SamplesEntry
     UnknownKeys unknown;
 
     bool operator==(const SamplesEntry&) const = default;
-};
-
-/// How poses come from latent positions.
-enum class PoseDraw
-{
-    Mean,   ///< the most probable pose
-    Sample, ///< one draw for the whole trajectory
 };
 
 /// Variations of some takes of one kind of movement: what is learned, and what is drawn.

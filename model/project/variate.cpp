@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/variate.h"
+
+#include "model/core/error.h"
+#include "model/core/random.h"
+#include "model/project/madeclips.h"
+#include "model/project/sequencesettings.h"
+#include "model/project/stage.h"
+#include "model/project/variationjson.h"
+
+#include <algorithm>
+
+namespace quadrille {
+
+namespace {
+
+[[noreturn]] void throwInvalid(std::string reason, std::string remedy)
+{
+    throw Error(ErrorCode::ProjectInvalid,
+                {.values = {{"reason", std::move(reason)}, {"remedy", std::move(remedy)}}});
+}
+
+std::vector<Vec3f> copied(Positions positions)
+{
+    return {positions.begin(), positions.end()};
+}
+
+} // namespace
+
+VariationWork::VariationWork(std::shared_ptr<SequenceOpener> opener, VariationEntry entry)
+    : m_opener(std::move(opener))
+    , m_entry(std::move(entry))
+    , m_character(characterNameOf(m_opener->project(), m_entry))
+{
+    if (const BodyPartsEntry* parts = bodyPartsOf(m_opener->project(), m_character))
+        m_parts = *parts;
+}
+
+std::vector<std::string> VariationWork::partNames() const
+{
+    std::vector<std::string> names;
+    // The root stands first, as in BodyParts.
+    for (const bool isRoot : {true, false}) {
+        for (const PartEntry& part : m_parts.parts) {
+            if (part.part.parent.empty() == isRoot)
+                names.push_back(part.part.name);
+        }
+    }
+    if (names.empty())
+        names.emplace_back("body");
+    return names;
+}
+
+std::vector<std::string> VariationWork::takeNames() const
+{
+    std::vector<std::string> names;
+    for (const TrainingEntry& take : m_entry.training)
+        names.push_back(take.sequence);
+    for (const BlendEntry& blend : m_entry.blends) {
+        for (const double weight : blend.weights)
+            names.push_back(blendName(blend.from, blend.to, weight));
+    }
+    return names;
+}
+
+std::size_t VariationWork::takeIndex(const std::string& name) const
+{
+    const auto& takes = m_entry.training;
+    const auto found = std::find_if(takes.begin(), takes.end(),
+                                    [&](const TrainingEntry& take) { return take.sequence == name; });
+    if (found == takes.end())
+        throwInvalid("“" + name + "” is none of the takes that “" + m_entry.name + "” learns from",
+                     "Name it under “sequences”, too.");
+    return static_cast<std::size_t>(found - takes.begin());
+}
+
+VariationWork::Takes VariationWork::openTakes(const Progress& progress)
+{
+    if (m_entry.training.empty())
+        throwInvalid("The variations “" + m_entry.name + "” have no takes to learn from",
+                     "Name them under “sequences”.");
+    const auto metres = static_cast<float>(project().settings.axes.metresPerUnit);
+    Takes opened;
+    std::vector<std::int64_t> counts;
+    for (std::size_t i = 0; i < m_entry.training.size(); ++i) {
+        progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(m_entry.training.size()));
+        const TrainingEntry& take = m_entry.training[i];
+        const auto source = m_opener->open(take.sequence, Progress(progress.token()));
+        counts.push_back(source->sequence.frameCount());
+        opened.takes.push_back(
+            {transformed(source->sequence, metres * Eigen::Matrix3f::Identity()), take.range});
+    }
+    opened.layout = FrameLayout(counts);
+    return opened;
+}
+
+std::vector<Vec3f> VariationWork::namedPose(const NamedFrame& frame, const Progress& progress)
+{
+    const auto opened = m_opener->open(frame.sequence, Progress(progress.token()));
+    const MeshSequence& sequence = opened->sequence;
+    if (frame.frame.value < 0 || frame.frame.value >= sequence.frameCount())
+        throwInvalid("“" + frame.sequence + "” has no frame " + std::to_string(frame.frame.value),
+                     "Write a frame from 0 to " + std::to_string(sequence.frameCount() - 1) + ".");
+    const auto metres = static_cast<float>(project().settings.axes.metresPerUnit);
+    std::vector<Vec3f> pose = copied(sequence.frame(frame.frame).positions());
+    for (Vec3f& position : pose)
+        position *= metres;
+    return pose;
+}
+
+BodyParts VariationWork::cutParts(const Takes& takes, const Progress& progress)
+{
+    std::vector<PartCurve> curves;
+    for (const PartCurveEntry& curve : m_parts.curves)
+        curves.push_back(curve.curve);
+    std::vector<PartDescription> descriptions;
+    for (const PartEntry& part : m_parts.parts)
+        descriptions.push_back(part.part);
+    const MeshSequence& first = takes.takes.front().sequence;
+    const std::vector<Vec3f> pose =
+        m_parts.pose ? namedPose(*m_parts.pose, progress) : copied(first.frame(FrameIndex(0)).positions());
+    return cutIntoParts(*first.topology, pose, curves, descriptions);
+}
+
+FrameLayout VariationWork::layout(const Progress& progress)
+{
+    movement(progress);
+    return m_layout;
+}
+
+std::shared_ptr<const Movement> VariationWork::movement(const Progress& progress)
+{
+    const std::scoped_lock lock(m_mutex);
+    if (m_movement)
+        return m_movement;
+    constexpr double opening = 0.2;
+    const Takes takes = openTakes(progress.part(0, opening));
+    std::vector<MovementBlend> blends;
+    for (const BlendEntry& blend : m_entry.blends)
+        blends.push_back({takeIndex(blend.from), takeIndex(blend.to), blend.weights});
+    MovementSettings settings;
+    settings.alignment.up = project().settings.axes.up;
+    settings.alignment.cycles = m_entry.cycles;
+    settings.displacementShare = m_entry.displacementShare;
+    const std::vector<Vec3f> pose =
+        m_entry.templatePose ? namedPose(*m_entry.templatePose, progress) : std::vector<Vec3f>();
+    const std::size_t reference = m_entry.reference.empty() ? 0 : takeIndex(m_entry.reference);
+    m_movement =
+        std::make_shared<const Movement>(makeMovement(takes.takes, reference, cutParts(takes, progress),
+                                                      blends, settings, pose, progress.part(opening, 1)));
+    m_layout = takes.layout;
+    return m_movement;
+}
+
+Clip VariationWork::inProjectUnit(Clip clip) const
+{
+    const auto units = static_cast<float>(1 / project().settings.axes.metresPerUnit);
+    for (Vec3f& position : clip.positions)
+        position *= units;
+    return clip;
+}
+
+std::vector<std::string> VariationWork::sequences() const
+{
+    std::vector<std::string> names;
+    for (const TrainingEntry& take : m_entry.training)
+        names.push_back(take.sequence);
+    for (const auto& frame : {m_entry.templatePose, m_parts.pose}) {
+        if (frame && std::find(names.begin(), names.end(), frame->sequence) == names.end())
+            names.push_back(frame->sequence);
+    }
+    return names;
+}
+
+std::vector<std::filesystem::path> VariationWork::files(const Progress& progress) const
+{
+    std::vector<std::filesystem::path> all;
+    for (const std::string& sequence : sequences()) {
+        const auto own = m_opener->filesOf(sequence, progress);
+        all.insert(all.end(), own.begin(), own.end());
+    }
+    return all;
+}
+
+std::string VariationWork::movementSettings() const
+{
+    // Only what the movement is made of.
+    VariationEntry learned;
+    learned.training = m_entry.training;
+    learned.reference = m_entry.reference;
+    learned.templatePose = m_entry.templatePose;
+    learned.cycles = m_entry.cycles;
+    learned.blends = m_entry.blends;
+    learned.displacementShare = m_entry.displacementShare;
+    BodyPartsEntry parts = m_parts;
+    for (PartCurveEntry& curve : parts.curves)
+        curve.points.clear();
+    const auto textOf = [](const Json& json) {
+        return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+    };
+    std::string settings = textOf(variationToJson(learned)) + textOf(bodyPartsToJson(parts));
+    for (const std::string& name : sequences()) {
+        if (const SequenceEntry* sequence = findSequence(project(), name))
+            settings += sequenceSettings(project(), *sequence) + contactSettings(*sequence);
+    }
+    return settings;
+}
+
+std::vector<std::string> VariationWork::clipStages() const
+{
+    return clipInputs(project(), sequences());
+}
+
+VariationSubject VariationWork::subject(const SamplesEntry& samples) const
+{
+    VariationSubject subject;
+    subject.take = takeIndex(samples.of);
+    if (!samples.to.empty())
+        subject.to = takeIndex(samples.to);
+    subject.weight = samples.weight;
+    return subject;
+}
+
+VariationPoses VariationWork::poses(const SamplesEntry& samples, int candidate) const
+{
+    return {.draw = m_entry.draw,
+            .seed = streamSeed(samples.seed, static_cast<std::uint64_t>(candidate)),
+            .up = project().settings.axes.up};
+}
+
+std::optional<SamplePlace> placeOfVariation(const VariationEntry& entry, int number)
+{
+    int index = number - 1;
+    for (std::size_t set = 0; set < entry.samples.size(); ++set) {
+        const int count = entry.samples[set].count;
+        if (index >= 0 && index < count)
+            return SamplePlace{set, index};
+        index -= count;
+    }
+    return std::nullopt;
+}
+
+} // namespace quadrille

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/opensequence.h"
+#include "model/variation/variations.h"
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// What an entry of “variations” is computed from. Takes are opened and aligned at the first use; safe from
+/// any thread.
+class VariationWork
+{
+public:
+    /// \param opener  of a project that has the entry.
+    VariationWork(std::shared_ptr<SequenceOpener> opener, VariationEntry entry);
+
+    const VariationEntry& entry() const { return m_entry; }
+    const std::string& character() const { return m_character; }
+    const Project& project() const { return m_opener->project(); }
+    /// Names of the parts, the root first; one without a name where the body is not cut.
+    std::vector<std::string> partNames() const;
+    /// Names of the takes, then of the pre-blends.
+    std::vector<std::string> takeNames() const;
+
+    /// The frames of the training takes, as origins of variations count them.
+    /// \throws Error what opening the sequences throws.
+    FrameLayout layout(const Progress& progress = {});
+    /// Takes aligned and cut into parts, in metres.
+    /// \throws Error what opening the sequences throws; as cutIntoParts and makeMovement; ProjectInvalid (no
+    /// take).
+    std::shared_ptr<const Movement> movement(const Progress& progress = {});
+    /// A clip in metres as one in the project's unit.
+    Clip inProjectUnit(Clip clip) const;
+
+    /// The files of the takes, for ResultStage::files.
+    std::vector<std::filesystem::path> files(const Progress& progress) const;
+    /// All that the movement depends on beside the files, as text.
+    std::string movementSettings() const;
+    /// The training sequences that are clips of others need these stages.
+    std::vector<std::string> clipStages() const;
+
+    /// What a set of samples varies. \throws Error ProjectInvalid where it names no take.
+    VariationSubject subject(const SamplesEntry& samples) const;
+    VariationPoses poses(const SamplesEntry& samples, int candidate) const;
+
+private:
+    struct Takes
+    {
+        std::vector<TrainingTake> takes;
+        FrameLayout layout;
+    };
+    /// The takes, and those that poses are taken from.
+    std::vector<std::string> sequences() const;
+    Takes openTakes(const Progress& progress);
+    std::vector<Vec3f> namedPose(const NamedFrame& frame, const Progress& progress);
+    BodyParts cutParts(const Takes& takes, const Progress& progress);
+    std::size_t takeIndex(const std::string& name) const;
+
+    std::shared_ptr<SequenceOpener> m_opener;
+    VariationEntry m_entry;
+    std::string m_character;
+    BodyPartsEntry m_parts;
+    std::mutex m_mutex;
+    std::shared_ptr<const Movement> m_movement;
+    FrameLayout m_layout;
+};
+
+/// Where a variation of an entry, counted from 1, is found: in which set of samples, and as which of it, from
+/// 0. Nothing where there are fewer.
+struct SamplePlace
+{
+    std::size_t set = 0;
+    int index = 0;
+};
+std::optional<SamplePlace> placeOfVariation(const VariationEntry& entry, int number);
+
+} // namespace quadrille

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/synthesis/clip.h"
+#include "model/variation/movement.h"
+#include "model/variation/sampling.h"
+#include "model/variation/stitching.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace quadrille {
+
+/// A movement with the models of all its parts, ready to draw from. Immutable; safe from any thread.
+class LearnedMovement
+{
+public:
+    /// \param states  of each part, as learned.
+    LearnedMovement(std::shared_ptr<const Movement> movement, std::vector<GpdmState> states);
+
+    const Movement& movement() const { return *m_movement; }
+    std::size_t partCount() const { return m_states.size(); }
+    const GpdmState& state(std::size_t part) const { return m_states.at(part); }
+    const GpdmDynamics& dynamics(std::size_t part) const { return m_dynamics.at(part); }
+    const PoseReconstruction& poses(std::size_t part) const { return m_poses.at(part); }
+    const Stitching& stitching() const { return m_stitching; }
+    /// The learned latent trajectory of a take, frames × dimensions.
+    RowMatrix trajectory(std::size_t part, std::size_t take) const;
+
+private:
+    std::shared_ptr<const Movement> m_movement;
+    std::vector<GpdmState> m_states;
+    std::vector<GpdmDynamics> m_dynamics;
+    std::vector<PoseReconstruction> m_poses;
+    Stitching m_stitching;
+};
+
+/// How poses come from latent positions.
+enum class PoseDraw
+{
+    Mean,   ///< the most probable pose
+    Sample, ///< one draw for the whole trajectory
+};
+
+/// What is varied: a captured take, or a blend of two.
+struct VariationSubject
+{
+    std::size_t take = 0;
+    std::optional<std::size_t> to; ///< the second take of a blend
+    double weight = 0;             ///< of the second, 0 … 1
+};
+
+/// The latent trajectories of all parts of one variation.
+using LatentVariation = std::vector<RowMatrix>;
+
+/// Where variations of a subject are drawn: around one learned trajectory, or around the two that bound the
+/// weight of a blend.
+struct SubjectTakes
+{
+    std::size_t first = 0; ///< in the movement's takes, pre-blends included
+    std::size_t second = 0;
+    double weight = 0; ///< of the second; 0 where the first is all
+};
+/// \throws Error BadArgument (a take that there is not, a weight outside [0, 1]).
+SubjectTakes subjectTakes(const Movement& movement, const VariationSubject& subject);
+
+struct LatentVariations
+{
+    std::vector<LatentVariation> variations;
+    std::vector<std::vector<HmcReport>> chains; ///< of each part, of each trajectory that was drawn around
+};
+
+/// Draws latent variations of a subject (CVS §6 and §7), the parts independently and in parallel.
+/// \return the same for any number of threads. \throws Error as subjectTakes; Cancelled.
+LatentVariations drawLatents(const LearnedMovement& learned, const VariationSubject& subject, int count,
+                             std::uint64_t seed, const HmcSettings& settings = {},
+                             const Progress& progress = {});
+
+struct VariationPoses
+{
+    PoseDraw draw = PoseDraw::Mean;
+    std::uint64_t seed = 1; ///< of draws
+    UpAxis up = UpAxis::Y;
+};
+
+/// One variation as a clip: parts reconstructed, stitched and moved over the ground, in the timing of what
+/// it varies. \param layout  the frames of the captured takes, which origins count.
+/// \throws Error as subjectTakes; Cancelled.
+Clip makeVariation(const LearnedMovement& learned, const VariationSubject& subject,
+                   const LatentVariation& latents, const FrameLayout& layout,
+                   const VariationPoses& settings = {}, const Progress& progress = {});
+
+/// The poses of a variation on the reference's frames, laid onto the template, without the displacement:
+/// frames × vertices.
+std::vector<Vec3f> variationPoses(const LearnedMovement& learned, const LatentVariation& latents,
+                                  const VariationPoses& settings = {}, const Progress& progress = {});
+
+} // namespace quadrille
