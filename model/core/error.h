@@ -120,6 +120,8 @@ enum class ErrorCode
     PartsNoLimbs,
     PartsLimbGrown,
     PartsNotCut,
+    // variations
+    VariationMissing,
 };
 
 /// Where in a file or sequence an error lies; fields that do not apply stay empty.

@@ -293,6 +293,9 @@ ErrorMessage errorMessage(ErrorCode code)
     case ErrorCode::PartsNotCut:
         return {QUADRILLE_MESSAGE("No room for two curves around “{limb}” was found."),
                 QUADRILLE_MESSAGE("Draw the curves by hand, or ask for narrower overlaps.")};
+    case ErrorCode::VariationMissing:
+        return {QUADRILLE_MESSAGE("There is no variation {number}: too few of those drawn were good enough."),
+                QUADRILLE_MESSAGE("Draw with another seed, or allow more in the limits.")};
     }
     return {"", ""};
 }

@@ -48,9 +48,11 @@ inline constexpr std::array<std::string_view, 4> retime{"factor", "duration", "c
 inline constexpr std::array<std::string_view, 4> bodyParts{"character", "pose", "curves", "parts"};
 inline constexpr std::array<std::string_view, 3> partCurve{"name", "vertices", "points"};
 inline constexpr std::array<std::string_view, 3> part{"name", "parent", "curves"};
-inline constexpr std::array<std::string_view, 12> variation{
-    "name",   "character",          "sequences", "reference", "template", "cycles",
-    "blends", "displacement_share", "learning",  "sampling",  "samples",  "poses"};
+inline constexpr std::array<std::string_view, 13> variation{
+    "name",     "character", "sequences", "reference", "template", "cycles", "blends", "displacement_share",
+    "learning", "sampling",  "samples",   "poses",     "limits"};
+inline constexpr std::array<std::string_view, 4> variationLimits{"pose_distance", "skate", "intersections",
+                                                                 "volume_change"};
 inline constexpr std::array<std::string_view, 2> training{"sequence", "range"};
 inline constexpr std::array<std::string_view, 2> namedFrame{"sequence", "frame"};
 inline constexpr std::array<std::string_view, 3> blend{"from", "to", "weights"};

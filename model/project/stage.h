@@ -70,6 +70,8 @@ std::vector<ResultStage> makeGraphStages(const StageMaking& making);
 std::vector<ResultStage> makeEvaluationStages(const StageMaking& making);
 /// Walks and clips of the section “animations”.
 std::vector<ResultStage> makeAnimationStages(const StageMaking& making);
+/// Models, variations and their clips of the section “variations”.
+std::vector<ResultStage> makeVariationStages(const StageMaking& making);
 std::vector<ResultStage> makeExportStages(const StageMaking& making);
 /// One picture of the project's sequences, contact-sheet.png among the results.
 std::vector<ResultStage> makeSheetStages(const StageMaking& making);

@@ -49,8 +49,8 @@ std::vector<std::string> clipInputs(const Project& project, const std::vector<st
 std::vector<ResultStage> makeStages(const StageMaking& making)
 {
     std::vector<ResultStage> stages;
-    for (auto make : {makeSequenceStages, makeGraphStages, makeAnimationStages, makeEvaluationStages,
-                      makeSheetStages, makeExportStages}) {
+    for (auto make : {makeSequenceStages, makeGraphStages, makeAnimationStages, makeVariationStages,
+                      makeEvaluationStages, makeSheetStages, makeExportStages}) {
         for (ResultStage& stage : make(making))
             stages.push_back(std::move(stage));
     }

@@ -139,6 +139,10 @@ public:
             invalid("/displacement_share", "The share of the displacements is not above zero");
         checkLearning(entry.learning);
         checkSampling(entry.chain);
+        const VariationLimits& limits = entry.limits;
+        if (!(limits.poseDistance > 0 && limits.skate > 0 && limits.intersections >= 0 &&
+              limits.volumeChange > 0))
+            invalid("/limits", "A limit of bad variations is below zero");
         for (std::size_t i = 0; i < entry.samples.size(); ++i)
             checkSamples(entry.samples[i], "/samples/" + std::to_string(i));
     }

@@ -3,13 +3,13 @@
 #include "model/project/variate.h"
 
 #include "model/core/error.h"
-#include "model/core/random.h"
 #include "model/project/madeclips.h"
 #include "model/project/sequencesettings.h"
 #include "model/project/stage.h"
 #include "model/project/variationjson.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace quadrille {
 
@@ -75,23 +75,19 @@ std::size_t VariationWork::takeIndex(const std::string& name) const
     return static_cast<std::size_t>(found - takes.begin());
 }
 
-VariationWork::Takes VariationWork::openTakes(const Progress& progress)
+std::vector<TrainingTake> VariationWork::openTakes(const Progress& progress)
 {
     if (m_entry.training.empty())
         throwInvalid("The variations “" + m_entry.name + "” have no takes to learn from",
                      "Name them under “sequences”.");
     const auto metres = static_cast<float>(project().settings.axes.metresPerUnit);
-    Takes opened;
-    std::vector<std::int64_t> counts;
+    std::vector<TrainingTake> opened;
     for (std::size_t i = 0; i < m_entry.training.size(); ++i) {
         progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(m_entry.training.size()));
         const TrainingEntry& take = m_entry.training[i];
         const auto source = m_opener->open(take.sequence, Progress(progress.token()));
-        counts.push_back(source->sequence.frameCount());
-        opened.takes.push_back(
-            {transformed(source->sequence, metres * Eigen::Matrix3f::Identity()), take.range});
+        opened.push_back({transformed(source->sequence, metres * Eigen::Matrix3f::Identity()), take.range});
     }
-    opened.layout = FrameLayout(counts);
     return opened;
 }
 
@@ -109,7 +105,7 @@ std::vector<Vec3f> VariationWork::namedPose(const NamedFrame& frame, const Progr
     return pose;
 }
 
-BodyParts VariationWork::cutParts(const Takes& takes, const Progress& progress)
+BodyParts VariationWork::cutParts(const MeshSequence& first, const Progress& progress)
 {
     std::vector<PartCurve> curves;
     for (const PartCurveEntry& curve : m_parts.curves)
@@ -117,7 +113,6 @@ BodyParts VariationWork::cutParts(const Takes& takes, const Progress& progress)
     std::vector<PartDescription> descriptions;
     for (const PartEntry& part : m_parts.parts)
         descriptions.push_back(part.part);
-    const MeshSequence& first = takes.takes.front().sequence;
     const std::vector<Vec3f> pose =
         m_parts.pose ? namedPose(*m_parts.pose, progress) : copied(first.frame(FrameIndex(0)).positions());
     return cutIntoParts(*first.topology, pose, curves, descriptions);
@@ -126,7 +121,7 @@ BodyParts VariationWork::cutParts(const Takes& takes, const Progress& progress)
 FrameLayout VariationWork::layout(const Progress& progress)
 {
     movement(progress);
-    return m_layout;
+    return m_frames->layout();
 }
 
 std::shared_ptr<const Movement> VariationWork::movement(const Progress& progress)
@@ -135,7 +130,7 @@ std::shared_ptr<const Movement> VariationWork::movement(const Progress& progress
     if (m_movement)
         return m_movement;
     constexpr double opening = 0.2;
-    const Takes takes = openTakes(progress.part(0, opening));
+    const std::vector<TrainingTake> takes = openTakes(progress.part(0, opening));
     std::vector<MovementBlend> blends;
     for (const BlendEntry& blend : m_entry.blends)
         blends.push_back({takeIndex(blend.from), takeIndex(blend.to), blend.weights});
@@ -149,8 +144,33 @@ std::shared_ptr<const Movement> VariationWork::movement(const Progress& progress
     m_movement =
         std::make_shared<const Movement>(makeMovement(takes.takes, reference, cutParts(takes, progress),
                                                       blends, settings, pose, progress.part(opening, 1)));
-    m_layout = takes.layout;
+    std::vector<MeshSequence> sequences;
+    for (const TrainingTake& take : takes)
+        sequences.push_back(take.sequence);
+    m_frames.emplace(sequences);
     return m_movement;
+}
+
+std::shared_ptr<const LearnedMovement> VariationWork::learned(std::vector<GpdmState> states,
+                                                              const Progress& progress)
+{
+    const std::scoped_lock lock(m_mutex);
+    if (!m_learned)
+        m_learned = std::make_shared<const LearnedMovement>(movement(progress), std::move(states));
+    return m_learned;
+}
+
+const VariationMeter& VariationWork::meter(const Progress& progress)
+{
+    const std::scoped_lock lock(m_mutex);
+    if (!m_meter) {
+        const auto made = movement(progress.part(0, 0.5));
+        std::vector<int> varied(made->capturedCount());
+        std::iota(varied.begin(), varied.end(), 0);
+        m_meter.emplace(*m_frames, varied, made->alignment.takes, project().settings.axes.up,
+                        progress.part(0.5, 1));
+    }
+    return *m_meter;
 }
 
 Clip VariationWork::inProjectUnit(Clip clip) const
@@ -220,13 +240,6 @@ VariationSubject VariationWork::subject(const SamplesEntry& samples) const
         subject.to = takeIndex(samples.to);
     subject.weight = samples.weight;
     return subject;
-}
-
-VariationPoses VariationWork::poses(const SamplesEntry& samples, int candidate) const
-{
-    return {.draw = m_entry.draw,
-            .seed = streamSeed(samples.seed, static_cast<std::uint64_t>(candidate)),
-            .up = project().settings.axes.up};
 }
 
 std::optional<SamplePlace> placeOfVariation(const VariationEntry& entry, int number)

@@ -3,7 +3,8 @@
 #pragma once
 
 #include "model/project/opensequence.h"
-#include "model/variation/variations.h"
+#include "model/transition/characterframes.h"
+#include "model/variation/selection.h"
 
 #include <memory>
 #include <mutex>
@@ -36,6 +37,13 @@ public:
     /// \throws Error what opening the sequences throws; as cutIntoParts and makeMovement; ProjectInvalid (no
     /// take).
     std::shared_ptr<const Movement> movement(const Progress& progress = {});
+    /// The movement with learned models, prepared at the first call; always that one afterwards.
+    /// \throws Error as movement.
+    std::shared_ptr<const LearnedMovement> learned(std::vector<GpdmState> states,
+                                                   const Progress& progress = {});
+    /// What judges variations, prepared at the first call.
+    /// \throws Error as movement.
+    const VariationMeter& meter(const Progress& progress = {});
     /// A clip in metres as one in the project's unit.
     Clip inProjectUnit(Clip clip) const;
 
@@ -48,28 +56,26 @@ public:
 
     /// What a set of samples varies. \throws Error ProjectInvalid where it names no take.
     VariationSubject subject(const SamplesEntry& samples) const;
-    VariationPoses poses(const SamplesEntry& samples, int candidate) const;
+    /// How its poses are made, but for the seed.
+    VariationPoses poses() const { return {.draw = m_entry.draw, .up = project().settings.axes.up}; }
 
 private:
-    struct Takes
-    {
-        std::vector<TrainingTake> takes;
-        FrameLayout layout;
-    };
     /// The takes, and those that poses are taken from.
     std::vector<std::string> sequences() const;
-    Takes openTakes(const Progress& progress);
+    std::vector<TrainingTake> openTakes(const Progress& progress);
     std::vector<Vec3f> namedPose(const NamedFrame& frame, const Progress& progress);
-    BodyParts cutParts(const Takes& takes, const Progress& progress);
+    BodyParts cutParts(const MeshSequence& first, const Progress& progress);
     std::size_t takeIndex(const std::string& name) const;
 
     std::shared_ptr<SequenceOpener> m_opener;
     VariationEntry m_entry;
     std::string m_character;
     BodyPartsEntry m_parts;
-    std::mutex m_mutex;
+    std::recursive_mutex m_mutex; ///< of all that is prepared at the first use
     std::shared_ptr<const Movement> m_movement;
-    FrameLayout m_layout;
+    std::shared_ptr<const LearnedMovement> m_learned;
+    std::optional<CharacterFrames> m_frames; ///< of the takes, metres
+    std::optional<VariationMeter> m_meter;
 };
 
 /// Where a variation of an entry, counted from 1, is found: in which set of samples, and as which of it, from

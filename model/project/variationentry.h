@@ -4,6 +4,7 @@
 
 #include "model/project/animationentry.h"
 #include "model/variation/bodyparts.h"
+#include "model/variation/quality.h"
 #include "model/variation/variations.h"
 
 #include <optional>
@@ -93,8 +94,10 @@ struct VariationEntry
     HmcSettings chain;
     std::vector<SamplesEntry> samples;
     PoseDraw draw = PoseDraw::Mean;
+    VariationLimits limits; ///< beyond which a variation is rejected
     UnknownKeys unknownOfLearning;
     UnknownKeys unknownOfSampling;
+    UnknownKeys unknownOfLimits;
     UnknownKeys unknown;
 
     bool operator==(const VariationEntry&) const = default;

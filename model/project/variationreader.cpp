@@ -148,6 +148,16 @@ void readSampling(const ObjectReader& reader, VariationEntry& variation)
     variation.unknownOfSampling = reader.unknown(projectkeys::sampling);
 }
 
+void readLimits(const ObjectReader& reader, VariationEntry& variation)
+{
+    VariationLimits& limits = variation.limits;
+    limits.poseDistance = reader.number("pose_distance").value_or(limits.poseDistance);
+    limits.skate = reader.number("skate").value_or(limits.skate);
+    limits.intersections = reader.number("intersections").value_or(limits.intersections);
+    limits.volumeChange = reader.number("volume_change").value_or(limits.volumeChange);
+    variation.unknownOfLimits = reader.unknown(projectkeys::variationLimits);
+}
+
 SamplesEntry readSamples(const ObjectReader& reader)
 {
     SamplesEntry samples;
@@ -201,6 +211,8 @@ VariationEntry readVariation(const ObjectReader& reader)
         variation.samples.push_back(readSamples({json, pointer, reader.problems()}));
     });
     reader.word("poses", variation.draw, {{"mean", PoseDraw::Mean}, {"sample", PoseDraw::Sample}});
+    if (const Json* limits = reader.find("limits"))
+        readLimits({*limits, reader.pointer("limits"), reader.problems()}, variation);
     variation.unknown = reader.unknown(projectkeys::variation);
     return variation;
 }

@@ -103,6 +103,19 @@ Json samplingToJson(const VariationEntry& variation)
     return json;
 }
 
+Json limitsToJson(const VariationEntry& variation)
+{
+    const VariationLimits usual;
+    const VariationLimits& limits = variation.limits;
+    Json json = Json::object();
+    addUnless(json, "pose_distance", limits.poseDistance, usual.poseDistance);
+    addUnless(json, "skate", limits.skate, usual.skate);
+    addUnless(json, "intersections", limits.intersections, usual.intersections);
+    addUnless(json, "volume_change", limits.volumeChange, usual.volumeChange);
+    addUnknown(json, variation.unknownOfLimits);
+    return json;
+}
+
 Json toJson(const SamplesEntry& samples)
 {
     Json json = Json::object();
@@ -160,6 +173,8 @@ Json variationToJson(const VariationEntry& variation)
         json["samples"].push_back(toJson(samples));
     if (variation.draw == PoseDraw::Sample)
         json["poses"] = "sample";
+    if (Json limits = limitsToJson(variation); !limits.empty())
+        json["limits"] = std::move(limits);
     addUnknown(json, variation.unknown);
     return json;
 }

@@ -76,7 +76,8 @@ Movement makeMovement(std::span<const TrainingTake> takes, std::size_t reference
                 const AlignedTake& from = all[blend.from];
                 const AlignedTake& to = all[blend.to];
                 all.push_back(blendedTake(system, from, to, weight, blendName(from.name, to.name, weight),
-                                          settings.interpolation, own));
+                                          {.up = settings.alignment.up, .method = settings.interpolation},
+                                          own));
                 ++done;
             }
         }

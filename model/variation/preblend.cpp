@@ -47,8 +47,8 @@ void layOnto(const AlignmentTemplate& target, std::size_t frames, std::vector<Ve
 } // namespace
 
 AlignedTake blendedTake(const std::shared_ptr<const PoissonSystem>& system, const AlignedTake& a,
-                        const AlignedTake& b, double weight, std::string name, const BlendSettings& settings,
-                        const Progress& progress)
+                        const AlignedTake& b, double weight, std::string name,
+                        const PreblendSettings& settings, const Progress& progress)
 {
     assert(a.placements.size() == b.placements.size());
     if (!(weight >= 0 && weight <= 1))

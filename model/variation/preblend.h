@@ -15,7 +15,7 @@
 
 namespace quadrille {
 
-struct BlendSettings
+struct PreblendSettings
 {
     UpAxis up = UpAxis::Y;
     InterpolationMethod method = InterpolationMethod::Poisson;
@@ -27,7 +27,7 @@ struct BlendSettings
 /// (weight), VertexCountMismatch, Cancelled. Parallel over the frames.
 AlignedTake blendedTake(const std::shared_ptr<const PoissonSystem>& system, const AlignedTake& a,
                         const AlignedTake& b, double weight, std::string name,
-                        const BlendSettings& settings = {}, const Progress& progress = {});
+                        const PreblendSettings& settings = {}, const Progress& progress = {});
 
 /// Placements of a blend of two takes, from a first place in between: displacements are interpolated linearly
 /// to a path on the ground, height and tilt are between those of the takes in every frame.

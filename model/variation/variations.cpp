@@ -4,6 +4,7 @@
 
 #include "model/core/badargument.h"
 #include "model/core/random.h"
+#include "model/variation/latentblend.h"
 #include "model/variation/playback.h"
 #include "model/variation/preblend.h"
 
@@ -16,16 +17,16 @@ namespace quadrille {
 namespace {
 
 /// A learned weight of a blend and the take that has it.
-struct Knot
+struct LearnedWeight
 {
     double weight = 0;
     std::size_t take = 0;
 };
 
 /// The learned trajectories from one take to another, ascending by weight.
-std::vector<Knot> knotsOf(const Movement& movement, std::size_t from, std::size_t to)
+std::vector<LearnedWeight> learnedWeights(const Movement& movement, std::size_t from, std::size_t to)
 {
-    std::vector<Knot> knots{{0, from}, {1, to}};
+    std::vector<LearnedWeight> learned{{0, from}, {1, to}};
     for (std::size_t b = 0; b < movement.blends.size(); ++b) {
         const MovementBlend& blend = movement.blends[b];
         const bool isSame = blend.from == from && blend.to == to;
@@ -33,10 +34,11 @@ std::vector<Knot> knotsOf(const Movement& movement, std::size_t from, std::size_
         if (!isSame && !isReversed)
             continue;
         for (std::size_t w = 0; w < blend.weights.size(); ++w)
-            knots.push_back({isSame ? blend.weights[w] : 1 - blend.weights[w], movement.blendedTake(b, w)});
+            learned.push_back({isSame ? blend.weights[w] : 1 - blend.weights[w], movement.blendedTake(b, w)});
     }
-    std::sort(knots.begin(), knots.end(), [](const Knot& a, const Knot& b) { return a.weight < b.weight; });
-    return knots;
+    std::sort(learned.begin(), learned.end(),
+              [](const LearnedWeight& a, const LearnedWeight& b) { return a.weight < b.weight; });
+    return learned;
 }
 
 /// Pose vectors of a part, one row for each frame.
@@ -103,57 +105,70 @@ SubjectTakes subjectTakes(const Movement& movement, const VariationSubject& subj
         refuse("There is no such take to vary", "Name one of the takes that were learned.");
     if (!subject.to)
         return {subject.take, subject.take, 0};
-    if (!(subject.weight >= 0 && subject.weight <= 1))
-        refuse("The weight of a blend lies outside of 0 … 1", "Write a weight from 0 to 1.");
-    const std::vector<Knot> knots = knotsOf(movement, subject.take, *subject.to);
-    std::size_t upper = 1;
-    while (knots[upper].weight < subject.weight)
-        ++upper;
-    const Knot& low = knots[upper - 1];
-    const Knot& high = knots[upper];
-    return {low.take, high.take, (subject.weight - low.weight) / (high.weight - low.weight)};
+    const std::vector<LearnedWeight> learned = learnedWeights(movement, subject.take, *subject.to);
+    std::vector<double> weights;
+    for (const LearnedWeight& each : learned)
+        weights.push_back(each.weight);
+    const BlendNeighbours between = blendNeighbours(weights, subject.weight);
+    return {learned[between.first].take, learned[between.second].take, 1 - between.share};
 }
 
-LatentVariations drawLatents(const LearnedMovement& learned, const VariationSubject& subject, int count,
-                             std::uint64_t seed, const HmcSettings& settings, const Progress& progress)
+PartVariations drawPart(const Movement& movement, std::size_t part, const GpdmState& state,
+                        const VariationSubject& subject, int count, std::uint64_t seed,
+                        const HmcSettings& settings, const Progress& progress)
 {
-    const SubjectTakes takes = subjectTakes(learned.movement(), subject);
+    const SubjectTakes takes = subjectTakes(movement, subject);
+    const std::vector<RowSpan>& spans = movement.training.at(part).spans;
+    const GpdmDynamics dynamics(state, spans);
     // At a learned weight there is one trajectory to draw around.
     std::vector<std::size_t> around;
     if (takes.weight < 1)
         around.push_back(takes.first);
     if (takes.weight > 0)
         around.push_back(takes.second);
+    std::vector<TrajectorySamples> drawn;
+    for (std::size_t c = 0; c < around.size(); ++c) {
+        const RowSpan& span = spans.at(around[c]);
+        const double share = 1.0 / static_cast<double>(around.size());
+        const auto at = static_cast<double>(c);
+        drawn.push_back(sampleTrajectories(dynamics, state.latents.middleRows(span.first, span.count), count,
+                                           streamSeed(seed, 2 * part + c), settings,
+                                           progress.part(at * share, (at + 1) * share)));
+    }
+    PartVariations result;
+    for (std::size_t v = 0; v < static_cast<std::size_t>(count); ++v)
+        result.trajectories.push_back(
+            around.size() == 1
+                ? drawn.front().trajectories[v]
+                : latentBlend(drawn[0].trajectories[v], drawn[1].trajectories[v], 1 - takes.weight));
+    for (TrajectorySamples& samples : drawn)
+        result.chains.push_back(std::move(samples.report));
+    return result;
+}
+
+LatentVariations drawLatents(const LearnedMovement& learned, const VariationSubject& subject, int count,
+                             std::uint64_t seed, const HmcSettings& settings, const Progress& progress)
+{
+    subjectTakes(learned.movement(), subject);
     const std::size_t parts = learned.partCount();
-    const std::size_t chains = parts * around.size();
-    std::vector<TrajectorySamples> drawn(chains);
-    std::vector<std::atomic<double>> fractions(chains);
-    tbb::parallel_for(std::size_t{0}, chains, [&](std::size_t c) {
-        const std::size_t part = c / around.size();
-        const std::size_t which = c % around.size();
-        const Progress own(progress.token(), [&, c](double fraction) {
-            fractions[c] = fraction;
-            double sum = 0;
-            for (const auto& each : fractions)
-                sum += each;
-            progress.report(sum / static_cast<double>(chains));
-        });
-        drawn[c] = sampleTrajectories(learned.dynamics(part), learned.trajectory(part, around[which]), count,
-                                      streamSeed(seed, 2 * part + which), settings, own);
-    });
     LatentVariations result;
     result.variations.resize(static_cast<std::size_t>(count), LatentVariation(parts));
     result.chains.resize(parts);
-    for (std::size_t p = 0; p < parts; ++p) {
-        const TrajectorySamples& first = drawn[p * around.size()];
-        const TrajectorySamples& second = drawn[p * around.size() + around.size() - 1];
+    std::vector<std::atomic<double>> fractions(parts);
+    tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t p) {
+        const Progress own(progress.token(), [&, p](double fraction) {
+            fractions[p] = fraction;
+            double sum = 0;
+            for (const auto& each : fractions)
+                sum += each;
+            progress.report(sum / static_cast<double>(parts));
+        });
+        PartVariations drawn =
+            drawPart(learned.movement(), p, learned.state(p), subject, count, seed, settings, own);
         for (std::size_t v = 0; v < result.variations.size(); ++v)
-            result.variations[v][p] = around.size() == 1 ? first.trajectories[v]
-                                                         : (1 - takes.weight) * first.trajectories[v] +
-                                                               takes.weight * second.trajectories[v];
-        for (std::size_t which = 0; which < around.size(); ++which)
-            result.chains[p].push_back(drawn[p * around.size() + which].report);
-    }
+            result.variations[v][p] = std::move(drawn.trajectories[v]);
+        result.chains[p] = std::move(drawn.chains);
+    });
     return result;
 }
 
@@ -176,7 +191,8 @@ Clip makeVariation(const LearnedMovement& learned, const VariationSubject& subje
     const double weight = subject.to ? subject.weight : 0;
     const TakeWarp warp = weight == 0 ? take.warp : blendedWarp(take.warp, to.warp, weight);
     const std::vector<RigidMotion> guide =
-        weight == 0 ? take.placements : blendedPlacements(take.placements, to.placements, weight);
+        weight == 0 ? take.placements
+                    : blendedPlacements(take.placements, to.placements, weight, settings.up);
     const RowMatrix& root = rows.front();
     std::vector<Displacement> displacements;
     for (Eigen::Index f = 0; f < root.rows(); ++f)

@@ -66,14 +66,27 @@ struct SubjectTakes
 /// \throws Error BadArgument (a take that there is not, a weight outside [0, 1]).
 SubjectTakes subjectTakes(const Movement& movement, const VariationSubject& subject);
 
+/// Latent variations of one part.
+struct PartVariations
+{
+    std::vector<RowMatrix> trajectories; ///< each reference frames × dimensions
+    std::vector<HmcReport> chains;       ///< of each trajectory that was drawn around
+};
+
+/// Draws latent variations of one part of a subject (CVS §6 and §7).
+/// \param seed  of all parts together. \throws Error as subjectTakes; Cancelled.
+PartVariations drawPart(const Movement& movement, std::size_t part, const GpdmState& state,
+                        const VariationSubject& subject, int count, std::uint64_t seed,
+                        const HmcSettings& settings = {}, const Progress& progress = {});
+
 struct LatentVariations
 {
     std::vector<LatentVariation> variations;
     std::vector<std::vector<HmcReport>> chains; ///< of each part, of each trajectory that was drawn around
 };
 
-/// Draws latent variations of a subject (CVS §6 and §7), the parts independently and in parallel.
-/// \return the same for any number of threads. \throws Error as subjectTakes; Cancelled.
+/// Draws latent variations of all parts, independently and in parallel.
+/// \return the same for any number of threads. \throws Error as drawPart.
 LatentVariations drawLatents(const LearnedMovement& learned, const VariationSubject& subject, int count,
                              std::uint64_t seed, const HmcSettings& settings = {},
                              const Progress& progress = {});

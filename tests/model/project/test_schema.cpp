@@ -124,6 +124,7 @@ TEST(Schema, KnowsTheKeysThatTheCodeKnows)
     EXPECT_EQ(propertiesOf(definitions["blend"]), keysOf(projectkeys::blend));
     EXPECT_EQ(propertiesOf(definitions["learning"]), keysOf(projectkeys::learning));
     EXPECT_EQ(propertiesOf(definitions["sampling"]), keysOf(projectkeys::sampling));
+    EXPECT_EQ(propertiesOf(definitions["variation_limits"]), keysOf(projectkeys::variationLimits));
     EXPECT_EQ(propertiesOf(definitions["samples"]), keysOf(projectkeys::samples));
     EXPECT_EQ(propertiesOf(definitions["export"]), keysOf(projectkeys::exportEntry));
     EXPECT_EQ(propertiesOf(definitions["picture"]), keysOf(projectkeys::picture));
@@ -166,6 +167,7 @@ TEST(Schema, TheCodeWritesItsKeysInTheirOrder)
     EXPECT_EQ(written(variation["blends"][0]), listOf(projectkeys::blend));
     EXPECT_EQ(written(variation["learning"]), listOf(projectkeys::learning));
     EXPECT_EQ(written(variation["sampling"]), listOf(projectkeys::sampling));
+    EXPECT_EQ(written(variation["limits"]), listOf(projectkeys::variationLimits));
     EXPECT_EQ(written(variation["samples"][0]), listOf(projectkeys::samples));
     EXPECT_EQ(written(json["exports"][0]), listOf(projectkeys::exportEntry));
     EXPECT_EQ(written(json["exports"][0]["picture"]), listOf(projectkeys::picture));

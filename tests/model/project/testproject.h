@@ -197,6 +197,7 @@ inline VariationEntry fullVariation()
     samples.discarded = {2};
     variation.samples = {samples};
     variation.draw = PoseDraw::Sample;
+    variation.limits = {.poseDistance = 0.1, .skate = 0.2, .intersections = 0.02, .volumeChange = 0.3};
     return variation;
 }
 

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/variationresults.h"
+
+#include "model/core/error.h"
+#include "model/project/characterstages.h"
+#include "model/project/tablebuilder.h"
+
+#include <algorithm>
+#include <array>
+
+namespace quadrille {
+
+namespace {
+
+DataArray arrayOfDoubles(std::string name, std::string description, std::string unit,
+                         std::vector<std::int64_t> shape, std::vector<double> values)
+{
+    DataArray array;
+    array.name = std::move(name);
+    array.description = std::move(description);
+    array.unit = std::move(unit);
+    array.shape = std::move(shape);
+    array.values = std::move(values);
+    return array;
+}
+
+DataArray matrixArray(std::string name, std::string description, std::string unit, const RowMatrix& matrix)
+{
+    return arrayOfDoubles(std::move(name), std::move(description), std::move(unit),
+                          {matrix.rows(), matrix.cols()}, {matrix.data(), matrix.data() + matrix.size()});
+}
+
+const std::vector<double>& doublesOf(const Result& result, const std::string& name)
+{
+    return std::get<std::vector<double>>(arrayOf(result, name).values);
+}
+
+std::string toText(TakeUse use)
+{
+    switch (use) {
+    case TakeUse::Given:
+        return "given";
+    case TakeUse::Cycle:
+        return "cycle";
+    case TakeUse::Whole:
+        return "whole";
+    case TakeUse::TooShort:
+        return "too short for a cycle";
+    case TakeUse::NoMatch:
+        return "no cycle found";
+    }
+    return {};
+}
+
+std::string toText(GpdmStop stop)
+{
+    switch (stop) {
+    case GpdmStop::Converged:
+        return "converged";
+    case GpdmStop::IterationLimit:
+        return "iteration limit";
+    case GpdmStop::Cancelled:
+        return "cancelled";
+    }
+    return {};
+}
+
+std::array<double, 7> listed(const GpdmHyperparameters& h)
+{
+    return {h.alpha1, h.alpha2, h.alpha3, h.beta1, h.beta2, h.beta3, h.beta4};
+}
+
+std::string joined(const std::vector<std::string>& names)
+{
+    std::string all;
+    for (const std::string& name : names)
+        all += (all.empty() ? "" : ", ") + name;
+    return all;
+}
+
+std::string faultsText(const Candidate& candidate)
+{
+    std::vector<std::string> names;
+    for (const VariationFault fault : candidate.faults)
+        names.emplace_back(toString(fault));
+    return joined(names);
+}
+
+DataTable chainsTable(const std::vector<PartVariations>& sets)
+{
+    TableBuilder table("chains", "How the Markov chains ran, one for each trajectory that was drawn around.");
+    table.whole("samples").whole("chain").real("acceptance").real("step-size").whole("thinning");
+    table.real("effective-sample-size").real("lag-1-autocorrelation");
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+        for (std::size_t c = 0; c < sets[s].chains.size(); ++c) {
+            const HmcReport& chain = sets[s].chains[c];
+            table.add({static_cast<std::int64_t>(s + 1), static_cast<std::int64_t>(c + 1), chain.acceptance,
+                       chain.stepSize, std::int64_t{chain.thinning}, chain.effectiveSampleSize, chain.lag1});
+        }
+    }
+    return std::move(table).table();
+}
+
+} // namespace
+
+Result alignmentResult(const Movement& movement)
+{
+    const Alignment& alignment = movement.alignment;
+    TableBuilder takes("takes", "The takes that are learned, and the pre-blends of them.");
+    takes.text("take").text("use").whole("first", "frame").whole("last", "frame").real("mean-cost", "rad");
+    TableBuilder warps("warps", "Where each take is at each frame of the reference.");
+    warps.text("take").whole("reference-frame", "frame").real("take-frame", "frame");
+    TableBuilder playback("playback", "Where on the reference each frame of a take is that is used.");
+    playback.text("take").whole("take-frame", "frame").real("reference-frame", "frame");
+    for (std::size_t t = 0; t < alignment.takes.size(); ++t) {
+        const AlignedTake& take = alignment.takes[t];
+        const bool isCaptured = t < movement.capturedCount();
+        takes.add({take.name, isCaptured ? toText(alignment.reports[t].use) : "blend",
+                   take.warp.frames.first.value, take.warp.frames.last.value,
+                   isCaptured ? alignment.reports[t].meanCost : 0.0});
+        for (std::size_t f = 0; f < take.warp.positions.size(); ++f)
+            warps.add({take.name, static_cast<std::int64_t>(f), take.warp.positions[f]});
+        for (std::size_t f = 0; f < take.warp.playback.size(); ++f)
+            playback.add({take.name, take.warp.frames.first.value + static_cast<std::int64_t>(f),
+                          take.warp.playback[f]});
+    }
+    Result result;
+    result.tables = {std::move(takes).table(), std::move(warps).table(), std::move(playback).table()};
+    return result;
+}
+
+Result modelResult(const PartTraining& training, const GpdmLearning& learning,
+                   const std::vector<std::string>& takes)
+{
+    Result result;
+    result.arrays = {matrixArray("training",
+                                 "What is learned: a row for each frame, three coordinates for each vertex, "
+                                 "for the root followed by six scaled displacements; their mean subtracted.",
+                                 "m", training.rows),
+                     arrayOfDoubles("mean", "The mean that was subtracted.", "m", {training.mean.size()},
+                                    {training.mean.data(), training.mean.data() + training.mean.size()}),
+                     matrixArray("latents", "Latent position of each row.", "", learning.state.latents)};
+    const auto hyperparameters = listed(learning.state.hyperparameters);
+    DataArray seven = arrayOfDoubles("hyperparameters", "Parameters of both kernels.", "", {7},
+                                     {hyperparameters.begin(), hyperparameters.end()});
+    result.arrays.push_back(std::move(seven));
+    result.arrays.push_back(
+        arrayOfDoubles("objective", "Negative log posterior after each iteration; the last one is final.", "",
+                       {static_cast<std::int64_t>(learning.objective.size())}, learning.objective));
+    DataArray spans;
+    spans.name = "spans";
+    spans.description = "First and last row of each take.";
+    spans.columns = {"first", "last"};
+    spans.shape = {static_cast<std::int64_t>(training.spans.size()), 2};
+    std::vector<std::int64_t> rows;
+    for (const RowSpan& span : training.spans)
+        rows.insert(rows.end(), {span.first, span.last()});
+    spans.values = std::move(rows);
+    result.arrays.push_back(std::move(spans));
+    result.arrays.push_back(arrayOfDoubles("displacement-scale",
+                                           "What displacements are multiplied by; 0 where the part has none.",
+                                           "", {1}, {training.displacementScale}));
+    TableBuilder names("takes", "What the spans are of.");
+    names.text("take").whole("first", "row").whole("last", "row");
+    for (std::size_t t = 0; t < training.spans.size(); ++t)
+        names.add({takes.at(t), training.spans[t].first, training.spans[t].last()});
+    TableBuilder learned("learning", "How learning went.");
+    learned.text("stop").whole("iterations").real("objective").text("active-bounds");
+    learned.add({toText(learning.stop), static_cast<std::int64_t>(learning.objective.size()),
+                 learning.objective.empty() ? 0.0 : learning.objective.back(),
+                 joined(learning.activeBounds)});
+    result.tables = {std::move(names).table(), std::move(learned).table()};
+    return result;
+}
+
+GpdmState stateOf(const Result& model)
+{
+    const DataArray& latents = arrayOf(model, "latents");
+    GpdmState state;
+    state.latents =
+        Eigen::Map<const RowMatrix>(doublesOf(model, "latents").data(), latents.shape[0], latents.shape[1]);
+    const std::vector<double>& h = doublesOf(model, "hyperparameters");
+    state.hyperparameters = {h.at(0), h.at(1), h.at(2), h.at(3), h.at(4), h.at(5), h.at(6)};
+    return state;
+}
+
+Result samplesResult(const std::vector<PartVariations>& sets, Eigen::Index frames, Eigen::Index dimensions)
+{
+    std::vector<double> values;
+    std::int64_t count = 0;
+    for (const PartVariations& set : sets) {
+        for (const RowMatrix& trajectory : set.trajectories) {
+            values.insert(values.end(), trajectory.data(), trajectory.data() + trajectory.size());
+            ++count;
+        }
+    }
+    Result result;
+    result.arrays = {
+        arrayOfDoubles("samples",
+                       "Latent trajectories that were drawn, those of all sets of samples one after "
+                       "the other: candidates of variations.",
+                       "", {count, frames, dimensions}, std::move(values))};
+    result.tables = {chainsTable(sets)};
+    return result;
+}
+
+std::vector<RowMatrix> trajectoriesOf(const Result& samples)
+{
+    const DataArray& array = arrayOf(samples, "samples");
+    const double* at = doublesOf(samples, "samples").data();
+    std::vector<RowMatrix> trajectories;
+    for (std::int64_t t = 0; t < array.shape[0]; ++t) {
+        trajectories.emplace_back(Eigen::Map<const RowMatrix>(at, array.shape[1], array.shape[2]));
+        at += array.shape[1] * array.shape[2];
+    }
+    return trajectories;
+}
+
+Result selectionResult(const VariationEntry& entry, const std::vector<VariationSelection>& sets)
+{
+    TableBuilder table("report", "All variations that were drawn: those with a number were good enough.");
+    table.whole("variation").text("of").text("to").real("weight").whole("seed").whole("candidate");
+    table.text("faults").real("mean-pose-distance", "m").real("worst-pose-distance", "m");
+    table.real("skate", "m/s").real("take-skate", "m/s").whole("intersections").whole("take-intersections");
+    table.real("volume-change");
+    std::int64_t before = 0;
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+        const SamplesEntry& samples = entry.samples[s];
+        for (std::size_t c = 0; c < sets[s].candidates.size(); ++c) {
+            const Candidate& candidate = sets[s].candidates[c];
+            const VariationQuality& quality = candidate.quality;
+            table.add({candidate.isAccepted() ? before + candidate.number : 0, samples.of, samples.to,
+                       samples.weight, static_cast<std::int64_t>(samples.seed), static_cast<std::int64_t>(c),
+                       faultsText(candidate), quality.meanPoseDistance, quality.worstPoseDistance,
+                       quality.skate.value_or(0), quality.takeSkate, quality.intersections,
+                       quality.takeIntersections, quality.volumeChange.value_or(0)});
+        }
+        before += samples.count;
+    }
+    Result result;
+    result.tables = {std::move(table).table()};
+    return result;
+}
+
+int candidateOf(const Result& selection, int number)
+{
+    const DataTable& report = selection.tables.front();
+    const auto& numbers = std::get<std::vector<std::int64_t>>(report.columns[0].values);
+    const auto& candidates = std::get<std::vector<std::int64_t>>(report.columns[5].values);
+    const auto found = std::find(numbers.begin(), numbers.end(), number);
+    if (found == numbers.end())
+        throw Error(ErrorCode::VariationMissing, {.values = {{"number", std::to_string(number)}}});
+    return static_cast<int>(candidates[static_cast<std::size_t>(found - numbers.begin())]);
+}
+
+} // namespace quadrille

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/result.h"
+#include "model/project/variationentry.h"
+#include "model/variation/selection.h"
+
+namespace quadrille {
+
+// What the stages of an entry of “variations” store, and what others take from it.
+
+/// How the takes run against the reference.
+Result alignmentResult(const Movement& movement);
+
+/// What a part was learned from, and the model. \param takes  names of the takes, pre-blends included.
+Result modelResult(const PartTraining& training, const GpdmLearning& learning,
+                   const std::vector<std::string>& takes);
+/// \pre The result is one of modelResult.
+GpdmState stateOf(const Result& model);
+
+/// The latent trajectories of one part, of all sets of samples one after the other.
+Result samplesResult(const std::vector<PartVariations>& sets, Eigen::Index frames, Eigen::Index dimensions);
+/// \pre The result is one of samplesResult.
+std::vector<RowMatrix> trajectoriesOf(const Result& samples);
+
+/// Which candidates became variations, and what all of them are like.
+Result selectionResult(const VariationEntry& entry, const std::vector<VariationSelection>& sets);
+/// The candidate, from 0 in its set, that became a variation. \pre The result is one of selectionResult.
+/// \throws Error VariationMissing where too few candidates were good.
+int candidateOf(const Result& selection, int number);
+
+} // namespace quadrille

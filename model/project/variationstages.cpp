@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/variationstages.h"
+
+#include "model/core/random.h"
+#include "model/project/clipresult.h"
+#include "model/project/lengthunit.h"
+#include "model/project/madeclips.h"
+#include "model/project/tablebuilder.h"
+#include "model/project/variate.h"
+#include "model/project/variationjson.h"
+#include "model/project/variationresults.h"
+
+#include <algorithm>
+
+namespace quadrille {
+
+namespace {
+
+std::string settingsText(const VariationEntry& entry)
+{
+    return variationToJson(entry).dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+/// All samples of an entry with the settings of their chains.
+std::string samplesSettings(const VariationEntry& entry)
+{
+    VariationEntry drawn;
+    drawn.samples = entry.samples;
+    for (SamplesEntry& samples : drawn.samples)
+        samples.discarded.clear();
+    drawn.chain = entry.chain;
+    return settingsText(drawn);
+}
+
+/// What is judged, and how.
+std::string selectionSettings(const VariationEntry& entry)
+{
+    VariationEntry judged;
+    judged.limits = entry.limits;
+    judged.draw = entry.draw;
+    return samplesSettings(entry) + settingsText(judged);
+}
+
+/// The stages of one entry of “variations”.
+class VariationStages
+{
+public:
+    VariationStages(std::shared_ptr<VariationWork> work)
+        : m_work(std::move(work)), m_name(m_work->entry().name), m_parts(m_work->partNames())
+    {
+    }
+
+    std::vector<ResultStage> make() const
+    {
+        std::vector<ResultStage> stages{alignment()};
+        for (std::size_t p = 0; p < m_parts.size(); ++p) {
+            stages.push_back(model(p));
+            stages.push_back(samples(p));
+        }
+        stages.push_back(selection());
+        for (int number = 1; number <= variationCount(m_work->entry()); ++number)
+            stages.push_back(clip(number));
+        return stages;
+    }
+
+private:
+    ResultStage stage(std::string name, std::string prefix) const
+    {
+        ResultStage made;
+        made.name = std::move(name);
+        made.dataPrefix = std::move(prefix);
+        made.character = m_work->character();
+        return made;
+    }
+
+    ResultStage alignment() const
+    {
+        ResultStage made = stage(alignmentStageOf(m_name), "variations/" + m_name);
+        made.settings = m_work->movementSettings();
+        made.files = [work = m_work](const Progress& progress) { return work->files(progress); };
+        made.inputs = m_work->clipStages();
+        made.compute = [work = m_work](const StageContext&, const Progress& progress) {
+            return alignmentResult(*work->movement(progress));
+        };
+        return made;
+    }
+
+    ResultStage model(std::size_t part) const
+    {
+        ResultStage made =
+            stage(modelStageOf(m_name, m_parts[part]), "variations/" + m_name + "/" + m_parts[part]);
+        VariationEntry learned;
+        learned.learning = m_work->entry().learning;
+        made.settings = settingsText(learned);
+        made.inputs = {alignmentStageOf(m_name)};
+        made.compute = [work = m_work, part](const StageContext&, const Progress& progress) {
+            const auto movement = work->movement(progress.part(0, 0.1));
+            const PartTraining& training = movement->training.at(part);
+            const GpdmLearning learning =
+                learnGpdm(training.rows, training.spans, work->entry().learning, progress.part(0.1, 1));
+            // What was cancelled is no result of the settings.
+            progress.report(1);
+            return modelResult(training, learning, work->takeNames());
+        };
+        return made;
+    }
+
+    ResultStage samples(std::size_t part) const
+    {
+        ResultStage made =
+            stage(samplesStageOf(m_name, m_parts[part]), "variations/" + m_name + "/" + m_parts[part]);
+        const std::string model = modelStageOf(m_name, m_parts[part]);
+        made.settings = samplesSettings(m_work->entry());
+        made.inputs = {model};
+        made.compute = [work = m_work, part, model](const StageContext& context, const Progress& progress) {
+            const auto movement = work->movement(progress.part(0, 0.1));
+            const GpdmState state = stateOf(context.resultOf(model));
+            const std::vector<SamplesEntry>& sets = work->entry().samples;
+            std::vector<PartVariations> drawn;
+            for (std::size_t s = 0; s < sets.size(); ++s) {
+                const double share = 0.9 / static_cast<double>(sets.size());
+                const double at = 0.1 + share * static_cast<double>(s);
+                drawn.push_back(drawPart(*movement, part, state, work->subject(sets[s]),
+                                         candidatesFor(sets[s].count), sets[s].seed, work->entry().chain,
+                                         progress.part(at, at + share)));
+            }
+            return samplesResult(drawn, movement->alignment.frameCount(), state.latents.cols());
+        };
+        return made;
+    }
+
+    ResultStage selection() const
+    {
+        ResultStage made = stage(selectionStageOf(m_name), "variations/" + m_name);
+        made.settings = selectionSettings(m_work->entry());
+        made.inputs = drawnStages();
+        made.compute = [self = *this](const StageContext& context, const Progress& progress) {
+            return self.selected(context, progress);
+        };
+        return made;
+    }
+
+    Result selected(const StageContext& context, const Progress& progress) const
+    {
+        const auto learned = m_work->learned(models(context), progress.part(0, 0.1));
+        const auto latents = allLatents(context);
+        const VariationMeter meter = m_work->meter(progress.part(0.1, 0.2));
+        std::vector<VariationSelection> selections;
+        const std::vector<SamplesEntry>& sets = m_work->entry().samples;
+        for (std::size_t s = 0; s < sets.size(); ++s) {
+            const double share = 0.8 / static_cast<double>(sets.size());
+            const double at = 0.2 + share * static_cast<double>(s);
+            selections.push_back(selectVariations(
+                *learned, m_work->subject(sets[s]), latents[s], sets[s].count, sets[s].seed, m_work->poses(),
+                meter, m_work->layout(), m_work->entry().limits, progress.part(at, at + share)));
+        }
+        return selectionResult(m_work->entry(), selections);
+    }
+
+    ResultStage clip(int number) const
+    {
+        const std::string name = variationClip(m_name, number);
+        ResultStage made = stage(clipStageOf(name), name);
+        VariationEntry drawn;
+        drawn.draw = m_work->entry().draw;
+        made.settings = settingsText(drawn) + std::to_string(number);
+        made.inputs = drawnStages();
+        made.inputs.push_back(selectionStageOf(m_name));
+        made.compute = [self = *this, number](const StageContext& context, const Progress& progress) {
+            return self.oneClip(number, context, progress);
+        };
+        return made;
+    }
+
+    Result oneClip(int number, const StageContext& context, const Progress& progress) const
+    {
+        const auto learned = m_work->learned(models(context), progress.part(0, 0.2));
+        const SamplePlace place = *placeOfVariation(m_work->entry(), number);
+        const SamplesEntry& samples = m_work->entry().samples[place.set];
+        const int candidate = candidateOf(context.resultOf(selectionStageOf(m_name)), number);
+        VariationPoses poses = m_work->poses();
+        poses.seed = streamSeed(samples.seed, static_cast<std::uint64_t>(candidate));
+        const Clip made =
+            makeVariation(*learned, m_work->subject(samples),
+                          allLatents(context)[place.set].at(static_cast<std::size_t>(candidate)),
+                          m_work->layout(), poses, progress.part(0.2, 1));
+        std::vector<std::string> takes;
+        for (const TrainingEntry& take : m_work->entry().training)
+            takes.push_back(take.sequence);
+        return clipResult(m_work->inProjectUnit(made), m_work->layout(), takes,
+                          unitText(m_work->project().settings.axes.metresPerUnit));
+    }
+
+    std::vector<std::string> drawnStages() const
+    {
+        std::vector<std::string> inputs;
+        for (const std::string& part : m_parts) {
+            inputs.push_back(modelStageOf(m_name, part));
+            inputs.push_back(samplesStageOf(m_name, part));
+        }
+        return inputs;
+    }
+
+    std::vector<GpdmState> models(const StageContext& context) const
+    {
+        std::vector<GpdmState> states;
+        for (const std::string& part : m_parts)
+            states.push_back(stateOf(context.resultOf(modelStageOf(m_name, part))));
+        return states;
+    }
+
+    /// Of each set of samples its candidates.
+    std::vector<std::vector<LatentVariation>> allLatents(const StageContext& context) const
+    {
+        std::vector<std::vector<LatentVariation>> sets;
+        for (const SamplesEntry& samples : m_work->entry().samples)
+            sets.emplace_back(static_cast<std::size_t>(candidatesFor(samples.count)));
+        for (const std::string& part : m_parts) {
+            std::vector<RowMatrix> all = trajectoriesOf(context.resultOf(samplesStageOf(m_name, part)));
+            std::size_t next = 0;
+            for (auto& set : sets) {
+                for (LatentVariation& variation : set)
+                    variation.push_back(std::move(all.at(next++)));
+            }
+        }
+        return sets;
+    }
+
+    std::shared_ptr<VariationWork> m_work;
+    std::string m_name;
+    std::vector<std::string> m_parts;
+};
+
+} // namespace
+
+std::string alignmentStageOf(const std::string& variation)
+{
+    return "variations/" + variation + "/alignment";
+}
+
+std::string modelStageOf(const std::string& variation, const std::string& part)
+{
+    return "variations/" + variation + "/" + part + "/model";
+}
+
+std::string samplesStageOf(const std::string& variation, const std::string& part)
+{
+    return "variations/" + variation + "/" + part + "/samples";
+}
+
+std::string selectionStageOf(const std::string& variation)
+{
+    return "variations/" + variation + "/selection";
+}
+
+std::vector<ResultStage> makeVariationStages(const StageMaking& making)
+{
+    std::vector<ResultStage> stages;
+    for (const VariationEntry& entry : making.opener->project().variations) {
+        if (entry.training.empty())
+            continue;
+        for (ResultStage& stage :
+             VariationStages(std::make_shared<VariationWork>(making.opener, entry)).make())
+            stages.push_back(std::move(stage));
+    }
+    return stages;
+}
+
+} // namespace quadrille
