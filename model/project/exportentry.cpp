@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/exportentry.h"
 
+#include "model/project/dataset.h"
 #include "model/project/madeclips.h"
 #include "model/project/opensequence.h"
 #include "model/project/paths.h"
@@ -35,9 +36,15 @@ const Exporter& exporterOf(const ExportEntry& entry)
     return **found;
 }
 
+bool isDataSet(const ExportEntry& entry)
+{
+    return variationOfClip(entry.what).value_or(VariationNumber{{}, 1}).number == 0;
+}
+
 std::vector<std::string> stagesOf(const Project& project, const ExportEntry& entry)
 {
-    return clipStagesOf(project, entry.what);
+    return isDataSet(entry) ? dataSetStages(project, variationOfClip(entry.what)->variation)
+                            : clipStagesOf(project, entry.what);
 }
 
 const AudioEntry* soundOf(const Project& project, const ExportEntry& entry)
@@ -88,6 +95,15 @@ ExportResult writeExport(const ExportEntry& entry, const MeshSequence& sequence,
         prepared = resampled(prepared, *entry.fps);
     prepared = transformed(prepared, conversionMatrix(options.from, options.to));
     return exporter.write(prepared, resolvePath(entry.path, folder), options, progress);
+}
+
+ExportResult writeExport(const ExportEntry& entry, SequenceOpener& opener, const StageResults& resultOf,
+                         const Progress& progress)
+{
+    if (isDataSet(entry))
+        return writeDataSet(entry, opener, resultOf, progress);
+    const auto opened = opener.openClip(entry.what, progress.part(0, 0.1));
+    return writeExport(entry, opened->sequence, opener.project(), opener.folder(), progress.part(0.1, 1));
 }
 
 } // namespace quadrille

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/project.h"
+#include "model/project/opensequence.h"
+#include "model/project/result.h"
 #include "model/sequence/io/format.h"
+
+#include <functional>
 
 namespace quadrille {
 
@@ -18,6 +21,18 @@ std::vector<std::string> stagesOf(const Project& project, const ExportEntry& ent
 const AudioEntry* soundOf(const Project& project, const ExportEntry& entry);
 /// The camera keys of pictures and videos: those of the animation, where the entry names no camera itself.
 std::vector<CameraKey> cameraKeysOf(const Project& project, const ExportEntry& entry);
+
+/// Whether an entry is about all of "variations/NAME".
+bool isDataSet(const ExportEntry& entry);
+
+/// The result of a stage by its name.
+using StageResults = std::function<Result(const std::string& stage)>;
+
+/// Writes what an entry is about: a clip, or a data set of variations.
+/// \param resultOf  results of the stages that stagesOf names.
+/// \throws Error as exportSequence, and what opening the clip throws.
+ExportResult writeExport(const ExportEntry& entry, SequenceOpener& opener, const StageResults& resultOf,
+                         const Progress& progress);
 
 /// Writes a clip as an entry says.
 /// \param folder the project file's.

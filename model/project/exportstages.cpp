@@ -59,10 +59,8 @@ ResultStage exportStage(const StageMaking& making, const ExportEntry& entry)
             return opener->filesOf(name, progress);
         };
     }
-    stage.compute = [opener, clip, entry](const StageContext& context, const Progress& progress) {
-        const auto opened = opener->openClip(clip, progress.part(0, 0.1));
-        const auto written = writeExport(entry, opened->sequence, opener->project(), opener->folder(),
-                                         progress.part(0.1, 0.95));
+    stage.compute = [opener, entry](const StageContext& context, const Progress& progress) {
+        const auto written = writeExport(entry, *opener, context.resultOf, progress.part(0, 0.95));
         for (const Issue& issue : written.issues)
             context.tell(issue);
         Result result;

@@ -88,6 +88,42 @@ int variationCount(const VariationEntry& entry)
     return count;
 }
 
+bool isDiscarded(const VariationEntry& entry, int number)
+{
+    return std::any_of(entry.samples.begin(), entry.samples.end(), [number](const SamplesEntry& samples) {
+        return std::find(samples.discarded.begin(), samples.discarded.end(), number) !=
+               samples.discarded.end();
+    });
+}
+
+std::optional<SamplePlace> placeOfVariation(const VariationEntry& entry, int number)
+{
+    int index = number - 1;
+    for (std::size_t set = 0; set < entry.samples.size(); ++set) {
+        const int count = entry.samples[set].count;
+        if (index >= 0 && index < count)
+            return SamplePlace{set, index};
+        index -= count;
+    }
+    return std::nullopt;
+}
+
+std::vector<std::string> partNamesOf(const Project& project, const VariationEntry& entry)
+{
+    std::vector<std::string> names;
+    const BodyPartsEntry* parts = bodyPartsOf(project, characterNameOf(project, entry));
+    // The root stands first, as in BodyParts.
+    for (const bool isRoot : {true, false}) {
+        for (const PartEntry& part : parts ? parts->parts : std::vector<PartEntry>()) {
+            if (part.part.parent.empty() == isRoot)
+                names.push_back(part.part.name);
+        }
+    }
+    if (names.empty())
+        names.emplace_back("body");
+    return names;
+}
+
 bool isMadeClip(std::string_view clip)
 {
     const auto varied = variationOfClip(clip);
@@ -111,8 +147,10 @@ std::vector<std::string> clipStagesOf(const Project& project, const std::string&
     std::vector<std::string> stages;
     const auto varied = variationOfClip(clip);
     if (const VariationEntry* variation = varied ? findVariation(project, varied->variation) : nullptr) {
-        for (int number = 1; number <= variationCount(*variation); ++number)
-            stages.push_back(clipStageOf(variationClip(variation->name, number)));
+        for (int number = 1; number <= variationCount(*variation); ++number) {
+            if (!isDiscarded(*variation, number))
+                stages.push_back(clipStageOf(variationClip(variation->name, number)));
+        }
     }
     return stages;
 }

@@ -26,12 +26,25 @@ std::optional<VariationNumber> variationOfClip(std::string_view clip);
 /// How many variations an entry draws.
 int variationCount(const VariationEntry& entry);
 
+/// Whether the user threw a variation away.
+bool isDiscarded(const VariationEntry& entry, int number);
+/// Where a variation of an entry, counted from 1, is found: in which set of samples, and as which of it, from
+/// 0. Nothing where there are fewer.
+struct SamplePlace
+{
+    std::size_t set = 0;
+    int index = 0;
+};
+std::optional<SamplePlace> placeOfVariation(const VariationEntry& entry, int number);
+/// Names of the parts that an entry learns, the root first; “body” where it is not cut.
+std::vector<std::string> partNamesOf(const Project& project, const VariationEntry& entry);
+
 /// Whether a clip is one that stages make: "animations/NAME" or "variations/NAME/3".
 bool isMadeClip(std::string_view clip);
 /// The stage that makes it. \pre isMadeClip.
 std::string clipStageOf(const std::string& clip);
-/// The stages of the clips that a clip "SECTION/NAME" means, more than one for all of "variations/NAME";
-/// none where it is a sequence that shows a file.
+/// The stages of the clips that a clip "SECTION/NAME" means, for all of "variations/NAME" those that were not
+/// discarded; none where it is a sequence that shows a file.
 std::vector<std::string> clipStagesOf(const Project& project, const std::string& clip);
 
 /// The clip that a sequence shows, perhaps through other sequences, where it is made; nothing where it shows

@@ -5,6 +5,7 @@
 #include "model/project/exportentry.h"
 #include "model/project/paths.h"
 #include "model/project/rebuild.h"
+#include "model/project/resultstore.h"
 
 namespace quadrille {
 
@@ -34,13 +35,14 @@ std::vector<ExportResult> runExports(const Project& project, const std::filesyst
     computeClips(project, projectFile, entries, progress.part(0, 0.5));
     const auto folder = projectFolder(projectFile);
     SequenceOpener opener(project, folder, cacheFolder(projectFile));
+    const ResultStore store(cacheFolder(projectFile));
     std::vector<ExportResult> results;
     const auto count = static_cast<double>(entries.size());
     for (const ExportEntry& entry : entries) {
         const double at = 0.5 + 0.5 * static_cast<double>(results.size()) / count;
         const Progress part = progress.part(at, at + 0.5 / count);
-        const auto opened = opener.openClip(entry.what, part.part(0, 0.1));
-        results.push_back(writeExport(entry, opened->sequence, project, folder, part.part(0.1, 1)));
+        results.push_back(writeExport(
+            entry, opener, [&](const std::string& stage) { return store.load(stage, {}).result; }, part));
     }
     return results;
 }

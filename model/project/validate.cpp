@@ -179,7 +179,10 @@ private:
     void checkSource(const SequenceEntry& sequence, const std::string& pointer)
     {
         const auto clip = clipOfSource(sequence.source);
-        if (clip)
+        if (clip && variationOfClip(*clip).value_or(VariationNumber{{}, 1}).number == 0)
+            invalid(pointer + "/source", quoted(*clip) + " names all variations",
+                    "Name one of them, as in “" + *clip + "/1”.");
+        else if (clip)
             checkClip(*clip, pointer + "/source");
         else if (sequence.source.empty())
             invalid(pointer + "/source", "The source is empty", "Name a file, a series or a clip.");

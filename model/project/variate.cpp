@@ -37,21 +37,6 @@ VariationWork::VariationWork(std::shared_ptr<SequenceOpener> opener, VariationEn
         m_parts = *parts;
 }
 
-std::vector<std::string> VariationWork::partNames() const
-{
-    std::vector<std::string> names;
-    // The root stands first, as in BodyParts.
-    for (const bool isRoot : {true, false}) {
-        for (const PartEntry& part : m_parts.parts) {
-            if (part.part.parent.empty() == isRoot)
-                names.push_back(part.part.name);
-        }
-    }
-    if (names.empty())
-        names.emplace_back("body");
-    return names;
-}
-
 std::vector<std::string> VariationWork::takeNames() const
 {
     std::vector<std::string> names;
@@ -240,18 +225,6 @@ VariationSubject VariationWork::subject(const SamplesEntry& samples) const
         subject.to = takeIndex(samples.to);
     subject.weight = samples.weight;
     return subject;
-}
-
-std::optional<SamplePlace> placeOfVariation(const VariationEntry& entry, int number)
-{
-    int index = number - 1;
-    for (std::size_t set = 0; set < entry.samples.size(); ++set) {
-        const int count = entry.samples[set].count;
-        if (index >= 0 && index < count)
-            return SamplePlace{set, index};
-        index -= count;
-    }
-    return std::nullopt;
 }
 
 } // namespace quadrille

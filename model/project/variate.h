@@ -25,8 +25,6 @@ public:
     const VariationEntry& entry() const { return m_entry; }
     const std::string& character() const { return m_character; }
     const Project& project() const { return m_opener->project(); }
-    /// Names of the parts, the root first; one without a name where the body is not cut.
-    std::vector<std::string> partNames() const;
     /// Names of the takes, then of the pre-blends.
     std::vector<std::string> takeNames() const;
 
@@ -77,14 +75,5 @@ private:
     std::optional<CharacterFrames> m_frames; ///< of the takes, metres
     std::optional<VariationMeter> m_meter;
 };
-
-/// Where a variation of an entry, counted from 1, is found: in which set of samples, and as which of it, from
-/// 0. Nothing where there are fewer.
-struct SamplePlace
-{
-    std::size_t set = 0;
-    int index = 0;
-};
-std::optional<SamplePlace> placeOfVariation(const VariationEntry& entry, int number);
 
 } // namespace quadrille

@@ -47,7 +47,9 @@ class VariationStages
 {
 public:
     VariationStages(std::shared_ptr<VariationWork> work)
-        : m_work(std::move(work)), m_name(m_work->entry().name), m_parts(m_work->partNames())
+        : m_work(std::move(work))
+        , m_name(m_work->entry().name)
+        , m_parts(partNamesOf(m_work->project(), m_work->entry()))
     {
     }
 
@@ -94,9 +96,9 @@ private:
         learned.learning = m_work->entry().learning;
         made.settings = settingsText(learned);
         made.inputs = {alignmentStageOf(m_name)};
-        made.compute = [work = m_work, part](const StageContext&, const Progress& progress) {
+        made.compute = [work = m_work, name = m_parts[part]](const StageContext&, const Progress& progress) {
             const auto movement = work->movement(progress.part(0, 0.1));
-            const PartTraining& training = movement->training.at(part);
+            const PartTraining& training = movement->training.at(movement->parts.indexOf(name));
             const GpdmLearning learning =
                 learnGpdm(training.rows, training.spans, work->entry().learning, progress.part(0.1, 1));
             // What was cancelled is no result of the settings.
@@ -113,8 +115,10 @@ private:
         const std::string model = modelStageOf(m_name, m_parts[part]);
         made.settings = samplesSettings(m_work->entry());
         made.inputs = {model};
-        made.compute = [work = m_work, part, model](const StageContext& context, const Progress& progress) {
+        made.compute = [work = m_work, name = m_parts[part], model](const StageContext& context,
+                                                                    const Progress& progress) {
             const auto movement = work->movement(progress.part(0, 0.1));
+            const std::size_t part = movement->parts.indexOf(name);
             const GpdmState state = stateOf(context.resultOf(model));
             const std::vector<SamplesEntry>& sets = work->entry().samples;
             std::vector<PartVariations> drawn;
@@ -205,8 +209,8 @@ private:
     std::vector<GpdmState> models(const StageContext& context) const
     {
         std::vector<GpdmState> states;
-        for (const std::string& part : m_parts)
-            states.push_back(stateOf(context.resultOf(modelStageOf(m_name, part))));
+        for (const BodyPart& part : m_work->movement()->parts.parts)
+            states.push_back(stateOf(context.resultOf(modelStageOf(m_name, part.name))));
         return states;
     }
 
@@ -216,8 +220,8 @@ private:
         std::vector<std::vector<LatentVariation>> sets;
         for (const SamplesEntry& samples : m_work->entry().samples)
             sets.emplace_back(static_cast<std::size_t>(candidatesFor(samples.count)));
-        for (const std::string& part : m_parts) {
-            std::vector<RowMatrix> all = trajectoriesOf(context.resultOf(samplesStageOf(m_name, part)));
+        for (const BodyPart& part : m_work->movement()->parts.parts) {
+            std::vector<RowMatrix> all = trajectoriesOf(context.resultOf(samplesStageOf(m_name, part.name)));
             std::size_t next = 0;
             for (auto& set : sets) {
                 for (LatentVariation& variation : set)

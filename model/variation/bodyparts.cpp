@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <map>
 #include <optional>
@@ -168,6 +169,13 @@ void addLoosePieces(const std::vector<LoosePiece>& pieces, Positions pose, Assem
 }
 
 } // namespace
+
+std::size_t BodyParts::indexOf(std::string_view name) const
+{
+    const auto found = std::ranges::find(parts, name, &BodyPart::name);
+    assert(found != parts.end());
+    return static_cast<std::size_t>(found - parts.begin());
+}
 
 BodyParts cutIntoParts(const Topology& topology, Positions pose, std::span<const PartCurve> curves,
                        std::span<const PartDescription> descriptions)

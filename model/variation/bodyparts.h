@@ -7,6 +7,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace quadrille {
@@ -56,6 +57,9 @@ struct BodyPart
 struct BodyParts
 {
     std::vector<BodyPart> parts;
+
+    /// The part of a name. \pre There is one.
+    std::size_t indexOf(std::string_view name) const;
 };
 
 /// Cuts a mesh into the parts that some curves bound; curves that no part names do not cut. Components that
