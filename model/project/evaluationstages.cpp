@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/evaluationstages.h"
 
+#include "model/project/madeclips.h"
+
 #include <map>
 
 namespace quadrille {
@@ -13,9 +15,10 @@ using MakeStage = ResultStage (*)(const CharacterWork&, const EvaluationEntry&);
 MakeStage makerOf(const std::string& table)
 {
     static const std::map<std::string, MakeStage> makers{
-        {"fig4", fig4Stage},     {"fig7", fig7Stage},    {"fig9", fig9Stage},
-        {"fig11", fig11Stage},   {"fig12", fig12Stage},  {"junctions", junctionsStage},
-        {"table1", table1Stage}, {"table2", table2Stage}};
+        {"fig4", fig4Stage},       {"fig7", fig7Stage},     {"fig9", fig9Stage},
+        {"fig11", fig11Stage},     {"fig12", fig12Stage},   {"junctions", junctionsStage},
+        {"table1", table1Stage},   {"table2", table2Stage}, {"cvs-fig4", cvsFig4Stage},
+        {"cvs-fig7", cvsFig7Stage}};
     const auto found = makers.find(table);
     return found == makers.end() ? nullptr : found->second;
 }
@@ -30,6 +33,13 @@ const EvaluationEntry* entryOf(const Project& project, const std::string& table,
             found = &entry;
     }
     return found;
+}
+
+bool isPossible(const std::string& table, const CharacterWork& work)
+{
+    if (table == "table1")
+        return !sequencesWithAngles(work).empty();
+    return !table.starts_with("cvs-") || !learnedVariations(work.opener->project(), work.character).empty();
 }
 
 } // namespace
@@ -56,8 +66,7 @@ std::vector<ResultStage> makeEvaluationStages(const StageMaking& making)
         for (const std::string_view table : evaluationTables) {
             const std::string name(table);
             const EvaluationEntry* entry = entryOf(project, name, work.character);
-            const bool isPossible = name != "table1" || !sequencesWithAngles(work).empty();
-            if (entry != nullptr && !work.sequences.empty() && isPossible)
+            if (entry != nullptr && !work.sequences.empty() && isPossible(name, work))
                 stages.push_back(makerOf(name)(work, *entry));
         }
     }

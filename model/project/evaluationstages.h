@@ -20,6 +20,10 @@ ResultStage junctionsStage(const CharacterWork& work, const EvaluationEntry& eva
 ResultStage table1Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
 ResultStage table2Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
 
+/// \pre The character has variations.
+ResultStage cvsFig4Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
+ResultStage cvsFig7Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
+
 /// The sequences of a character that have reference joint angles, as positions in its list.
 std::vector<std::size_t> sequencesWithAngles(const CharacterWork& work);
 

@@ -108,6 +108,16 @@ std::optional<SamplePlace> placeOfVariation(const VariationEntry& entry, int num
     return std::nullopt;
 }
 
+std::vector<const VariationEntry*> learnedVariations(const Project& project, const std::string& character)
+{
+    std::vector<const VariationEntry*> learned;
+    for (const VariationEntry& entry : project.variations) {
+        if (!entry.training.empty() && characterNameOf(project, entry) == character)
+            learned.push_back(&entry);
+    }
+    return learned;
+}
+
 std::vector<std::string> partNamesOf(const Project& project, const VariationEntry& entry)
 {
     std::vector<std::string> names;

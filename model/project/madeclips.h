@@ -36,6 +36,8 @@ struct SamplePlace
     int index = 0;
 };
 std::optional<SamplePlace> placeOfVariation(const VariationEntry& entry, int number);
+/// The variations of a character that have takes to learn from.
+std::vector<const VariationEntry*> learnedVariations(const Project& project, const std::string& character);
 /// Names of the parts that an entry learns, the root first; “body” where it is not cut.
 std::vector<std::string> partNamesOf(const Project& project, const VariationEntry& entry);
 

@@ -62,6 +62,10 @@ void validateEvaluation(const Project& project, const EvaluationEntry& evaluatio
         }))
         invalid("", "No sequence has reference joint angles",
                 "Name a BVH file as “joint_angles” of the sequences, or leave out “table1”.");
+    if (evaluation.table.starts_with("cvs-") && project.variations.empty())
+        problems.push_back(
+            warningAt(pointer, "The project has no variations to evaluate",
+                      "Add some under “variations”, or leave out " + quoted(evaluation.table) + "."));
     for (std::size_t i = 0; i < evaluation.sequences.size(); ++i) {
         if (!contains(known, evaluation.sequences[i]))
             invalid("/sequences/" + std::to_string(i),

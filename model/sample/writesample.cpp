@@ -3,6 +3,7 @@
 #include "model/core/file.h"
 #include "model/project/project.h"
 #include "model/sample/appearance.h"
+#include "model/sample/entries.h"
 #include "model/sample/groundtruth.h"
 #include "model/sample/sample.h"
 #include "model/sample/takes.h"
@@ -117,85 +118,6 @@ SequenceEntry writeTake(const SampleCharacter& character, const SampleTake& take
     return entry;
 }
 
-/// Those that take seconds.
-std::vector<EvaluationEntry> sampleEvaluations(const std::string& character)
-{
-    std::vector<EvaluationEntry> evaluations;
-    for (const char* table : {"fig4", "fig11", "fig12", "table1"}) {
-        evaluations.emplace_back().table = table;
-        evaluations.back().character = character;
-    }
-    return evaluations;
-}
-
-std::vector<ExportEntry> sampleExports()
-{
-    ExportEntry glb;
-    glb.name = "walk for Blender";
-    glb.what = "sequences/walk 1";
-    glb.path = "exports/walk_1.glb";
-    ExportEntry film;
-    film.name = "dance film";
-    film.what = "sequences/dance 1";
-    film.path = "exports/dance_1.mp4";
-    ExportEntry tour;
-    tour.name = "along an S for Blender";
-    tour.what = "animations/along an S";
-    tour.path = "exports/along_an_S.glb";
-    return {glb, film, tour};
-}
-
-FrameChoice labelled(std::string label)
-{
-    FrameChoice choice;
-    choice.label = std::move(label);
-    return choice;
-}
-
-KeyEntry keyAt(std::string sequence, std::int64_t frame, double seconds)
-{
-    KeyEntry key;
-    key.sequence = std::move(sequence);
-    key.frame = FrameIndex(frame);
-    key.time = seconds;
-    return key;
-}
-
-ActionEntry actionOf(std::string label, int repeat = 1)
-{
-    ActionEntry action;
-    action.frames = labelled(std::move(label));
-    action.repeat = repeat;
-    return action;
-}
-
-/// One animation for each kind of constraint.
-std::vector<AnimationEntry> sampleAnimations(const std::string& character)
-{
-    const auto named = [&character](std::string name) {
-        AnimationEntry animation;
-        animation.name = std::move(name);
-        animation.character = character;
-        return animation;
-    };
-    PathEntry curve;
-    curve.points = {{0, 0, 0}, {0.6, 0, 2}, {-0.6, 0, 4.5}, {0.4, 0, 7}, {0, 0, 9}};
-    curve.spans = {{.from = 3.5, .to = 6, .frames = labelled("jog")}};
-    curve.obstacles = {{.corners = {Vec2d(-1.6, 2.4)}, .radius = 0.4}};
-    curve.clearance = 0.3;
-    AnimationEntry path = named("along an S");
-    path.constraints = {curve};
-    path.search.mu = 1;
-    AnimationEntry keys = named("dance by the clock");
-    keys.constraints = {keyAt("dance 1", 10, 0), keyAt("dance 1", 40, 2.5), keyAt("dance 1", 20, 4),
-                        keyAt("dance 1", 60, 6.5)};
-    AnimationEntry actions = named("walk, kick, jump");
-    actions.constraints = {actionOf("walk"), actionOf("kick", 2), actionOf("high jump")};
-    actions.gentleBlend = true;
-    actions.post.steps.contacts.emplace();
-    return {path, keys, actions};
-}
-
 } // namespace
 
 fs::path writeSample(const fs::path& folder, const SampleOptions& options, const Progress& progress)
@@ -221,6 +143,8 @@ fs::path writeSample(const fs::path& folder, const SampleOptions& options, const
     project.graphs.resize(1);
     project.graphs[0].character = project.characters[0].name;
     project.animations = sampleAnimations(project.characters[0].name);
+    project.bodyParts = {sampleBodyParts(character.body)};
+    project.variations = sampleVariations(project.characters[0].name);
     project.evaluations = sampleEvaluations(project.characters[0].name);
     project.exports = sampleExports();
     const fs::path truth = folder / "groundtruth";

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/sample/entries.h"
+
+#include "model/variation/proposedparts.h"
+
+namespace quadrille {
+
+namespace {
+
+FrameChoice labelled(std::string label)
+{
+    FrameChoice choice;
+    choice.label = std::move(label);
+    return choice;
+}
+
+KeyEntry keyAt(std::string sequence, std::int64_t frame, double seconds)
+{
+    KeyEntry key;
+    key.sequence = std::move(sequence);
+    key.frame = FrameIndex(frame);
+    key.time = seconds;
+    return key;
+}
+
+ActionEntry actionOf(std::string label, int repeat = 1)
+{
+    ActionEntry action;
+    action.frames = labelled(std::move(label));
+    action.repeat = repeat;
+    return action;
+}
+
+PartCurveEntry curveEntry(const PartCurve& curve)
+{
+    // As many points as suffice to drag the curve by.
+    constexpr std::size_t points = 8;
+    PartCurveEntry entry;
+    entry.curve = curve;
+    const std::size_t count = curve.vertices.size();
+    for (std::size_t i = 0; i < points && count >= points; ++i)
+        entry.points.push_back(curve.vertices[i * count / points]);
+    return entry;
+}
+
+/// \param takes  the first is the reference; the first two are blended half-way.
+VariationEntry variationOf(std::string name, const std::string& character,
+                           const std::vector<std::string>& takes)
+{
+    VariationEntry variation;
+    variation.name = std::move(name);
+    variation.character = character;
+    for (const std::string& take : takes)
+        variation.training.emplace_back().sequence = take;
+    BlendEntry blend;
+    blend.from = takes.at(0);
+    blend.to = takes.at(1);
+    variation.blends = {blend};
+    return variation;
+}
+
+SamplesEntry samplesOf(std::string take, int count)
+{
+    SamplesEntry samples;
+    samples.of = std::move(take);
+    samples.count = count;
+    return samples;
+}
+
+} // namespace
+
+std::vector<EvaluationEntry> sampleEvaluations(const std::string& character)
+{
+    std::vector<EvaluationEntry> evaluations;
+    for (const char* table : {"fig4", "fig11", "fig12", "table1", "cvs-fig4", "cvs-fig7"}) {
+        evaluations.emplace_back().table = table;
+        evaluations.back().character = character;
+    }
+    return evaluations;
+}
+
+std::vector<ExportEntry> sampleExports()
+{
+    ExportEntry glb;
+    glb.name = "walk for Blender";
+    glb.what = "sequences/walk 1";
+    glb.path = "exports/walk_1.glb";
+    ExportEntry film;
+    film.name = "dance film";
+    film.what = "sequences/dance 1";
+    film.path = "exports/dance_1.mp4";
+    ExportEntry tour;
+    tour.name = "along an S for Blender";
+    tour.what = "animations/along an S";
+    tour.path = "exports/along_an_S.glb";
+    ExportEntry walks;
+    walks.name = "walks for machine learning";
+    walks.what = "variations/walking";
+    walks.path = "exports/walking.npy";
+    return {glb, film, tour, walks};
+}
+
+std::vector<AnimationEntry> sampleAnimations(const std::string& character)
+{
+    const auto named = [&character](std::string name) {
+        AnimationEntry animation;
+        animation.name = std::move(name);
+        animation.character = character;
+        return animation;
+    };
+    PathEntry curve;
+    curve.points = {{0, 0, 0}, {0.6, 0, 2}, {-0.6, 0, 4.5}, {0.4, 0, 7}, {0, 0, 9}};
+    curve.spans = {{.from = 3.5, .to = 6, .frames = labelled("jog")}};
+    curve.obstacles = {{.corners = {Vec2d(-1.6, 2.4)}, .radius = 0.4}};
+    curve.clearance = 0.3;
+    AnimationEntry path = named("along an S");
+    path.constraints = {curve};
+    path.search.mu = 1;
+    AnimationEntry keys = named("dance by the clock");
+    keys.constraints = {keyAt("dance 1", 10, 0), keyAt("dance 1", 40, 2.5), keyAt("dance 1", 20, 4),
+                        keyAt("dance 1", 60, 6.5)};
+    AnimationEntry actions = named("walk, kick, jump");
+    actions.constraints = {actionOf("walk"), actionOf("kick", 2), actionOf("high jump")};
+    actions.gentleBlend = true;
+    actions.post.steps.contacts.emplace();
+    return {path, keys, actions};
+}
+
+BodyPartsEntry sampleBodyParts(const SampleBody& body)
+{
+    const ProposedParts proposed = proposeParts(body.topology, body.rest);
+    BodyPartsEntry entry;
+    entry.character = body.name;
+    for (const PartCurve& curve : proposed.curves)
+        entry.curves.push_back(curveEntry(curve));
+    for (const PartDescription& part : proposed.parts)
+        entry.parts.emplace_back().part = part;
+    return entry;
+}
+
+std::vector<VariationEntry> sampleVariations(const std::string& character)
+{
+    VariationEntry walking =
+        variationOf("walking", character, {"walk 1", "jog 1", "left turn 1", "right turn 1"});
+    SamplesEntry between = samplesOf("walk 1", 2);
+    between.to = "jog 1";
+    between.weight = 0.3;
+    walking.samples = {samplesOf("walk 1", 5), between};
+    VariationEntry jumping =
+        variationOf("jumping", character, {"short jump 1", "long jump 1", "low jump 1", "high jump 1"});
+    jumping.samples = {samplesOf("short jump 1", 3)};
+    return {walking, jumping};
+}
+
+} // namespace quadrille

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/project.h"
+#include "model/sample/sample.h"
+
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+// Entries of the sample project, about its character.
+
+/// The papers' tables that take seconds.
+std::vector<EvaluationEntry> sampleEvaluations(const std::string& character);
+std::vector<ExportEntry> sampleExports();
+/// One animation for each kind of constraint.
+std::vector<AnimationEntry> sampleAnimations(const std::string& character);
+/// The five parts that are proposed for its body.
+BodyPartsEntry sampleBodyParts(const SampleBody& body);
+/// Walking and jumping, as in CVS Fig. 8 and 9.
+std::vector<VariationEntry> sampleVariations(const std::string& character);
+
+} // namespace quadrille

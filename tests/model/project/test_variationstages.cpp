@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/jsontext.h"
+#include "model/project/madeclips.h"
+#include "model/project/validate.h"
+#include "tests/model/project/tubeproject.h"
+
+#include <gmock/gmock.h>
+
+using namespace quadrille;
+using namespace quadrille::test;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+namespace {
+
+class VariationStages : public TubeProject
+{
+protected:
+    std::vector<std::int64_t> shape(const std::string& name) { return item(name).shape(); }
+    std::string problem(const std::string& target = "variations")
+    {
+        const RebuildReport report = run(target);
+        for (const StageReport& stage : report.stages) {
+            if (stage.error)
+                return stage.error->what();
+        }
+        return "none";
+    }
+    std::vector<Vec3f> frames(const std::string& clip) { return loadFrames(opened(clip)); }
+};
+
+} // namespace
+
+TEST_F(VariationStages, OfferTheDataOfEachPart)
+{
+    computed(run("variations"));
+    const std::string base = "variations/sway/base/";
+    // Rings 0 … 8 are the base's, with the overlap; its rows end with the displacements.
+    EXPECT_THAT(shape(base + "training"), ElementsAre(36, 9 * tubeSides * 3 + 6));
+    EXPECT_THAT(shape(base + "mean"), ElementsAre(9 * tubeSides * 3 + 6));
+    EXPECT_THAT(shape(base + "latents"), ElementsAre(36, 3));
+    EXPECT_THAT(shape(base + "hyperparameters"), ElementsAre(7));
+    // As many candidates as may be needed, on the frames of the reference.
+    EXPECT_THAT(shape(base + "samples"), ElementsAre(4, 18, 3));
+    const auto spans =
+        std::get<std::vector<std::int64_t>>(std::get<DataArray>(item(base + "spans").content).values);
+    EXPECT_THAT(spans, ElementsAre(0, 17, 18, 35));
+    const auto objective =
+        std::get<std::vector<double>>(std::get<DataArray>(item(base + "objective").content).values);
+    ASSERT_GT(objective.size(), 2U);
+    EXPECT_LT(objective.back(), objective.front());
+    // Rings 6 … 13 are the tip's; it has no displacements.
+    EXPECT_THAT(shape("variations/sway/tip/training"), ElementsAre(36, 8 * tubeSides * 3));
+}
+
+TEST_F(VariationStages, CentreTheTrainingRows)
+{
+    computed(run("variations/sway/tip/model"));
+    const DataItem found = item("variations/sway/tip/training");
+    const auto& array = std::get<DataArray>(found.content);
+    const auto& values = std::get<std::vector<double>>(array.values);
+    const Eigen::Map<const RowMatrix> rows(values.data(), array.shape[0], array.shape[1]);
+    EXPECT_LT(rows.colwise().mean().cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_GT(rows.cwiseAbs().maxCoeff(), 0.01);
+}
+
+TEST_F(VariationStages, MakeClipsInTheTimingOfWhatTheyVary)
+{
+    computed(run("variations"));
+    const MeshSequence take = opened("sequences/calm");
+    const MeshSequence first = opened("variations/sway/1");
+    EXPECT_EQ(first.frameCount(), take.frameCount());
+    EXPECT_EQ(first.topology->vertexCount(), take.topology->vertexCount());
+    const std::vector<Vec3f> one = frames("variations/sway/1");
+    const std::vector<Vec3f> two = frames("variations/sway/2");
+    const std::vector<Vec3f> captured = loadFrames(take);
+    double between = 0;
+    double fromTake = 0;
+    for (std::size_t v = 0; v < one.size(); ++v) {
+        between = std::max(between, static_cast<double>((one[v] - two[v]).norm()));
+        fromTake = std::max(fromTake, static_cast<double>((one[v] - captured[v]).norm()));
+    }
+    // Different from each other, and still the movement: the tube is 1.4 m long.
+    EXPECT_GT(between, 1e-4);
+    EXPECT_LT(fromTake, 0.3);
+    const auto sources = column<std::string>("variations/sway/1/frames", "sequence");
+    EXPECT_THAT(sources, Contains("calm"));
+    EXPECT_THAT(sources, Not(Contains("wild")));
+}
+
+TEST_F(VariationStages, GiveTheSameAgainForAnyNumberOfThreads)
+{
+    computed(run("variations"));
+    const std::vector<Vec3f> before = frames("variations/sway/2");
+    rebuild(project, folder / "p.quadrille", {.targets = {"variations"}, .jobs = 1, .force = true});
+    EXPECT_EQ(frames("variations/sway/2"), before);
+}
+
+TEST_F(VariationStages, KeepModelsWhenOnlySamplesChange)
+{
+    computed(run("variations"));
+    sway().samples.front().seed = 7;
+    const auto names = computed(run("variations"));
+    EXPECT_THAT(names, Contains("variations/sway/tip/samples"));
+    EXPECT_THAT(names, Not(Contains("variations/sway/tip/model")));
+    sway().samples.front().discarded = {1};
+    EXPECT_TRUE(computed(run("variations")).empty());
+    sway().learning.seed = 3;
+    EXPECT_THAT(computed(run("variations/sway/tip/model")), ElementsAre("variations/sway/tip/model"));
+}
+
+TEST_F(VariationStages, VaryBlendsOfTakes)
+{
+    BlendEntry blend;
+    blend.from = "calm";
+    blend.to = "wild";
+    sway().blends = {blend};
+    SamplesEntry between;
+    between.of = "calm";
+    between.to = "wild";
+    between.weight = 0.25;
+    between.count = 1;
+    sway().samples = {between};
+    computed(run("variations"));
+    EXPECT_THAT(shape("variations/sway/tip/latents"), ElementsAre(54, 3));
+    // A quarter of the way from 18 frames to 15.
+    EXPECT_NEAR(static_cast<double>(opened("variations/sway/1").frameCount()), 17.25, 0.8);
+    const auto lambda = column<double>("variations/sway/1/frames", "lambda");
+    EXPECT_NEAR(lambda[lambda.size() / 2], 0.25, 1e-12);
+}
+
+TEST_F(VariationStages, AreSourcesOfSequencesAndExports)
+{
+    project.sequences.push_back(sequenceOf("again", "clip:variations/sway/2"));
+    ExportEntry entry;
+    entry.name = "again";
+    entry.what = "sequences/again";
+    entry.path = "again.pc2";
+    project.exports = {entry};
+    EXPECT_FALSE(hasErrors(validate(project)));
+    computed(run("exports"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "again.pc2"));
+    EXPECT_EQ(frames("sequences/again"), frames("variations/sway/2"));
+}
+
+TEST_F(VariationStages, CannotLearnFromThemselves)
+{
+    project.sequences.push_back(sequenceOf("again", "clip:variations/sway/2"));
+    sway().training.emplace_back().sequence = "again";
+    std::string texts;
+    for (const ProjectProblem& each : validate(project))
+        texts += each.toString();
+    EXPECT_THAT(texts, HasSubstr("its own source"));
+}
+
+TEST_F(VariationStages, AreWrittenAsDataSetsWithoutTheDiscarded)
+{
+    sway().samples.front().count = 3;
+    sway().samples.front().discarded = {2};
+    ExportEntry entry;
+    entry.name = "all";
+    entry.what = "variations/sway";
+    entry.path = "set/sway.npy";
+    project.exports = {entry};
+    computed(run("exports"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "set/sway_1.npy"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "set/sway_2.npy"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "set/sway_3.npy"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "set/sway_tip_latents.npy"));
+    const auto json = nlohmann::json::parse(textOf(folder / "set/sway.json"));
+    ASSERT_EQ(json["variations"].size(), 2U);
+    EXPECT_EQ(json["variations"][1]["variation"], 3);
+    EXPECT_EQ(json["variations"][1]["file"], "sway_3.npy");
+    EXPECT_EQ(json["variations"][1]["of"], "calm");
+    EXPECT_EQ(json["variations"][1]["frames"]["source-frame"].size(), 18U);
+    EXPECT_EQ(json["latents"]["tip"], "sway_tip_latents.npy");
+}
+
+TEST_F(VariationStages, RejectWhatIsBadAndSayWhichIsMissing)
+{
+    sway().limits.poseDistance = 1e-9;
+    EXPECT_THAT(problem(), HasSubstr("There is no variation 1"));
+    const auto faults = column<std::string>("variations/sway/report", "faults");
+    ASSERT_EQ(faults.size(), 4U);
+    EXPECT_THAT(faults, Contains(HasSubstr("pose-distance")));
+}
+
+TEST_F(VariationStages, SayWhatIsWrongWithTheirTakesAndCurves)
+{
+    project.bodyParts.front().curves[0].curve.vertices[3] = VertexIndex(5000);
+    EXPECT_THAT(problem(), HasSubstr("low"));
+    project.bodyParts.front().curves[0] = tubeRing("low", 6);
+    project.bodyParts.front().curves[0].curve.vertices.pop_back();
+    EXPECT_THAT(problem(), HasSubstr("low"));
+    project.bodyParts.front().curves[0] = tubeRing("low", 6);
+    write("short", 3, 0.05);
+    project.sequences.push_back(sequenceOf("short", "short"));
+    sway().training[1].sequence = "short";
+    EXPECT_THAT(problem(), HasSubstr("short"));
+}
+
+TEST_F(VariationStages, LearnFromTakesThatStandStill)
+{
+    for (const char* take : {"calm", "wild"}) {
+        for (int f = 0; f < 18; ++f)
+            folder.write(take + ("/f_" + std::to_string(100 + f)) + ".obj", bentTube(0, 0.05));
+    }
+    EXPECT_EQ(problem(), "none");
+}
+
+TEST_F(VariationStages, AreRefusedWhereTheProjectAsksForTheImpossible)
+{
+    sway().samples.front().to = "wild";
+    sway().samples.front().weight = 1.5;
+    sway().learning.dimensions = 0;
+    sway().training.push_back(sway().training.front());
+    sway().reference = "jump";
+    std::string texts;
+    for (const ProjectProblem& each : validate(project))
+        texts += each.pointer + ": " + each.toString() + "\n";
+    for (const char* expected :
+         {"/variations/0/samples/0/weight: The weight of a blend must be from 0 to 1",
+          "/variations/0/learning/dimensions: ", "/variations/0/sequences/2: The take “calm” is here twice",
+          "/variations/0/reference: “jump” is none of the takes"})
+        EXPECT_THAT(texts, HasSubstr(expected));
+}
+
+TEST_F(VariationStages, CompareModelsWithPrincipalComponents)
+{
+    EvaluationEntry evaluation;
+    evaluation.table = "cvs-fig4";
+    project.evaluations = {evaluation};
+    computed(run("evaluations"));
+    EXPECT_THAT(column<std::string>("evaluation/cvs-fig4", "part"), ElementsAre("base", "tip"));
+    for (const double error : column<double>("evaluation/cvs-fig4", "model-error"))
+        EXPECT_TRUE(error > 0 && error < 0.01) << error;
+}
