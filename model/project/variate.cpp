@@ -126,9 +126,9 @@ std::shared_ptr<const Movement> VariationWork::movement(const Progress& progress
     const std::vector<Vec3f> pose =
         m_entry.templatePose ? namedPose(*m_entry.templatePose, progress) : std::vector<Vec3f>();
     const std::size_t reference = m_entry.reference.empty() ? 0 : takeIndex(m_entry.reference);
-    m_movement =
-        std::make_shared<const Movement>(makeMovement(takes.takes, reference, cutParts(takes, progress),
-                                                      blends, settings, pose, progress.part(opening, 1)));
+    m_movement = std::make_shared<const Movement>(
+        makeMovement(takes, reference, cutParts(takes.front().sequence, progress), blends, settings, pose,
+                     progress.part(opening, 1)));
     std::vector<MeshSequence> sequences;
     for (const TrainingTake& take : takes)
         sequences.push_back(take.sequence);

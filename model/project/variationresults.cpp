@@ -47,7 +47,7 @@ std::string toText(TakeUse use)
         return "whole";
     case TakeUse::TooShort:
         return "too short for a cycle";
-    case TakeUse::NoMatch:
+    case TakeUse::NoCycle:
         return "no cycle found";
     }
     return {};

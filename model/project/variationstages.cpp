@@ -6,7 +6,7 @@
 #include "model/project/clipresult.h"
 #include "model/project/lengthunit.h"
 #include "model/project/madeclips.h"
-#include "model/project/tablebuilder.h"
+#include "model/project/stage.h"
 #include "model/project/variate.h"
 #include "model/project/variationjson.h"
 #include "model/project/variationresults.h"
@@ -118,14 +118,14 @@ private:
         made.compute = [work = m_work, name = m_parts[part], model](const StageContext& context,
                                                                     const Progress& progress) {
             const auto movement = work->movement(progress.part(0, 0.1));
-            const std::size_t part = movement->parts.indexOf(name);
+            const std::size_t index = movement->parts.indexOf(name);
             const GpdmState state = stateOf(context.resultOf(model));
             const std::vector<SamplesEntry>& sets = work->entry().samples;
             std::vector<PartVariations> drawn;
             for (std::size_t s = 0; s < sets.size(); ++s) {
                 const double share = 0.9 / static_cast<double>(sets.size());
                 const double at = 0.1 + share * static_cast<double>(s);
-                drawn.push_back(drawPart(*movement, part, state, work->subject(sets[s]),
+                drawn.push_back(drawPart(*movement, index, state, work->subject(sets[s]),
                                          candidatesFor(sets[s].count), sets[s].seed, work->entry().chain,
                                          progress.part(at, at + share)));
             }
