@@ -60,6 +60,8 @@ std::string toText(GpdmStop stop)
         return "converged";
     case GpdmStop::IterationLimit:
         return "iteration limit";
+    case GpdmStop::Stalled:
+        return "stalled";
     case GpdmStop::Cancelled:
         return "cancelled";
     }
