@@ -55,10 +55,14 @@ Movement makeMovement(std::span<const TrainingTake> takes, std::size_t reference
 {
     for (const MovementBlend& blend : blends)
         checkBlend(blend, takes.size());
+    // Limbs that swing do not turn the body against the template.
+    AlignmentSettings alignment = settings.alignment;
+    if (alignment.anchor.empty())
+        alignment.anchor = anchorVertices(parts);
     constexpr double aligning = 0.5;
     Movement movement{.topology = takes.empty() ? nullptr : takes.front().sequence.topology,
                       .parts = parts,
-                      .alignment = alignTakes(takes, reference, settings.alignment, templatePose,
+                      .alignment = alignTakes(takes, reference, alignment, templatePose,
                                               progress.part(0, blends.empty() ? 1 : aligning)),
                       .blends = blends,
                       .training = {}};
