@@ -101,6 +101,21 @@ void stitchAlongSeams(benchmark::State& state)
     }
 }
 
+/// The same, and no triangle stretches further than in some poses.
+void stitchKeepingShapes(benchmark::State& state)
+{
+    const Subject& s = subject();
+    const std::vector<Vec3f>& rest = s.parted.bar.positions;
+    const Stitching stitching(s.parted.bar.topology, s.parted.parts, rest, std::vector<Positions>{rest});
+    const std::vector<Positions> poses = s.firstFrame();
+    std::vector<Vec3f> out(rest.size());
+    const Stitching::Seams seams = stitching.stitch(poses, out);
+    for (auto _ : state) {
+        stitching.stitch(poses, seams, out);
+        benchmark::DoNotOptimize(out.data());
+    }
+}
+
 void stitchOneFramePlainly(benchmark::State& state)
 {
     const Subject& s = subject();
@@ -161,6 +176,7 @@ void shares(benchmark::State& state)
 
 BENCHMARK(stitchOneFrame)->Unit(benchmark::kMicrosecond);
 BENCHMARK(stitchAlongSeams)->Unit(benchmark::kMicrosecond);
+BENCHMARK(stitchKeepingShapes)->Unit(benchmark::kMicrosecond);
 BENCHMARK(stitchOneFramePlainly)->Unit(benchmark::kMicrosecond);
 BENCHMARK(stitchManyFrames)->Unit(benchmark::kMicrosecond)->UseRealTime();
 BENCHMARK(prepareStitching)->Unit(benchmark::kMicrosecond);
