@@ -44,6 +44,19 @@ void PieceRouter::setObstacles(std::span<const VertexIndex> vertices)
     }
 }
 
+bool PieceRouter::isClosed(std::span<const VertexIndex> vertices) const
+{
+    std::vector<bool> isPassed(m_graph->vertexCount());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const VertexIndex v = vertices[i];
+        const VertexIndex next = vertices[(i + 1) % vertices.size()];
+        if (v.value >= isPassed.size() || isPassed[v.value] || !m_graph->haveEdge(v, next))
+            return false;
+        isPassed[v.value] = true;
+    }
+    return vertices.size() >= 3;
+}
+
 void PieceRouter::check(const std::vector<VertexIndex>& points) const
 {
     for (auto p = points.begin(); p != points.end(); ++p) {

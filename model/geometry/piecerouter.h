@@ -26,6 +26,9 @@ public:
 
     void setObstacles(std::span<const VertexIndex> vertices);
 
+    /// Whether vertices are a closed row of edges of this mesh, each passed once.
+    bool isClosed(std::span<const VertexIndex> vertices) const;
+
     /// Routes what is missing. \return one piece per point; none where so few points bound nothing.
     /// \throws Error as SurfaceCurve::setPoints.
     Pieces routed(const std::vector<VertexIndex>& points, Pieces kept);

@@ -2,21 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "model/geometry/surfacecurve.h"
 
-#include "model/core/error.h"
 #include "model/geometry/piecerouter.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 
 namespace quadrille {
 
-class SurfaceCurve::Router : public PieceRouter
-{
-public:
-    using PieceRouter::PieceRouter;
-};
-
 SurfaceCurve::SurfaceCurve(std::shared_ptr<const SurfaceGraph> graph, const CurveSettings& settings)
-    : m_router(std::make_unique<Router>(std::move(graph), settings))
+    : m_router(std::make_unique<PieceRouter>(std::move(graph), settings))
 {
 }
 
@@ -41,6 +36,10 @@ void SurfaceCurve::route(std::vector<VertexIndex> points, Pieces kept)
 
 void SurfaceCurve::restore(std::vector<VertexIndex> points, std::vector<VertexIndex> vertices)
 {
+    if (!m_router->isClosed(vertices)) {
+        setPoints(std::move(points));
+        return;
+    }
     // Turned so that the first point comes first, then in either direction.
     for (const bool isReversed : {false, true}) {
         if (isReversed)
@@ -48,8 +47,9 @@ void SurfaceCurve::restore(std::vector<VertexIndex> points, std::vector<VertexIn
         if (!points.empty())
             std::rotate(vertices.begin(), std::ranges::find(vertices, points.front()), vertices.end());
         std::vector<std::size_t> starts;
-        for (const VertexIndex p : points)
-            starts.push_back(static_cast<std::size_t>(std::ranges::find(vertices, p) - vertices.begin()));
+        std::ranges::transform(points, std::back_inserter(starts), [&](VertexIndex p) {
+            return static_cast<std::size_t>(std::ranges::find(vertices, p) - vertices.begin());
+        });
         if (!std::ranges::is_sorted(starts, std::less_equal<>()) ||
             (!starts.empty() && (starts.front() != 0 || starts.back() == vertices.size())))
             continue;

@@ -10,6 +10,8 @@
 
 namespace quadrille {
 
+class PieceRouter;
+
 struct CurveSettings
 {
     /// How much creases attract a curve, 0 … 1: the share of its cost that a way along a full crease is
@@ -23,8 +25,8 @@ struct CurveSettings
 ///
 /// It closes itself at every moment: one point gives the shortest loop around the limb there, two the
 /// shortest loop around it through both; with more the pieces go the shorter way, except for one that goes
-/// round where the curve would not surround anything otherwise. Where a point has nothing to go around (a
-/// sheet, a ball) one or two points give no curve yet.
+/// round where the curve would not surround anything otherwise. Where there is nothing to go around (a
+/// sheet) one or two points give no curve yet.
 ///
 /// An edit re-routes the pieces beside the point alone; the other pieces and the obstacles are gone around.
 /// Cost: about the surface within the length of the two pieces.
@@ -40,7 +42,8 @@ public:
     void setObstacles(std::span<const VertexIndex> vertices);
 
     /// A curve as it was stored: nothing is routed. \param vertices  a closed curve through the points in
-    /// their order (or against it); where it does not pass them, it is routed anew.
+    /// their order (or against it); where it does not pass them, or is none on this mesh, a curve is routed
+    /// anew. \throws Error as setPoints.
     void restore(std::vector<VertexIndex> points, std::vector<VertexIndex> vertices);
 
     /// Every edit leaves the curve as it was when it throws.
@@ -63,7 +66,6 @@ public:
     std::size_t pointAfter(std::size_t place) const;
 
 private:
-    class Router;
     /// From each point the vertices up to the next one, without it; empty where it is still to be routed.
     using Pieces = std::vector<std::vector<VertexIndex>>;
     void route(std::vector<VertexIndex> points, Pieces kept);
@@ -71,7 +73,7 @@ private:
     std::vector<VertexIndex> m_points;
     Pieces m_pieces;
     std::vector<VertexIndex> m_vertices;
-    std::unique_ptr<Router> m_router;
+    std::unique_ptr<PieceRouter> m_router;
 };
 
 /// Length over the edges, metres. \param curve  closed.

@@ -252,6 +252,13 @@ TEST(SurfaceCurve, TakesUpWhatWasStored)
     EXPECT_EQ(setOf(curve.vertices()), setOf(ring(24, 33)));
     curve.restore({}, stored);
     EXPECT_EQ(curve.vertices(), stored);
+    // One from another mesh, too.
+    stored[3] = VertexIndex(40000);
+    curve.restore(points, stored);
+    EXPECT_EQ(setOf(curve.vertices()), setOf(ring(24, 30)));
+    EXPECT_EQ(codeOf([&] { curve.restore({VertexIndex(40000)}, stored); }), ErrorCode::CurveVertexOutside);
+    curve.restore({}, stored);
+    EXPECT_TRUE(curve.vertices().empty());
 }
 
 TEST(SurfaceCurve, IsTheSameWhereverTheBodyStands)
