@@ -108,7 +108,7 @@ void choose(const Candidates& candidates, int count, const Progress& progress, T
 
 TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const RowMatrix& trajectory, int count,
                                      std::uint64_t seed, const HmcSettings& settings,
-                                     const Progress& progress, const VariationLimits& limits)
+                                     const Progress& progress, const TrajectoryLimits& limits)
 {
     if (trajectory.rows() == 0)
         refuse("the trajectory has no positions", "choose a learned trajectory");

@@ -60,14 +60,14 @@ private:
 
 /// How far variations may go. A model knows little of what lies between its training takes, and trajectories
 /// that leave them give poses that nobody would take.
-struct VariationLimits
+struct TrajectoryLimits
 {
     double spread = 1; ///< scale of all innovations at most: 1 is what the model says
     /// Trajectories that go further from all training latents are rejected, in mean steps of the training.
     /// Where less than a quarter of them keep within it, the spread is made smaller.
     double reach = 1;
 
-    bool operator==(const VariationLimits&) const = default;
+    bool operator==(const TrajectoryLimits&) const = default;
 };
 
 struct TrajectorySamples
@@ -88,7 +88,7 @@ struct TrajectorySamples
 /// positions, limits that are negative or no numbers), Cancelled.
 TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const RowMatrix& trajectory, int count,
                                      std::uint64_t seed, const HmcSettings& settings = {},
-                                     const Progress& progress = {}, const VariationLimits& limits = {});
+                                     const Progress& progress = {}, const TrajectoryLimits& limits = {});
 
 /// How a drawn pose deviates from the mean.
 enum class PoseDeviation

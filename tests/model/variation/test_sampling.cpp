@@ -16,7 +16,7 @@ using namespace quadrille::test;
 
 namespace {
 
-constexpr VariationLimits anywhere{.reach = std::numeric_limits<double>::infinity()};
+constexpr TrajectoryLimits anywhere{.reach = std::numeric_limits<double>::infinity()};
 
 Eigen::VectorXd laterPositions(const RowMatrix& trajectory)
 {
@@ -157,7 +157,7 @@ TEST(TrajectorySamples, comeCloserToTheMeanPredictionWithLessSpread)
     const RowMatrix learned = loops.trajectory(0);
     const RowMatrix mean = dynamics.meanPrediction(learned.row(0), 20);
     const auto distance = [&](double spread) {
-        VariationLimits limits = anywhere;
+        TrajectoryLimits limits = anywhere;
         limits.spread = spread;
         double sum = 0;
         for (const RowMatrix& trajectory :
@@ -203,8 +203,9 @@ TEST(TrajectorySamples, refuseWhatHasNoSense)
     const GpdmDynamics dynamics(loops.state, loops.spans);
     EXPECT_EQ(codeOf([&] { sampleTrajectories(dynamics, RowMatrix(0, 3), 1, 1); }), ErrorCode::BadArgument);
     const double infinity = std::numeric_limits<double>::infinity();
-    for (const VariationLimits& limits : {VariationLimits{.spread = -1}, VariationLimits{.spread = infinity},
-                                          VariationLimits{.reach = -1}, VariationLimits{.reach = NAN}})
+    for (const TrajectoryLimits& limits :
+         {TrajectoryLimits{.spread = -1}, TrajectoryLimits{.spread = infinity}, TrajectoryLimits{.reach = -1},
+          TrajectoryLimits{.reach = NAN}})
         EXPECT_EQ(codeOf([&] { sampleTrajectories(dynamics, loops.state.latents, 1, 1, {}, {}, limits); }),
                   ErrorCode::BadArgument);
     EXPECT_TRUE(sampleTrajectories(dynamics, loops.state.latents, 0, 1).trajectories.empty());
