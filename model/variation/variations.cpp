@@ -60,6 +60,18 @@ std::vector<RowMatrix> allRows(const LearnedMovement& learned, const LatentVaria
     return rows;
 }
 
+/// All poses learned from: they tell how far triangles stretch.
+std::vector<Positions> learnedPoses(const Movement& movement)
+{
+    const std::size_t count = movement.topology->vertexCount();
+    std::vector<Positions> poses;
+    for (const AlignedTake& take : movement.alignment.takes) {
+        for (std::size_t at = 0; at < take.poses.size(); at += count)
+            poses.push_back(Positions(take.poses).subspan(at, count));
+    }
+    return poses;
+}
+
 std::vector<Vec3f> stitched(const LearnedMovement& learned, const std::vector<RowMatrix>& rows,
                             const Progress& progress)
 {
@@ -83,7 +95,8 @@ std::vector<Vec3f> stitched(const LearnedMovement& learned, const std::vector<Ro
 LearnedMovement::LearnedMovement(std::shared_ptr<const Movement> movement, std::vector<GpdmState> states)
     : m_movement(std::move(movement))
     , m_states(std::move(states))
-    , m_stitching(m_movement->topology, m_movement->parts, m_movement->alignment.templatePose)
+    , m_stitching(m_movement->topology, m_movement->parts, m_movement->alignment.templatePose,
+                  learnedPoses(*m_movement))
 {
     for (std::size_t p = 0; p < m_states.size(); ++p) {
         const PartTraining& training = m_movement->training.at(p);
