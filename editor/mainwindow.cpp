@@ -260,6 +260,8 @@ void MainWindow::connectAll()
     connect(m_export, &ExportFlow::exported, this, [this](const QStringList& files) {
         showMessage(tr("Exported to %1").arg(files.value(0)), files);
     });
+    connect(m_variations, &VariationsWorkspace::exportAsked, this,
+            [this](const QString& clip) { m_export->exportClips({clip}); });
     connect(m_pictures, &PictureFlow::saved, this,
             [this](const QStringList& files) { showMessage(tr("Saved to %1").arg(files.value(0)), files); });
     connect(m_import, &ImportFlow::failed, this, [this](const Error& error) {

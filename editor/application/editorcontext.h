@@ -9,6 +9,7 @@
 #include "editor/documents/projectdocument.h"
 #include "editor/documents/selection.h"
 #include "editor/documents/sequencemedia.h"
+#include "editor/documents/variationmedia.h"
 #include "editor/errors/issuelog.h"
 #include "editor/jobs/jobrunner.h"
 #include "editor/language/languagemanager.h"
@@ -25,6 +26,7 @@ struct EditorContext
         , media(document, jobs)
         , graphs(document, jobs)
         , animations(document, graphs, jobs)
+        , variations(document, jobs)
     {
         languages.setLanguage(settings.language());
     }
@@ -39,6 +41,7 @@ struct EditorContext
     SequenceMedia media;
     GraphMedia graphs;
     AnimationMedia animations;
+    VariationMedia variations;
 };
 
 } // namespace quadrille

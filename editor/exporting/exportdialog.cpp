@@ -104,6 +104,7 @@ void ExportDialog::makeControls()
     };
     addClips(m_context.document.project().sequences, "sequences/");
     addClips(m_context.document.project().animations, "animations/");
+    addClips(m_context.document.project().variations, "variations/");
     m_clip->setEnabled(m_plan.clips.size() == 1);
     m_choosePlace->setIcon(widgets::icons::icon(QStringLiteral("folder")));
     m_files->setWordWrap(true);
@@ -171,11 +172,18 @@ void ExportDialog::connectAll()
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::start);
 }
 
+bool ExportDialog::isDataSet() const
+{
+    return m_plan.clips.front().startsWith(QLatin1String("variations/"));
+}
+
 const MeshSequence* ExportDialog::sequence() const
 {
     const QString& clip = m_plan.clips.front();
     if (clip.startsWith(QLatin1String("sequences/")))
         return m_context.media.sequence(nameOfClip(clip));
+    if (isDataSet())
+        return m_context.variations.clip(nameOfClip(clip), 1);
     const auto result = m_context.animations.result(nameOfClip(clip));
     return result && result->isFinal ? &result->sequence : nullptr;
 }
@@ -199,7 +207,7 @@ void ExportDialog::readControls()
     entry.axes = m_axes->axes() == settings.axes ? std::nullopt : std::optional(m_axes->axes());
     const FrameRange range{FrameIndex(m_first->value()), FrameIndex(m_last->value())};
     const MeshSequence* shown = sequence();
-    const bool isWhole = shown == nullptr || range == FrameRange::all(shown->frameCount());
+    const bool isWhole = shown == nullptr || isDataSet() || range == FrameRange::all(shown->frameCount());
     entry.range = isWhole || m_plan.clips.size() > 1 ? std::nullopt : std::optional(range);
     if (m_plan.isPicture())
         entry.picture = picture();
@@ -234,7 +242,7 @@ void ExportDialog::showPlan()
         m_first->setValue(static_cast<int>(range.first.value));
         m_last->setValue(static_cast<int>(range.last.value));
     }
-    m_first->setEnabled(m_plan.clips.size() == 1 && sequence() != nullptr);
+    m_first->setEnabled(m_plan.clips.size() == 1 && !isDataSet() && sequence() != nullptr);
     m_last->setEnabled(m_first->isEnabled());
     m_fps->setValue(entry.fps.value_or(settings.fps));
     m_axes->setProjectAxes(settings.axes);
@@ -263,7 +271,9 @@ void ExportDialog::showFacts()
     QString text = m_plan.filesText(m_plan.entries().front(), frames.value_or(1));
     if (m_plan.clips.size() > 1)
         text = tr("%1, and %n more", nullptr, static_cast<int>(m_plan.clips.size() - 1)).arg(text);
-    if (frames) {
+    if (isDataSet()) {
+        text = tr("%1 … · all variations that are kept, their latents, and a description").arg(text);
+    } else if (frames) {
         const double seconds = static_cast<double>(*frames) / m_plan.entry.fps.value_or(settings.fps);
         text = tr("%1 · %n frame(s), %2 s", "files · frames, seconds", static_cast<int>(*frames))
                    .arg(text, QLocale().toString(seconds, 'f', 2));

@@ -58,6 +58,8 @@ private:
     void setBusy(bool busy);
     void retranslate();
     void chooseClip();
+    /// Whether all variations of an entry go out together.
+    bool isDataSet() const;
     /// Frames of the first clip as the project has it; null while it is not ready.
     const MeshSequence* sequence() const;
     /// Nothing while the clip is not ready.

@@ -14,17 +14,16 @@ namespace quadrille {
 ExportFlow::ExportFlow(EditorContext& context, QWidget* window)
     : QObject(window), m_context(context), m_window(window)
 {
-    context.actions.add(
-        {"file.export",
-         [] { return tr("File"); },
-         [] { return tr("&Export…"); },
-         [] {
-             return tr(
-                 "Write the selected sequences or animation in another format, or as pictures or video");
-         },
-         "export",
-         {QKeySequence(Qt::CTRL | Qt::Key_E)}},
-        [this] { exportSelection(); });
+    context.actions.add({"file.export",
+                         [] { return tr("File"); },
+                         [] { return tr("&Export…"); },
+                         [] {
+                             return tr("Write the selected sequences, animation or variations in another "
+                                       "format, or as pictures or video");
+                         },
+                         "export",
+                         {QKeySequence(Qt::CTRL | Qt::Key_E)}},
+                        [this] { exportSelection(); });
     connect(&context.selection, &Selection::changed, this, &ExportFlow::updateAction);
     connect(&context.document, &ProjectDocument::changed, this, &ExportFlow::updateAction);
     updateAction();
@@ -52,6 +51,8 @@ QStringList ExportFlow::selectedClips() const
     const Selection& selection = m_context.selection;
     if (selection.current().section == Section::Animations && !selection.current().name.isEmpty())
         return {QStringLiteral("animations/") + selection.current().name};
+    if (selection.current().section == Section::Variations && !selection.current().name.isEmpty())
+        return {QStringLiteral("variations/") + selection.current().name};
     QStringList names = selection.sequences();
     if (names.isEmpty() && !selection.shownSequence().isEmpty())
         names = {selection.shownSequence()};

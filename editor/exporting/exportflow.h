@@ -11,7 +11,7 @@ namespace quadrille {
 
 struct EditorContext;
 
-/// Lets sequences, animations and the project's exports go out.
+/// Lets sequences, animations, variations and the project's exports go out.
 class ExportFlow : public QObject
 {
     Q_OBJECT
@@ -20,7 +20,7 @@ public:
     /// \param window what dialogs belong to.
     ExportFlow(EditorContext& context, QWidget* window);
 
-    /// Asks how some clips shall go out, each "sequences/NAME" or "animations/NAME".
+    /// Asks how some clips shall go out, each "sequences/NAME" or "animations/NAME", or "variations/NAME".
     void exportClips(const QStringList& clips);
     /// Shows an export of the project, to be changed and written again.
     void editExport(const QString& name);

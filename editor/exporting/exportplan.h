@@ -14,7 +14,7 @@ namespace quadrille {
 /// What an export dialog decides: one entry, and the clips that it is repeated for.
 struct ExportPlan
 {
-    QStringList clips; ///< "sequences/NAME" or "animations/NAME"
+    QStringList clips; ///< "sequences/NAME", "animations/NAME", or "variations/NAME" for all of them
     /// The entry of the first clip; the others' differ by name, `what` and file name only.
     ExportEntry entry;
     /// The entry of the project that is edited; empty for a new one.

@@ -327,7 +327,9 @@ void SequenceStage::colorFigures()
 {
     for (const Actor& actor : m_actors) {
         const auto index = static_cast<int>(m_names.indexOf(actor.name));
-        const QColor color = m_names.size() > 1 ? Theme::categorical(index) : QColor();
+        QColor color;
+        if (m_names.size() > 1)
+            color = m_source.color ? m_source.color(actor.name) : Theme::categorical(index);
         m_viewport.setFigureColor(actor.figure, color);
         const bool isDrawn = m_source.drawsWay || m_names.size() > 1;
         m_viewport.setTrajectory(actor.figure, isDrawn ? actor.path : std::vector<QVector3D>(),

@@ -32,6 +32,8 @@ public:
         /// The colour of a frame's ghost; that of captured frames where empty.
         std::function<QColor(const QString& name, std::int64_t frame)> ghostColor = {};
         bool drawsWay = true; ///< of one clip alone, over the ground
+        /// The colour of a clip among several; by their order where empty.
+        std::function<QColor(const QString& name)> color = {};
     };
 
     SequenceStage(widgets::Viewport& viewport, Source source, JobRunner& jobs, QObject* parent = nullptr);

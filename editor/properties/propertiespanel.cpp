@@ -10,6 +10,7 @@
 #include "editor/properties/exportpage.h"
 #include "editor/properties/projectpage.h"
 #include "editor/properties/sequencepage.h"
+#include "editor/properties/variationpage.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -30,6 +31,7 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
     , m_sequence(new SequencePage(context))
     , m_export(new ExportPage(context))
     , m_animation(new AnimationPage(context))
+    , m_variation(new VariationPage(context))
 {
     setObjectName(QStringLiteral("propertiesPanel"));
     setHelpPage(this, QStringLiteral("project"));
@@ -44,8 +46,8 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
     m_several->setMargin(12);
     m_several->setWordWrap(true);
     m_several->setAlignment(Qt::AlignTop | Qt::AlignLeading);
-    for (QWidget* page :
-         std::initializer_list<QWidget*>{m_project, m_character, m_sequence, m_export, m_animation}) {
+    for (QWidget* page : std::initializer_list<QWidget*>{m_project, m_character, m_sequence, m_export,
+                                                         m_animation, m_variation}) {
         auto* scroll = new QScrollArea;
         scroll->setWidgetResizable(true);
         scroll->setFrameShape(QFrame::NoFrame);
@@ -98,6 +100,8 @@ void PropertiesPanel::refresh()
         show(3, *m_export, current.name, current.name);
     } else if (current.section == Section::Animations && document.animation(current.name) != nullptr) {
         show(4, *m_animation, current.name, current.name);
+    } else if (current.section == Section::Variations && document.variation(current.name) != nullptr) {
+        show(5, *m_variation, current.name, current.name);
     } else {
         show(0, *m_project, {}, tr("Project"));
     }

@@ -33,6 +33,7 @@ private:
     PropertyForm* m_sequence;
     PropertyForm* m_export;
     PropertyForm* m_animation;
+    PropertyForm* m_variation;
 };
 
 } // namespace quadrille

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 
 namespace quadrille {
 
@@ -185,6 +186,25 @@ GpdmState stateOf(const Result& model)
     const std::vector<double>& h = doublesOf(model, "hyperparameters");
     state.hyperparameters = {h.at(0), h.at(1), h.at(2), h.at(3), h.at(4), h.at(5), h.at(6)};
     return state;
+}
+
+GpdmLearning learningOf(const Result& model)
+{
+    GpdmLearning learning{.state = stateOf(model), .objective = doublesOf(model, "objective")};
+    const DataTable& learned = model.tables.at(1);
+    const auto text = [&](std::size_t column) {
+        return std::get<std::vector<std::string>>(learned.columns.at(column).values).at(0);
+    };
+    constexpr std::size_t stopColumn = 0;
+    constexpr std::size_t boundsColumn = 3;
+    for (const GpdmStop stop : {GpdmStop::Converged, GpdmStop::IterationLimit, GpdmStop::Cancelled, GpdmStop::Stalled}) {
+        if (toText(stop) == text(stopColumn))
+            learning.stop = stop;
+    }
+    std::istringstream bounds(text(boundsColumn));
+    for (std::string name; std::getline(bounds >> std::ws, name, ',');)
+        learning.activeBounds.push_back(name);
+    return learning;
 }
 
 Result samplesResult(const std::vector<PartVariations>& sets, Eigen::Index frames, Eigen::Index dimensions)

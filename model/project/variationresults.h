@@ -18,6 +18,8 @@ Result modelResult(const PartTraining& training, const GpdmLearning& learning,
                    const std::vector<std::string>& takes);
 /// \pre The result is one of modelResult.
 GpdmState stateOf(const Result& model);
+/// All of it but the objectives of starts that did not win. \pre The result is one of modelResult.
+GpdmLearning learningOf(const Result& model);
 
 /// The latent trajectories of one part, of all sets of samples one after the other.
 Result samplesResult(const std::vector<PartVariations>& sets, Eigen::Index frames, Eigen::Index dimensions);

@@ -4,6 +4,12 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/commands/variationedits.h"
+#include "editor/workspaces/view/stageview.h"
+#include "model/variation/movement.h"
+#include "widgets/theme/theme.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace quadrille {
 
@@ -20,6 +26,11 @@ CurrentVariation::CurrentVariation(EditorContext& context, StageView& view, QObj
     connect(&context.selection, &Selection::changed, this, [this] {
         emit changed();
         emit bodyChanged();
+        emit resultChanged();
+    });
+    connect(&context.variations, &VariationMedia::changed, this, [this](const QString& name) {
+        if (name == this->name())
+            emit resultChanged();
     });
 }
 
@@ -48,6 +59,168 @@ QString CurrentVariation::character() const
 BodyPartsEntry CurrentVariation::body() const
 {
     return bodyPartsEntry(m_context.document.project(), character());
+}
+
+const VariationMedia::Medium* CurrentVariation::medium() const
+{
+    return m_context.variations.medium(name());
+}
+
+std::shared_ptr<const Movement> CurrentVariation::movement() const
+{
+    return medium() == nullptr ? nullptr : medium()->movement;
+}
+
+const std::vector<PartProgress>& CurrentVariation::parts() const
+{
+    static const std::vector<PartProgress> none;
+    return medium() == nullptr ? none : medium()->parts;
+}
+
+QString CurrentVariation::stateText() const
+{
+    using State = VariationMedia::State;
+    if (entry() == nullptr)
+        return tr("Add variations, then choose the takes to learn from.");
+    if (entry()->training.empty())
+        return tr("Check the takes to learn from in the panel Movement.");
+    if (medium() == nullptr)
+        return {};
+    switch (medium()->state) {
+    case State::Idle:
+        return tr("Aligning the takes was stopped.");
+    case State::Opening:
+        return tr("Aligning the takes…");
+    case State::NotLearned:
+        return tr("The takes are aligned: learn to draw variations of them.");
+    case State::Learning:
+        return tr("Learning…");
+    case State::Drawing:
+        return tr("Drawing variations…");
+    case State::Ready:
+        return medium()->isStopped ? tr("Learning was stopped: these are drawn from the best so far.")
+                                   : QString();
+    case State::Failed:
+        return tr("It did not work.");
+    }
+    return {};
+}
+
+int CurrentVariation::set() const
+{
+    const auto count = entry() == nullptr ? 0 : static_cast<int>(entry()->samples.size());
+    return std::clamp(m_set, std::min(0, count - 1), count - 1);
+}
+
+void CurrentVariation::setSet(int set)
+{
+    if (set == m_set)
+        return;
+    m_set = set;
+    m_hidden.clear();
+    emit changed();
+    emit resultChanged();
+}
+
+const SamplesEntry* CurrentVariation::samples() const
+{
+    return set() < 0 ? nullptr : &entry()->samples[static_cast<std::size_t>(set())];
+}
+
+std::vector<DrawnVariation> CurrentVariation::drawn() const
+{
+    const DrawnSet* own = drawnSet();
+    if (own == nullptr)
+        return {};
+    std::vector<DrawnVariation> drawn = own->variations;
+    for (DrawnVariation& each : drawn)
+        each.isDiscarded = std::ranges::count(samples()->discarded, each.inSet) > 0;
+    return drawn;
+}
+
+const DrawnSet* CurrentVariation::drawnSet() const
+{
+    if (samples() == nullptr || medium() == nullptr || medium()->drawn == nullptr)
+        return nullptr;
+    const auto& sets = *medium()->drawn;
+    const auto place = static_cast<std::size_t>(set());
+    return place < sets.size() ? &sets[place] : nullptr;
+}
+
+int CurrentVariation::rejectedCount() const
+{
+    return drawnSet() == nullptr ? 0 : drawnSet()->rejected;
+}
+
+std::optional<FrameRange> CurrentVariation::framesUsed() const
+{
+    const auto warp = shownWarp();
+    if (!warp || !samples()->to.empty())
+        return std::nullopt;
+    return warp->frames;
+}
+
+void CurrentVariation::setHidden(int inSet, bool hidden)
+{
+    if (hidden == isHidden(inSet))
+        return;
+    if (hidden)
+        m_hidden.insert(inSet);
+    else
+        m_hidden.remove(inSet);
+    emit resultChanged();
+}
+
+void CurrentVariation::setOriginalShown(bool shown)
+{
+    m_isOriginalShown = shown;
+    emit resultChanged();
+}
+
+QColor CurrentVariation::colorOf(int inSet)
+{
+    return widgets::Theme::categorical(inSet - 1);
+}
+
+std::optional<TakeWarp> CurrentVariation::shownWarp() const
+{
+    const auto own = movement();
+    const SamplesEntry* set = samples();
+    if (own == nullptr || set == nullptr)
+        return std::nullopt;
+    const auto warpOf = [&](const std::string& take) -> const TakeWarp* {
+        for (std::size_t i = 0; i < own->capturedCount(); ++i) {
+            if (own->take(i).name == take)
+                return &own->take(i).warp;
+        }
+        return nullptr;
+    };
+    const TakeWarp* first = warpOf(set->of);
+    const TakeWarp* second = set->to.empty() ? nullptr : warpOf(set->to);
+    if (first == nullptr)
+        return std::nullopt;
+    return second == nullptr ? *first : blendedWarp(*first, *second, set->weight);
+}
+
+std::optional<double> CurrentVariation::referenceFrame() const
+{
+    const auto warp = shownWarp();
+    if (!warp || warp->playback.empty())
+        return std::nullopt;
+    const std::int64_t last = static_cast<std::int64_t>(warp->playback.size()) - 1;
+    const std::int64_t frame = std::clamp<std::int64_t>(m_view.player().frame().value, 0, last);
+    return warp->playback[static_cast<std::size_t>(frame)];
+}
+
+void CurrentVariation::goToReference(double frame)
+{
+    const auto warp = shownWarp();
+    if (!warp || warp->playback.empty())
+        return;
+    const auto nearest = std::ranges::min_element(
+        warp->playback, {}, [frame](double position) { return std::abs(position - frame); });
+    m_view.player().pause();
+    m_view.player().goTo(nearest - warp->playback.begin());
 }
 
 void CurrentVariation::edit(const QString& text, const QString& property, const Edit& edit, EditPhase phase)

@@ -3,8 +3,12 @@
 #pragma once
 
 #include "editor/commands/changeentry.h"
+#include "editor/documents/variationmedia.h"
+#include "model/variation/timewarp.h"
 
+#include <QColor>
 #include <QObject>
+#include <QSet>
 #include <functional>
 
 namespace quadrille {
@@ -33,6 +37,38 @@ public:
     QString character() const;
     /// The parts of its body.
     BodyPartsEntry body() const;
+    /// How far it is; null without an entry.
+    const VariationMedia::Medium* medium() const;
+    /// The aligned takes; null without any.
+    std::shared_ptr<const Movement> movement() const;
+    /// What is known of the parts' models.
+    const std::vector<PartProgress>& parts() const;
+    /// What is going on or missing, in a sentence; empty where all is done.
+    QString stateText() const;
+
+    /// Which of the entry's samples are worked on.
+    int set() const;
+    void setSet(int set);
+    /// Null without any.
+    const SamplesEntry* samples() const;
+    /// The variations of those samples.
+    std::vector<DrawnVariation> drawn() const;
+    /// Whether the user took one of them from the view.
+    bool isHidden(int inSet) const { return m_hidden.contains(inSet); }
+    void setHidden(int inSet, bool hidden);
+    /// Drawings of the set that were not good enough.
+    int rejectedCount() const;
+    bool isOriginalShown() const { return m_isOriginalShown; }
+    void setOriginalShown(bool shown);
+    static QColor colorOf(int inSet);
+
+    /// The frames of the take that is varied that are used; nothing of blends.
+    std::optional<FrameRange> framesUsed() const;
+    /// The frame of the reference that is shown now: all that varies runs on it. Nothing without a movement.
+    std::optional<double> referenceFrame() const;
+    /// Shows the moment at a frame of the reference.
+    void goToReference(double frame);
+
     /// Changes the entry, undoably; without one, a new one is made first.
     /// \param text  what the history calls it, translated. \param property  see setVariation.
     void edit(const QString& text, const QString& property, const Edit& edit,
@@ -48,10 +84,19 @@ signals:
     void changed();
     /// The parts of the character's body are others, or another character's.
     void bodyChanged();
+    /// How far learning or drawing is, what was drawn, or which of it is shown is another now.
+    void resultChanged();
 
 private:
+    const DrawnSet* drawnSet() const;
+    /// The timing that the clips in the view have; nothing where it is not known.
+    std::optional<TakeWarp> shownWarp() const;
+
     EditorContext& m_context;
     StageView& m_view;
+    int m_set = 0;
+    QSet<int> m_hidden; ///< of the set
+    bool m_isOriginalShown = false;
 };
 
 } // namespace quadrille

@@ -230,7 +230,7 @@ void MovementPanel::refresh()
             : std::max(m_reference->findText(QString::fromStdString(shown.reference)), 0));
     m_template->setText(shown.templatePose ? tr("%1, frame %2")
                                                  .arg(QString::fromStdString(shown.templatePose->sequence))
-                                                 .arg(shown.templatePose->frame.value + 1)
+                                                 .arg(shown.templatePose->frame.value)
                                            : tr("the reference’s first frame"));
     m_cycles->setText(tr("Cut walks and runs to one cycle"));
     m_cycles->setChecked(shown.cycles);

@@ -23,7 +23,12 @@ constexpr int gap = 8;
 } // namespace
 
 VariationBar::VariationBar(CurrentVariation& variation, QWidget* parent)
-    : QWidget(parent), m_variation(variation), m_names(new QComboBox), m_state(new QLabel)
+    : QWidget(parent)
+    , m_variation(variation)
+    , m_names(new QComboBox)
+    , m_learn(nullptr)
+    , m_stop(nullptr)
+    , m_state(new QLabel)
 {
     setObjectName(QStringLiteral("variationBar"));
     m_names->setObjectName(QStringLiteral("variationNames"));
@@ -33,6 +38,8 @@ VariationBar::VariationBar(CurrentVariation& variation, QWidget* parent)
     m_state->setFont(widgets::Theme::tabularFont(m_state->font()));
     makeActions();
     ActionRegistry& actions = variation.context().actions;
+    m_learn = makeActionButton(actions.action("variations.learn"));
+    m_stop = makeActionButton(actions.action("variations.stop"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(gap, gap / 2, gap, gap / 2);
     row->setSpacing(gap / 2);
@@ -40,11 +47,16 @@ VariationBar::VariationBar(CurrentVariation& variation, QWidget* parent)
     row->addWidget(makeActionButton(actions.action("variations.new")));
     row->addWidget(makeActionButton(actions.action("variations.duplicate")));
     row->addSpacing(gap);
+    for (QToolButton* button : {m_learn, m_stop}) {
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        row->addWidget(button);
+    }
     row->addWidget(m_state, 1);
     connect(m_names, &QComboBox::activated, this, [this] {
         m_variation.context().selection.select({Section::Variations, m_names->currentText()});
     });
     connect(&variation, &CurrentVariation::changed, this, &VariationBar::refresh);
+    connect(&variation, &CurrentVariation::resultChanged, this, &VariationBar::refreshState);
     retranslates(this, [this] {
         m_names->setAccessibleName(tr("Variations"));
         m_names->setToolTip(tr("The variations that are worked on"));
@@ -67,6 +79,20 @@ void VariationBar::makeActions()
                             m_variation.add();
                             m_variation.context().actions.action("workspace.variations")->trigger();
                         });
+    context.actions.add({"variations.learn",
+                         group,
+                         [] { return tr("&Learn"); },
+                         [] { return tr("Learns a model of each part of the body from the checked takes"); },
+                         "refresh",
+                         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Return)}},
+                        [this, &context] { context.variations.learn(m_variation.name()); });
+    context.actions.add({"variations.stop",
+                         group,
+                         [] { return tr("Stop lear&ning"); },
+                         [] { return tr("Ends learning and keeps the best so far"); },
+                         "stop",
+                         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Backspace)}},
+                        [this, &context] { context.variations.stop(m_variation.name()); });
     context.actions.add(
         {"variations.duplicate",
          group,
@@ -89,9 +115,23 @@ void VariationBar::refresh()
     m_names->setCurrentIndex(m_names->findText(m_variation.name()));
     m_names->setEnabled(m_names->count() > 0);
     m_variation.context().actions.action("variations.duplicate")->setEnabled(m_variation.entry() != nullptr);
-    m_state->setText(m_variation.entry() == nullptr
-                         ? tr("Add variations, then choose the takes to learn from.")
-                         : QString());
+    refreshState();
+}
+
+void VariationBar::refreshState()
+{
+    using State = VariationMedia::State;
+    const VariationMedia::Medium* medium = m_variation.medium();
+    const State state = medium == nullptr ? State::Idle : medium->state;
+    const bool isLearning = state == State::Learning;
+    ActionRegistry& actions = m_variation.context().actions;
+    actions.action("variations.learn")
+        ->setEnabled(medium != nullptr && !m_variation.entry()->training.empty() && !isLearning &&
+                     state != State::Opening);
+    actions.action("variations.stop")->setEnabled(isLearning);
+    m_learn->setVisible(!isLearning);
+    m_stop->setVisible(isLearning);
+    m_state->setText(m_variation.stateText());
 }
 
 } // namespace quadrille

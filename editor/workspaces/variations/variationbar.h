@@ -6,6 +6,7 @@
 
 class QComboBox;
 class QLabel;
+class QToolButton;
 
 namespace quadrille {
 
@@ -22,9 +23,12 @@ public:
 private:
     void makeActions();
     void refresh();
+    void refreshState();
 
     CurrentVariation& m_variation;
     QComboBox* m_names;
+    QToolButton* m_learn;
+    QToolButton* m_stop;
     QLabel* m_state;
 };
 

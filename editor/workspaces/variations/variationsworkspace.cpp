@@ -3,23 +3,34 @@
 #include "editor/workspaces/variations/variationsworkspace.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/errors/errortext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/bodypartspanel.h"
 #include "editor/workspaces/variations/currentvariation.h"
+#include "editor/workspaces/variations/latentpanel.h"
+#include "editor/workspaces/variations/learningpanel.h"
 #include "editor/workspaces/variations/movementpanel.h"
 #include "editor/workspaces/variations/partcurvetool.h"
+#include "editor/workspaces/variations/samplespanel.h"
 #include "editor/workspaces/variations/variationbar.h"
+#include "editor/workspaces/variations/warppanel.h"
+#include "model/variation/movement.h"
+#include "widgets/controls/messagestrip.h"
+#include "widgets/theme/theme.h"
 
+#include <QEvent>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
 namespace quadrille {
 
 namespace {
 
-SequenceStage::Source sourceOf(const EditorContext& context)
+/// What a variation is called in the view.
+QString nameOf(const DrawnVariation& drawn)
 {
-    return {.clip = [&context](const QString& name, bool) { return context.media.sequence(name); },
-            .upAxis = [&context] { return context.media.upAxis(); }};
+    return VariationsWorkspace::tr("Variation %1").arg(drawn.inSet);
 }
 
 } // namespace
@@ -27,7 +38,7 @@ SequenceStage::Source sourceOf(const EditorContext& context)
 VariationsWorkspace::VariationsWorkspace(EditorContext& context, QWidget* parent)
     : Workspace(parent)
     , m_context(context)
-    , m_view(new StageView(context, sourceOf(context), QStringLiteral("variations")))
+    , m_view(new StageView(context, source(), QStringLiteral("variations")))
     , m_variation(new CurrentVariation(context, *m_view, this))
     , m_parts(new PartCurveTool(*m_variation, this))
 {
@@ -37,12 +48,78 @@ VariationsWorkspace::VariationsWorkspace(EditorContext& context, QWidget* parent
     column->setSpacing(0);
     column->addWidget(new VariationBar(*m_variation));
     column->addWidget(m_view, 1);
-    m_panels.push_back({"movementDock", [] { return tr("Movement"); }, new MovementPanel(*m_variation)});
-    m_panels.push_back({"bodyPartsDock", [] { return tr("Body parts"); }, new BodyPartsPanel(*m_parts)});
+    makeActions();
+    makePanels();
     connect(m_variation, &CurrentVariation::changed, this, &VariationsWorkspace::follow);
+    connect(m_variation, &CurrentVariation::resultChanged, this, &VariationsWorkspace::followResult);
+    connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this,
+            [this] { m_context.variations.retry(m_variation->name()); });
     connect(&context.media, &SequenceMedia::changed, this,
             [this](const QString& name) { stage().update(name); });
-    retranslates(this, [this] { showState(); });
+    connect(m_view, &StageView::stageChanged, this,
+            [this] { m_view->timeline().setFrameCount(static_cast<int>(stage().frameCount())); });
+    retranslates(this, [this] { followResult(); });
+}
+
+SequenceStage::Source VariationsWorkspace::source()
+{
+    return {.clip = [this](const QString& name, bool) { return clip(name); },
+            .upAxis = [this] { return m_context.media.upAxis(); },
+            .color =
+                [this](const QString& name) {
+                    for (const DrawnVariation& drawn : m_variation->drawn()) {
+                        if (nameOf(drawn) == name)
+                            return CurrentVariation::colorOf(drawn.inSet);
+                    }
+                    return widgets::Theme::color(widgets::ColorRole::Clay);
+                }};
+}
+
+void VariationsWorkspace::makeActions()
+{
+    m_context.actions.addToggle({"variations.original",
+                                 [] { return tr("Variations"); },
+                                 [] { return tr("Show the &take, too"); },
+                                 [] { return tr("Shows the take that is varied among its variations"); },
+                                 "compare",
+                                 {}},
+                                false, [this](bool shown) { m_variation->setOriginalShown(shown); });
+}
+
+void VariationsWorkspace::makePanels()
+{
+    m_panels.push_back({"movementDock", [] { return tr("Movement"); }, new MovementPanel(*m_variation)});
+    m_bodyParts = new BodyPartsPanel(*m_parts);
+    m_bodyParts->installEventFilter(this);
+    m_panels.push_back({"bodyPartsDock", [] { return tr("Body parts"); }, m_bodyParts});
+    m_panels.push_back({"learningDock", [] { return tr("Learning"); }, new LearningPanel(*m_variation)});
+    auto* samples = new SamplesPanel(*m_variation);
+    m_panels.push_back({"samplesDock", [] { return tr("Samples"); }, samples});
+    connect(samples, &SamplesPanel::exportAsked, this,
+            [this] { emit exportAsked(QStringLiteral("variations/") + m_variation->name()); });
+    m_latent = new LatentPanel(*m_variation);
+    Panel latent{"latentDock", [] { return tr("Latent space"); }, m_latent};
+    latent.isLower = true;
+    m_panels.push_back(std::move(latent));
+    Panel warps{"warpDock", [] { return tr("Warps"); }, new WarpPanel(*m_variation)};
+    warps.isLower = true;
+    m_panels.push_back(std::move(warps));
+}
+
+std::optional<NamedFrame> VariationsWorkspace::shownPose()
+{
+    const SamplesEntry* set = m_variation->samples();
+    const QString take =
+        set == nullptr ? m_context.selection.shownSequence() : QString::fromStdString(set->of);
+    const MeshSequence* sequence = m_context.media.sequence(take);
+    if (sequence == nullptr)
+        return std::nullopt;
+    const std::int64_t first = stage().shown() == QStringList{take}
+                                   ? 0
+                                   : m_variation->framesUsed().value_or(FrameRange{}).first.value;
+    return NamedFrame{
+        take.toStdString(),
+        FrameIndex(std::clamp<std::int64_t>(player().frame().value + first, 0, sequence->frameCount() - 1))};
 }
 
 void VariationsWorkspace::setActive(bool active)
@@ -51,21 +128,87 @@ void VariationsWorkspace::setActive(bool active)
     follow();
 }
 
+const MeshSequence* VariationsWorkspace::clip(const QString& name)
+{
+    const std::vector<DrawnVariation> all = m_variation->drawn();
+    const auto found = std::ranges::find(all, name, [](const DrawnVariation& each) { return nameOf(each); });
+    if (found != all.end())
+        return m_context.variations.clip(m_variation->name(), found->number);
+    const MeshSequence* take = m_context.media.sequence(name);
+    if (take == nullptr || all.empty() || m_bodyParts->isVisible())
+        return take;
+    const auto used = m_variation->framesUsed();
+    if (!used)
+        return take;
+    m_original = take->cutTo(*used);
+    return &m_original;
+}
+
+/// Curves are drawn on a take: it is what is shown with their panel.
+bool VariationsWorkspace::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_bodyParts && (event->type() == QEvent::Show || event->type() == QEvent::Hide))
+        QMetaObject::invokeMethod(this, &VariationsWorkspace::followResult, Qt::QueuedConnection);
+    return Workspace::eventFilter(watched, event);
+}
+
+/// Takes are aligned and variations drawn only while somebody looks.
 void VariationsWorkspace::follow()
 {
     if (!m_isActive)
         return;
-    const QString& shown = m_context.selection.shownSequence();
-    m_view->show(shown.isEmpty() ? QStringList() : QStringList{shown});
+    m_context.variations.want(m_variation->name().isEmpty() ? QStringList()
+                                                            : QStringList{m_variation->name()});
+    followResult();
+}
+
+void VariationsWorkspace::followResult()
+{
+    QStringList names;
+    const SamplesEntry* set = m_variation->samples();
+    const QString take = set == nullptr ? QString() : QString::fromStdString(set->of);
+    const std::vector<DrawnVariation> all =
+        m_bodyParts->isVisible() ? std::vector<DrawnVariation>() : m_variation->drawn();
+    if (m_variation->isOriginalShown() && !all.empty())
+        names += take;
+    for (const DrawnVariation& drawn : all) {
+        if (!drawn.isDiscarded && !m_variation->isHidden(drawn.inSet))
+            names += nameOf(drawn);
+    }
+    if (names.isEmpty() && (set != nullptr || !m_context.selection.shownSequence().isEmpty()))
+        names += set == nullptr ? m_context.selection.shownSequence() : take;
+    if (m_isActive) {
+        if (names == stage().shown()) {
+            for (const QString& name : std::as_const(names))
+                stage().update(name);
+        } else {
+            m_view->show(names);
+        }
+        // Variations are seen best in one place; who wants them side by side has the tool for it.
+        if (names.size() > 1 && !std::exchange(m_wasOverlaid, true))
+            m_context.actions.action(QStringLiteral("view.overlay"))->trigger();
+    }
     showState();
 }
 
+/// Says what is on its way, missing or went wrong, where it will be seen.
 void VariationsWorkspace::showState()
 {
     QString notice;
     if (m_context.document.project().sequences.empty())
         notice = tr("Import sequences first: variations are learned from them.");
     viewport().setNotice(notice);
+    const VariationMedia::Medium* medium = m_variation->medium();
+    widgets::MessageStrip& message = m_view->message();
+    if (medium != nullptr && medium->error) {
+        const ErrorText text = describe(*medium->error);
+        const QString sentence =
+            text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where);
+        message.show(widgets::MessageStrip::Kind::Error, sentence, text.remedy);
+        message.setAction(tr("Try Again"));
+    } else {
+        message.clear();
+    }
 }
 
 } // namespace quadrille

@@ -7,6 +7,7 @@
 namespace quadrille {
 
 class CurrentVariation;
+class LatentPanel;
 class PartCurveTool;
 
 /// The workspace in which movements are learned and natural variations of them are drawn.
@@ -19,20 +20,39 @@ public:
 
     StageView& view() override { return *m_view; }
     std::vector<Panel> panels() override { return m_panels; }
+    std::optional<NamedFrame> shownPose() override;
     void setActive(bool active) override;
     CurrentVariation& variation() { return *m_variation; }
     PartCurveTool& parts() { return *m_parts; }
+    LatentPanel& latent() { return *m_latent; }
+
+signals:
+    /// The user wants the variations "variations/NAME" as a data set.
+    void exportAsked(const QString& clip);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    SequenceStage::Source source();
+    void makePanels();
+    void makeActions();
+    /// A variation by the name that the view gives it, a take, or its used frames; null until it is there.
+    const MeshSequence* clip(const QString& name);
     void follow();
+    void followResult();
     void showState();
 
     EditorContext& m_context;
     StageView* m_view;
     CurrentVariation* m_variation;
     PartCurveTool* m_parts;
+    QWidget* m_bodyParts = nullptr;
+    LatentPanel* m_latent = nullptr;
     std::vector<Panel> m_panels;
+    MeshSequence m_original; ///< the frames used of the take that is varied
     bool m_isActive = false;
+    bool m_wasOverlaid = false; ///< once several variations were shown
 };
 
 } // namespace quadrille
