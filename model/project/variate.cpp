@@ -158,6 +158,17 @@ const VariationMeter& VariationWork::meter(const Progress& progress)
     return *m_meter;
 }
 
+VariationPoses VariationWork::poses(const Progress& progress)
+{
+    const std::scoped_lock lock(m_mutex);
+    const UpAxis up = project().settings.axes.up;
+    if (m_supports.empty()) {
+        movement(progress.part(0, 0.7));
+        m_supports = findSupports(*m_frames, up, progress.part(0.7, 1));
+    }
+    return {.draw = m_entry.draw, .up = up, .supports = m_supports};
+}
+
 Clip VariationWork::inProjectUnit(Clip clip) const
 {
     const auto units = static_cast<float>(1 / project().settings.axes.metresPerUnit);

@@ -54,8 +54,8 @@ public:
 
     /// What a set of samples varies. \throws Error ProjectInvalid where it names no take.
     VariationSubject subject(const SamplesEntry& samples) const;
-    /// How its poses are made, but for the seed.
-    VariationPoses poses() const { return {.draw = m_entry.draw, .up = project().settings.axes.up}; }
+    /// How its poses are made, but for the seed; refers to this object. \throws Error as movement.
+    VariationPoses poses(const Progress& progress = {});
 
 private:
     /// The takes, and those that poses are taken from.
@@ -74,6 +74,7 @@ private:
     std::shared_ptr<const LearnedMovement> m_learned;
     std::optional<CharacterFrames> m_frames; ///< of the takes, metres
     std::optional<VariationMeter> m_meter;
+    std::vector<Support> m_supports; ///< of each frame of the takes
 };
 
 } // namespace quadrille

@@ -7,6 +7,7 @@
 #include "model/variation/latentblend.h"
 #include "model/variation/playback.h"
 #include "model/variation/preblend.h"
+#include "model/variation/standing.h"
 
 #include <algorithm>
 #include <atomic>
@@ -221,6 +222,8 @@ Clip makeVariation(const LearnedMovement& learned, const VariationSubject& subje
     clip.origins = subject.to ? variationOrigins(take.warp, to.warp, weight, layout.firstOf(from),
                                                  layout.firstOf(static_cast<int>(*subject.to)))
                               : variationOrigins(warp, layout.firstOf(from));
+    if (!settings.supports.empty())
+        keepStanding(clip, settings.supports, settings.up);
     return clip;
 }
 

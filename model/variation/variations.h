@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/synthesis/clip.h"
+#include "model/synthesis/supports.h"
 #include "model/variation/movement.h"
 #include "model/variation/sampling.h"
 #include "model/variation/stitching.h"
@@ -96,6 +97,9 @@ struct VariationPoses
     PoseDraw draw = PoseDraw::Mean;
     std::uint64_t seed = 1; ///< of draws
     UpAxis up = UpAxis::Y;
+    /// What of the captured frames stands, by the nodes of the layout: the way follows the steps then (see
+    /// keepStanding). Empty: it follows the displacements alone.
+    std::span<const Support> supports;
 };
 
 /// One variation as a clip: parts reconstructed, stitched and moved over the ground, in the timing of what

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/variation/standing.h"
+
+namespace quadrille {
+
+namespace {
+
+/// Vertices that stand in both frames that a pose comes from.
+std::vector<std::uint32_t> standingIn(const FrameOrigin& origin, std::span<const Support> supports)
+{
+    const auto of = [&](NodeIndex node) -> const std::vector<std::uint32_t>& {
+        return supports[static_cast<std::size_t>(node)].vertices;
+    };
+    return common(of(origin.source), of(origin.destination));
+}
+
+Vec2d meanPlace(Positions positions, std::span<const std::uint32_t> vertices, const Ground& ground)
+{
+    Vec2d sum = Vec2d::Zero();
+    for (const std::uint32_t vertex : vertices)
+        sum += ground.of(positions[vertex].cast<double>());
+    return sum / static_cast<double>(vertices.size());
+}
+
+} // namespace
+
+void keepStanding(Clip& clip, std::span<const Support> supports, UpAxis up)
+{
+    const Ground ground(up);
+    Vec2d shift = Vec2d::Zero();
+    std::vector<std::uint32_t> before;
+    for (std::int64_t f = 0; f < clip.frameCount(); ++f) {
+        const std::vector<std::uint32_t> now =
+            standingIn(clip.origins[static_cast<std::size_t>(f)], supports);
+        const std::vector<std::uint32_t> standing = common(before, now);
+        // The frame before was shifted already, this one was not.
+        if (!standing.empty())
+            shift =
+                meanPlace(clip.frame(f - 1), standing, ground) - meanPlace(clip.frame(f), standing, ground);
+        const Vec3f moved = ground.at(shift, 0).cast<float>();
+        for (Vec3f& position : clip.frame(f))
+            position += moved;
+        before = now;
+    }
+}
+
+} // namespace quadrille
