@@ -147,10 +147,7 @@ std::vector<VariationEntry> sampleVariations(const std::string& character)
     between.to = "jog 1";
     between.weight = 0.3;
     walking.samples = {samplesOf("walk 1", 5), between};
-    VariationEntry jumping =
-        variationOf("jumping", character, {"short jump 1", "long jump 1", "low jump 1", "high jump 1"});
-    jumping.samples = {samplesOf("short jump 1", 3)};
-    return {walking, jumping};
+    return {walking};
 }
 
 } // namespace quadrille

@@ -19,7 +19,7 @@ std::vector<ExportEntry> sampleExports();
 std::vector<AnimationEntry> sampleAnimations(const std::string& character);
 /// The five parts that are proposed for its body.
 BodyPartsEntry sampleBodyParts(const SampleBody& body);
-/// Walking and jumping, as in CVS Fig. 8 and 9.
+/// Variations of walking and jogging, straight on and in turns, as in CVS Fig. 9.
 std::vector<VariationEntry> sampleVariations(const std::string& character);
 
 } // namespace quadrille
