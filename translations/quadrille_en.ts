@@ -239,6 +239,16 @@
     </message>
 </context>
 <context>
+    <name>quadrille::LearningPanel</name>
+    <message numerus="yes">
+        <source>%n iterations, %1</source>
+        <translation>
+            <numerusform>%n iteration, %1</numerusform>
+            <numerusform>%n iterations, %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::LostMediaTable</name>
     <message numerus="yes">
         <source>%1 and %n more</source>
@@ -303,6 +313,13 @@
         <translation>
             <numerusform>Remove %n animations</numerusform>
             <numerusform>Remove %n animations</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n variations</source>
+        <translation>
+            <numerusform>Remove %n variation</numerusform>
+            <numerusform>Remove %n variations</numerusform>
         </translation>
     </message>
 </context>
@@ -385,6 +402,37 @@
         <translation>
             <numerusform>%n file of the project is missing. It may have been moved or renamed.</numerusform>
             <numerusform>%n files of the project are missing. They may have been moved or renamed.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::SamplesPanel</name>
+    <message numerus="yes">
+        <source>%n drawn, %1 rejected, %2 thrown away</source>
+        <translation>
+            <numerusform>%n drawn, %1 rejected, %2 thrown away</numerusform>
+            <numerusform>%n drawn, %1 rejected, %2 thrown away</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Throw %n variation(s) away</source>
+        <translation>
+            <numerusform>Throw %n variation away</numerusform>
+            <numerusform>Throw %n variations away</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep %n variation(s)</source>
+        <translation>
+            <numerusform>Keep %n variation</numerusform>
+            <numerusform>Keep %n variations</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Making %n clip(s)</source>
+        <translation>
+            <numerusform>Making %n clip</numerusform>
+            <numerusform>Making %n clips</numerusform>
         </translation>
     </message>
 </context>
@@ -476,6 +524,26 @@
         <translation>
             <numerusform>%n frame, %1 s</numerusform>
             <numerusform>%n frames, %1 s</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::VariationPage</name>
+    <message numerus="yes">
+        <source>%n variation(s)</source>
+        <translation>
+            <numerusform>%n variation</numerusform>
+            <numerusform>%n variations</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::LatentView</name>
+    <message numerus="yes">
+        <source>The first three of %n dimensions</source>
+        <translation>
+            <numerusform>The first three of %n dimensions</numerusform>
+            <numerusform>The first three of %n dimensions</numerusform>
         </translation>
     </message>
 </context>

@@ -1130,6 +1130,226 @@
         <source>Give some frames of a sequence this label.</source>
         <translation>Donnez cette étiquette à des images d’une séquence.</translation>
     </message>
+    <message>
+        <source>“{take}” has {count} frames; variations are learned from takes of {least} or more.</source>
+        <translation>« {take} » a {count} images ; les variations s’apprennent sur des prises d’au moins {least}.</translation>
+    </message>
+    <message>
+        <source>Choose another take, or more of its frames.</source>
+        <translation>Choisissez une autre prise, ou davantage de ses images.</translation>
+    </message>
+    <message>
+        <source>The curve “{curve}” names vertex {vertex}, but the mesh has {vertices}.</source>
+        <translation>La courbe « {curve} » nomme le sommet {vertex}, mais le maillage en a {vertices}.</translation>
+    </message>
+    <message>
+        <source>It may come from another mesh; draw it again.</source>
+        <translation>Elle vient peut-être d’un autre maillage ; tracez-la à nouveau.</translation>
+    </message>
+    <message>
+        <source>The curve “{curve}” has {found} vertices; a closed curve needs at least 3.</source>
+        <translation>La courbe « {curve} » a {found} sommets ; une courbe fermée en demande au moins 3.</translation>
+    </message>
+    <message>
+        <source>Add points, or delete the curve.</source>
+        <translation>Ajoutez des points ou supprimez la courbe.</translation>
+    </message>
+    <message>
+        <source>The curve “{curve}” is open: no edge leads from vertex {from} to vertex {to}.</source>
+        <translation>La courbe « {curve} » est ouverte : aucune arête ne mène du sommet {from} au sommet {to}.</translation>
+    </message>
+    <message>
+        <source>Add points there. If it is open in many places, it may come from another mesh; draw it again.</source>
+        <translation>Ajoutez-y des points. Si elle est ouverte en maints endroits, elle vient peut-être d’un autre maillage ; tracez-la à nouveau.</translation>
+    </message>
+    <message>
+        <source>The curve “{curve}” meets itself at vertex {vertex}.</source>
+        <translation>La courbe « {curve} » se recoupe au sommet {vertex}.</translation>
+    </message>
+    <message>
+        <source>Move the points near there apart.</source>
+        <translation>Écartez les points voisins.</translation>
+    </message>
+    <message>
+        <source>The curve “{curve}” meets the curve “{other}” at vertex {vertex}.</source>
+        <translation>La courbe « {curve} » rencontre la courbe « {other} » au sommet {vertex}.</translation>
+    </message>
+    <message>
+        <source>Move one of them away.</source>
+        <translation>Éloignez l’une d’elles.</translation>
+    </message>
+    <message>
+        <source>The curve “{curve}” does not cut the mesh in two.</source>
+        <translation>La courbe « {curve} » ne coupe pas le maillage en deux.</translation>
+    </message>
+    <message>
+        <source>Lead it once around a limb. Where a limb touches the body and has grown together with it, no curve can; take a mesh in another pose.</source>
+        <translation>Menez-la une fois autour d’un membre. Là où un membre touche le corps et s’y est soudé, aucune courbe ne le peut ; prenez un maillage dans une autre pose.</translation>
+    </message>
+    <message>
+        <source>There are two curves “{curve}”.</source>
+        <translation>Il y a deux courbes « {curve} ».</translation>
+    </message>
+    <message>
+        <source>Rename one of them.</source>
+        <translation>Renommez l’une d’elles.</translation>
+    </message>
+    <message>
+        <source>The curve has a point at vertex {vertex} already.</source>
+        <translation>La courbe a déjà un point au sommet {vertex}.</translation>
+    </message>
+    <message>
+        <source>Choose another place, or drag that point.</source>
+        <translation>Choisissez un autre endroit ou déplacez ce point.</translation>
+    </message>
+    <message>
+        <source>Another curve passes through vertex {vertex}.</source>
+        <translation>Une autre courbe passe par le sommet {vertex}.</translation>
+    </message>
+    <message>
+        <source>Choose a place beside it.</source>
+        <translation>Choisissez un endroit à côté.</translation>
+    </message>
+    <message>
+        <source>Nothing leads from vertex {from} to vertex {to} but through other curves or this one.</source>
+        <translation>Rien ne mène du sommet {from} au sommet {to} sans traverser d’autres courbes ou celle-ci.</translation>
+    </message>
+    <message>
+        <source>Move the points, or the curves between them.</source>
+        <translation>Déplacez les points ou les courbes qui les séparent.</translation>
+    </message>
+    <message>
+        <source>There is no curve {distance} m beside this one: the surface ends before, or other curves are in the way.</source>
+        <translation>Il n’y a pas de courbe à {distance} m de celle-ci : la surface finit avant, ou d’autres courbes barrent le chemin.</translation>
+    </message>
+    <message>
+        <source>Choose a smaller distance.</source>
+        <translation>Choisissez une distance plus petite.</translation>
+    </message>
+    <message>
+        <source>This curve does not cut the mesh in two, so there is nothing to draw it tight around, and no side to lay another on.</source>
+        <translation>Cette courbe ne coupe pas le maillage en deux : il n’y a rien autour de quoi la resserrer, ni de côté où en poser une autre.</translation>
+    </message>
+    <message>
+        <source>Lead it once around a limb first.</source>
+        <translation>Menez-la d’abord une fois autour d’un membre.</translation>
+    </message>
+    <message>
+        <source>There are two parts “{part}”.</source>
+        <translation>Il y a deux parties « {part} ».</translation>
+    </message>
+    <message>
+        <source>Every part hangs on another one; the part that all others hang on is missing.</source>
+        <translation>Chaque partie dépend d’une autre ; il manque celle dont toutes dépendent.</translation>
+    </message>
+    <message>
+        <source>Add it, with neither parent nor curves.</source>
+        <translation>Ajoutez-la, sans parent ni courbes.</translation>
+    </message>
+    <message>
+        <source>Both “{part}” and “{other}” have no parent.</source>
+        <translation>Ni « {part} » ni « {other} » n’ont de parent.</translation>
+    </message>
+    <message>
+        <source>Let one of them hang on another part.</source>
+        <translation>Faites dépendre l’une d’elles d’une autre partie.</translation>
+    </message>
+    <message>
+        <source>The part “{part}” hangs on “{parent}”, which does not exist.</source>
+        <translation>La partie « {part} » dépend de « {parent} », qui n’existe pas.</translation>
+    </message>
+    <message>
+        <source>Choose one of the parts that exist.</source>
+        <translation>Choisissez une partie qui existe.</translation>
+    </message>
+    <message>
+        <source>The part “{part}” hangs on itself, by way of others.</source>
+        <translation>La partie « {part} » dépend d’elle-même par l’intermédiaire d’autres.</translation>
+    </message>
+    <message>
+        <source>Choose another parent.</source>
+        <translation>Choisissez un autre parent.</translation>
+    </message>
+    <message>
+        <source>The part “{part}” has {found} curves; it needs {needed}.</source>
+        <translation>La partie « {part} » a {found} courbes ; il lui en faut {needed}.</translation>
+    </message>
+    <message>
+        <source>A part that hangs on another has two, around what they share; the one that all hang on has none.</source>
+        <translation>Une partie qui dépend d’une autre en a deux, autour de ce qu’elles partagent ; celle dont toutes dépendent n’en a aucune.</translation>
+    </message>
+    <message>
+        <source>The part “{part}” uses the curve “{curve}”, which does not exist.</source>
+        <translation>La partie « {part} » emploie la courbe « {curve} », qui n’existe pas.</translation>
+    </message>
+    <message>
+        <source>Draw it, or choose another.</source>
+        <translation>Tracez-la ou choisissez-en une autre.</translation>
+    </message>
+    <message>
+        <source>Both “{part}” and “{other}” use the curve “{curve}”.</source>
+        <translation>« {part} » et « {other} » emploient toutes deux la courbe « {curve} ».</translation>
+    </message>
+    <message>
+        <source>Give each part two curves of its own.</source>
+        <translation>Donnez à chaque partie ses deux courbes.</translation>
+    </message>
+    <message>
+        <source>The curves “{curve}” and “{other}” of the part “{part}” bound no ring together.</source>
+        <translation>Les courbes « {curve} » et « {other} » de la partie « {part} » ne bordent pas un même anneau.</translation>
+    </message>
+    <message>
+        <source>Draw both around the same limb, with no other curve between them.</source>
+        <translation>Tracez-les autour du même membre, sans autre courbe entre elles.</translation>
+    </message>
+    <message>
+        <source>The part “{part}” does not lie next to “{parent}”, on which it hangs.</source>
+        <translation>La partie « {part} » n’est pas voisine de « {parent} », dont elle dépend.</translation>
+    </message>
+    <message>
+        <source>Choose the part beyond its curves as parent.</source>
+        <translation>Choisissez pour parent la partie au-delà de ses courbes.</translation>
+    </message>
+    <message>
+        <source>The part “{part}” has no vertices beyond what it shares with others.</source>
+        <translation>La partie « {part} » n’a pas de sommets en dehors de ceux qu’elle partage.</translation>
+    </message>
+    <message>
+        <source>Move its curves away from the limb&apos;s end, or from other curves.</source>
+        <translation>Éloignez ses courbes du bout du membre ou d’autres courbes.</translation>
+    </message>
+    <message>
+        <source>No two arms and two legs were found: {found} limbs stick out.</source>
+        <translation>Deux bras et deux jambes n’ont pas été trouvés : {found} membres dépassent.</translation>
+    </message>
+    <message>
+        <source>Draw the curves by hand, or choose a pose in which arms and legs stick out.</source>
+        <translation>Tracez les courbes à la main ou choisissez une pose où bras et jambes s’écartent.</translation>
+    </message>
+    <message>
+        <source>No curve around “{limb}” cuts it off: it seems to touch another place of the body and to have grown together with it.</source>
+        <translation>Aucune courbe autour de « {limb} » ne le détache : il semble toucher un autre endroit du corps et s’y être soudé.</translation>
+    </message>
+    <message>
+        <source>Draw the other curves by hand, or take a mesh in a pose in which it touches nothing.</source>
+        <translation>Tracez les autres courbes à la main ou prenez un maillage dans une pose où il ne touche rien.</translation>
+    </message>
+    <message>
+        <source>No room for two curves around “{limb}” was found.</source>
+        <translation>Aucune place n’a été trouvée pour deux courbes autour de « {limb} ».</translation>
+    </message>
+    <message>
+        <source>Draw the curves by hand, or ask for narrower overlaps.</source>
+        <translation>Tracez les courbes à la main ou demandez des recouvrements plus étroits.</translation>
+    </message>
+    <message>
+        <source>There is no variation {number}: too few of those drawn were good enough.</source>
+        <translation>Il n’y a pas de variation {number} : trop peu de celles tirées étaient assez bonnes.</translation>
+    </message>
+    <message>
+        <source>Draw with another seed, or allow more in the limits.</source>
+        <translation>Tirez avec une autre graine, ou élargissez les limites.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AboutDialog</name>
@@ -1852,6 +2072,195 @@
     </message>
 </context>
 <context>
+    <name>quadrille::BlendList</name>
+    <message>
+        <source>%1 %</source>
+        <comment>share in percent</comment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation>Paire</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Poids</translation>
+    </message>
+    <message>
+        <source>Blends</source>
+        <translation>Mélanges</translation>
+    </message>
+    <message>
+        <source>Return or a double click edits the weights of the second; Delete removes the pair</source>
+        <translation>Entrée ou un double clic modifie les poids de la seconde ; Suppr retire la paire</translation>
+    </message>
+    <message>
+        <source>First take</source>
+        <translation>Première prise</translation>
+    </message>
+    <message>
+        <source>Second take</source>
+        <translation>Seconde prise</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Mélanger</translation>
+    </message>
+    <message>
+        <source>Learn from blends of the two takes, too, so that variations between them can be drawn</source>
+        <translation>Apprendre aussi de mélanges des deux prises, pour tirer des variations entre elles</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>Choose two takes or more to blend between them.</source>
+        <translation>Choisissez deux prises ou plus pour les mélanger.</translation>
+    </message>
+    <message>
+        <source>Blend “%1” and “%2”</source>
+        <translation>Mélanger « %1 » et « %2 »</translation>
+    </message>
+    <message>
+        <source>Remove a blend</source>
+        <translation>Retirer un mélange</translation>
+    </message>
+    <message>
+        <source>Change the weights of a blend</source>
+        <translation>Changer les poids d’un mélange</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::BodyPartsPanel</name>
+    <message>
+        <source>Body parts</source>
+        <translation>Parties du corps</translation>
+    </message>
+    <message>
+        <source>Propose Parts</source>
+        <translation>Proposer des parties</translation>
+    </message>
+    <message>
+        <source>Draw a Curve</source>
+        <translation>Tracer une courbe</translation>
+    </message>
+    <message>
+        <source>Cut the body into torso, arms and legs</source>
+        <translation>Coupe le corps en tronc, bras et jambes</translation>
+    </message>
+    <message>
+        <source>Click points around a limb (C)</source>
+        <translation>Cliquer des points autour d’un membre (C)</translation>
+    </message>
+    <message>
+        <source>Snap to creases within</source>
+        <translation>Aimanter aux plis à moins de</translation>
+    </message>
+    <message>
+        <source>A point that is put down jumps to the nearest crease; hold Alt to put it where the pointer is</source>
+        <translation>Un point posé saute au pli le plus proche ; tenir Alt pour le poser sous le pointeur</translation>
+    </message>
+    <message>
+        <source>Radius of snapping</source>
+        <translation>Rayon d’aimantation</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>Between two curves</source>
+        <translation>Entre deux courbes</translation>
+    </message>
+    <message>
+        <source>Distance between the two curves of a part</source>
+        <translation>Distance entre les deux courbes d’une partie</translation>
+    </message>
+    <message>
+        <source>How wide the strip is that a part shares with its parent, for curves that are made</source>
+        <translation>Largeur de la bande qu’une partie partage avec son parent, pour les courbes qui sont faites</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Curves follow the surface as it is in this pose</source>
+        <translation>Les courbes suivent la surface telle qu’elle est dans cette pose</translation>
+    </message>
+    <message>
+        <source>Use the shown one</source>
+        <translation>Prendre celle montrée</translation>
+    </message>
+    <message>
+        <source>Draw curves in the pose that the view shows</source>
+        <translation>Tracer les courbes dans la pose que la vue montre</translation>
+    </message>
+    <message>
+        <source>Parts belong to a body: import a sequence first.</source>
+        <translation>Les parties appartiennent à un corps : importez d’abord une séquence.</translation>
+    </message>
+    <message>
+        <source>Reading the body …</source>
+        <translation>Lecture du corps…</translation>
+    </message>
+    <message>
+        <source>Variations are learned part by part. Curves around the limbs say where the parts meet: have torso, arms and legs proposed, or draw curves on the body.</source>
+        <translation>Les variations s’apprennent partie par partie. Des courbes autour des membres disent où les parties se rejoignent : faites proposer tronc, bras et jambes, ou tracez des courbes sur le corps.</translation>
+    </message>
+    <message>
+        <source>%1, frame %2</source>
+        <translation>%1, image %2</translation>
+    </message>
+    <message>
+        <source>The curve “%1” bounds no part yet.</source>
+        <translation>La courbe « %1 » ne borne encore aucune partie.</translation>
+    </message>
+    <message>
+        <source>A part needs two: draw another, or let one be made beside it.</source>
+        <translation>Il en faut deux à une partie : tracez-en une autre, ou faites-en faire une à côté.</translation>
+    </message>
+    <message>
+        <source>The curves “%1” and “%2” bound no part yet.</source>
+        <translation>Les courbes « %1 » et « %2 » ne bornent encore aucune partie.</translation>
+    </message>
+    <message>
+        <source>Add a Part</source>
+        <translation>Ajouter une partie</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::BodyPartsTree</name>
+    <message>
+        <source>Parts and curves</source>
+        <translation>Parties et courbes</translation>
+    </message>
+    <message>
+        <source>Parts of the body, each with the two curves that bound what it shares with its parent</source>
+        <translation>Parties du corps, chacune avec les deux courbes qui bornent ce qu’elle partage avec son parent</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Partie</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Sommets</translation>
+    </message>
+    <message>
+        <source>Whether something is wrong</source>
+        <translation>Si quelque chose ne va pas</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::BodySurface</name>
+    <message>
+        <source>Reading the pose that curves are drawn in</source>
+        <translation>Lecture de la pose où l’on trace les courbes</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::CardsPanel</name>
     <message>
         <source>Name or label</source>
@@ -2018,6 +2427,49 @@
     </message>
 </context>
 <context>
+    <name>quadrille::CurrentVariation</name>
+    <message>
+        <source>Add variations, then choose the takes to learn from.</source>
+        <translation>Ajoutez des variations, puis choisissez les prises à apprendre.</translation>
+    </message>
+    <message>
+        <source>Check the takes to learn from in the panel Movement.</source>
+        <translation>Cochez les prises à apprendre dans le panneau Mouvement.</translation>
+    </message>
+    <message>
+        <source>Aligning the takes was stopped.</source>
+        <translation>L’alignement des prises a été arrêté.</translation>
+    </message>
+    <message>
+        <source>Aligning the takes…</source>
+        <translation>Alignement des prises…</translation>
+    </message>
+    <message>
+        <source>The takes are aligned: learn to draw variations of them.</source>
+        <translation>Les prises sont alignées : apprenez pour en tirer des variations.</translation>
+    </message>
+    <message>
+        <source>Learning…</source>
+        <translation>Apprentissage…</translation>
+    </message>
+    <message>
+        <source>Drawing variations…</source>
+        <translation>Tirage des variations…</translation>
+    </message>
+    <message>
+        <source>Learning was stopped: these are drawn from the best so far.</source>
+        <translation>L’apprentissage a été arrêté : tirées du meilleur trouvé.</translation>
+    </message>
+    <message>
+        <source>It did not work.</source>
+        <translation>Cela n’a pas marché.</translation>
+    </message>
+    <message>
+        <source>variations</source>
+        <translation>variations</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::ErrorText</name>
     <message>
         <source>line %1, column %2</source>
@@ -2171,6 +2623,10 @@
         <source>Clip</source>
         <translation>Clip</translation>
     </message>
+    <message>
+        <source>%1 … · all variations that are kept, their latents, and a description</source>
+        <translation>%1 … · toutes les variations gardées, leurs latentes et une description</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ExportFlow</name>
@@ -2183,8 +2639,8 @@
         <translation>Ex&amp;porter…</translation>
     </message>
     <message>
-        <source>Write the selected sequences or animation in another format, or as pictures or video</source>
-        <translation>Écrire les séquences ou l’animation sélectionnées dans un autre format, en images ou en vidéo</translation>
+        <source>Write the selected sequences, animation or variations in another format, or as pictures or video</source>
+        <translation>Écrire les séquences, l’animation ou les variations sélectionnées dans un autre format, ou en images ou vidéo</translation>
     </message>
 </context>
 <context>
@@ -3681,6 +4137,207 @@
     </message>
 </context>
 <context>
+    <name>quadrille::LatentPanel</name>
+    <message>
+        <source>Variations</source>
+        <translation>Variations</translation>
+    </message>
+    <message>
+        <source>&amp;Confidence in the latent space</source>
+        <translation>&amp;Confiance dans l’espace latent</translation>
+    </message>
+    <message>
+        <source>Colours tell how sure the model is, instead of which take a line is</source>
+        <translation>Les couleurs disent combien le modèle est sûr, au lieu de distinguer les prises</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Partie</translation>
+    </message>
+    <message>
+        <source>The part of the body whose latent space is shown</source>
+        <translation>La partie du corps dont l’espace latent est montré</translation>
+    </message>
+    <message>
+        <source>Latent space</source>
+        <translation>Espace latent</translation>
+    </message>
+    <message>
+        <source>Each take becomes a line in the latent space of a part, once the movement is learned.</source>
+        <translation>Chaque prise devient une ligne dans l’espace latent d’une partie, une fois le mouvement appris.</translation>
+    </message>
+    <message>
+        <source>Variation %1</source>
+        <translation>Variation %1</translation>
+    </message>
+    <message>
+        <source>Confidence of “%1”</source>
+        <translation>Confiance de « %1 »</translation>
+    </message>
+    <message>
+        <source>log₁₀ variance</source>
+        <translation>log₁₀ variance</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::LearningPanel</name>
+    <message>
+        <source>being learned</source>
+        <translation>en cours</translation>
+    </message>
+    <message>
+        <source>converged</source>
+        <translation>convergé</translation>
+    </message>
+    <message>
+        <source>as low as it goes</source>
+        <translation>aussi bas que possible</translation>
+    </message>
+    <message>
+        <source>stopped at the limit of iterations</source>
+        <translation>arrêté à la limite d’itérations</translation>
+    </message>
+    <message>
+        <source>stopped by you: the best so far</source>
+        <translation>arrêté par vous : le meilleur trouvé</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Partie</translation>
+    </message>
+    <message>
+        <source>Objective</source>
+        <translation>Objectif</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation>Erreur, mm</translation>
+    </message>
+    <message>
+        <source>PCA, mm</source>
+        <translation>ACP, mm</translation>
+    </message>
+    <message>
+        <source>Mean distance of the reconstructed training poses, millimetres</source>
+        <translation>Distance moyenne des poses apprises reconstruites, en millimètres</translation>
+    </message>
+    <message>
+        <source>The same with as many principal components</source>
+        <translation>La même avec autant de composantes principales</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Parties</translation>
+    </message>
+    <message>
+        <source>Iteration</source>
+        <translation>Itération</translation>
+    </message>
+    <message>
+        <source>What is minimised shows here while it is learned.</source>
+        <translation>Ce qui est minimisé se voit ici pendant l’apprentissage.</translation>
+    </message>
+    <message>
+        <source>Set “%1”</source>
+        <translation>Régler « %1 »</translation>
+    </message>
+    <message>
+        <source>Learning</source>
+        <translation>Apprentissage</translation>
+    </message>
+    <message>
+        <source>Dimensions</source>
+        <translation>Dimensions</translation>
+    </message>
+    <message>
+        <source>Of the latent space: more follow the takes closer and vary less</source>
+        <translation>De l’espace latent : plus il y en a, plus il suit les prises et moins il varie</translation>
+    </message>
+    <message>
+        <source>Restarts</source>
+        <translation>Redémarrages</translation>
+    </message>
+    <message>
+        <source>Starts beyond the first, from disturbed principal components; the best counts</source>
+        <translation>Départs après le premier, de composantes principales perturbées ; le meilleur compte</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Of the restarts: the same seed learns the same</source>
+        <translation>Des redémarrages : la même graine apprend la même chose</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Déplacement</translation>
+    </message>
+    <message>
+        <source>How much the way over the ground counts against the pose: its variance in mean variances of a coordinate</source>
+        <translation>Combien le chemin au sol compte face à la pose : sa variance en variances moyennes d’une coordonnée</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Tirage</translation>
+    </message>
+    <message>
+        <source>Leapfrog steps</source>
+        <translation>Pas de saute-mouton</translation>
+    </message>
+    <message>
+        <source>Of each proposal of Hybrid Monte Carlo: more wander further</source>
+        <translation>De chaque proposition de Monte-Carlo hybride : plus il y en a, plus loin il erre</translation>
+    </message>
+    <message>
+        <source>Burn-in</source>
+        <translation>Rodage</translation>
+    </message>
+    <message>
+        <source>Proposals before the first variation, while the step size is tuned</source>
+        <translation>Propositions avant la première variation, pendant que le pas est réglé</translation>
+    </message>
+    <message>
+        <source>Thinning</source>
+        <translation>Espacement</translation>
+    </message>
+    <message>
+        <source>Proposals from one variation to the next: more are less alike</source>
+        <translation>Propositions d’une variation à l’autre : plus il y en a, moins elles se ressemblent</translation>
+    </message>
+    <message>
+        <source>Change how poses come about</source>
+        <translation>Changer la façon de former les poses</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Poses</translation>
+    </message>
+    <message>
+        <source>The most probable pose of each place in the latent space, or one draw for all frames</source>
+        <translation>La pose la plus probable en chaque lieu de l’espace latent, ou un tirage pour toutes les images</translation>
+    </message>
+    <message>
+        <source>Most probable</source>
+        <translation>Les plus probables</translation>
+    </message>
+    <message>
+        <source>One draw</source>
+        <translation>Un tirage</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n iterations, %1</source>
+        <translation>
+            <numerusform>%n itération, %1</numerusform>
+            <numerusform>%n itérations, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>At the bound of what it may be</source>
+        <translation>À la borne de ce qu’il peut être</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::LostMediaTable</name>
     <message>
         <source>%1, mesh</source>
@@ -3936,6 +4593,10 @@
         <source>&amp;Animate</source>
         <translation>&amp;Animer</translation>
     </message>
+    <message>
+        <source>&amp;Variations</source>
+        <translation>&amp;Variations</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::Menus</name>
@@ -3970,6 +4631,101 @@
     <message>
         <source>&amp;Animate</source>
         <translation>&amp;Animer</translation>
+    </message>
+    <message>
+        <source>Va&amp;riations</source>
+        <translation>Va&amp;riations</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::MovementPanel</name>
+    <message>
+        <source>Check the takes of one kind of movement: they are learned from.</source>
+        <translation>Cochez les prises d’un genre de mouvement : elles sont apprises.</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Prise</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Used</source>
+        <translation>Utilisées</translation>
+    </message>
+    <message>
+        <source>The frames that are learned from: one cycle, or all</source>
+        <translation>Les images apprises : un cycle, ou toutes</translation>
+    </message>
+    <message>
+        <source>Takes to learn from</source>
+        <translation>Prises à apprendre</translation>
+    </message>
+    <message>
+        <source>Blends</source>
+        <translation>Mélanges</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Alignement</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Référence</translation>
+    </message>
+    <message>
+        <source>The take whose timing the others are warped to</source>
+        <translation>La prise dont les autres prennent le rythme</translation>
+    </message>
+    <message>
+        <source>Change the reference</source>
+        <translation>Changer la référence</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Gabarit</translation>
+    </message>
+    <message>
+        <source>The pose that all frames are laid onto; a click takes the one that is shown</source>
+        <translation>La pose sur laquelle toutes les images sont posées ; un clic prend celle qui est montrée</translation>
+    </message>
+    <message>
+        <source>Change the template</source>
+        <translation>Changer le gabarit</translation>
+    </message>
+    <message>
+        <source>So that all takes begin in the same phase</source>
+        <translation>Pour que toutes les prises commencent dans la même phase</translation>
+    </message>
+    <message>
+        <source>Cut to cycles</source>
+        <translation>Couper aux cycles</translation>
+    </message>
+    <message>
+        <source>the first take</source>
+        <translation>la première prise</translation>
+    </message>
+    <message>
+        <source>%1, frame %2</source>
+        <translation>%1, image %2</translation>
+    </message>
+    <message>
+        <source>the reference’s first frame</source>
+        <translation>la première image de la référence</translation>
+    </message>
+    <message>
+        <source>Cut walks and runs to one cycle</source>
+        <translation>Couper marches et courses à un cycle</translation>
+    </message>
+    <message>
+        <source>Learn from “%1”</source>
+        <translation>Apprendre de « %1 »</translation>
+    </message>
+    <message>
+        <source>Do not learn from “%1”</source>
+        <translation>Ne pas apprendre de « %1 »</translation>
     </message>
 </context>
 <context>
@@ -4020,6 +4776,284 @@
     <message>
         <source>Blending a transition</source>
         <translation>Fondu d’une transition</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PartCurveTool</name>
+    <message>
+        <source>Variations</source>
+        <translation>Variations</translation>
+    </message>
+    <message>
+        <source>&amp;Propose parts</source>
+        <translation>&amp;Proposer des parties</translation>
+    </message>
+    <message>
+        <source>Cut the body into torso, arms and legs; takes the place of all curves and parts</source>
+        <translation>Coupe le corps en tronc, bras et jambes ; remplace toutes les courbes et parties</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;curve</source>
+        <translation>Tracer une &amp;courbe</translation>
+    </message>
+    <message>
+        <source>Click points around a limb; the curve closes itself, Return or a click on the first point ends</source>
+        <translation>Cliquer des points autour d’un membre ; la courbe se ferme d’elle-même, Entrée ou un clic sur le premier point termine</translation>
+    </message>
+    <message>
+        <source>Add a s&amp;econd curve</source>
+        <translation>Ajouter une s&amp;econde courbe</translation>
+    </message>
+    <message>
+        <source>Beside the selected one, towards the end of the limb: a part needs two</source>
+        <translation>À côté de celle choisie, vers le bout du membre : il en faut deux à une partie</translation>
+    </message>
+    <message>
+        <source>&amp;Add a part</source>
+        <translation>&amp;Ajouter une partie</translation>
+    </message>
+    <message>
+        <source>From the selected curve and the one next to it, or one that is made</source>
+        <translation>De la courbe choisie et de celle d’à côté, ou d’une qui est faite</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror to the other side</source>
+        <translation>&amp;Reporter de l’autre côté</translation>
+    </message>
+    <message>
+        <source>Make the selected curve or part on the other side of the body, too</source>
+        <translation>Fait la courbe ou la partie choisie aussi de l’autre côté du corps</translation>
+    </message>
+    <message>
+        <source>&amp;Shorten the curve</source>
+        <translation>Raccourcir la cour&amp;be</translation>
+    </message>
+    <message>
+        <source>Lead it where the limb is thinnest nearby</source>
+        <translation>La mène là où le membre est le plus mince à proximité</translation>
+    </message>
+    <message>
+        <source>&amp;Delete the curve or part</source>
+        <translation>&amp;Supprimer la courbe ou la partie</translation>
+    </message>
+    <message>
+        <source>Take away what is selected; curves of a part stay</source>
+        <translation>Retire ce qui est choisi ; les courbes d’une partie restent</translation>
+    </message>
+    <message>
+        <source>S&amp;nap to creases</source>
+        <translation>Aima&amp;nter aux plis</translation>
+    </message>
+    <message>
+        <source>Points jump to creases near them, and curves follow them</source>
+        <translation>Les points sautent aux plis proches, et les courbes les suivent</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w the parts</source>
+        <translation>&amp;Montrer les parties</translation>
+    </message>
+    <message>
+        <source>Colour the parts of the body and show their curves in the view</source>
+        <translation>Colore les parties du corps et montre leurs courbes dans la vue</translation>
+    </message>
+    <message>
+        <source>&amp;Delete the point</source>
+        <translation>&amp;Supprimer le point</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>courbe</translation>
+    </message>
+    <message>
+        <source>Draw a curve</source>
+        <translation>Tracer une courbe</translation>
+    </message>
+    <message>
+        <source>Add a point to a curve</source>
+        <translation>Ajouter un point à une courbe</translation>
+    </message>
+    <message>
+        <source>Move a point of a curve</source>
+        <translation>Déplacer un point d’une courbe</translation>
+    </message>
+    <message>
+        <source>Insert a point into a curve</source>
+        <translation>Insérer un point dans une courbe</translation>
+    </message>
+    <message>
+        <source>Delete a curve</source>
+        <translation>Supprimer une courbe</translation>
+    </message>
+    <message>
+        <source>Delete a point of a curve</source>
+        <translation>Supprimer un point d’une courbe</translation>
+    </message>
+    <message>
+        <source>Proposing parts of the body</source>
+        <translation>Proposition des parties du corps</translation>
+    </message>
+    <message>
+        <source>Propose parts</source>
+        <translation>Proposer des parties</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>partie</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>corps</translation>
+    </message>
+    <message>
+        <source>Add a part</source>
+        <translation>Ajouter une partie</translation>
+    </message>
+    <message>
+        <source>Adding a part</source>
+        <translation>Ajout d’une partie</translation>
+    </message>
+    <message>
+        <source>Adding a second curve</source>
+        <translation>Ajout d’une seconde courbe</translation>
+    </message>
+    <message>
+        <source>Add a second curve</source>
+        <translation>Ajouter une seconde courbe</translation>
+    </message>
+    <message>
+        <source>%1, mirrored</source>
+        <translation>%1, reportée</translation>
+    </message>
+    <message>
+        <source>Mirroring</source>
+        <translation>Report de l’autre côté</translation>
+    </message>
+    <message>
+        <source>Mirror a part</source>
+        <translation>Reporter une partie de l’autre côté</translation>
+    </message>
+    <message>
+        <source>Mirror a curve</source>
+        <translation>Reporter une courbe de l’autre côté</translation>
+    </message>
+    <message>
+        <source>Shortening a curve</source>
+        <translation>Raccourcissement d’une courbe</translation>
+    </message>
+    <message>
+        <source>Shorten a curve</source>
+        <translation>Raccourcir une courbe</translation>
+    </message>
+    <message>
+        <source>Delete a part</source>
+        <translation>Supprimer une partie</translation>
+    </message>
+    <message>
+        <source>The curve “%1” bounded the part “%2”, which lacks a curve now.</source>
+        <translation>La courbe « %1 » bornait la partie « %2 », à qui il manque maintenant une courbe.</translation>
+    </message>
+    <message>
+        <source>Undo, draw another one, or choose one for the part.</source>
+        <translation>Annulez, tracez-en une autre, ou choisissez-en une pour la partie.</translation>
+    </message>
+    <message>
+        <source>There is a curve “%1” already.</source>
+        <translation>Il y a déjà une courbe « %1 ».</translation>
+    </message>
+    <message>
+        <source>There is a part “%1” already.</source>
+        <translation>Il y a déjà une partie « %1 ».</translation>
+    </message>
+    <message>
+        <source>Choose another name.</source>
+        <translation>Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Rename a curve</source>
+        <translation>Renommer une courbe</translation>
+    </message>
+    <message>
+        <source>Rename a part</source>
+        <translation>Renommer une partie</translation>
+    </message>
+    <message>
+        <source>Choose the pose that curves are drawn in</source>
+        <translation>Choisir la pose où l’on trace les courbes</translation>
+    </message>
+    <message>
+        <source>Body parts</source>
+        <translation>Parties du corps</translation>
+    </message>
+    <message>
+        <source>shared by two, lighter</source>
+        <translation>commun à deux, plus clair</translation>
+    </message>
+    <message>
+        <source>Point %1 of the curve “%2”</source>
+        <translation>Point %1 de la courbe « %2 »</translation>
+    </message>
+    <message>
+        <source>Curve “%1”</source>
+        <translation>Courbe « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PartForm</name>
+    <message>
+        <source>Hangs on</source>
+        <translation>Tient à</translation>
+    </message>
+    <message>
+        <source>The part of the body that it is joined to</source>
+        <translation>La partie du corps à laquelle elle est jointe</translation>
+    </message>
+    <message>
+        <source>First curve</source>
+        <translation>Première courbe</translation>
+    </message>
+    <message>
+        <source>One of the curves that bound what it shares with its parent</source>
+        <translation>L’une des courbes qui bornent ce qu’elle partage avec son parent</translation>
+    </message>
+    <message>
+        <source>Second curve</source>
+        <translation>Seconde courbe</translation>
+    </message>
+    <message>
+        <source>The other curve that bounds what it shares with its parent</source>
+        <translation>L’autre courbe qui borne ce qu’elle partage avec son parent</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>That lead the curve; the vertices between them follow the surface</source>
+        <translation>Ceux qui guident la courbe ; les sommets entre eux suivent la surface</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Around the limb, over the edges of the mesh</source>
+        <translation>Autour du membre, le long des arêtes du maillage</translation>
+    </message>
+    <message>
+        <source>%1: all other parts hang on it</source>
+        <translation>%1 : toutes les autres parties y tiennent</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>Hang a part on another</source>
+        <translation>Attacher une partie à une autre</translation>
+    </message>
+    <message>
+        <source>Choose a curve of a part</source>
+        <translation>Choisir une courbe d’une partie</translation>
     </message>
 </context>
 <context>
@@ -5055,6 +6089,13 @@ maximal %2</translation>
             <numerusform>Retirer %n animations</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Remove %n variations</source>
+        <translation>
+            <numerusform>Retirer %n variation</numerusform>
+            <numerusform>Retirer %n variations</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ProjectFiles</name>
@@ -5198,8 +6239,8 @@ maximal %2</translation>
         <translation>Montrer dans son dossier</translation>
     </message>
     <message>
-        <source>Add a copy of the selected sequence or animation, to change it</source>
-        <translation>Ajouter une copie de la séquence ou de l’animation sélectionnée, pour la changer</translation>
+        <source>Add a copy of the selected sequence, animation or variations, to change it</source>
+        <translation>Ajouter une copie de la séquence, de l’animation ou des variations sélectionnées, pour la modifier</translation>
     </message>
 </context>
 <context>
@@ -5219,6 +6260,10 @@ maximal %2</translation>
     <message>
         <source>Animations (%1)</source>
         <translation>Animations (%1)</translation>
+    </message>
+    <message>
+        <source>Variations (%1)</source>
+        <translation>Variations (%1)</translation>
     </message>
 </context>
 <context>
@@ -5547,6 +6592,264 @@ maximal %2</translation>
     <message>
         <source>Deviation from the path over time</source>
         <translation>Écart au trajet au cours du temps</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::SamplesPanel</name>
+    <message>
+        <source>Variations</source>
+        <translation>Variations</translation>
+    </message>
+    <message>
+        <source>Vary &amp;another take</source>
+        <translation>Varier une &amp;autre prise</translation>
+    </message>
+    <message>
+        <source>Draw variations of another take or blend, too</source>
+        <translation>Tirer aussi des variations d’une autre prise ou d’un mélange</translation>
+    </message>
+    <message>
+        <source>Do not &amp;vary this take</source>
+        <translation>Ne pas &amp;varier cette prise</translation>
+    </message>
+    <message>
+        <source>Take these variations out of the project</source>
+        <translation>Retirer ces variations du projet</translation>
+    </message>
+    <message>
+        <source>Draw &amp;others</source>
+        <translation>En tirer d’au&amp;tres</translation>
+    </message>
+    <message>
+        <source>Draws as many other variations, with the next seed</source>
+        <translation>Tire autant d’autres variations, avec la graine suivante</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Garder</translation>
+    </message>
+    <message>
+        <source>Keeps the selected variations after all</source>
+        <translation>Garde tout de même les variations sélectionnées</translation>
+    </message>
+    <message>
+        <source>Dis&amp;card</source>
+        <translation>&amp;Jeter</translation>
+    </message>
+    <message>
+        <source>Throws the selected variations away: they are not exported</source>
+        <translation>Jette les variations sélectionnées : elles ne sont pas exportées</translation>
+    </message>
+    <message>
+        <source>Add as &amp;sequences</source>
+        <translation>Ajouter comme &amp;séquences</translation>
+    </message>
+    <message>
+        <source>Adds the selected variations to the project, to work on as on takes</source>
+        <translation>Ajoute les variations sélectionnées au projet, pour y travailler comme sur des prises</translation>
+    </message>
+    <message>
+        <source>E&amp;xport the data set…</source>
+        <translation>E&amp;xporter le jeu de données…</translation>
+    </message>
+    <message>
+        <source>Writes the variations that are kept, with where they come from</source>
+        <translation>Écrit les variations gardées, avec leur provenance</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a take or blend, and how often</comment>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>nothing: the take alone</source>
+        <translation>rien : la prise seule</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n drawn, %1 rejected, %2 thrown away</source>
+        <translation>
+            <numerusform>%n tirée, %1 rejetées, %2 jetées</numerusform>
+            <numerusform>%n tirées, %1 rejetées, %2 jetées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <comment>a distance</comment>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>At most %1 cm from the nearest pose that was learned from</source>
+        <translation>Au plus à %1 cm de la pose apprise la plus proche</translation>
+    </message>
+    <message>
+        <source>%1 cm/s</source>
+        <comment>a speed</comment>
+        <translation>%1 cm/s</translation>
+    </message>
+    <message>
+        <source>The take: %1 cm/s</source>
+        <translation>La prise : %1 cm/s</translation>
+    </message>
+    <message>
+        <source>The take: %1</source>
+        <translation>La prise : %1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <comment>share in percent</comment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Thrown away: it is not exported</source>
+        <translation>Jetée : elle n’est pas exportée</translation>
+    </message>
+    <message>
+        <source>Vary another take</source>
+        <translation>Varier une autre prise</translation>
+    </message>
+    <message>
+        <source>Do not vary a take</source>
+        <translation>Ne pas varier une prise</translation>
+    </message>
+    <message numerus="yes">
+        <source>Throw %n variation(s) away</source>
+        <translation>
+            <numerusform>Jeter %n variation</numerusform>
+            <numerusform>Jeter %n variations</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep %n variation(s)</source>
+        <translation>
+            <numerusform>Garder %n variation</numerusform>
+            <numerusform>Garder %n variations</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, variation %2</source>
+        <extracomment>a take or blend, and the number of a variation</extracomment>
+        <translation>%1, variation %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Making %n clip(s)</source>
+        <translation>
+            <numerusform>Fabrication de %n clip</numerusform>
+            <numerusform>Fabrication de %n clips</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 → %2, %3 %</source>
+        <extracomment>two takes, and the share of the second</extracomment>
+        <translation>%1 → %2, %3 %</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Towards</source>
+        <translation>Vers</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Poids</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Vary a blend</source>
+        <translation>Varier un mélange</translation>
+    </message>
+    <message>
+        <source>Change the number of variations</source>
+        <translation>Changer le nombre de variations</translation>
+    </message>
+    <message>
+        <source>Change the seed</source>
+        <translation>Changer la graine</translation>
+    </message>
+    <message>
+        <source>Change the weight of a blend</source>
+        <translation>Changer le poids d’un mélange</translation>
+    </message>
+    <message>
+        <source>What variations are drawn of</source>
+        <translation>Ce dont les variations sont tirées</translation>
+    </message>
+    <message>
+        <source>The take that is varied</source>
+        <translation>La prise qui est variée</translation>
+    </message>
+    <message>
+        <source>The second take of a blend; blend the two in the movement to learn the way between</source>
+        <translation>La seconde prise d’un mélange ; mélangez les deux dans le mouvement pour apprendre l’entre-deux</translation>
+    </message>
+    <message>
+        <source>The share of the second take</source>
+        <translation>La part de la seconde prise</translation>
+    </message>
+    <message>
+        <source>Weight in percent</source>
+        <translation>Poids en pour cent</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <comment>percent</comment>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How many variations are drawn</source>
+        <translation>Combien de variations sont tirées</translation>
+    </message>
+    <message>
+        <source>The same seed draws the same variations</source>
+        <translation>La même graine tire les mêmes variations</translation>
+    </message>
+    <message>
+        <source>Check the takes to learn from in the panel Movement; what is drawn of them comes here.</source>
+        <translation>Cochez les prises à apprendre dans le panneau Mouvement ; ce qui en est tiré vient ici.</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N°</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Skate</source>
+        <translation>Glissement</translation>
+    </message>
+    <message>
+        <source>Crossings</source>
+        <translation>Croisements</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Mean distance from the nearest pose that was learned from</source>
+        <translation>Distance moyenne à la pose apprise la plus proche</translation>
+    </message>
+    <message>
+        <source>How fast standing feet slide</source>
+        <translation>Vitesse à laquelle glissent les pieds posés</translation>
+    </message>
+    <message>
+        <source>Pairs of triangles that go through each other, most of a frame</source>
+        <translation>Paires de triangles qui se traversent, le plus dans une image</translation>
+    </message>
+    <message>
+        <source>How far the body’s volume leaves that of the takes</source>
+        <translation>De combien le volume du corps s’écarte de celui des prises</translation>
     </message>
 </context>
 <context>
@@ -6209,6 +7512,29 @@ maximal %2</translation>
     </message>
 </context>
 <context>
+    <name>quadrille::TakeUse</name>
+    <message>
+        <source>The frames that you chose</source>
+        <translation>Les images que vous avez choisies</translation>
+    </message>
+    <message>
+        <source>One cycle of the movement</source>
+        <translation>Un cycle du mouvement</translation>
+    </message>
+    <message>
+        <source>All frames</source>
+        <translation>Toutes les images</translation>
+    </message>
+    <message>
+        <source>All frames: the take is shorter than a cycle</source>
+        <translation>Toutes les images : la prise est plus courte qu’un cycle</translation>
+    </message>
+    <message>
+        <source>All frames: the take has no cycle like the reference’s</source>
+        <translation>Toutes les images : la prise n’a pas de cycle comme celui de la référence</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::TextureField</name>
     <message>
         <source>%1, one per frame</source>
@@ -6521,6 +7847,180 @@ maximal %2</translation>
     </message>
 </context>
 <context>
+    <name>quadrille::VariationBar</name>
+    <message>
+        <source>Variations</source>
+        <translation>Variations</translation>
+    </message>
+    <message>
+        <source>The variations that are worked on</source>
+        <translation>Les variations auxquelles on travaille</translation>
+    </message>
+    <message>
+        <source>No variations</source>
+        <translation>Pas de variations</translation>
+    </message>
+    <message>
+        <source>&amp;New variations</source>
+        <translation>&amp;Nouvelles variations</translation>
+    </message>
+    <message>
+        <source>Add variations of a movement to the project</source>
+        <translation>Ajouter au projet des variations d’un mouvement</translation>
+    </message>
+    <message>
+        <source>&amp;Learn</source>
+        <translation>&amp;Apprendre</translation>
+    </message>
+    <message>
+        <source>Learns a model of each part of the body from the checked takes</source>
+        <translation>Apprend des prises cochées un modèle de chaque partie du corps</translation>
+    </message>
+    <message>
+        <source>Stop lear&amp;ning</source>
+        <translation>A&amp;rrêter l’apprentissage</translation>
+    </message>
+    <message>
+        <source>Ends learning and keeps the best so far</source>
+        <translation>Arrête d’apprendre et garde le meilleur trouvé</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate the variations</source>
+        <translation>&amp;Dupliquer les variations</translation>
+    </message>
+    <message>
+        <source>Add a copy, to learn from other takes or in another way</source>
+        <translation>Ajouter une copie, pour apprendre d’autres prises ou autrement</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::VariationEdits</name>
+    <message>
+        <source>Add variations “%1”</source>
+        <translation>Ajouter les variations « %1 »</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>Dupliquer « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::VariationMedia</name>
+    <message>
+        <source>Aligning “%1”</source>
+        <translation>Alignement de « %1 »</translation>
+    </message>
+    <message>
+        <source>Learning “%1”</source>
+        <translation>Apprentissage de « %1 »</translation>
+    </message>
+    <message>
+        <source>Drawing “%1”</source>
+        <translation>Tirage de « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::VariationPage</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Unique in the project</source>
+        <translation>Unique dans le projet</translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>Personnage</translation>
+    </message>
+    <message>
+        <source>Whose movement is learned; its takes are chosen anew with another one</source>
+        <translation>Celui dont le mouvement est appris ; avec un autre, ses prises sont à choisir à nouveau</translation>
+    </message>
+    <message>
+        <source>Learned from</source>
+        <translation>Appris de</translation>
+    </message>
+    <message>
+        <source>Drawn</source>
+        <translation>Tirées</translation>
+    </message>
+    <message>
+        <source>Change the character of “%1”</source>
+        <translation>Changer le personnage de « %1 »</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>rien encore</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n variation(s)</source>
+        <translation>
+            <numerusform>%n variation</numerusform>
+            <numerusform>%n variations</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Work on it</source>
+        <translation>Y travailler</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::VariationsWorkspace</name>
+    <message>
+        <source>Variation %1</source>
+        <translation>Variation %1</translation>
+    </message>
+    <message>
+        <source>Variations</source>
+        <translation>Variations</translation>
+    </message>
+    <message>
+        <source>Show the &amp;take, too</source>
+        <translation>Montrer aussi la &amp;prise</translation>
+    </message>
+    <message>
+        <source>Shows the take that is varied among its variations</source>
+        <translation>Montre la prise variée parmi ses variations</translation>
+    </message>
+    <message>
+        <source>Movement</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Body parts</source>
+        <translation>Parties du corps</translation>
+    </message>
+    <message>
+        <source>Learning</source>
+        <translation>Apprentissage</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Tirages</translation>
+    </message>
+    <message>
+        <source>Latent space</source>
+        <translation>Espace latent</translation>
+    </message>
+    <message>
+        <source>Warps</source>
+        <translation>Alignement</translation>
+    </message>
+    <message>
+        <source>Import sequences first: variations are learned from them.</source>
+        <translation>Importez d’abord des séquences : les variations en sont apprises.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Try Again</source>
+        <translation>Réessayer</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::ViewActions</name>
     <message>
         <source>Playback</source>
@@ -6656,6 +8156,47 @@ maximal %2</translation>
     </message>
 </context>
 <context>
+    <name>quadrille::WarpPanel</name>
+    <message>
+        <source>Reference frame</source>
+        <translation>Image de la référence</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Prise</translation>
+    </message>
+    <message>
+        <source>How the takes are warped onto the reference shows here, once some are checked in the panel Movement.</source>
+        <translation>Ici se voit comment les prises suivent la référence, une fois cochées dans le panneau Mouvement.</translation>
+    </message>
+    <message>
+        <source>Used</source>
+        <translation>Utilisées</translation>
+    </message>
+    <message>
+        <source>Mean cost</source>
+        <translation>Coût moyen</translation>
+    </message>
+    <message>
+        <source>How far apart poses are that are matched, degrees per triangle</source>
+        <translation>Écart entre les poses mises en correspondance, en degrés par triangle</translation>
+    </message>
+    <message>
+        <source>Warped takes</source>
+        <translation>Prises alignées</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <comment>an angle</comment>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <comment>time of the frame that is shown</comment>
+        <translation>maintenant</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::WelcomePage</name>
     <message>
         <source>Bring in captured performances: drop files or folders anywhere in this window, or begin here.</source>
@@ -6741,6 +8282,30 @@ maximal %2</translation>
         <source>%1 s shows %2 s</source>
         <comment>time in the result, moment of the clip</comment>
         <translation>%1 s montre %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::LatentView</name>
+    <message>
+        <source>The latent view needs OpenGL 3.2.</source>
+        <translation>La vue latente a besoin d’OpenGL 3.2.</translation>
+    </message>
+    <message>
+        <source>%1, frame %2</source>
+        <extracomment>a movement and one of its frames</extracomment>
+        <translation>%1, image %2</translation>
+    </message>
+    <message>
+        <source>%1; %2: %3</source>
+        <extracomment>a movement with its frame; a quantity and its value</extracomment>
+        <translation>%1 ; %2 : %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>The first three of %n dimensions</source>
+        <translation>
+            <numerusform>La première de %n dimension</numerusform>
+            <numerusform>Les trois premières de %n dimensions</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6909,6 +8474,21 @@ maximal %2</translation>
     <message>
         <source>Storyboard</source>
         <translation>Scénario</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::SurfaceCurveEditor</name>
+    <message>
+        <source>Click on the body for the first point · drag to turn · Esc leaves</source>
+        <translation>Cliquer sur le corps pour le premier point · glisser pour tourner · Échap quitte</translation>
+    </message>
+    <message>
+        <source>Click to close the curve</source>
+        <translation>Cliquer pour fermer la courbe</translation>
+    </message>
+    <message>
+        <source>Click for points around the body · Return or a click on the first point closes · Backspace takes one back</source>
+        <translation>Cliquer des points autour du corps · Entrée ou un clic sur le premier ferme · Retour arrière en reprend un</translation>
     </message>
 </context>
 <context>
