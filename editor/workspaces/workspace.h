@@ -25,7 +25,7 @@ public:
         std::function<QString()> title;
         QWidget* content;
         Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
-        bool isShown = true; ///< the first time
+        bool isShown = true;  ///< the first time
         bool isLower = false; ///< below those of its area, instead of with them
     };
 

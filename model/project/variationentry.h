@@ -4,8 +4,10 @@
 
 #include "model/project/animationentry.h"
 #include "model/variation/bodyparts.h"
-#include "model/variation/quality.h"
-#include "model/variation/variations.h"
+#include "model/variation/gpdm.h"
+#include "model/variation/hmc.h"
+#include "model/variation/posedraw.h"
+#include "model/variation/variationlimits.h"
 
 #include <optional>
 #include <string>

@@ -197,7 +197,8 @@ GpdmLearning learningOf(const Result& model)
     };
     constexpr std::size_t stopColumn = 0;
     constexpr std::size_t boundsColumn = 3;
-    for (const GpdmStop stop : {GpdmStop::Converged, GpdmStop::IterationLimit, GpdmStop::Cancelled, GpdmStop::Stalled}) {
+    for (const GpdmStop stop :
+         {GpdmStop::Converged, GpdmStop::IterationLimit, GpdmStop::Cancelled, GpdmStop::Stalled}) {
         if (toText(stop) == text(stopColumn))
             learning.stop = stop;
     }

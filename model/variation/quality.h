@@ -8,6 +8,7 @@
 #include "model/synthesis/supports.h"
 #include "model/transition/nearestposes.h"
 #include "model/variation/training.h"
+#include "model/variation/variationlimits.h"
 
 #include <cstdint>
 #include <optional>
@@ -43,25 +44,6 @@ struct VariationQuality
     /// How far the volume leaves the range of the poses learned from, as a share of their mean: negative
     /// where it falls below; 0 inside.
     std::optional<double> volumeChange;
-};
-
-/// How bad a variation may be.
-struct VariationLimits
-{
-    /// Distance of the worst frame from the nearest pose learned from, in sizes of the figure: 0.08 are 16 cm
-    /// of a grown-up's mean vertex. Real jumps of one person lie up to 0.12 apart, real walks 0.02.
-    double poseDistance = 0.08;
-    /// How much faster standing feet may slide than in the take, sizes of the figure a second: half a metre
-    /// a second for a grown-up, which a correction of contacts can still take out.
-    double skate = 0.25;
-    /// Pairs of triangles that go through each other in the worst frame beyond those of the take's worst, as
-    /// a share of all triangles.
-    double intersections = 0.01;
-    /// See VariationQuality::volumeChange. An arm that is a fifth too long changes the body by 3 %; takes of
-    /// walks and runs differ by 1 %.
-    double volumeChange = 0.03;
-
-    bool operator==(const VariationLimits&) const = default;
 };
 
 /// Why a variation is bad.

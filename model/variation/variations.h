@@ -5,6 +5,7 @@
 #include "model/synthesis/clip.h"
 #include "model/synthesis/supports.h"
 #include "model/variation/movement.h"
+#include "model/variation/posedraw.h"
 #include "model/variation/sampling.h"
 #include "model/variation/stitching.h"
 
@@ -36,13 +37,6 @@ private:
     std::vector<GpdmDynamics> m_dynamics;
     std::vector<PoseReconstruction> m_poses;
     Stitching m_stitching;
-};
-
-/// How poses come from latent positions.
-enum class PoseDraw
-{
-    Mean,   ///< the most probable pose
-    Sample, ///< one draw for the whole trajectory
 };
 
 /// What is varied: a captured take, or a blend of two.

@@ -4,10 +4,10 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/fields/actionbutton.h"
+#include "editor/fields/partlist.h"
 #include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
-#include "editor/fields/partlist.h"
 #include "editor/workspaces/animate/pathfields.h"
 #include "editor/workspaces/animate/pathforms.h"
 #include "editor/workspaces/animate/pathpoints.h"

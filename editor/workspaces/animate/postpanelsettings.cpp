@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // The sections that say how a clip is sought and blended.
-#include "editor/workspaces/animate/postpanel.h"
 #include "editor/fields/settingform.h"
+#include "editor/workspaces/animate/postpanel.h"
 #include "model/synthesis/constraints.h"
 
 namespace quadrille {

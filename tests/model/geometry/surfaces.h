@@ -187,18 +187,4 @@ inline std::set<VertexIndex> setOf(const std::vector<VertexIndex>& vertices)
     return {vertices.begin(), vertices.end()};
 }
 
-/// Each vertex once, each next to the following one.
-inline bool isSimpleLoop(const SurfaceGraph& graph, const std::vector<VertexIndex>& curve)
-{
-    bool isClosed = curve.size() >= 3;
-    for (std::size_t i = 0; i < curve.size(); ++i)
-        isClosed = isClosed && graph.haveEdge(curve[i], curve[(i + 1) % curve.size()]);
-    return isClosed && setOf(curve).size() == curve.size();
-}
-
-inline bool separates(const SurfaceGraph& graph, const std::vector<VertexIndex>& curve)
-{
-    return curveSides(graph.topology(), graph.around(), curve).has_value();
-}
-
 } // namespace quadrille::testing

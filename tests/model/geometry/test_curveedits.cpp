@@ -3,7 +3,7 @@
 #include "model/geometry/curveedits.h"
 #include "model/geometry/curveneighbourhood.h"
 #include "tests/model/codeof.h"
-#include "tests/model/geometry/surfaces.h"
+#include "tests/model/geometry/curvechecks.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "model/geometry/surfacecurve.h"
 #include "model/geometry/surfacedistances.h"
 #include "tests/model/codeof.h"
-#include "tests/model/geometry/surfaces.h"
+#include "tests/model/geometry/curvechecks.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

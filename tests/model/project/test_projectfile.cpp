@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/jsontext.h"
 #include "model/project/migration.h"
-#include "tests/model/project/testproject.h"
+#include "tests/model/project/fullproject.h"
 #include "tests/model/withoutroot.h"
 
 #include <csignal>

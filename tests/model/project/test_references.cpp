@@ -4,7 +4,7 @@
 #include "model/project/projectjson.h"
 #include "model/project/references.h"
 #include "model/project/validate.h"
-#include "tests/model/project/testproject.h"
+#include "tests/model/project/fullproject.h"
 
 #include <gmock/gmock.h>
 

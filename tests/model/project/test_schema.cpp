@@ -3,7 +3,7 @@
 #include "model/project/jsontext.h"
 #include "model/project/projectjson.h"
 #include "model/project/projectkeys.h"
-#include "tests/model/project/testproject.h"
+#include "tests/model/project/fullproject.h"
 
 #include <gmock/gmock.h>
 #include <set>

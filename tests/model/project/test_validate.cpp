@@ -3,7 +3,7 @@
 #include "model/project/paths.h"
 #include "model/project/projectkeys.h"
 #include "model/project/validate.h"
-#include "tests/model/project/testproject.h"
+#include "tests/model/project/fullproject.h"
 
 #include <gmock/gmock.h>
 

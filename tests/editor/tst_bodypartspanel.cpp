@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+// The panel of body parts: what it proposes, shortens, renames and hangs elsewhere.
+#include "bodypartsfixture.h"
+
+namespace quadrille {
+
+class BodyPartsPanelTest : public BodyPartsFixture
+{
+    Q_OBJECT
+
+private slots:
+    void partsOfARealBodyAreProposed()
+    {
+        const QDir data(QString::fromLocal8Bit(QUADRILLE_DATA_DIR "/characters/rb_m04"));
+        if (!data.exists("mesh.obj"))
+            QSKIP("no captures here");
+        Project project;
+        project.characters = {{.name = "rb", .mesh = data.filePath("mesh.obj").toStdString()}};
+        project.sequences.push_back(
+            {.name = "walk", .character = "rb", .source = data.filePath("walk_1.pc2").toStdString()});
+        document().reset(project);
+        QTRY_VERIFY_WITH_TIMEOUT(tool().surface().graph() != nullptr, 30000);
+        const Project before = document().project();
+        QTest::mouseClick(test::find<QPushButton>("proposeParts"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(!tool().isBusy(), 30000);
+        QCOMPARE(said("bodyPartsEmptyNotice"), QString());
+        QCOMPARE(body().parts.size(), 5U);
+        QCOMPARE(body().curves.size(), 8U);
+        QVERIFY(tool().cut().problems.empty());
+        QCOMPARE(tool().cut().parts.parts.size(), 5U);
+        checkHistory(before);
+    }
+
+    void whatCannotBeProposedSaysWhy()
+    {
+        QTest::mouseClick(test::find<QPushButton>("proposeParts"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(!tool().isBusy(), 30000);
+        if (body().parts.empty())
+            QVERIFY(!said("bodyPartsEmptyNotice").isEmpty());
+    }
+
+    void aCurveIsShortenedAndStaysAround()
+    {
+        run("variations.curve.draw");
+        click(pixel(0.45F, 1.42F, 0.1F));
+        click(pixel(0.55F, 1.38F, 0.1F));
+        click(pixel(0.45F, 1.34F, 0.1F));
+        key(Qt::Key_Return);
+        const double before = tool().lengthOfCurve("curve");
+        const Project drawn = document().project();
+        run("variations.curve.shorten");
+        const double after = tool().lengthOfCurve("curve");
+        QVERIFY2(after < before, qPrintable(QStringLiteral("%1 %2").arg(before).arg(after)));
+        QVERIFY(after > 0.5); // around the arm
+        QVERIFY(tool().cut().problems.empty());
+        checkHistory(drawn);
+    }
+
+    void theTreeRenamesAndRemovesByKeyboard()
+    {
+        drawOnArm(0.45F);
+        run("variations.parts.add");
+        auto* tree = test::find<QTreeWidget>("bodyPartsTree");
+        tree->setFocus();
+        tree->setCurrentItem(item("part"));
+        QCOMPARE(tool().selected(), (PartSelection{PartSelection::Kind::Part, "part"}));
+        const Project before = document().project();
+        QTest::keyClick(tree, Qt::Key_F2);
+        auto* editor = tree->findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        editor->setText("left arm");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_VERIFY(findPart(body(), "left arm") != nullptr);
+        checkHistory(before);
+        QTRY_VERIFY(item("left arm") != nullptr);
+        tree->setCurrentItem(item("left arm"));
+        const Project renamed = document().project();
+        QTest::keyClick(tree, Qt::Key_Delete);
+        QCOMPARE(body().parts.size(), 1U);
+        QCOMPARE(body().curves.size(), 2U);
+        checkHistory(renamed);
+        QVERIFY(said("bodyPartsOffer").contains("curve 2"));
+    }
+
+    void aPartIsHungOnAnotherByItsForm()
+    {
+        drawOnArm(0.35F);
+        run("variations.parts.add");
+        drawOnArm(0.6F);
+        run("variations.parts.add");
+        QCOMPARE(body().parts.size(), 3U);
+        QCOMPARE(findPart(body(), "part 2")->part.parent, std::string("part"));
+        QVERIFY(tool().cut().problems.empty());
+        tool().select({PartSelection::Kind::Part, "part"});
+        auto* parent = test::find<QComboBox>("partParent");
+        QTRY_VERIFY(parent->isVisible());
+        const Project before = document().project();
+        parent->setFocus();
+        QTest::keyClicks(parent, "part 2");
+        QCOMPARE(findPart(body(), "part")->part.parent, std::string("part 2"));
+        checkHistory(before);
+        QVERIFY(said("bodyPartsProblem").contains("part"));
+    }
+
+    void theShownPoseIsTaken()
+    {
+        m_window->variations().player().goTo(2);
+        QTRY_COMPARE(m_window->variations().stage().frame(), FrameIndex(2));
+        drawOnArm(0.45F);
+        const Project before = document().project();
+        QTest::mouseClick(test::find<QPushButton>("takePose"), Qt::LeftButton);
+        QVERIFY(body().pose == (NamedFrame{.sequence = "stand", .frame = FrameIndex(2)}));
+        checkHistory(before);
+        QTRY_VERIFY_WITH_TIMEOUT(tool().surface().graph() != nullptr, 20000);
+        QVERIFY(tool().cut().problems.empty());
+    }
+
+    void theWindowCanGoWhileACurveIsDrawn()
+    {
+        run("variations.curve.draw");
+        click(pixel(0.45F, 1.4F, 0.1F));
+        QTest::mouseMove(viewport().view(), pixel(0.5F, 1.32F, 0.1F));
+        QCOMPARE(tool().editor().mode(), Mode::Draw);
+        QCOMPARE(body().curves.size(), 1U);
+    }
+
+    void theViewShowsPartsOnlyWithThePanel()
+    {
+        drawOnArm(0.45F);
+        run("variations.parts.add");
+        QTRY_COMPARE(viewport().shading(), widgets::Shading::Scalar);
+        m_window->context().actions.action("variations.parts.show")->setChecked(false);
+        QVERIFY(!tool().editor().isActive());
+        QVERIFY(viewport().shading() != widgets::Shading::Scalar);
+        m_window->context().actions.action("variations.parts.show")->setChecked(true);
+        QTRY_VERIFY(tool().editor().isActive());
+        m_window->context().actions.action("workspace.sequences")->trigger();
+        QTRY_VERIFY(!tool().editor().isActive());
+        m_window->context().actions.action("workspace.variations")->trigger();
+        QTRY_VERIFY(tool().editor().isActive());
+        QTRY_COMPARE(viewport().shading(), widgets::Shading::Scalar);
+    }
+
+    void aCurveIsDrawnByKeyboard()
+    {
+        look(60);
+        QVERIFY(test::activate(*m_window));
+        QTest::keyClick(m_window.get(), Qt::Key_C);
+        QCOMPARE(tool().editor().mode(), Mode::Draw);
+        key(Qt::Key_Right);
+        for (int i = 0; i < 3; ++i)
+            key(Qt::Key_Right, Qt::ShiftModifier);
+        key(Qt::Key_Insert);
+        QCOMPARE(body().curves.size(), 1U);
+        key(Qt::Key_Return);
+        key(Qt::Key_Tab);
+        QCOMPARE(tool().editor().selected().kind, PartKind::Point);
+        const Project before = document().project();
+        key(Qt::Key_Up);
+        checkHistory(before);
+    }
+};
+
+} // namespace quadrille
+
+int main(int argc, char** argv)
+{
+    quadrille::widgets::VtkView::setDefaultFormat();
+    QApplication application(argc, argv);
+    quadrille::BodyPartsPanelTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "tst_bodypartspanel.moc"

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/project.h"
+
+namespace quadrille::test {
+
+inline BodyPartsEntry fullBodyParts()
+{
+    const auto ring = [](std::string name, std::uint32_t first) {
+        PartCurveEntry entry;
+        entry.curve.name = std::move(name);
+        entry.curve.vertices = {VertexIndex(first), VertexIndex(first + 1), VertexIndex(first + 2)};
+        entry.points = {VertexIndex(first), VertexIndex(first + 2)};
+        return entry;
+    };
+    const auto part = [](std::string name, std::string parent, std::vector<std::string> curves) {
+        PartEntry entry;
+        entry.part = {std::move(name), std::move(parent), std::move(curves)};
+        return entry;
+    };
+    BodyPartsEntry parts;
+    parts.character = "liam";
+    parts.pose = NamedFrame{"talk", FrameIndex(3)};
+    parts.curves = {ring("shoulder", 0), ring("upper arm", 10)};
+    parts.parts = {part("torso", "", {}), part("arm", "torso", {"shoulder", "upper arm"})};
+    return parts;
+}
+
+/// Variations in which every known key has a value that is not the default.
+inline VariationEntry fullVariation()
+{
+    VariationEntry variation;
+    variation.name = "chat";
+    variation.character = "liam";
+    TrainingEntry talk;
+    talk.sequence = "talk";
+    talk.range = FrameRange{FrameIndex(0), FrameIndex(30)};
+    TrainingEntry again;
+    again.sequence = "again";
+    variation.training = {talk, again};
+    variation.reference = "again";
+    variation.templatePose = NamedFrame{"talk", FrameIndex(5)};
+    variation.cycles = false;
+    BlendEntry blend;
+    blend.from = "talk";
+    blend.to = "again";
+    blend.weights = {0.25, 0.75};
+    variation.blends = {blend};
+    variation.displacementShare = 3;
+    variation.learning = {.dimensions = 4,
+                          .restarts = 2,
+                          .seed = 7,
+                          .tolerance = 1e-5,
+                          .window = 20,
+                          .greatestIterations = 500};
+    variation.chain.leapfrogSteps = 10;
+    variation.chain.burnIn = 50;
+    variation.chain.thinning = 5;
+    variation.chain.leastAcceptance = 0.65;
+    variation.chain.greatestAcceptance = 0.85;
+    SamplesEntry samples;
+    samples.of = "talk";
+    samples.to = "again";
+    samples.weight = 0.3;
+    samples.count = 3;
+    samples.seed = 2;
+    samples.discarded = {2};
+    variation.samples = {samples};
+    variation.draw = PoseDraw::Sample;
+    variation.limits = {.poseDistance = 0.1, .skate = 0.2, .intersections = 0.02, .volumeChange = 0.3};
+    return variation;
+}
+
+} // namespace quadrille::test
