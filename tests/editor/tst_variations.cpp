@@ -202,7 +202,7 @@ private slots:
     {
         learn();
         show("samplesPanel");
-        QCOMPARE(stage().size(), 3);
+        QTRY_COMPARE(stage().size(), 3);
         test::find<QSpinBox>("sampleCount")->setValue(5);
         QCOMPARE(entry().samples[0].count, 5);
         QTRY_COMPARE_WITH_TIMEOUT(stage().size(), 5, 30000);
@@ -211,10 +211,10 @@ private slots:
         drawn->setCurrentItem(drawn->topLevelItem(1));
         QTest::keyClick(drawn, Qt::Key_Delete);
         QCOMPARE(entry().samples[0].discarded, std::vector<int>{2});
-        QCOMPARE(stage().size(), 4);
+        QTRY_COMPARE(stage().size(), 4);
         QCOMPARE(medium().state, State::Ready);
         clickBox("drawnVariations", 0);
-        QCOMPARE(stage().size(), 3);
+        QTRY_COMPARE(stage().size(), 3);
         QTest::keyClick(drawn, Qt::Key_Insert);
         QVERIFY(entry().samples[0].discarded.empty());
         document().undo();
