@@ -216,6 +216,7 @@ OpenedSequence SequenceOpener::openMadeClip(const std::string& clip, const Progr
     if (names.empty())
         throwInvalid({}, "There is no clip “" + clip + "”", QUADRILLE_MESSAGE("Correct the name."));
     std::vector<MeshSequence> sequences;
+    sequences.reserve(names.size());
     for (const std::string& sequence : names)
         sequences.push_back(open(sequence, progress)->sequence);
     auto made = readClip(m_results, clip, sequences, m_project.settings.fps);

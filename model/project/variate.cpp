@@ -130,6 +130,7 @@ std::shared_ptr<const Movement> VariationWork::movement(const Progress& progress
         makeMovement(takes, reference, cutParts(takes.front().sequence, progress), blends, settings, pose,
                      progress.part(opening, 1)));
     std::vector<MeshSequence> sequences;
+    sequences.reserve(takes.size());
     for (const TrainingTake& take : takes)
         sequences.push_back(take.sequence);
     m_frames.emplace(sequences);

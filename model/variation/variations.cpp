@@ -121,6 +121,7 @@ SubjectTakes subjectTakes(const Movement& movement, const VariationSubject& subj
         return {subject.take, subject.take, 0};
     const std::vector<LearnedWeight> learned = learnedWeights(movement, subject.take, *subject.to);
     std::vector<double> weights;
+    weights.reserve(learned.size());
     for (const LearnedWeight& each : learned)
         weights.push_back(each.weight);
     const BlendNeighbours between = blendNeighbours(weights, subject.weight);

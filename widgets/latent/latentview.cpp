@@ -144,7 +144,7 @@ QString LatentView::readOut() const
     const LatentPath& path = d->paths[static_cast<std::size_t>(d->chosen->path)];
     const auto frame = static_cast<std::size_t>(d->chosen->frame);
     //: a movement and one of its frames
-    const QString text = tr("%1, frame %2").arg(path.name).arg(d->chosen->frame);
+    QString text = tr("%1, frame %2").arg(path.name).arg(d->chosen->frame);
     if (frame >= path.values.size())
         return text;
     //: a movement with its frame; a quantity and its value

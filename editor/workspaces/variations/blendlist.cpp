@@ -54,8 +54,7 @@ std::vector<double> weightsIn(const QString& text)
             weights.push_back(value);
     }
     std::ranges::sort(weights);
-    const auto repeated = std::ranges::unique(weights);
-    weights.erase(repeated.begin(), repeated.end());
+    weights.erase(std::unique(weights.begin(), weights.end()), weights.end());
     return weights;
 }
 

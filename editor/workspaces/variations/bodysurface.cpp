@@ -19,7 +19,7 @@ BodySurface::BodySurface(CurrentVariation& variation, QObject* parent)
 
 std::optional<NamedFrame> BodySurface::pose() const
 {
-    if (const auto pose = m_variation.body().pose)
+    if (auto pose = m_variation.body().pose)
         return pose;
     const ProjectDocument& document = m_variation.context().document;
     for (const SequenceEntry& sequence : document.project().sequences) {

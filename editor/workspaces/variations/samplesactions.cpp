@@ -24,6 +24,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 #include <algorithm>
+#include <cmath>
 
 namespace quadrille {
 
@@ -143,7 +144,7 @@ void SamplesPanel::refreshFields()
     m_of->setCurrentIndex(m_of->findText(QString::fromStdString(set->of)));
     m_to->setCurrentIndex(set->to.empty() ? 0 : m_to->findText(QString::fromStdString(set->to)));
     constexpr double whole = 100;
-    const auto percent = static_cast<int>(set->weight * whole + 0.5);
+    const auto percent = static_cast<int>(std::lround(set->weight * whole));
     if (!m_weight->isSliderDown())
         m_weight->setValue(percent);
     m_percent->setValue(percent);
@@ -302,8 +303,10 @@ void SamplesPanel::addAsSequences()
 void SamplesPanel::makeClips(std::vector<std::string> clips)
 {
     EditorContext& context = m_variation.context();
+    const JobSettings settings{.name = tr("Making %n clip(s)", nullptr, static_cast<int>(clips.size())),
+                               .receiver = this};
     context.jobs.start(
-        {.name = tr("Making %n clip(s)", nullptr, static_cast<int>(clips.size())), .receiver = this},
+        settings,
         [project = context.document.snapshot(), file = context.document.workingFile(),
          clips = std::move(clips)](const Progress& progress) {
             const RebuildReport report = rebuild(project, file, {.targets = clips}, progress);

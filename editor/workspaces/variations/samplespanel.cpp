@@ -37,7 +37,7 @@ constexpr int greatestSeed = 999'999;
 
 QString nameOf(const SamplesEntry& samples)
 {
-    const QString of = QString::fromStdString(samples.of);
+    QString of = QString::fromStdString(samples.of);
     if (samples.to.empty())
         return of;
     constexpr double percent = 100;
