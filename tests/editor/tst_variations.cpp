@@ -153,6 +153,7 @@ private slots:
         endless.learning.tolerance = 1e-300;
         endless.learning.window = 1'000'000;
         endless.learning.greatestIterations = 100'000'000;
+        endless.learning.restarts = 1'000'000;
         const auto aligned = medium().movement;
         variation().edit("endless", "learning", [&](VariationEntry& after) { after = endless; });
         QTRY_VERIFY_WITH_TIMEOUT(medium().movement != aligned, 30000);

@@ -94,6 +94,8 @@ void VariationsWorkspace::makePanels()
     m_panels.push_back({"bodyPartsDock", [] { return tr("Body parts"); }, m_bodyParts});
     m_panels.push_back({"learningDock", [] { return tr("Learning"); }, new LearningPanel(*m_variation)});
     auto* samples = new SamplesPanel(*m_variation);
+    m_samples = samples;
+    m_samples->installEventFilter(this);
     m_panels.push_back({"samplesDock", [] { return tr("Samples"); }, samples});
     connect(samples, &SamplesPanel::exportAsked, this,
             [this] { emit exportAsked(QStringLiteral("variations/") + m_variation->name()); });
@@ -135,7 +137,7 @@ const MeshSequence* VariationsWorkspace::clip(const QString& name)
     if (found != all.end())
         return m_context.variations.clip(m_variation->name(), found->number);
     const MeshSequence* take = m_context.media.sequence(name);
-    if (take == nullptr || all.empty() || m_bodyParts->isVisible())
+    if (take == nullptr || all.empty() || isCutting())
         return take;
     const auto used = m_variation->framesUsed();
     if (!used)
@@ -144,10 +146,16 @@ const MeshSequence* VariationsWorkspace::clip(const QString& name)
     return &m_original;
 }
 
-/// Curves are drawn on a take: it is what is shown with their panel.
+/// Curves are drawn on a take: it is what is shown with their panel, unless samples are looked at.
+bool VariationsWorkspace::isCutting() const
+{
+    return m_bodyParts->isVisible() && !m_samples->isVisible();
+}
+
 bool VariationsWorkspace::eventFilter(QObject* watched, QEvent* event)
 {
-    if (watched == m_bodyParts && (event->type() == QEvent::Show || event->type() == QEvent::Hide))
+    if ((watched == m_bodyParts || watched == m_samples) &&
+        (event->type() == QEvent::Show || event->type() == QEvent::Hide))
         QMetaObject::invokeMethod(this, &VariationsWorkspace::followResult, Qt::QueuedConnection);
     return Workspace::eventFilter(watched, event);
 }
@@ -168,7 +176,7 @@ void VariationsWorkspace::followResult()
     const SamplesEntry* set = m_variation->samples();
     const QString take = set == nullptr ? QString() : QString::fromStdString(set->of);
     const std::vector<DrawnVariation> all =
-        m_bodyParts->isVisible() ? std::vector<DrawnVariation>() : m_variation->drawn();
+        isCutting() ? std::vector<DrawnVariation>() : m_variation->drawn();
     if (m_variation->isOriginalShown() && !all.empty())
         names += take;
     for (const DrawnVariation& drawn : all) {

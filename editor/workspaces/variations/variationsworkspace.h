@@ -40,6 +40,7 @@ private:
     /// A variation by the name that the view gives it, a take, or its used frames; null until it is there.
     const MeshSequence* clip(const QString& name);
     void follow();
+    bool isCutting() const;
     void followResult();
     void showState();
 
@@ -48,6 +49,7 @@ private:
     CurrentVariation* m_variation;
     PartCurveTool* m_parts;
     QWidget* m_bodyParts = nullptr;
+    QWidget* m_samples = nullptr;
     LatentPanel* m_latent = nullptr;
     std::vector<Panel> m_panels;
     MeshSequence m_original; ///< the frames used of the take that is varied
