@@ -90,10 +90,11 @@ int variationCount(const VariationEntry& entry)
 
 bool isDiscarded(const VariationEntry& entry, int number)
 {
-    return std::any_of(entry.samples.begin(), entry.samples.end(), [number](const SamplesEntry& samples) {
-        return std::find(samples.discarded.begin(), samples.discarded.end(), number) !=
-               samples.discarded.end();
-    });
+    const auto place = placeOfVariation(entry, number);
+    if (!place)
+        return false;
+    const std::vector<int>& discarded = entry.samples[place->set].discarded;
+    return std::find(discarded.begin(), discarded.end(), place->index + 1) != discarded.end();
 }
 
 std::optional<SamplePlace> placeOfVariation(const VariationEntry& entry, int number)

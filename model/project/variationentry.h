@@ -75,7 +75,7 @@ struct SamplesEntry
     double weight = 0; ///< of the second, 0 … 1
     int count = 5;
     std::uint64_t seed = 1;
-    std::vector<int> discarded; ///< numbers of those thrown away, from 1 among all of the entry
+    std::vector<int> discarded; ///< which of the set were thrown away, from 1
     UnknownKeys unknown;
 
     bool operator==(const SamplesEntry&) const = default;

@@ -179,6 +179,16 @@ TEST_F(VariationStages, AreWrittenAsDataSetsWithoutTheDiscarded)
     EXPECT_EQ(json["latents"]["tip"], "sway_tip_latents.npy");
 }
 
+TEST_F(VariationStages, AreDiscardedByTheirNumberInTheirSet)
+{
+    sway().samples.push_back(sway().samples.front());
+    sway().samples[1].discarded = {1};
+    EXPECT_FALSE(isDiscarded(sway(), 1));
+    EXPECT_TRUE(isDiscarded(sway(), 3));
+    EXPECT_FALSE(isDiscarded(sway(), 4));
+    EXPECT_FALSE(isDiscarded(sway(), 5));
+}
+
 TEST_F(VariationStages, RejectWhatIsBadAndSayWhichIsMissing)
 {
     sway().limits.poseDistance = 1e-9;
