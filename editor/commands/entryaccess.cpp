@@ -88,7 +88,8 @@ std::size_t memoryOf(const VariationEntry& variation)
     std::size_t bytes = sizeof(variation) + variation.name.capacity() + memoryOf(variation.unknown) +
                         variation.training.size() * sizeof(TrainingEntry);
     for (const BlendEntry& blend : variation.blends)
-        bytes += sizeof(blend) + blend.weights.size() * sizeof(double);
+        bytes += sizeof(blend) +
+                 (blend.weights.size() + (blend.across ? blend.across->weights.size() : 0)) * sizeof(double);
     for (const SamplesEntry& samples : variation.samples)
         bytes += sizeof(samples) + samples.discarded.size() * sizeof(int);
     return bytes;

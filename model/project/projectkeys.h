@@ -55,12 +55,15 @@ inline constexpr std::array<std::string_view, 4> variationLimits{"pose_distance"
                                                                  "volume_change"};
 inline constexpr std::array<std::string_view, 2> training{"sequence", "range"};
 inline constexpr std::array<std::string_view, 2> namedFrame{"sequence", "frame"};
-inline constexpr std::array<std::string_view, 3> blend{"from", "to", "weights"};
+inline constexpr std::array<std::string_view, 4> blend{"from", "to", "weights", "across"};
+inline constexpr std::array<std::string_view, 3> acrossBlend{"from", "to", "weights"};
 inline constexpr std::array<std::string_view, 6> learning{"dimensions", "restarts", "seed",
                                                           "tolerance",  "window",   "iterations"};
 inline constexpr std::array<std::string_view, 4> sampling{"leapfrog_steps", "burn_in", "thinning",
                                                           "acceptance"};
-inline constexpr std::array<std::string_view, 6> samples{"of", "to", "weight", "count", "seed", "discarded"};
+inline constexpr std::array<std::string_view, 7> samples{"of",    "to",   "weight",   "across",
+                                                         "count", "seed", "discarded"};
+inline constexpr std::array<std::string_view, 3> acrossSamples{"of", "to", "weight"};
 inline constexpr std::array<std::string_view, 6> evaluation{"table",  "character", "sequences",
                                                             "alphas", "count",     "seed"};
 inline constexpr std::array<std::string_view, 10> exportEntry{

@@ -67,6 +67,12 @@ private:
         return changed.has_value();
     }
 
+    bool keepsBoth(std::string& first, std::string& second) const
+    {
+        const bool keepsFirst = keeps(first);
+        return keeps(second) && keepsFirst;
+    }
+
     /// No name stands for the only character.
     bool keepsCharacter(std::string& name) const
     {
@@ -117,12 +123,12 @@ private:
         const bool hadTakes = !entry.training.empty();
         std::erase_if(entry.training, [&](TrainingEntry& take) { return !keeps(take.sequence); });
         std::erase_if(entry.blends, [&](BlendEntry& blend) {
-            const bool keepsFrom = keeps(blend.from);
-            return !keeps(blend.to) || !keepsFrom;
+            const bool keepsAcross = !blend.across || keepsBoth(blend.across->from, blend.across->to);
+            return !keepsBoth(blend.from, blend.to) || !keepsAcross;
         });
         std::erase_if(entry.samples, [&](SamplesEntry& samples) {
-            const bool keepsOf = keeps(samples.of);
-            return !keeps(samples.to) || !keepsOf;
+            const bool keepsAcross = !samples.across || keepsBoth(samples.across->of, samples.across->to);
+            return !keepsBoth(samples.of, samples.to) || !keepsAcross;
         });
         if (!keeps(entry.reference))
             entry.reference.clear();

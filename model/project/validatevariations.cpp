@@ -7,7 +7,9 @@
 #include "model/project/validationtexts.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <tuple>
 
 namespace quadrille {
 
@@ -20,6 +22,26 @@ constexpr int greatestCount = 10'000;
 bool contains(const std::vector<std::string>& names, const std::string& name)
 {
     return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Two takes with the weights of the second at which blends of them are learned.
+struct BlendEdge
+{
+    std::string from;
+    std::string to;
+    std::vector<double> weights;
+};
+
+/// The pair of a blend, or the four of a square.
+std::vector<BlendEdge> edgesOf(const BlendEntry& blend)
+{
+    std::vector<BlendEdge> edges{{blend.from, blend.to, blend.weights}};
+    if (const auto& across = blend.across) {
+        edges.push_back({across->from, across->to, blend.weights});
+        edges.push_back({blend.from, across->from, across->weights});
+        edges.push_back({blend.to, across->to, across->weights});
+    }
+    return edges;
 }
 
 /// What both sections have in common.
@@ -135,6 +157,7 @@ public:
         checkFrame(entry.templatePose, "/template");
         for (std::size_t i = 0; i < entry.blends.size(); ++i)
             checkBlend(entry.blends[i], "/blends/" + std::to_string(i));
+        checkBlendsDiffer(entry.blends);
         if (!(entry.displacementShare > 0))
             invalid("/displacement_share", "The share of the displacements is not above zero");
         checkLearning(entry.learning);
@@ -189,19 +212,63 @@ private:
             invalid(key, "A take cannot be blended with itself", "Name two takes.");
     }
 
-    void checkBlend(const BlendEntry& blend, const std::string& key)
+    /// Both further corners of a square. \param others  the keys that they have.
+    void checkAcross(const std::array<std::string, 2>& pair, const std::array<std::string, 2>& across,
+                     const std::array<const char*, 2>& keys, const std::string& key)
     {
-        checkTake(blend.from, key + "/from");
-        checkTake(blend.to, key + "/to");
-        checkPair(blend.from, blend.to, key + "/to");
+        for (std::size_t i = 0; i < across.size(); ++i) {
+            checkTake(across[i], key + keys[i]);
+            if (across[i] == pair[0] || across[i] == pair[1] || (i == 1 && across[1] == across[0]))
+                invalid(key + keys[i], quoted(across[i]) + " is at two corners of the square",
+                        "Name four different takes.");
+        }
+    }
+
+    void checkWeights(const std::vector<double>& weights, const std::string& key)
+    {
         double before = 0;
-        for (const double weight : blend.weights) {
+        for (const double weight : weights) {
             if (!(weight > before && weight < 1)) {
                 invalid(key + "/weights", "Weights must lie between 0 and 1, ascending",
                         "Write them like [0.25, 0.5, 0.75].");
                 break;
             }
             before = weight;
+        }
+    }
+
+    void checkBlend(const BlendEntry& blend, const std::string& key)
+    {
+        checkTake(blend.from, key + "/from");
+        checkTake(blend.to, key + "/to");
+        checkPair(blend.from, blend.to, key + "/to");
+        checkWeights(blend.weights, key);
+        if (!blend.across)
+            return;
+        checkAcross({blend.from, blend.to}, {blend.across->from, blend.across->to}, {"/from", "/to"},
+                    key + "/across");
+        checkWeights(blend.across->weights, key + "/across");
+    }
+
+    /// A blend of two takes, an edge of one of four included, is learned once for each weight.
+    void checkBlendsDiffer(const std::vector<BlendEntry>& blends)
+    {
+        std::set<std::tuple<std::string, std::string, double>> seen;
+        for (std::size_t i = 0; i < blends.size(); ++i) {
+            for (const BlendEdge& edge : edgesOf(blends[i])) {
+                for (const double weight : edge.weights) {
+                    const bool isReversed = edge.to < edge.from;
+                    const bool isNew = isReversed ? seen.emplace(edge.to, edge.from, 1 - weight).second
+                                                  : seen.emplace(edge.from, edge.to, weight).second;
+                    if (isNew)
+                        continue;
+                    invalid("/blends/" + std::to_string(i),
+                            quoted(edge.from) + " and " + quoted(edge.to) +
+                                " are blended twice at one weight",
+                            "Leave one of both out.");
+                    break;
+                }
+            }
         }
     }
 
@@ -240,10 +307,23 @@ private:
         } else if (samples.weight != 0) {
             invalid(key + "/weight", "The weight belongs to no second take", "Name it as “to”.");
         }
-        if (!(samples.weight >= 0 && samples.weight <= 1))
-            invalid(key + "/weight", "The weight of a blend must be from 0 to 1");
+        checkWeight(samples.weight, key);
+        if (samples.across && samples.to.empty()) {
+            invalid(key + "/across", "Two takes lie across from one alone", "Name its second as “to”.");
+        } else if (samples.across) {
+            checkAcross({samples.of, samples.to}, {samples.across->of, samples.across->to}, {"/of", "/to"},
+                        key + "/across");
+            checkWeight(samples.across->weight, key + "/across");
+        }
         if (samples.count > greatestCount)
             invalid(key + "/count", "There are more than 10000 variations");
+    }
+
+    void checkWeight(double weight, const std::string& key)
+    {
+        if (!(weight >= 0 && weight <= 1))
+            invalid(key + "/weight", "The weight of a blend must be from 0 to 1",
+                    "Write 0.5 for half of both.");
     }
 
     std::vector<std::string> m_takes;

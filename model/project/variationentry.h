@@ -56,23 +56,48 @@ struct TrainingEntry
     bool operator==(const TrainingEntry&) const = default;
 };
 
-/// Two takes that are blended before learning (CVS §7).
+/// The other two takes of a blend of four, which lie at the corners of a square.
+struct AcrossBlendEntry
+{
+    std::string from;                 ///< across from BlendEntry::from
+    std::string to;                   ///< across from BlendEntry::to
+    std::vector<double> weights{0.5}; ///< of this pair against the first one; between 0 and 1, ascending
+    UnknownKeys unknown;
+
+    bool operator==(const AcrossBlendEntry&) const = default;
+};
+
+/// Two takes that are blended before learning (CVS §7), or four.
 struct BlendEntry
 {
     std::string from;                 ///< w = 0
     std::string to;                   ///< w = 1
     std::vector<double> weights{0.5}; ///< of the blends that are learned, too; between 0 and 1, ascending
+    /// Then all nodes of the grid over the square are learned, its edges included.
+    std::optional<AcrossBlendEntry> across;
     UnknownKeys unknown;
 
     bool operator==(const BlendEntry&) const = default;
 };
 
-/// Variations that are drawn of one take, or of a blend of two.
+/// The other two takes of a blend of four.
+struct AcrossSamplesEntry
+{
+    std::string of;    ///< across from SamplesEntry::of
+    std::string to;    ///< across from SamplesEntry::to
+    double weight = 0; ///< of this pair against the first one, 0 … 1
+    UnknownKeys unknown;
+
+    bool operator==(const AcrossSamplesEntry&) const = default;
+};
+
+/// Variations that are drawn of one take, or of a blend of two or four.
 struct SamplesEntry
 {
-    std::string of;    ///< a take; the first of two where `to` names another
-    std::string to;    ///< the second of a blend; empty for one take
-    double weight = 0; ///< of the second, 0 … 1
+    std::string of;                           ///< a take; the first of two where `to` names another
+    std::string to;                           ///< the second of a blend; empty for one take
+    double weight = 0;                        ///< of the second, 0 … 1; of both seconds of four
+    std::optional<AcrossSamplesEntry> across; ///< only with `to`
     int count = 5;
     std::uint64_t seed = 1;
     std::vector<int> discarded; ///< which of the set were thrown away, from 1

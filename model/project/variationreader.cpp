@@ -94,12 +94,24 @@ TrainingEntry readTraining(const Json& json, const std::string& pointer, Project
     return entry;
 }
 
+/// What both pairs of a blend have in common.
+template <typename Pair>
+void readPair(const ObjectReader& reader, Pair& pair)
+{
+    pair.from = reader.requiredText("from");
+    pair.to = reader.requiredText("to");
+    pair.weights = reader.numbers("weights", 0, "a list of numbers").value_or(pair.weights);
+}
+
 BlendEntry readBlend(const ObjectReader& reader)
 {
     BlendEntry blend;
-    blend.from = reader.requiredText("from");
-    blend.to = reader.requiredText("to");
-    blend.weights = reader.numbers("weights", 0, "a list of numbers").value_or(blend.weights);
+    readPair(reader, blend);
+    if (const Json* json = reader.find("across")) {
+        const ObjectReader across(*json, reader.pointer("across"), reader.problems());
+        readPair(across, blend.across.emplace());
+        blend.across->unknown = across.unknown(projectkeys::acrossBlend);
+    }
     blend.unknown = reader.unknown(projectkeys::blend);
     return blend;
 }
@@ -158,12 +170,24 @@ void readLimits(const ObjectReader& reader, VariationEntry& variation)
     variation.unknownOfLimits = reader.unknown(projectkeys::variationLimits);
 }
 
+AcrossSamplesEntry readAcross(const ObjectReader& reader)
+{
+    AcrossSamplesEntry across;
+    across.of = reader.requiredText("of");
+    across.to = reader.requiredText("to");
+    across.weight = reader.number("weight").value_or(across.weight);
+    across.unknown = reader.unknown(projectkeys::acrossSamples);
+    return across;
+}
+
 SamplesEntry readSamples(const ObjectReader& reader)
 {
     SamplesEntry samples;
     samples.of = reader.requiredText("of");
     samples.to = reader.text("to");
     samples.weight = reader.number("weight").value_or(samples.weight);
+    if (const Json* across = reader.find("across"))
+        samples.across = readAcross({*across, reader.pointer("across"), reader.problems()});
     samples.count = readCount(reader, "count", samples.count);
     samples.seed = readSeed(reader, samples.seed);
     samples.discarded = wholeNumbers<int>(reader, "discarded");

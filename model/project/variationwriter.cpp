@@ -63,12 +63,24 @@ Json toJson(const TrainingEntry& entry)
     return json.size() == 1 ? json["sequence"] : json;
 }
 
-Json toJson(const BlendEntry& blend)
+/// What both pairs of a blend have in common.
+template <typename Pair>
+Json pairToJson(const Pair& pair)
 {
     Json json = Json::object();
-    json["from"] = blend.from;
-    json["to"] = blend.to;
-    json["weights"] = blend.weights;
+    json["from"] = pair.from;
+    json["to"] = pair.to;
+    json["weights"] = pair.weights;
+    return json;
+}
+
+Json toJson(const BlendEntry& blend)
+{
+    Json json = pairToJson(blend);
+    if (blend.across) {
+        json["across"] = pairToJson(*blend.across);
+        addUnknown(json["across"], blend.across->unknown);
+    }
     addUnknown(json, blend.unknown);
     return json;
 }
@@ -116,6 +128,16 @@ Json limitsToJson(const VariationEntry& variation)
     return json;
 }
 
+Json toJson(const AcrossSamplesEntry& across)
+{
+    Json json = Json::object();
+    json["of"] = across.of;
+    json["to"] = across.to;
+    json["weight"] = across.weight;
+    addUnknown(json, across.unknown);
+    return json;
+}
+
 Json toJson(const SamplesEntry& samples)
 {
     Json json = Json::object();
@@ -123,6 +145,8 @@ Json toJson(const SamplesEntry& samples)
     addText(json, "to", samples.to);
     if (!samples.to.empty() || samples.weight != 0)
         json["weight"] = samples.weight;
+    if (samples.across)
+        json["across"] = toJson(*samples.across);
     json["count"] = samples.count;
     json["seed"] = samples.seed;
     if (!samples.discarded.empty())

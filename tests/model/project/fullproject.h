@@ -94,7 +94,11 @@ inline Project fullProject()
     talk.jointAngles = "liam/talk_a.bvh";
     SequenceEntry again = sequenceOf("again", "clip:sequences/talk");
     again.character = "liam";
-    project.sequences = {talk, again};
+    SequenceEntry softly = sequenceOf("softly", "softly.pc2");
+    softly.character = "liam";
+    SequenceEntry softlyAgain = sequenceOf("softly again", "clip:sequences/softly");
+    softlyAgain.character = "liam";
+    project.sequences = {talk, again, softly, softlyAgain};
     GraphEntry graph;
     graph.character = "liam";
     graph.pose = {PoseMetric::Euclidean, 0.02};

@@ -39,7 +39,11 @@ inline VariationEntry fullVariation()
     talk.range = FrameRange{FrameIndex(0), FrameIndex(30)};
     TrainingEntry again;
     again.sequence = "again";
-    variation.training = {talk, again};
+    TrainingEntry softly;
+    softly.sequence = "softly";
+    TrainingEntry softlyAgain;
+    softlyAgain.sequence = "softly again";
+    variation.training = {talk, again, softly, softlyAgain};
     variation.reference = "again";
     variation.templatePose = NamedFrame{"talk", FrameIndex(5)};
     variation.cycles = false;
@@ -47,6 +51,10 @@ inline VariationEntry fullVariation()
     blend.from = "talk";
     blend.to = "again";
     blend.weights = {0.25, 0.75};
+    blend.across.emplace();
+    blend.across->from = "softly";
+    blend.across->to = "softly again";
+    blend.across->weights = {0.4};
     variation.blends = {blend};
     variation.displacementShare = 3;
     variation.learning = {.dimensions = 4,
@@ -64,6 +72,10 @@ inline VariationEntry fullVariation()
     samples.of = "talk";
     samples.to = "again";
     samples.weight = 0.3;
+    samples.across.emplace();
+    samples.across->of = "softly";
+    samples.across->to = "softly again";
+    samples.across->weight = 0.6;
     samples.count = 3;
     samples.seed = 2;
     samples.discarded = {2};

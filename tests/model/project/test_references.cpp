@@ -89,7 +89,7 @@ TEST(References, FollowAnAnimationAndACharacter)
     EXPECT_FALSE(hasErrors(validate(project)));
     renameEntry(project, NamedKind::Animation, "trip", "tour");
     renameEntry(project, NamedKind::Character, "noah", "liam");
-    EXPECT_EQ(project.sequences[2].source, "clip:animations/tour");
+    EXPECT_EQ(project.sequences[4].source, "clip:animations/tour");
 }
 
 TEST(References, OfTheSameNameInOtherSectionsStay)
@@ -98,7 +98,7 @@ TEST(References, OfTheSameNameInOtherSectionsStay)
     renameEntry(project, NamedKind::Animation, "tour", "talk");
     renameEntry(project, NamedKind::Sequence, "talk", "speech");
     EXPECT_EQ(project.animations.front().name, "talk");
-    EXPECT_EQ(project.sequences[2].source, "clip:animations/talk");
+    EXPECT_EQ(project.sequences[4].source, "clip:animations/talk");
     EXPECT_EQ(project.sequences[1].source, "clip:sequences/speech");
     EXPECT_THAT(namesIn(project.exports), testing::ElementsAre("sequences/speech", "animations/talk",
                                                                "sequences/part", "sequences/leap"));
@@ -126,7 +126,7 @@ TEST(References, ToAnAnimationTakeWhatShowsIt)
 {
     Project project = referringProject();
     removeEntries(project, NamedKind::Animation, {"tour"});
-    EXPECT_EQ(project.sequences.size(), 3U);
+    EXPECT_EQ(project.sequences.size(), 5U);
     EXPECT_THAT(namesIn(project.exports), testing::ElementsAre("sequences/talk", "sequences/leap"));
     EXPECT_FALSE(hasErrors(validate(project)));
 }

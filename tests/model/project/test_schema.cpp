@@ -122,10 +122,12 @@ TEST(Schema, KnowsTheKeysThatTheCodeKnows)
     EXPECT_EQ(propertiesOf(definitions["variation"]), keysOf(projectkeys::variation));
     EXPECT_EQ(propertiesOf(definitions["training"]), keysOf(projectkeys::training));
     EXPECT_EQ(propertiesOf(definitions["blend"]), keysOf(projectkeys::blend));
+    EXPECT_EQ(propertiesOf(definitions["across_blend"]), keysOf(projectkeys::acrossBlend));
     EXPECT_EQ(propertiesOf(definitions["learning"]), keysOf(projectkeys::learning));
     EXPECT_EQ(propertiesOf(definitions["sampling"]), keysOf(projectkeys::sampling));
     EXPECT_EQ(propertiesOf(definitions["variation_limits"]), keysOf(projectkeys::variationLimits));
     EXPECT_EQ(propertiesOf(definitions["samples"]), keysOf(projectkeys::samples));
+    EXPECT_EQ(propertiesOf(definitions["across_samples"]), keysOf(projectkeys::acrossSamples));
     EXPECT_EQ(propertiesOf(definitions["export"]), keysOf(projectkeys::exportEntry));
     EXPECT_EQ(propertiesOf(definitions["picture"]), keysOf(projectkeys::picture));
     EXPECT_EQ(propertiesOf(definitions["view"]), keysOf(projectkeys::view));
@@ -165,10 +167,12 @@ TEST(Schema, TheCodeWritesItsKeysInTheirOrder)
     EXPECT_EQ(written(variation["sequences"][0]), listOf(projectkeys::training));
     EXPECT_EQ(written(variation["template"]), listOf(projectkeys::namedFrame));
     EXPECT_EQ(written(variation["blends"][0]), listOf(projectkeys::blend));
+    EXPECT_EQ(written(variation["blends"][0]["across"]), listOf(projectkeys::acrossBlend));
     EXPECT_EQ(written(variation["learning"]), listOf(projectkeys::learning));
     EXPECT_EQ(written(variation["sampling"]), listOf(projectkeys::sampling));
     EXPECT_EQ(written(variation["limits"]), listOf(projectkeys::variationLimits));
     EXPECT_EQ(written(variation["samples"][0]), listOf(projectkeys::samples));
+    EXPECT_EQ(written(variation["samples"][0]["across"]), listOf(projectkeys::acrossSamples));
     EXPECT_EQ(written(json["exports"][0]), listOf(projectkeys::exportEntry));
     EXPECT_EQ(written(json["exports"][0]["picture"]), listOf(projectkeys::picture));
     EXPECT_EQ(written(json["exports"][0]["picture"]["view"]), listOf(projectkeys::view));
