@@ -75,9 +75,20 @@ struct WalkEntry
     bool operator==(const WalkEntry&) const = default;
 };
 
+/// How an animation shows frames that it shows again: from variations of their takes, each time another one.
+struct VariedRepeats
+{
+    std::string from;  ///< entry of “variations”; all that vary a take when empty
+    double ease = 0.2; ///< how long poses take from captured frames to varied ones and back, seconds
+    UnknownKeys unknown;
+
+    bool operator==(const VariedRepeats&) const = default;
+};
+
 /// What happens to the clip once its frames are there.
 struct PostProcessingEntry
 {
+    std::optional<VariedRepeats> variations; ///< before all other steps
     PostProcessing steps;
     std::string symmetry; ///< file with the vertex opposite to each vertex; found from the mesh when empty
     UnknownKeys unknown;

@@ -266,6 +266,15 @@ ContactCorrectionSettings readContactCorrection(const ObjectReader& reader, Unkn
     return settings;
 }
 
+VariedRepeats readVariedRepeats(const ObjectReader& reader)
+{
+    VariedRepeats repeats;
+    repeats.from = reader.text("from");
+    repeats.ease = reader.number("ease").value_or(repeats.ease);
+    repeats.unknown = reader.unknown(projectkeys::variedRepeats);
+    return repeats;
+}
+
 RetimeSettings readRetime(const ObjectReader& reader, UnknownKeys& unknown)
 {
     RetimeSettings settings;
@@ -297,6 +306,7 @@ RetimeSettings readRetime(const ObjectReader& reader, UnknownKeys& unknown)
 PostProcessingEntry readPost(const ObjectReader& reader)
 {
     PostProcessingEntry post;
+    post.variations = readStep<VariedRepeats>(reader, "variations", readVariedRepeats);
     post.steps.loop = readStep<LoopSettings>(
         reader, "loop", [&](const ObjectReader& own) { return readLoop(own, post.unknownOfLoop); });
     post.steps.contacts =

@@ -203,9 +203,21 @@ Json toJson(const RetimeSettings& retime, const UnknownKeys& unknown)
     return json;
 }
 
+Json toJson(const VariedRepeats& repeats)
+{
+    Json json = Json::object();
+    addText(json, "from", repeats.from);
+    if (repeats.ease != VariedRepeats().ease)
+        json["ease"] = repeats.ease;
+    addUnknown(json, repeats.unknown);
+    return json.empty() ? Json(true) : json;
+}
+
 Json toJson(const PostProcessingEntry& post)
 {
     Json json = Json::object();
+    if (post.variations)
+        json["variations"] = toJson(*post.variations);
     if (post.steps.loop)
         json["loop"] = toJson(*post.steps.loop, post.unknownOfLoop);
     if (post.steps.contacts)

@@ -5,27 +5,13 @@
 #include "model/project/madeclips.h"
 #include "model/project/opensequence.h"
 #include "model/project/paths.h"
+#include "model/project/variedrepeats.h"
 
 #include <set>
 
 namespace quadrille {
 
 namespace {
-
-/// What a clip shows: a sequence its source, a made clip the sequences whose frames it has.
-std::vector<std::string> shownBy(const Project& project, const std::string& clip)
-{
-    std::vector<std::string> shown;
-    if (const auto named = nameOfClip(clip, "sequences")) {
-        const SequenceEntry* sequence = findSequence(project, *named);
-        if (auto source = sequence ? clipOfSource(sequence->source) : std::nullopt)
-            shown.push_back(std::move(*source));
-    } else {
-        for (const std::string& sequence : sequencesOfClip(project, clip))
-            shown.push_back("sequences/" + sequence);
-    }
-    return shown;
-}
 
 /// What some clips are made of, directly and through others, and themselves.
 std::set<std::string> withAllParts(const Project& project, std::vector<std::string> waiting)
@@ -43,6 +29,25 @@ std::set<std::string> withAllParts(const Project& project, std::vector<std::stri
 }
 
 } // namespace
+
+std::vector<std::string> shownBy(const Project& project, const std::string& clip)
+{
+    std::vector<std::string> shown;
+    if (const auto named = nameOfClip(clip, "sequences")) {
+        const SequenceEntry* sequence = findSequence(project, *named);
+        if (auto source = sequence ? clipOfSource(sequence->source) : std::nullopt)
+            shown.push_back(std::move(*source));
+        return shown;
+    }
+    for (const std::string& sequence : sequencesOfClip(project, clip))
+        shown.push_back("sequences/" + sequence);
+    const auto named = nameOfClip(clip, "animations");
+    if (const AnimationEntry* animation = named ? findAnimation(project, *named) : nullptr) {
+        for (std::string& variation : clipsDrawnFrom(project, *animation))
+            shown.push_back(std::move(variation));
+    }
+    return shown;
+}
 
 Project partsOfClip(const Project& project, const std::string& clip)
 {

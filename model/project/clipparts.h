@@ -5,8 +5,13 @@
 #include "model/project/project.h"
 
 #include <string>
+#include <vector>
 
 namespace quadrille {
+
+/// What a clip shows: a sequence its source, a made clip the sequences whose frames it has, and the
+/// variations that it is drawn from.
+std::vector<std::string> shownBy(const Project& project, const std::string& clip);
 
 /// The parts of a project that a clip is made of: settings, characters, and the sequences,
 /// animations and variations that it shows, directly or through others. Where it has made clips, it is there

@@ -39,8 +39,9 @@ inline constexpr std::array<std::string_view, 3> frameChoice{"label", "sequence"
 inline constexpr std::array<std::string_view, 4> search{"budget", "beta", "mu", "global"};
 inline constexpr std::array<std::string_view, 3> junctions{"banned", "locked", "chosen"};
 inline constexpr std::array<std::string_view, 3> walk{"spans", "turn", "at"};
-inline constexpr std::array<std::string_view, 6> post{
-    "loop", "contact_correction", "mirror", "symmetry", "repeats", "retime"};
+inline constexpr std::array<std::string_view, 7> post{
+    "variations", "loop", "contact_correction", "mirror", "symmetry", "repeats", "retime"};
+inline constexpr std::array<std::string_view, 2> variedRepeats{"from", "ease"};
 inline constexpr std::array<std::string_view, 3> loop{"cut_start", "cut_end", "in_place"};
 inline constexpr std::array<std::string_view, 5> contactCorrection{"strength", "ease", "greatest_shift",
                                                                    "greatest_turn", "greatest_lift"};
@@ -48,9 +49,10 @@ inline constexpr std::array<std::string_view, 4> retime{"factor", "duration", "c
 inline constexpr std::array<std::string_view, 4> bodyParts{"character", "pose", "curves", "parts"};
 inline constexpr std::array<std::string_view, 3> partCurve{"name", "vertices", "points"};
 inline constexpr std::array<std::string_view, 3> part{"name", "parent", "curves"};
-inline constexpr std::array<std::string_view, 13> variation{
-    "name",     "character", "sequences", "reference", "template", "cycles", "blends", "displacement_share",
-    "learning", "sampling",  "samples",   "poses",     "limits"};
+inline constexpr std::array<std::string_view, 14> variation{
+    "name",    "character", "sequences",          "reference", "template",
+    "cycles",  "blends",    "displacement_share", "learning",  "sampling",
+    "samples", "poses",     "contact_correction", "limits"};
 inline constexpr std::array<std::string_view, 4> variationLimits{"pose_distance", "skate", "intersections",
                                                                  "volume_change"};
 inline constexpr std::array<std::string_view, 2> training{"sequence", "range"};

@@ -46,6 +46,10 @@ public:
         std::erase_if(m_project.evaluations, [&](EvaluationEntry& entry) {
             return !entry.character.empty() && !keepsCharacter(entry.character);
         });
+        if (m_kind == NamedKind::Variation) {
+            for (AnimationEntry& animation : m_project.animations)
+                changeVariations(animation.post.variations);
+        }
         std::erase_if(m_project.exports, [&](ExportEntry& entry) { return !keepsClip(entry.what); });
         if (m_kind == NamedKind::Sequence) {
             for (AnimationEntry& animation : m_project.animations)
@@ -160,6 +164,12 @@ private:
             return !span.frames && !span.duration;
         });
         return true;
+    }
+
+    void changeVariations(std::optional<VariedRepeats>& repeats) const
+    {
+        if (repeats && !keeps(repeats->from))
+            repeats.reset();
     }
 
     void changeSequences(AnimationEntry& animation) const

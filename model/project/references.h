@@ -33,9 +33,9 @@ struct LostEntries
 
 /// Changes all references to entries of a kind. Where the entry is gone, so is what speaks of it: sequences
 /// and exports that show it, the whole of a character, variations that are left without takes, and of
-/// animations, variations and evaluations only the constraints, junctions, walks, takes, blends and names
-/// that cannot be met any more. \return the sequences, animations and variations that went; references to
-/// them are still there.
+/// animations, variations and evaluations only the constraints, junctions, walks, varied repeats, takes,
+/// blends and names that cannot be met any more. \return the sequences, animations and variations that went;
+/// references to them are still there.
 LostEntries changeReferences(Project& project, NamedKind kind, const NameChange& change);
 
 /// Gives an entry another name, wherever it is spoken of.

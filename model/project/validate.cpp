@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/validate.h"
 
+#include "model/project/clipparts.h"
 #include "model/project/madeclips.h"
 #include "model/project/opensequence.h"
 #include "model/project/paths.h"
@@ -237,20 +238,6 @@ private:
                                            "Draw more of them, or name another."));
     }
 
-    /// What a clip is made of: a sequence of its source, a made clip of the sequences whose frames it has.
-    std::vector<std::string> sourcesOf(const std::string& clip) const
-    {
-        if (const auto name = nameOfClip(clip, "sequences")) {
-            const SequenceEntry* sequence = findSequence(m_project, *name);
-            const auto source = sequence ? clipOfSource(sequence->source) : std::nullopt;
-            return source ? std::vector{*source} : std::vector<std::string>{};
-        }
-        std::vector<std::string> sources;
-        for (const std::string& sequence : sequencesOfClip(m_project, clip))
-            sources.push_back("sequences/" + sequence);
-        return sources;
-    }
-
     /// The way from a clip back to itself; empty when there is none.
     std::vector<std::string> circleOf(const std::string& clip) const
     {
@@ -259,7 +246,7 @@ private:
         while (!ways.empty()) {
             const std::vector<std::string> way = ways.back();
             ways.pop_back();
-            for (const std::string& source : sourcesOf(way.back())) {
+            for (const std::string& source : shownBy(m_project, way.back())) {
                 std::vector<std::string> longer = way;
                 longer.push_back(source);
                 if (source == clip)

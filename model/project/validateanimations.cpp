@@ -5,6 +5,7 @@
 #include "model/project/madeclips.h"
 #include "model/project/opensequence.h"
 #include "model/project/validationtexts.h"
+#include "model/project/variedrepeats.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,8 @@ public:
         checkJunctions(m_animation.junctions.chosen, "/junctions/chosen/");
         if (m_animation.walk)
             checkWalk(*m_animation.walk);
+        if (m_animation.post.variations)
+            checkRepeats(*m_animation.post.variations);
         checkPost(m_animation.post.steps);
         if (m_animation.audio)
             checkAudio(*m_animation.audio);
@@ -206,6 +209,25 @@ private:
             checkSequence(walk.spans[i].sequence, place + "/sequence");
             checkRange(walk.spans[i].frames, place + "/frames");
         }
+    }
+
+    void checkRepeats(const VariedRepeats& repeats)
+    {
+        if (!(repeats.ease >= 0) || !std::isfinite(repeats.ease))
+            invalid("/post/variations/ease", "The time of the ease is below zero", "Write seconds.");
+        std::vector<std::string> known;
+        for (const VariationEntry& entry : m_project.variations) {
+            if (characterNameOf(m_project, entry) == characterNameOf(m_project, m_animation))
+                known.push_back(entry.name);
+        }
+        if (!repeats.from.empty() && std::find(known.begin(), known.end(), repeats.from) == known.end())
+            invalid("/post/variations/from",
+                    "There are no variations " + quoted(repeats.from) + " of the character",
+                    meantOr(repeats.from, known, "Add them under “variations”."));
+        else if (clipsDrawnFrom(m_project, m_animation).empty())
+            m_problems.push_back(warningAt(m_pointer + "/post/variations",
+                                           "There are no variations to draw from",
+                                           "Give “variations” of takes of the graph “samples”."));
     }
 
     void checkPost(const PostProcessing& post)

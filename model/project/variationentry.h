@@ -121,7 +121,8 @@ struct VariationEntry
     HmcSettings chain;
     std::vector<SamplesEntry> samples;
     PoseDraw draw = PoseDraw::Mean;
-    VariationLimits limits; ///< beyond which a variation is rejected
+    bool correctsContacts = true; ///< feet that stand in the take stand still
+    VariationLimits limits;       ///< beyond which a variation is rejected
     UnknownKeys unknownOfLearning;
     UnknownKeys unknownOfSampling;
     UnknownKeys unknownOfLimits;

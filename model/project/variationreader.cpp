@@ -235,6 +235,7 @@ VariationEntry readVariation(const ObjectReader& reader)
         variation.samples.push_back(readSamples({json, pointer, reader.problems()}));
     });
     reader.word("poses", variation.draw, {{"mean", PoseDraw::Mean}, {"sample", PoseDraw::Sample}});
+    variation.correctsContacts = reader.truth("contact_correction", variation.correctsContacts);
     if (const Json* limits = reader.find("limits"))
         readLimits({*limits, reader.pointer("limits"), reader.problems()}, variation);
     variation.unknown = reader.unknown(projectkeys::variation);

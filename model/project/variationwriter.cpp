@@ -197,6 +197,7 @@ Json variationToJson(const VariationEntry& variation)
         json["samples"].push_back(toJson(samples));
     if (variation.draw == PoseDraw::Sample)
         json["poses"] = "sample";
+    addUnless(json, "contact_correction", variation.correctsContacts, usual.correctsContacts);
     if (Json limits = limitsToJson(variation); !limits.empty())
         json["limits"] = std::move(limits);
     addUnknown(json, variation.unknown);

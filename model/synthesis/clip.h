@@ -16,8 +16,14 @@ struct FrameOrigin
     NodeIndex destination = 0; ///< equal to source for captured poses
     double lambda = 0;         ///< weight of the destination, 0 … 1
     bool mirrored = false;     ///< left and right exchanged
+    /// Which variations of their takes the two show, in a list of names of whoever made the clip, from 1; 0:
+    /// the frames as they were captured. A pose between a frame and its variation has that frame twice.
+    std::int32_t sourceVariation = 0;
+    std::int32_t destinationVariation = 0;
 
-    bool isCaptured() const { return source == destination; }
+    /// Whether it shows one frame, or one variation of it.
+    bool isSingle() const { return source == destination && sourceVariation == destinationVariation; }
+    bool isCaptured() const { return isSingle() && sourceVariation == 0; }
     /// The captured frame that it is nearer to; its texture and its labels are those of the frame.
     NodeIndex nearest() const { return lambda < 0.5 ? source : destination; }
     bool operator==(const FrameOrigin&) const = default;

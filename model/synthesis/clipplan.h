@@ -21,8 +21,9 @@ struct PlannedFrame
     GroundMotion placeDestination; ///< of the destination sequence as captured
     Vec3d centre = Vec3d::Zero();  ///< mean of the vertices
 
-    /// Whether it shows a captured frame as it is.
-    bool isCaptured() const { return times.source == times.destination && times.source.part == 0; }
+    /// Whether it shows one frame as it is, captured or varied.
+    bool isSingle() const { return times.source == times.destination && times.source.part == 0; }
+    bool isCaptured() const { return isSingle() && origin.isCaptured(); }
 };
 
 /// All of a clip but its surfaces: cheap to make and to keep.

@@ -8,16 +8,34 @@ namespace quadrille {
 
 namespace {
 
-/// The weight of the destination with which an origin lies between two frames; nothing where it does not.
-std::optional<double> weightBetween(const FrameOrigin& origin, NodeIndex source, NodeIndex destination)
+/// One of the two that a pose lies between.
+struct End
 {
-    if (origin.source == source && origin.destination == destination)
+    NodeIndex frame = 0;
+    std::int32_t variation = 0;
+    bool operator==(const End&) const = default;
+};
+
+End sourceOf(const FrameOrigin& origin)
+{
+    return {origin.source, origin.sourceVariation};
+}
+
+End destinationOf(const FrameOrigin& origin)
+{
+    return {origin.destination, origin.destinationVariation};
+}
+
+/// The weight of the destination with which an origin lies between two ends; nothing where it does not.
+std::optional<double> weightBetween(const FrameOrigin& origin, const End& source, const End& destination)
+{
+    if (sourceOf(origin) == source && destinationOf(origin) == destination)
         return origin.lambda;
-    if (!origin.isCaptured())
+    if (!origin.isSingle())
         return {};
-    if (origin.source == source)
+    if (sourceOf(origin) == source)
         return 0;
-    if (origin.source == destination)
+    if (sourceOf(origin) == destination)
         return 1;
     return {};
 }
@@ -29,17 +47,21 @@ FrameOrigin originBetween(const FrameOrigin& first, const FrameOrigin& second, d
     const FrameOrigin& nearer = lambda < 0.5 ? first : second;
     if (lambda <= 0 || lambda >= 1 || first == second || first.mirrored != second.mirrored)
         return nearer;
-    if (first.isCaptured() && second.isCaptured()) {
-        if (first.source == second.source)
+    const auto between = [&](const End& source, const End& destination, double weight) {
+        return FrameOrigin{source.frame,   destination.frame, weight,
+                           first.mirrored, source.variation,  destination.variation};
+    };
+    if (first.isSingle() && second.isSingle()) {
+        if (sourceOf(first) == sourceOf(second))
             return nearer;
-        return {first.source, second.source, lambda, first.mirrored};
+        return between(sourceOf(first), sourceOf(second), lambda);
     }
-    const FrameOrigin& blend = first.isCaptured() ? second : first;
-    const auto from = weightBetween(first, blend.source, blend.destination);
-    const auto to = weightBetween(second, blend.source, blend.destination);
+    const FrameOrigin& blend = first.isSingle() ? second : first;
+    const auto from = weightBetween(first, sourceOf(blend), destinationOf(blend));
+    const auto to = weightBetween(second, sourceOf(blend), destinationOf(blend));
     if (!from || !to)
         return nearer;
-    return {blend.source, blend.destination, (1 - lambda) * *from + lambda * *to, blend.mirrored};
+    return between(sourceOf(blend), destinationOf(blend), (1 - lambda) * *from + lambda * *to);
 }
 
 } // namespace quadrille

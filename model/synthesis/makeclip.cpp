@@ -55,7 +55,7 @@ std::vector<Vec3f> ClipPlayer::frame(std::int64_t frame) const
     const Ground ground(m_plan.up);
     std::vector<Vec3f> out(m_character.vertexCount());
     const Frame source = poseAt(m_character, planned.times.source);
-    if (planned.isCaptured()) {
+    if (planned.isSingle()) {
         move(source.positions(), planned.placeSource, ground, out);
         return out;
     }
@@ -109,7 +109,7 @@ Clip ClipPlayer::clip(const Progress& progress) const
     std::vector<std::int64_t> captured;
     std::vector<std::int64_t> blended;
     for (const PlannedFrame& planned : m_plan.frames) {
-        (planned.isCaptured() ? captured : blended).push_back(clip.frameCount());
+        (planned.isSingle() ? captured : blended).push_back(clip.frameCount());
         clip.origins.push_back(planned.origin);
     }
     const Ground ground(m_plan.up);

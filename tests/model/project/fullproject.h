@@ -47,6 +47,7 @@ inline AnimationEntry fullAnimation()
         .at = Vec2d(1, -2)};
     animation.interpolation = InterpolationMethod::Slerp;
     animation.gentleBlend = true;
+    animation.post.variations = VariedRepeats{"chat", 0.3, {}};
     animation.post.steps.loop = LoopSettings{Seconds{0.5}, Seconds{0.25}, true};
     animation.post.steps.contacts = ContactCorrectionSettings{0.5, 0.1, 0.05, 0.2, 0.01};
     animation.post.steps.mirror = true;

@@ -79,8 +79,11 @@ inline VariationEntry fullVariation()
     samples.count = 3;
     samples.seed = 2;
     samples.discarded = {2};
-    variation.samples = {samples};
+    SamplesEntry alone;
+    alone.of = "talk";
+    variation.samples = {samples, alone};
     variation.draw = PoseDraw::Sample;
+    variation.correctsContacts = false;
     variation.limits = {.poseDistance = 0.1, .skate = 0.2, .intersections = 0.02, .volumeChange = 0.3};
     return variation;
 }

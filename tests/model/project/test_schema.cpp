@@ -110,6 +110,7 @@ TEST(Schema, KnowsTheKeysThatTheCodeKnows)
     EXPECT_EQ(propertiesOf(definitions["junctions"]), keysOf(projectkeys::junctions));
     EXPECT_EQ(propertiesOf(definitions["walk"]), keysOf(projectkeys::walk));
     EXPECT_EQ(propertiesOf(definitions["post"]), keysOf(projectkeys::post));
+    EXPECT_EQ(propertiesOf(definitions["varied_repeats"]), keysOf(projectkeys::variedRepeats));
     EXPECT_EQ(propertiesOf(definitions["loop"]), keysOf(projectkeys::loop));
     EXPECT_EQ(propertiesOf(definitions["contact_correction"]), keysOf(projectkeys::contactCorrection));
     EXPECT_EQ(propertiesOf(definitions["retime"]), keysOf(projectkeys::retime));
@@ -155,6 +156,7 @@ TEST(Schema, TheCodeWritesItsKeysInTheirOrder)
     EXPECT_EQ(written(animation["junctions"]), listOf(projectkeys::junctions));
     EXPECT_EQ(written(animation["walk"]), listOf(projectkeys::walk));
     EXPECT_EQ(written(animation["post"]), listOf(projectkeys::post));
+    EXPECT_EQ(written(animation["post"]["variations"]), listOf(projectkeys::variedRepeats));
     EXPECT_EQ(written(animation["post"]["loop"]), listOf(projectkeys::loop));
     EXPECT_EQ(written(animation["post"]["contact_correction"]), listOf(projectkeys::contactCorrection));
     EXPECT_EQ(written(animation["audio"]), listOf(projectkeys::audio));
@@ -237,6 +239,10 @@ TEST(Schema, AgreesWithTheReaderOnHandWrittenFiles)
         {animation(R"("walk": {"spans": []})"), false},
         {walkAnd(R"("post": {"loop": true, "repeats": 2, "retime": {"factor": 2}})"), true},
         {walkAnd(R"("post": {"loop": {"in_place": true}, "contact_correction": true})"), true},
+        {walkAnd(R"("post": {"variations": true})"), true},
+        {walkAnd(R"("post": {"variations": {"ease": 0}})"), true},
+        {walkAnd(R"("post": {"variations": {"ease": -1}})"), false},
+        {walkAnd(R"("post": {"variations": "chat"})"), false},
         {walkAnd(R"("post": {"retime": {"factor": 0}})"), false},
         {walkAnd(R"("post": {"retime": {"curve": [[0, 0]]}})"), false},
         {walkAnd(R"("post": {"loop": "yes"})"), false},
