@@ -42,11 +42,25 @@ std::vector<std::string> VariationWork::takeNames() const
     std::vector<std::string> names;
     for (const TrainingEntry& take : m_entry.training)
         names.push_back(take.sequence);
-    for (const BlendEntry& blend : m_entry.blends) {
-        for (const double weight : blend.weights)
-            names.push_back(blendName(blend.from, blend.to, weight));
-    }
+    const std::vector<std::string> takes = names;
+    const std::vector<MovementBlend> all = blends();
+    for (const Preblend& point : preblendsOf(all))
+        names.push_back(preblendName(all[point.blend], point, takes));
     return names;
+}
+
+std::vector<MovementBlend> VariationWork::blends() const
+{
+    std::vector<MovementBlend> all;
+    for (const BlendEntry& entry : m_entry.blends) {
+        MovementBlend& blend = all.emplace_back();
+        blend.from = takeIndex(entry.from);
+        blend.to = takeIndex(entry.to);
+        blend.weights = entry.weights;
+        if (const auto& across = entry.across)
+            blend.across = {takeIndex(across->from), takeIndex(across->to), across->weights};
+    }
+    return all;
 }
 
 std::size_t VariationWork::takeIndex(const std::string& name) const
@@ -116,9 +130,6 @@ std::shared_ptr<const Movement> VariationWork::movement(const Progress& progress
         return m_movement;
     constexpr double opening = 0.2;
     const std::vector<TrainingTake> takes = openTakes(progress.part(0, opening));
-    std::vector<MovementBlend> blends;
-    for (const BlendEntry& blend : m_entry.blends)
-        blends.push_back({takeIndex(blend.from), takeIndex(blend.to), blend.weights});
     MovementSettings settings;
     settings.alignment.up = project().settings.axes.up;
     settings.alignment.cycles = m_entry.cycles;
@@ -127,7 +138,7 @@ std::shared_ptr<const Movement> VariationWork::movement(const Progress& progress
         m_entry.templatePose ? namedPose(*m_entry.templatePose, progress) : std::vector<Vec3f>();
     const std::size_t reference = m_entry.reference.empty() ? 0 : takeIndex(m_entry.reference);
     m_movement = std::make_shared<const Movement>(
-        makeMovement(takes, reference, cutParts(takes.front().sequence, progress), blends, settings, pose,
+        makeMovement(takes, reference, cutParts(takes.front().sequence, progress), blends(), settings, pose,
                      progress.part(opening, 1)));
     std::vector<MeshSequence> sequences;
     sequences.reserve(takes.size());
@@ -236,6 +247,8 @@ VariationSubject VariationWork::subject(const SamplesEntry& samples) const
     if (!samples.to.empty())
         subject.to = takeIndex(samples.to);
     subject.weight = samples.weight;
+    if (const auto& across = samples.across)
+        subject.across = {takeIndex(across->of), takeIndex(across->to), across->weight};
     return subject;
 }
 

@@ -64,6 +64,7 @@ private:
     std::vector<Vec3f> namedPose(const NamedFrame& frame, const Progress& progress);
     BodyParts cutParts(const MeshSequence& first, const Progress& progress);
     std::size_t takeIndex(const std::string& name) const;
+    std::vector<MovementBlend> blends() const;
 
     std::shared_ptr<SequenceOpener> m_opener;
     VariationEntry m_entry;

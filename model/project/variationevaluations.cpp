@@ -9,6 +9,7 @@
 #include "model/variation/blenderrors.h"
 #include "model/variation/preblend.h"
 #include "model/variation/reconstructionerror.h"
+#include "model/variation/subject.h"
 
 #include <algorithm>
 
@@ -69,32 +70,47 @@ Result reconstructionResult(const Works& works, const StageContext& context, con
     return result;
 }
 
-/// The learned trajectories of a blend in one part, ascending by weight.
-std::vector<LearnedBlend> learnedBlends(const Movement& movement, std::size_t blend, std::size_t part,
-                                        const GpdmState& state)
+/// The learned trajectories of some takes in one part.
+std::vector<LatentShare> latentShares(const Movement& movement, std::size_t part, const GpdmState& state,
+                                      const std::vector<BlendShare>& shares)
 {
-    const auto latents = [&](std::size_t take) -> RowMatrix {
-        const RowSpan& span = movement.training[part].spans[take];
-        return state.latents.middleRows(span.first, span.count);
-    };
-    const MovementBlend& pair = movement.blends[blend];
-    std::vector<LearnedBlend> learned{{0, latents(pair.from)}};
-    for (std::size_t w = 0; w < pair.weights.size(); ++w)
-        learned.push_back({pair.weights[w], latents(movement.blendedTake(blend, w))});
-    learned.push_back({1, latents(pair.to)});
-    return learned;
+    std::vector<LatentShare> latents;
+    for (const BlendShare& each : shares) {
+        const RowSpan& span = movement.training[part].spans[each.take];
+        latents.push_back({state.latents.middleRows(span.first, span.count), each.share});
+    }
+    return latents;
 }
 
 /// The weights half-way between those that were learned.
-std::vector<double> weightsBetween(const MovementBlend& blend)
+std::vector<double> weightsBetween(const std::vector<double>& weights)
 {
-    std::vector<double> learned{0};
-    learned.insert(learned.end(), blend.weights.begin(), blend.weights.end());
-    learned.push_back(1);
     std::vector<double> between;
-    for (std::size_t i = 0; i + 1 < learned.size(); ++i)
-        between.push_back((learned[i] + learned[i + 1]) / 2);
+    double before = 0;
+    for (const double weight : weights) {
+        between.push_back((before + weight) / 2);
+        before = weight;
+    }
+    between.push_back((before + 1) / 2);
     return between;
+}
+
+/// The blends half-way between those that were learned, of four takes in the middle of each cell.
+std::vector<VariationSubject> subjectsBetween(const MovementBlend& blend)
+{
+    std::vector<VariationSubject> subjects;
+    for (const double weight : weightsBetween(blend.weights)) {
+        VariationSubject subject{.take = blend.from, .to = blend.to, .weight = weight, .across = {}};
+        if (!blend.across) {
+            subjects.push_back(subject);
+            continue;
+        }
+        for (const double across : weightsBetween(blend.across->weights)) {
+            subject.across = {blend.across->from, blend.across->to, across};
+            subjects.push_back(subject);
+        }
+    }
+    return subjects;
 }
 
 class BlendTables
@@ -102,29 +118,35 @@ class BlendTables
 public:
     BlendTables()
     {
-        m_frames.text("blend").real("weight").text("part").whole("frame");
+        m_frames.text("blend").real("weight").real("across-weight").text("part").whole("frame");
         m_frames.real("from-takes", "m").real("from-nearby", "m");
-        m_means.text("variation").text("blend").real("weight").text("part").real("from-takes", "m");
-        m_means.real("from-nearby", "m").real("ratio");
+        m_means.text("variation").text("blend").real("weight").real("across-weight").text("part");
+        m_means.real("from-takes", "m").real("from-nearby", "m").real("ratio");
     }
 
     void add(VariationWork& work, std::size_t blend, const StageContext& context)
     {
         const auto movement = work.movement();
         const MovementBlend& pair = movement->blends[blend];
-        const AlignedTake& from = movement->take(pair.from);
-        const AlignedTake& to = movement->take(pair.to);
+        std::string name = nameOf(*movement, pair.from, pair.to);
+        if (pair.across)
+            name += " × " + nameOf(*movement, pair.across->from, pair.across->to);
         const auto system = std::make_shared<const PoissonSystem>(movement->topology);
-        for (const double weight : weightsBetween(pair)) {
-            const AlignedTake truth =
-                blendedTake(system, from, to, weight, {}, {.up = work.project().settings.axes.up});
+        for (const VariationSubject& subject : subjectsBetween(pair)) {
+            const std::vector<BlendShare> captured = capturedShares(*movement, subject);
+            const std::vector<BlendShare> nearby = subjectTakes(*movement, subject);
+            std::vector<TakeShare> takes;
+            for (const BlendShare& each : captured)
+                takes.push_back({&movement->take(each.take), each.share});
+            const AlignedTake truth = blendedTake(system, takes, {}, {.up = work.project().settings.axes.up});
             for (std::size_t p = 0; p < movement->parts.parts.size(); ++p) {
                 const BodyPart& part = movement->parts.parts[p];
                 const PartTraining& training = movement->training[p];
                 const GpdmState state = stateOf(work, part, context);
                 const PoseReconstruction poses(state, training.rows, training.mean);
-                addPart(work.entry().name, from.name + "–" + to.name, weight, part.name,
-                        blendErrors(poses, learnedBlends(*movement, blend, p, state), weight, truth, part));
+                addPart(work.entry().name, name, subject, part.name,
+                        blendErrors(poses, latentShares(*movement, p, state, captured),
+                                    latentShares(*movement, p, state, nearby), truth, part));
             }
         }
     }
@@ -137,19 +159,26 @@ public:
     }
 
 private:
-    void addPart(const std::string& variation, const std::string& blend, double weight,
+    static std::string nameOf(const Movement& movement, std::size_t from, std::size_t to)
+    {
+        return movement.take(from).name + "–" + movement.take(to).name;
+    }
+
+    void addPart(const std::string& variation, const std::string& blend, const VariationSubject& subject,
                  const std::string& part, const BlendErrors& errors)
     {
+        const double weight = subject.weight;
+        const double across = subject.across ? subject.across->weight : 0;
         for (std::size_t f = 0; f < errors.fromTakes.size(); ++f)
-            m_frames.add({blend, weight, part, static_cast<std::int64_t>(f), errors.fromTakes[f],
+            m_frames.add({blend, weight, across, part, static_cast<std::int64_t>(f), errors.fromTakes[f],
                           errors.fromNearby[f]});
-        m_means.add({variation, blend, weight, part, errors.meanFromTakes(), errors.meanFromNearby(),
+        m_means.add({variation, blend, weight, across, part, errors.meanFromTakes(), errors.meanFromNearby(),
                      errors.meanFromNearby() / errors.meanFromTakes()});
     }
 
     TableBuilder m_frames{"cvs-fig7",
                           "How far blends that are interpolated in latent space are from the true "
-                          "blend of the same weight (CVS Fig. 7b): mean distance of a vertex."};
+                          "blend of the same weights (CVS Fig. 7b): mean distance of a vertex."};
     TableBuilder m_means{"cvs-fig7-means", "The same over all frames, with the ratio of both."};
 };
 

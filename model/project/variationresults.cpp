@@ -243,18 +243,21 @@ std::vector<RowMatrix> trajectoriesOf(const Result& samples)
 Result selectionResult(const VariationEntry& entry, const std::vector<VariationSelection>& sets)
 {
     TableBuilder table("report", "All variations that were drawn: those with a number were good enough.");
-    table.whole("variation").text("of").text("to").real("weight").whole("seed").whole("candidate");
+    table.whole("variation").text("of").text("to").real("weight");
+    table.text("across-of").text("across-to").real("across-weight").whole("seed").whole("candidate");
     table.text("faults").real("mean-pose-distance", "m").real("worst-pose-distance", "m");
     table.real("skate", "m/s").real("take-skate", "m/s").whole("intersections").whole("take-intersections");
     table.real("volume-change");
     std::int64_t before = 0;
     for (std::size_t s = 0; s < sets.size(); ++s) {
         const SamplesEntry& samples = entry.samples[s];
+        const AcrossSamplesEntry across = samples.across.value_or(AcrossSamplesEntry());
         for (std::size_t c = 0; c < sets[s].candidates.size(); ++c) {
             const Candidate& candidate = sets[s].candidates[c];
             const VariationQuality& quality = candidate.quality;
             table.add({candidate.isAccepted() ? before + candidate.number : 0, samples.of, samples.to,
-                       samples.weight, static_cast<std::int64_t>(samples.seed), static_cast<std::int64_t>(c),
+                       samples.weight, across.of, across.to, across.weight,
+                       static_cast<std::int64_t>(samples.seed), static_cast<std::int64_t>(c),
                        faultsText(candidate), quality.meanPoseDistance, quality.worstPoseDistance,
                        quality.skate.value_or(0), quality.takeSkate, quality.intersections,
                        quality.takeIntersections, quality.volumeChange.value_or(0)});
@@ -269,8 +272,12 @@ Result selectionResult(const VariationEntry& entry, const std::vector<VariationS
 int candidateOf(const Result& selection, int number)
 {
     const DataTable& report = selection.tables.front();
-    const auto& numbers = std::get<std::vector<std::int64_t>>(report.columns[0].values);
-    const auto& candidates = std::get<std::vector<std::int64_t>>(report.columns[5].values);
+    const auto wholeColumn = [&](const std::string& name) -> const std::vector<std::int64_t>& {
+        const auto found = std::ranges::find(report.columns, name, &DataArray::name);
+        return std::get<std::vector<std::int64_t>>(found->values);
+    };
+    const std::vector<std::int64_t>& numbers = wholeColumn("variation");
+    const std::vector<std::int64_t>& candidates = wholeColumn("candidate");
     const auto found = std::find(numbers.begin(), numbers.end(), number);
     if (found == numbers.end())
         throw Error(ErrorCode::VariationMissing, {.values = {{"number", std::to_string(number)}}});

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/variation/blenderrors.h"
 
-#include "model/variation/latentblend.h"
-
 #include <numeric>
 
 namespace quadrille {
@@ -45,19 +43,11 @@ double BlendErrors::meanFromNearby() const
     return mean(fromNearby);
 }
 
-BlendErrors blendErrors(const PoseReconstruction& reconstruction, std::span<const LearnedBlend> learned,
-                        double weight, const AlignedTake& truth, const BodyPart& part)
+BlendErrors blendErrors(const PoseReconstruction& reconstruction, std::span<const LatentShare> takes,
+                        std::span<const LatentShare> nearby, const AlignedTake& truth, const BodyPart& part)
 {
-    std::vector<double> weights;
-    for (const LearnedBlend& blend : learned)
-        weights.push_back(blend.weight);
-    const BlendNeighbours nearby = blendNeighbours(weights, weight);
-    const auto errors = [&](std::size_t first, std::size_t second, double share) {
-        return errorsOf(reconstruction, latentBlend(learned[first].latents, learned[second].latents, share),
-                        truth, part);
-    };
-    return {.fromTakes = errors(0, learned.size() - 1, 1 - weight),
-            .fromNearby = errors(nearby.first, nearby.second, nearby.share)};
+    return {.fromTakes = errorsOf(reconstruction, latentBlend(takes), truth, part),
+            .fromNearby = errorsOf(reconstruction, latentBlend(nearby), truth, part)};
 }
 
 } // namespace quadrille

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/variation/bodyparts.h"
+#include "model/variation/latentblend.h"
 #include "model/variation/sampling.h"
 #include "model/variation/training.h"
 
@@ -11,28 +12,20 @@
 
 namespace quadrille {
 
-/// A learned trajectory of a take, or of a blend of two takes that was learned with them.
-struct LearnedBlend
-{
-    double weight = 0; ///< of the second take: 0 and 1 are the takes themselves
-    RowMatrix latents; ///< reference frames × dimensions
-};
-
 /// How far blends of one part that were interpolated in latent space are from the true, non-linear blend of
-/// the same weight (CVS Fig. 7b): mean vertex distance of each reference frame, metres.
+/// the same weights (CVS Fig. 7b): mean vertex distance of each reference frame, metres.
 struct BlendErrors
 {
-    std::vector<double> fromTakes;  ///< interpolated between the two takes
-    std::vector<double> fromNearby; ///< interpolated between the learned trajectories next to the weight
+    std::vector<double> fromTakes;  ///< interpolated between the captured takes
+    std::vector<double> fromNearby; ///< interpolated between the learned trajectories around the weights
 
     double meanFromTakes() const;
     double meanFromNearby() const;
 };
 
-/// \param learned  ascending by weight, the first 0 and the last 1, of one model.
-/// \param truth  blendedTake of the two takes with this weight.
-/// \throws Error BadArgument (weight outside 0 … 1, learned trajectories that do not reach from 0 to 1).
-BlendErrors blendErrors(const PoseReconstruction& reconstruction, std::span<const LearnedBlend> learned,
-                        double weight, const AlignedTake& truth, const BodyPart& part);
+/// \param takes, nearby  learned trajectories of one model: of the captured takes, and those around the
+/// weights. \param truth  blendedTake of the takes with these shares.
+BlendErrors blendErrors(const PoseReconstruction& reconstruction, std::span<const LatentShare> takes,
+                        std::span<const LatentShare> nearby, const AlignedTake& truth, const BodyPart& part);
 
 } // namespace quadrille

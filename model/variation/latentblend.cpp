@@ -26,12 +26,6 @@ BlendNeighbours blendNeighbours(std::span<const double> learned, double wanted)
     return {.first = second - 1, .second = second, .share = (wanted - w2) / (w1 - w2)};
 }
 
-RowMatrix latentBlend(const RowMatrix& first, const RowMatrix& second, double share)
-{
-    assert(first.rows() == second.rows() && first.cols() == second.cols());
-    return share * first + (1 - share) * second;
-}
-
 std::array<double, 4> BlendCell::shares() const
 {
     const double a = across.share;
@@ -46,10 +40,15 @@ BlendCell blendCell(std::span<const double> learnedAcross, std::span<const doubl
             .along = blendNeighbours(learnedAlong, wantedAlong)};
 }
 
-RowMatrix latentBlend(std::span<const RowMatrix, 4> corners, const BlendCell& cell)
+RowMatrix latentBlend(std::span<const LatentShare> trajectories)
 {
-    return latentBlend(latentBlend(corners[0], corners[1], cell.across.share),
-                       latentBlend(corners[2], corners[3], cell.across.share), cell.along.share);
+    assert(!trajectories.empty());
+    RowMatrix blend = trajectories.front().share * trajectories.front().latents;
+    for (const LatentShare& each : trajectories.subspan(1)) {
+        assert(each.latents.rows() == blend.rows() && each.latents.cols() == blend.cols());
+        blend += each.share * each.latents;
+    }
+    return blend;
 }
 
 } // namespace quadrille

@@ -25,9 +25,6 @@ struct BlendNeighbours
 /// to 1).
 BlendNeighbours blendNeighbours(std::span<const double> learned, double wanted);
 
-/// A trajectory between two. \pre Both have the same size.
-RowMatrix latentBlend(const RowMatrix& first, const RowMatrix& second, double share);
-
 /// A blend with two parameters: takes at the corners of a square, learned blends on a grid over it.
 struct BlendCell
 {
@@ -42,7 +39,14 @@ struct BlendCell
 BlendCell blendCell(std::span<const double> learnedAcross, std::span<const double> learnedAlong,
                     double wantedAcross, double wantedAlong);
 
-/// A trajectory between four, in the order of the shares. \pre All have the same size.
-RowMatrix latentBlend(std::span<const RowMatrix, 4> corners, const BlendCell& cell);
+/// A trajectory and its share in a blend.
+struct LatentShare
+{
+    RowMatrix latents; ///< reference frames × dimensions
+    double share = 0;
+};
+
+/// A trajectory between others. \pre At least one; all have the same size.
+RowMatrix latentBlend(std::span<const LatentShare> trajectories);
 
 } // namespace quadrille

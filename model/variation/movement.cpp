@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/variation/movement.h"
 
-#include "model/core/badargument.h"
 #include "model/variation/preblend.h"
 
-#include <array>
 #include <atomic>
-#include <charconv>
 #include <mutex>
 #include <tbb/parallel_for.h>
 
@@ -15,46 +12,35 @@ namespace quadrille {
 
 namespace {
 
-void checkBlend(const MovementBlend& blend, std::size_t takes)
+/// Makes all pre-blends of a movement, each one as another take of its alignment.
+void addPreblends(Movement& movement, const MovementSettings& settings, const Progress& progress)
 {
-    if (blend.from >= takes || blend.to >= takes || blend.from == blend.to)
-        refuse("A blend is not between two different takes", "Name two of the takes that are learned.");
-    double before = 0;
-    for (const double weight : blend.weights) {
-        if (!(weight > before && weight < 1))
-            refuse("The weights of a blend are not ascending between 0 and 1",
-                   "Write weights like [0.25, 0.5, 0.75].");
-        before = weight;
+    std::vector<AlignedTake>& takes = movement.alignment.takes;
+    std::vector<std::string> names;
+    for (const AlignedTake& take : takes)
+        names.push_back(take.name);
+    const auto system = std::make_shared<const PoissonSystem>(movement.topology);
+    const double share = 1.0 / static_cast<double>(movement.preblends.size());
+    double done = 0;
+    for (const Preblend& point : movement.preblends) {
+        const MovementBlend& blend = movement.blends[point.blend];
+        std::vector<TakeShare> of;
+        for (const BlendShare& each : sharesOf(blend, point))
+            of.push_back({&takes[each.take], each.share});
+        takes.push_back(blendedTake(system, of, preblendName(blend, point, names),
+                                    {.up = settings.alignment.up, .method = settings.interpolation},
+                                    progress.part(done * share, (done + 1) * share)));
+        ++done;
     }
 }
 
-std::string toText(double number)
-{
-    std::array<char, 32> text{};
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
-}
-
 } // namespace
-
-std::size_t Movement::blendedTake(std::size_t blend, std::size_t weight) const
-{
-    std::size_t index = capturedCount() + weight;
-    for (std::size_t b = 0; b < blend; ++b)
-        index += blends[b].weights.size();
-    return index;
-}
-
-std::string blendName(const std::string& from, const std::string& to, double weight)
-{
-    return from + "–" + to + " " + toText(weight);
-}
 
 Movement makeMovement(std::span<const TrainingTake> takes, std::size_t reference, const BodyParts& parts,
                       const std::vector<MovementBlend>& blends, const MovementSettings& settings,
                       Positions templatePose, const Progress& progress)
 {
-    for (const MovementBlend& blend : blends)
-        checkBlend(blend, takes.size());
+    checkBlends(blends, takes.size());
     // Limbs that swing do not turn the body against the template.
     AlignmentSettings alignment = settings.alignment;
     if (alignment.anchor.empty())
@@ -65,29 +51,12 @@ Movement makeMovement(std::span<const TrainingTake> takes, std::size_t reference
                       .alignment = alignTakes(takes, reference, alignment, templatePose,
                                               progress.part(0, blends.empty() ? 1 : aligning)),
                       .blends = blends,
+                      .preblends = preblendsOf(blends),
                       .training = {}};
-    std::vector<AlignedTake>& all = movement.alignment.takes;
-    if (!blends.empty()) {
-        const auto system = std::make_shared<const PoissonSystem>(movement.topology);
-        double done = 0;
-        std::size_t count = 0;
-        for (const MovementBlend& blend : blends)
-            count += blend.weights.size();
-        for (const MovementBlend& blend : blends) {
-            for (const double weight : blend.weights) {
-                const double share = (1 - aligning) / static_cast<double>(count);
-                const Progress own = progress.part(aligning + done * share, aligning + (done + 1) * share);
-                const AlignedTake& from = all[blend.from];
-                const AlignedTake& to = all[blend.to];
-                all.push_back(blendedTake(system, from, to, weight, blendName(from.name, to.name, weight),
-                                          {.up = settings.alignment.up, .method = settings.interpolation},
-                                          own));
-                ++done;
-            }
-        }
-    }
+    if (!movement.preblends.empty())
+        addPreblends(movement, settings, progress.part(aligning, 1));
     for (const BodyPart& part : parts.parts)
-        movement.training.push_back(partTraining(all, part, settings.displacementShare));
+        movement.training.push_back(partTraining(movement.alignment.takes, part, settings.displacementShare));
     return movement;
 }
 

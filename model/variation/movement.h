@@ -4,6 +4,7 @@
 
 #include "model/transition/interpolationmethod.h"
 #include "model/variation/alignment.h"
+#include "model/variation/blends.h"
 #include "model/variation/bodyparts.h"
 #include "model/variation/gpdm.h"
 #include "model/variation/training.h"
@@ -13,14 +14,6 @@
 #include <vector>
 
 namespace quadrille {
-
-/// Two takes that are blended before learning (CVS §7).
-struct MovementBlend
-{
-    std::size_t from = 0;             ///< take with w = 0
-    std::size_t to = 0;               ///< take with w = 1
-    std::vector<double> weights{0.5}; ///< ascending, between 0 and 1
-};
 
 struct MovementSettings
 {
@@ -34,29 +27,23 @@ struct Movement
 {
     std::shared_ptr<const Topology> topology;
     BodyParts parts;
-    /// `takes` are those of the training, then the pre-blends of all blends in their order; reports are of
-    /// the training alone.
+    /// `takes` are those of the training, then the pre-blends; reports are of the training alone.
     Alignment alignment;
     std::vector<MovementBlend> blends;
+    std::vector<Preblend> preblends;    ///< of all blends in their order, as preblendsOf
     std::vector<PartTraining> training; ///< of each part, the rows of all takes
 
     std::size_t capturedCount() const { return alignment.reports.size(); }
     const AlignedTake& take(std::size_t index) const { return alignment.takes.at(index); }
-    /// The pre-blend of a blend's weight, as a take.
-    std::size_t blendedTake(std::size_t blend, std::size_t weight) const;
 };
 
-/// Aligns takes, blends pairs of them and makes the training rows of all parts.
+/// Aligns takes, blends two or four of them and makes the training rows of all parts.
 /// \param parts  of the takes' mesh. \param templatePose  that all frames are laid onto; empty for the first
 /// frame used of the reference.
-/// \throws Error as alignTakes; BadArgument (a blend of takes that there are not, or of weights outside
-/// ]0, 1[); Cancelled.
+/// \throws Error as alignTakes; as checkBlends; Cancelled.
 Movement makeMovement(std::span<const TrainingTake> takes, std::size_t reference, const BodyParts& parts,
                       const std::vector<MovementBlend>& blends, const MovementSettings& settings = {},
                       Positions templatePose = {}, const Progress& progress = {});
-
-/// What a pre-blend is called: “walk–jog 0.5”.
-std::string blendName(const std::string& from, const std::string& to, double weight);
 
 /// Told while parts are learned, from any thread, one call at a time.
 using PartWatch =

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <tbb/parallel_for.h>
 
 namespace quadrille {
@@ -106,17 +108,25 @@ std::vector<FrameOrigin> variationOrigins(const TakeWarp& warp, NodeIndex firstN
     return origins;
 }
 
-std::vector<FrameOrigin> variationOrigins(const TakeWarp& a, const TakeWarp& b, double weight,
-                                          NodeIndex firstNodeA, NodeIndex firstNodeB)
+std::vector<FrameOrigin> variationOrigins(std::span<const OriginTake> takes)
 {
-    if (weight <= 0)
-        return variationOrigins(a, firstNodeA);
-    if (weight >= 1)
-        return variationOrigins(b, firstNodeB);
+    assert(!takes.empty());
+    if (takes.size() == 1)
+        return variationOrigins(*takes.front().part.warp, takes.front().firstNode);
+    std::vector<std::size_t> order(takes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::ranges::greater(),
+                             [&](std::size_t t) { return takes[t].part.share; });
+    const OriginTake& a = takes[std::min(order[0], order[1])];
+    const OriginTake& b = takes[std::max(order[0], order[1])];
+    const double weight = b.part.share / (a.part.share + b.part.share);
+    std::vector<WarpShare> warps;
+    for (const OriginTake& take : takes)
+        warps.push_back(take.part);
     std::vector<FrameOrigin> origins;
-    for (const double position : blendedWarp(a, b, weight).playback)
-        origins.push_back(
-            {firstNodeA + nearestFrame(a, position), firstNodeB + nearestFrame(b, position), weight, false});
+    for (const double position : blendedWarp(warps).playback)
+        origins.push_back({a.firstNode + nearestFrame(*a.part.warp, position),
+                           b.firstNode + nearestFrame(*b.part.warp, position), weight, false});
     return origins;
 }
 

@@ -50,10 +50,16 @@ std::vector<Vec3f> played(std::span<const Vec3f> poses, std::span<const RigidMot
 /// \param firstNode  of the take's sequence in its character.
 std::vector<FrameOrigin> variationOrigins(const TakeWarp& warp, NodeIndex firstNode);
 
-/// Where the frames of a variation of a blend come from: each from the captured frames of both takes at its
-/// phase.
-/// \param weight  of the second take. \param firstNodeA, firstNodeB  of the takes' sequences.
-std::vector<FrameOrigin> variationOrigins(const TakeWarp& a, const TakeWarp& b, double weight,
-                                          NodeIndex firstNodeA, NodeIndex firstNodeB);
+/// A captured take in a blend.
+struct OriginTake
+{
+    WarpShare part;
+    NodeIndex firstNode = 0; ///< of its sequence in its character
+};
+
+/// Where the frames of a variation of a blend come from: each from the captured frames of two takes at its
+/// phase. Of more takes the two with the largest shares count, in their order.
+/// \pre Some takes, their shares greater than 0.
+std::vector<FrameOrigin> variationOrigins(std::span<const OriginTake> takes);
 
 } // namespace quadrille

@@ -21,17 +21,28 @@ struct PreblendSettings
     InterpolationMethod method = InterpolationMethod::Poisson;
 };
 
-/// A movement between two takes on one reference (CVS §7): poses by non-linear interpolation, laid onto
-/// the takes' template, placements by blendedPlacements, timing by blendedWarp. At 0 and 1 the takes
-/// themselves, but for their names. \param weight  of the second take, 0 … 1. \throws Error BadArgument
-/// (weight), VertexCountMismatch, Cancelled. Parallel over the frames.
+/// A take and its share in a blend.
+struct TakeShare
+{
+    const AlignedTake* take = nullptr;
+    double share = 0;
+};
+
+/// A movement between takes on one reference (CVS §7): poses by non-linear interpolation, of more than two
+/// takes one after the other, laid onto their template; placements by blendedPlacements, timing by
+/// blendedWarp. Where one take is all of it, that take, but for its name. \throws Error BadArgument (shares
+/// below 0, or that do not add up to 1), VertexCountMismatch, Cancelled. Parallel over the frames.
+AlignedTake blendedTake(const std::shared_ptr<const PoissonSystem>& system, std::span<const TakeShare> takes,
+                        std::string name, const PreblendSettings& settings = {},
+                        const Progress& progress = {});
+/// Of two takes. \param weight  of the second, 0 … 1.
 AlignedTake blendedTake(const std::shared_ptr<const PoissonSystem>& system, const AlignedTake& a,
                         const AlignedTake& b, double weight, std::string name,
                         const PreblendSettings& settings = {}, const Progress& progress = {});
 
-/// Placements of a blend of two takes, from a first place in between: displacements are interpolated linearly
-/// to a path on the ground, height and tilt are between those of the takes in every frame.
-std::vector<RigidMotion> blendedPlacements(std::span<const RigidMotion> a, std::span<const RigidMotion> b,
-                                           double weight, UpAxis up);
+/// Placements of a blend of takes, from a first place in between: displacements are interpolated linearly to
+/// a path on the ground, height and tilt are between those of the takes in every frame.
+/// \pre Some shares, greater than 0, that add up to 1.
+std::vector<RigidMotion> blendedPlacements(std::span<const TakeShare> takes, UpAxis up);
 
 } // namespace quadrille

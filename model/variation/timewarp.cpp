@@ -3,9 +3,11 @@
 #include "model/variation/timewarp.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 
 namespace quadrille {
@@ -275,26 +277,34 @@ TakeWarp warpOf(const std::vector<WarpMatch>& path, double smoothing, FrameIndex
     return warp;
 }
 
+TakeWarp blendedWarp(std::span<const WarpShare> warps)
+{
+    std::vector<WarpShare> some;
+    std::ranges::copy_if(warps, std::back_inserter(some), [](const WarpShare& of) { return of.share > 0; });
+    assert(!some.empty());
+    if (some.size() == 1)
+        return *some.front().warp;
+    double length = 0;
+    std::vector<double> positions(some.front().warp->positions.size());
+    for (const auto& [warp, share] : some) {
+        assert(warp->positions.size() == positions.size());
+        length += share * static_cast<double>(warp->frames.count() - 1);
+        for (std::size_t i = 0; i < positions.size(); ++i)
+            positions[i] += share * (warp->positions[i] - static_cast<double>(warp->frames.first.value));
+    }
+    const double frames = std::max(1.0, std::round(length));
+    for (double& position : positions)
+        position = length > 0 ? position * frames / length : position;
+    TakeWarp blend{.frames = FrameRange::all(static_cast<std::int64_t>(frames) + 1),
+                   .positions = std::move(positions),
+                   .playback = {}};
+    blend.playback = inverseWarp(blend.positions, 0, blend.frames.count());
+    return blend;
+}
+
 TakeWarp blendedWarp(const TakeWarp& a, const TakeWarp& b, double weight)
 {
-    assert(a.positions.size() == b.positions.size());
-    if (weight <= 0)
-        return a;
-    if (weight >= 1)
-        return b;
-    const auto firstOf = [](const TakeWarp& warp) { return static_cast<double>(warp.frames.first.value); };
-    const double length = (1 - weight) * static_cast<double>(a.frames.count() - 1) +
-                          weight * static_cast<double>(b.frames.count() - 1);
-    const double frames = std::max(1.0, std::round(length));
-    TakeWarp warp{
-        .frames = FrameRange::all(static_cast<std::int64_t>(frames) + 1), .positions = {}, .playback = {}};
-    for (std::size_t i = 0; i < a.positions.size(); ++i) {
-        const double position =
-            (1 - weight) * (a.positions[i] - firstOf(a)) + weight * (b.positions[i] - firstOf(b));
-        warp.positions.push_back(length > 0 ? position * frames / length : position);
-    }
-    warp.playback = inverseWarp(warp.positions, 0, warp.frames.count());
-    return warp;
+    return blendedWarp(std::array{WarpShare{&a, 1 - weight}, WarpShare{&b, weight}});
 }
 
 std::vector<double> inverseWarp(const std::vector<double>& positions, double first, std::int64_t count)

@@ -6,6 +6,7 @@
 #include "model/core/units.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace quadrille {
@@ -72,9 +73,18 @@ std::optional<WarpPathResult> warpWithin(const Table<float>& costs, const WarpSt
 /// \param first  frame of the take that column 0 of the costs stands for.
 TakeWarp warpOf(const std::vector<WarpMatch>& path, double smoothing, FrameIndex first = FrameIndex(0));
 
-/// The warp of a blend of two takes on one reference: length and timing in between. Its frames count from 0,
-/// as it was never captured, unless the weight is 0 or 1: then it is that take's.
-/// \param weight  of the second, 0 … 1. \pre Both have as many reference frames.
+/// A warp and its share in a blend.
+struct WarpShare
+{
+    const TakeWarp* warp = nullptr;
+    double share = 0; ///< not negative
+};
+
+/// The warp of a blend of takes on one reference: length and timing in between. Its frames count from 0, as
+/// it was never captured, unless one of the takes is all of it: then it is that take's.
+/// \pre The shares add up to 1; all warps have as many reference frames.
+TakeWarp blendedWarp(std::span<const WarpShare> warps);
+/// Of two takes. \param weight  of the second, 0 … 1.
 TakeWarp blendedWarp(const TakeWarp& a, const TakeWarp& b, double weight);
 
 /// Where an ascending function of frames 0, 1, … takes the values first, first + 1, …: linear between its

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/variation/variations.h"
 
-#include "model/core/badargument.h"
 #include "model/core/random.h"
 #include "model/variation/latentblend.h"
 #include "model/variation/playback.h"
@@ -16,31 +15,6 @@
 namespace quadrille {
 
 namespace {
-
-/// A learned weight of a blend and the take that has it.
-struct LearnedWeight
-{
-    double weight = 0;
-    std::size_t take = 0;
-};
-
-/// The learned trajectories from one take to another, ascending by weight.
-std::vector<LearnedWeight> learnedWeights(const Movement& movement, std::size_t from, std::size_t to)
-{
-    std::vector<LearnedWeight> learned{{0, from}, {1, to}};
-    for (std::size_t b = 0; b < movement.blends.size(); ++b) {
-        const MovementBlend& blend = movement.blends[b];
-        const bool isSame = blend.from == from && blend.to == to;
-        const bool isReversed = blend.from == to && blend.to == from;
-        if (!isSame && !isReversed)
-            continue;
-        for (std::size_t w = 0; w < blend.weights.size(); ++w)
-            learned.push_back({isSame ? blend.weights[w] : 1 - blend.weights[w], movement.blendedTake(b, w)});
-    }
-    std::sort(learned.begin(), learned.end(),
-              [](const LearnedWeight& a, const LearnedWeight& b) { return a.weight < b.weight; });
-    return learned;
-}
 
 /// Pose vectors of a part, one row for each frame.
 RowMatrix partRows(const LearnedMovement& learned, std::size_t part, const RowMatrix& latents,
@@ -112,52 +86,30 @@ RowMatrix LearnedMovement::trajectory(std::size_t part, std::size_t take) const
     return m_states.at(part).latents.middleRows(span.first, span.count);
 }
 
-SubjectTakes subjectTakes(const Movement& movement, const VariationSubject& subject)
-{
-    const std::size_t count = movement.capturedCount();
-    if (subject.take >= count || subject.to.value_or(0) >= count)
-        refuse("There is no such take to vary", "Name one of the takes that were learned.");
-    if (!subject.to)
-        return {subject.take, subject.take, 0};
-    const std::vector<LearnedWeight> learned = learnedWeights(movement, subject.take, *subject.to);
-    std::vector<double> weights;
-    weights.reserve(learned.size());
-    for (const LearnedWeight& each : learned)
-        weights.push_back(each.weight);
-    const BlendNeighbours between = blendNeighbours(weights, subject.weight);
-    return {learned[between.first].take, learned[between.second].take, 1 - between.share};
-}
-
 PartVariations drawPart(const Movement& movement, std::size_t part, const GpdmState& state,
                         const VariationSubject& subject, int count, std::uint64_t seed,
                         const HmcSettings& settings, const Progress& progress)
 {
-    const SubjectTakes takes = subjectTakes(movement, subject);
+    const std::vector<BlendShare> around = subjectTakes(movement, subject);
     const std::vector<RowSpan>& spans = movement.training.at(part).spans;
     const GpdmDynamics dynamics(state, spans);
-    // At a learned weight there is one trajectory to draw around.
-    std::vector<std::size_t> around;
-    if (takes.weight < 1)
-        around.push_back(takes.first);
-    if (takes.weight > 0)
-        around.push_back(takes.second);
+    PartVariations result;
     std::vector<TrajectorySamples> drawn;
     for (std::size_t c = 0; c < around.size(); ++c) {
-        const RowSpan& span = spans.at(around[c]);
+        const RowSpan& span = spans.at(around[c].take);
         const double share = 1.0 / static_cast<double>(around.size());
         const auto at = static_cast<double>(c);
         drawn.push_back(sampleTrajectories(dynamics, state.latents.middleRows(span.first, span.count), count,
-                                           streamSeed(seed, 2 * part + c), settings,
+                                           streamSeed(seed, 2 * part), settings,
                                            progress.part(at * share, (at + 1) * share)));
+        result.chains.push_back(drawn.back().report);
     }
-    PartVariations result;
-    for (std::size_t v = 0; v < static_cast<std::size_t>(count); ++v)
-        result.trajectories.push_back(
-            around.size() == 1
-                ? drawn.front().trajectories[v]
-                : latentBlend(drawn[0].trajectories[v], drawn[1].trajectories[v], 1 - takes.weight));
-    for (TrajectorySamples& samples : drawn)
-        result.chains.push_back(std::move(samples.report));
+    for (std::size_t v = 0; v < static_cast<std::size_t>(count); ++v) {
+        std::vector<LatentShare> shares;
+        for (std::size_t c = 0; c < around.size(); ++c)
+            shares.push_back({std::move(drawn[c].trajectories[v]), around[c].share});
+        result.trajectories.push_back(latentBlend(shares));
+    }
     return result;
 }
 
@@ -197,17 +149,20 @@ Clip makeVariation(const LearnedMovement& learned, const VariationSubject& subje
                    const LatentVariation& latents, const FrameLayout& layout, const VariationPoses& settings,
                    const Progress& progress)
 {
-    subjectTakes(learned.movement(), subject);
     const Movement& movement = learned.movement();
+    const std::vector<BlendShare> shares = capturedShares(movement, subject);
     const std::vector<RowMatrix> rows = allRows(learned, latents, settings);
     const std::vector<Vec3f> poses = stitched(learned, rows, progress.part(0.2, 0.9));
-    const AlignedTake& take = movement.take(subject.take);
-    const AlignedTake& to = movement.take(subject.to.value_or(subject.take));
-    const double weight = subject.to ? subject.weight : 0;
-    const TakeWarp warp = weight == 0 ? take.warp : blendedWarp(take.warp, to.warp, weight);
-    const std::vector<RigidMotion> guide =
-        weight == 0 ? take.placements
-                    : blendedPlacements(take.placements, to.placements, weight, settings.up);
+    std::vector<TakeShare> takes;
+    std::vector<OriginTake> origins;
+    std::vector<WarpShare> warps;
+    for (const auto& [index, share] : shares) {
+        const AlignedTake& take = movement.take(index);
+        takes.push_back({&take, share});
+        warps.push_back({&take.warp, share});
+        origins.push_back({warps.back(), layout.firstOf(static_cast<int>(index))});
+    }
+    const std::vector<RigidMotion> guide = blendedPlacements(takes, settings.up);
     const RowMatrix& root = rows.front();
     std::vector<Displacement> displacements;
     for (Eigen::Index f = 0; f < root.rows(); ++f)
@@ -215,14 +170,11 @@ Clip makeVariation(const LearnedMovement& learned, const VariationSubject& subje
                                                  movement.training.front().displacementScale));
     const std::vector<RigidMotion> placements =
         pathOnGround(displacements, guide, {.up = settings.up, .fps = movement.alignment.fps});
-    const int from = static_cast<int>(subject.take);
     Clip clip;
     clip.topology = movement.topology;
     clip.fps = movement.alignment.fps;
-    clip.positions = played(poses, placements, warp, progress.part(0.9, 1));
-    clip.origins = subject.to ? variationOrigins(take.warp, to.warp, weight, layout.firstOf(from),
-                                                 layout.firstOf(static_cast<int>(*subject.to)))
-                              : variationOrigins(warp, layout.firstOf(from));
+    clip.positions = played(poses, placements, blendedWarp(warps), progress.part(0.9, 1));
+    clip.origins = variationOrigins(origins);
     if (!settings.supports.empty())
         keepStanding(clip, settings.supports, settings.up);
     return clip;

@@ -4,13 +4,12 @@
 
 #include "model/synthesis/clip.h"
 #include "model/synthesis/supports.h"
-#include "model/variation/movement.h"
 #include "model/variation/posedraw.h"
 #include "model/variation/sampling.h"
 #include "model/variation/stitching.h"
+#include "model/variation/subject.h"
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace quadrille {
@@ -39,27 +38,8 @@ private:
     Stitching m_stitching;
 };
 
-/// What is varied: a captured take, or a blend of two.
-struct VariationSubject
-{
-    std::size_t take = 0;
-    std::optional<std::size_t> to; ///< the second take of a blend
-    double weight = 0;             ///< of the second, 0 … 1
-};
-
 /// The latent trajectories of all parts of one variation.
 using LatentVariation = std::vector<RowMatrix>;
-
-/// Where variations of a subject are drawn: around one learned trajectory, or around the two that bound the
-/// weight of a blend.
-struct SubjectTakes
-{
-    std::size_t first = 0; ///< in the movement's takes, pre-blends included
-    std::size_t second = 0;
-    double weight = 0; ///< of the second; 0 where the first is all
-};
-/// \throws Error BadArgument (a take that there is not, a weight outside [0, 1]).
-SubjectTakes subjectTakes(const Movement& movement, const VariationSubject& subject);
 
 /// Latent variations of one part.
 struct PartVariations
@@ -68,7 +48,9 @@ struct PartVariations
     std::vector<HmcReport> chains;       ///< of each trajectory that was drawn around
 };
 
-/// Draws latent variations of one part of a subject (CVS §6 and §7).
+/// Draws latent variations of one part of a subject (CVS §6 and §7). Of a blend each is drawn around all
+/// learned trajectories next to it with the same random numbers: so it follows the weights without a jump,
+/// and does not vary less between them.
 /// \param seed  of all parts together. \throws Error as subjectTakes; Cancelled.
 PartVariations drawPart(const Movement& movement, std::size_t part, const GpdmState& state,
                         const VariationSubject& subject, int count, std::uint64_t seed,

@@ -5,7 +5,8 @@
 #include "editor/application/editorcontext.h"
 #include "editor/commands/variationedits.h"
 #include "editor/workspaces/view/stageview.h"
-#include "model/variation/movement.h"
+#include "model/core/error.h"
+#include "model/variation/subject.h"
 #include "widgets/theme/theme.h"
 
 #include <algorithm>
@@ -188,18 +189,26 @@ std::optional<TakeWarp> CurrentVariation::shownWarp() const
     const SamplesEntry* set = samples();
     if (own == nullptr || set == nullptr)
         return std::nullopt;
-    const auto warpOf = [&](const std::string& take) -> const TakeWarp* {
-        for (std::size_t i = 0; i < own->capturedCount(); ++i) {
-            if (own->take(i).name == take)
-                return &own->take(i).warp;
-        }
-        return nullptr;
+    const auto indexOf = [&](const std::string& take) {
+        std::size_t index = 0;
+        while (index < own->capturedCount() && own->take(index).name != take)
+            ++index;
+        return index;
     };
-    const TakeWarp* first = warpOf(set->of);
-    const TakeWarp* second = set->to.empty() ? nullptr : warpOf(set->to);
-    if (first == nullptr)
+    VariationSubject subject{.take = indexOf(set->of), .to = {}, .weight = set->weight, .across = {}};
+    if (!set->to.empty())
+        subject.to = indexOf(set->to);
+    if (set->across)
+        subject.across = {indexOf(set->across->of), indexOf(set->across->to), set->across->weight};
+    try {
+        std::vector<WarpShare> warps;
+        for (const BlendShare& each : capturedShares(*own, subject))
+            warps.push_back({&own->take(each.take).warp, each.share});
+        return blendedWarp(warps);
+    } catch (const Error&) {
+        // Its takes are others by now.
         return std::nullopt;
-    return second == nullptr ? *first : blendedWarp(*first, *second, set->weight);
+    }
 }
 
 std::optional<double> CurrentVariation::referenceFrame() const

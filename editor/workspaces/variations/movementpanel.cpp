@@ -42,10 +42,13 @@ bool isLearnedFrom(const VariationEntry* entry, const std::string& sequence)
 void removeTake(VariationEntry& entry, const std::string& sequence)
 {
     std::erase_if(entry.training, [&](const TrainingEntry& take) { return take.sequence == sequence; });
-    std::erase_if(entry.blends,
-                  [&](const BlendEntry& blend) { return blend.from == sequence || blend.to == sequence; });
+    std::erase_if(entry.blends, [&](const BlendEntry& blend) {
+        return blend.from == sequence || blend.to == sequence ||
+               (blend.across && (blend.across->from == sequence || blend.across->to == sequence));
+    });
     std::erase_if(entry.samples, [&](const SamplesEntry& samples) {
-        return samples.of == sequence || samples.to == sequence;
+        return samples.of == sequence || samples.to == sequence ||
+               (samples.across && (samples.across->of == sequence || samples.across->to == sequence));
     });
     if (entry.reference == sequence)
         entry.reference.clear();

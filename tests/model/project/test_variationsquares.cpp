@@ -1,15 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Blends of four takes at the corners of a square.
+#include "model/project/madeclips.h"
 #include "model/project/references.h"
 #include "model/project/validate.h"
+#include "tests/model/largestdistance.h"
 #include "tests/model/project/fullproject.h"
+#include "tests/model/project/tubeproject.h"
 
 #include <gmock/gmock.h>
 
 using namespace quadrille;
 using namespace quadrille::test;
+using quadrille::testing::largestDistance;
+using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::SizeIs;
 
 namespace {
 
@@ -29,6 +36,50 @@ protected:
     SamplesEntry& samples() { return variation().samples.front(); }
 
     Project project = fullProject();
+};
+
+/// Four takes of the tube: small and large swaying, quick and slow.
+class TubeSquare : public TubeProject
+{
+protected:
+    TubeSquare()
+    {
+        write("slow calm", 22, 0.06);
+        write("slow wild", 25, 0.09);
+        for (const char* take : {"slow calm", "slow wild"}) {
+            project.sequences.push_back(sequenceOf(take, take));
+            sway().training.emplace_back().sequence = take;
+        }
+        BlendEntry blend;
+        blend.from = "calm";
+        blend.to = "wild";
+        blend.across.emplace();
+        blend.across->from = "slow calm";
+        blend.across->to = "slow wild";
+        sway().blends = {blend};
+        sway().samples.clear();
+    }
+    void sample(double weight, double across)
+    {
+        SamplesEntry& samples = sway().samples.emplace_back();
+        samples.of = "calm";
+        samples.to = "wild";
+        samples.weight = weight;
+        samples.across.emplace();
+        samples.across->of = "slow calm";
+        samples.across->to = "slow wild";
+        samples.across->weight = across;
+        samples.count = 1;
+    }
+    void sampleOf(const std::string& take, const std::string& to, double weight)
+    {
+        SamplesEntry& samples = sway().samples.emplace_back();
+        samples.of = take;
+        samples.to = to;
+        samples.weight = weight;
+        samples.count = 1;
+    }
+    std::vector<Vec3f> frames(int number) { return loadFrames(opened(variationClip("sway", number))); }
 };
 
 } // namespace
@@ -105,6 +156,69 @@ TEST_F(VariationSquare, GoesWithEachOfItsTakes)
         if (without.variations.empty())
             continue;
         EXPECT_TRUE(without.variations.front().blends.empty()) << take;
-        EXPECT_TRUE(without.variations.front().samples.empty()) << take;
+        EXPECT_TRUE(std::ranges::none_of(without.variations.front().samples, [](const SamplesEntry& each) {
+            return each.across.has_value();
+        })) << take;
     }
+}
+
+TEST_F(TubeSquare, LearnsTheNodesOfItsGridAndBlendsBetweenThem)
+{
+    sample(0.25, 0.5);
+    computed(run("variations"));
+    // Four takes, four edges and the middle on the reference's 18 frames.
+    EXPECT_THAT(item("variations/sway/tip/latents").shape(), ElementsAre(9 * 18, 3));
+    EXPECT_THAT(column<std::string>("variations/sway/takes", "take"),
+                ElementsAre("calm", "wild", "slow calm", "slow wild", "calm–wild 0.5", "calm–slow calm 0.5",
+                            "calm–wild × slow calm–slow wild 0.5 0.5", "wild–slow wild 0.5",
+                            "slow calm–slow wild 0.5"));
+    // Drawn around two nodes: the middle row is learned.
+    EXPECT_THAT(column<double>("variations/sway/tip/chains", "acceptance"), SizeIs(2));
+    // 3/8 of 17 and 21 steps, 1/8 of 14 and 24 are 19.
+    EXPECT_EQ(opened("variations/sway/1").frameCount(), 20);
+    EXPECT_THAT(column<std::string>("variations/sway/report", "across-to"), Contains("slow wild"));
+    EXPECT_THAT(column<double>("variations/sway/report", "across-weight"), Contains(0.5));
+}
+
+TEST_F(TubeSquare, IsTheBlendOfTwoTakesOnItsEdgesAndATakeAtItsCorners)
+{
+    sample(0.25, 0);
+    sampleOf("calm", "wild", 0.25);
+    sample(1, 0.75);
+    sampleOf("wild", "slow wild", 0.75);
+    sample(0, 1);
+    sampleOf("slow calm", "", 0);
+    computed(run("variations"));
+    EXPECT_EQ(frames(1), frames(2));
+    EXPECT_EQ(frames(3), frames(4));
+    EXPECT_EQ(frames(5), frames(6));
+    EXPECT_NE(frames(1), frames(3));
+}
+
+TEST_F(TubeSquare, MovesWithItsWeightsWithoutAJump)
+{
+    // Across a learned node, and onto an edge.
+    constexpr double step = 1e-6;
+    sample(0.5 - step, 0.5 - step);
+    sample(0.5 + step, 0.5 + step);
+    sample(0.3, step);
+    sample(0.3, 0);
+    computed(run("variations"));
+    EXPECT_LT(largestDistance(frames(1), frames(2)), 1e-4);
+    EXPECT_LT(largestDistance(frames(3), frames(4)), 1e-4);
+    EXPECT_GT(largestDistance(frames(2), frames(3)), 1e-3);
+}
+
+TEST_F(TubeSquare, IsMeasuredAgainstTrueBlendsInTheMiddleOfItsCells)
+{
+    EvaluationEntry evaluation;
+    evaluation.table = "cvs-fig7";
+    project.evaluations = {evaluation};
+    computed(run("evaluations"));
+    EXPECT_THAT(column<double>("evaluation/cvs-fig7-means", "weight"),
+                ElementsAre(0.25, 0.25, 0.25, 0.25, 0.75, 0.75, 0.75, 0.75));
+    EXPECT_THAT(column<double>("evaluation/cvs-fig7-means", "across-weight"),
+                ElementsAre(0.25, 0.25, 0.75, 0.75, 0.25, 0.25, 0.75, 0.75));
+    for (const double error : column<double>("evaluation/cvs-fig7-means", "from-nearby"))
+        EXPECT_TRUE(error > 0 && error < 0.05) << error;
 }

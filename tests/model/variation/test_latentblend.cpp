@@ -49,7 +49,8 @@ TEST(LatentBlend, interpolatesTrajectories)
     const RowMatrix a = normals(5, 3, 1);
     const RowMatrix b = normals(5, 3, 2);
     const BlendNeighbours n = blendNeighbours(threeWeights, 0.3);
-    EXPECT_LT((latentBlend(a, b, n.share) - (0.4 * a + 0.6 * b)).norm(), 1e-14);
+    const std::array shares{LatentShare{a, n.share}, LatentShare{b, 1 - n.share}};
+    EXPECT_LT((latentBlend(shares) - (0.4 * a + 0.6 * b)).norm(), 1e-14);
 }
 
 TEST(LatentBlend, isBilinearBetweenFour)
@@ -62,10 +63,12 @@ TEST(LatentBlend, isBilinearBetweenFour)
     // 0.8 and 0.2 across, 0.25 and 0.75 along.
     const std::array<double, 4> expected{0.2, 0.05, 0.6, 0.15};
     RowMatrix sum = RowMatrix::Zero(4, 2);
+    std::vector<LatentShare> shares;
     for (std::size_t i = 0; i < 4; ++i) {
         EXPECT_NEAR(cell.shares()[i], expected[i], 1e-15);
         sum += expected[i] * corners[i];
+        shares.push_back({corners[i], cell.shares()[i]});
     }
-    EXPECT_LT((latentBlend(std::span<const RowMatrix, 4>(corners), cell) - sum).norm(), 1e-14);
+    EXPECT_LT((latentBlend(shares) - sum).norm(), 1e-14);
     EXPECT_EQ(codeOf([] { blendCell(threeWeights, threeWeights, 0.5, 1.5); }), ErrorCode::BadArgument);
 }

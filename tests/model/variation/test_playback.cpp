@@ -108,13 +108,25 @@ TEST(VariationOrigins, NameTheCapturedFramesOfTheSamePhase)
     const std::vector<FrameOrigin> own = variationOrigins(a, 100);
     EXPECT_EQ(own,
               (std::vector<FrameOrigin>{{102, 102, 0, false}, {103, 103, 0, false}, {104, 104, 0, false}}));
-    EXPECT_EQ(variationOrigins(a, b, 0, 100, 200), own);
-    EXPECT_EQ(variationOrigins(a, b, 1, 100, 200), variationOrigins(b, 200));
-    const std::vector<FrameOrigin> half = variationOrigins(a, b, 0.5, 100, 200);
+    EXPECT_EQ(variationOrigins(std::array{OriginTake{{&a, 1}, 100}}), own);
+    const std::vector<FrameOrigin> half =
+        variationOrigins(std::array{OriginTake{{&a, 0.5}, 100}, OriginTake{{&b, 0.5}, 200}});
     ASSERT_EQ(half.size(), 4U);
     EXPECT_EQ(half.front(), (FrameOrigin{102, 200, 0.5, false}));
     EXPECT_EQ(half[1], (FrameOrigin{103, 201, 0.5, false}));
     EXPECT_EQ(half.back(), (FrameOrigin{104, 204, 0.5, false}));
+}
+
+TEST(VariationOrigins, NameTheTwoTakesWithTheLargestShares)
+{
+    const TakeWarp a{.frames = FrameRange::all(3), .positions = {0, 1, 2}, .playback = {0, 1, 2}};
+    const std::vector<FrameOrigin> origins =
+        variationOrigins(std::array{OriginTake{{&a, 0.1}, 100}, OriginTake{{&a, 0.3}, 200},
+                                    OriginTake{{&a, 0.1}, 300}, OriginTake{{&a, 0.5}, 400}});
+    ASSERT_EQ(origins.size(), 3U);
+    EXPECT_EQ(origins[1].source, 201);
+    EXPECT_EQ(origins[1].destination, 401);
+    EXPECT_NEAR(origins[1].lambda, 0.625, 1e-12);
 }
 
 } // namespace

@@ -71,6 +71,52 @@ TEST(PreBlend, InterpolatesPosesNonLinearlyFrameByFrame)
     }
 }
 
+TEST(PreBlend, OfFourTakesIsThatOfTwoWhereTheOthersHaveNoShare)
+{
+    const Alignment alignment = twoTakes();
+    const auto system = std::make_shared<PoissonSystem>(testing::swayingTopology());
+    const AlignedTake& a = alignment.takes[0];
+    const AlignedTake& b = alignment.takes[1];
+    const std::vector<TakeShare> edge{{&b, 0}, {&a, 0.75}, {&a, 0}, {&b, 0.25}};
+    const AlignedTake blend = blendedTake(system, edge, "edge");
+    const AlignedTake pair = blendedTake(system, a, b, 0.25, "edge");
+    EXPECT_EQ(blend.poses, pair.poses);
+    EXPECT_EQ(blend.warp, pair.warp);
+    for (std::size_t f = 0; f < pair.placements.size(); ++f)
+        EXPECT_EQ(blend.placements[f].translation, pair.placements[f].translation);
+}
+
+TEST(PreBlend, OfFourTakesThatAreTwoIsTheBlendOfThem)
+{
+    const Alignment alignment = twoTakes();
+    const auto system = std::make_shared<PoissonSystem>(testing::swayingTopology());
+    const AlignedTake& a = alignment.takes[0];
+    const AlignedTake& b = alignment.takes[1];
+    // Both pairs are the same, so where between them does not matter.
+    const std::vector<TakeShare> four{{&a, 0.28}, {&b, 0.12}, {&a, 0.42}, {&b, 0.18}};
+    const AlignedTake blend = blendedTake(system, four, "four");
+    const AlignedTake pair = blendedTake(system, a, b, 0.3, "two");
+    EXPECT_LT(testing::largestDistance(blend.poses, pair.poses), 1e-4);
+    for (std::size_t f = 0; f < pair.placements.size(); ++f) {
+        EXPECT_LT((blend.placements[f].translation - pair.placements[f].translation).norm(), 1e-9);
+        EXPECT_LT(blend.placements[f].rotation.angularDistance(pair.placements[f].rotation), 1e-9);
+    }
+}
+
+TEST(PreBlend, RefusesSharesThatAreNoBlend)
+{
+    const Alignment alignment = twoTakes();
+    const auto system = std::make_shared<PoissonSystem>(testing::swayingTopology());
+    const AlignedTake& a = alignment.takes[0];
+    const AlignedTake& b = alignment.takes[1];
+    for (const auto& [first, second] :
+         std::vector<std::pair<double, double>>{{0.5, 0.6}, {0, 0}, {1.5, -0.5}})
+        EXPECT_EQ(test::codeOf([&, x = first, y = second] {
+                      blendedTake(system, std::array{TakeShare{&a, x}, TakeShare{&b, y}}, "x");
+                  }),
+                  ErrorCode::BadArgument);
+}
+
 TEST(PreBlend, LiesOnTheTemplateByItsAnchor)
 {
     std::vector<VertexIndex> anchor;
@@ -91,7 +137,8 @@ TEST(PreBlend, GoesAheadBetweenItsTakesAndKeepsUpright)
     const Alignment alignment = twoTakes();
     const AlignedTake& a = alignment.takes[0];
     const AlignedTake& b = alignment.takes[1];
-    const std::vector<RigidMotion> half = blendedPlacements(a.placements, b.placements, 0.5, UpAxis::Y);
+    const std::vector<RigidMotion> half =
+        blendedPlacements(std::array{TakeShare{&a, 0.5}, TakeShare{&b, 0.5}}, UpAxis::Y);
     const auto way = [](const std::vector<RigidMotion>& placements) {
         double length = 0;
         for (std::size_t f = 1; f < placements.size(); ++f) {

@@ -201,5 +201,36 @@ TEST(TimeWarp, BlendsLengthAndTiming)
     EXPECT_THAT(nearA.playback, Pointwise(DoubleNear(1e-6), a.playback));
 }
 
+TEST(TimeWarp, BlendsFourBilinearly)
+{
+    std::vector<TakeWarp> takes;
+    for (const int frames : {5, 9, 13, 29})
+        takes.push_back(warpOf(warpWhole(Table<float>::Ones(5, frames)).path, 0, FrameIndex(frames)));
+    // A quarter of the way along, half of it across.
+    const std::array shares{0.375, 0.125, 0.375, 0.125};
+    std::vector<WarpShare> warps;
+    for (std::size_t t = 0; t < takes.size(); ++t)
+        warps.push_back({&takes[t], shares[t]});
+    const TakeWarp blend = blendedWarp(warps);
+    // 3/8 · 4 + 1/8 · 8 + 3/8 · 12 + 1/8 · 28 = 10.5 steps become 11, and all positions grow with them.
+    EXPECT_EQ(blend.frames, FrameRange::all(12));
+    ASSERT_EQ(blend.playback.size(), 12U);
+    for (std::size_t f = 0; f < 5; ++f) {
+        double position = 0;
+        for (std::size_t t = 0; t < takes.size(); ++t)
+            position += shares[t] * (takes[t].positions[f] - takes[t].positions[0]);
+        EXPECT_NEAR(blend.positions[f], position * 11 / 10.5, 1e-12);
+    }
+    EXPECT_NEAR(blend.positions.back(), 11, 1e-12);
+    // What has no share does not count.
+    warps[0].share = 0.25;
+    warps[1].share = 0.75;
+    warps[2].share = warps[3].share = 0;
+    EXPECT_EQ(blendedWarp(warps), blendedWarp(takes[0], takes[1], 0.75));
+    warps[0].share = 0;
+    warps[1].share = 1;
+    EXPECT_EQ(blendedWarp(warps), takes[1]);
+}
+
 } // namespace
 } // namespace quadrille
