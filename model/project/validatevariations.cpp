@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/validatevariations.h"
 
+#include "model/project/blendedges.h"
 #include "model/project/opensequence.h"
 #include "model/project/validate.h"
 #include "model/project/validationtexts.h"
@@ -22,26 +23,6 @@ constexpr int greatestCount = 10'000;
 bool contains(const std::vector<std::string>& names, const std::string& name)
 {
     return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// Two takes with the weights of the second at which blends of them are learned.
-struct BlendEdge
-{
-    std::string from;
-    std::string to;
-    std::vector<double> weights;
-};
-
-/// The pair of a blend, or the four of a square.
-std::vector<BlendEdge> edgesOf(const BlendEntry& blend)
-{
-    std::vector<BlendEdge> edges{{blend.from, blend.to, blend.weights}};
-    if (const auto& across = blend.across) {
-        edges.push_back({across->from, across->to, blend.weights});
-        edges.push_back({blend.from, across->from, across->weights});
-        edges.push_back({blend.to, across->to, across->weights});
-    }
-    return edges;
 }
 
 /// What both sections have in common.

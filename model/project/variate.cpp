@@ -26,7 +26,45 @@ std::vector<Vec3f> copied(Positions positions)
     return {positions.begin(), positions.end()};
 }
 
+std::size_t takeIndex(const VariationEntry& entry, const std::string& name)
+{
+    const auto& takes = entry.training;
+    const auto found = std::find_if(takes.begin(), takes.end(),
+                                    [&](const TrainingEntry& take) { return take.sequence == name; });
+    if (found == takes.end())
+        throwInvalid("“" + name + "” is none of the takes that “" + entry.name + "” learns from",
+                     "Name it under “sequences”, too.");
+    return static_cast<std::size_t>(found - takes.begin());
+}
+
 } // namespace
+
+std::vector<MovementBlend> blendsOf(const VariationEntry& variation)
+{
+    std::vector<MovementBlend> all;
+    for (const BlendEntry& entry : variation.blends) {
+        MovementBlend& blend = all.emplace_back();
+        blend.from = takeIndex(variation, entry.from);
+        blend.to = takeIndex(variation, entry.to);
+        blend.weights = entry.weights;
+        if (const auto& across = entry.across)
+            blend.across = {takeIndex(variation, across->from), takeIndex(variation, across->to),
+                            across->weights};
+    }
+    return all;
+}
+
+VariationSubject subjectOf(const VariationEntry& entry, const SamplesEntry& samples)
+{
+    VariationSubject subject;
+    subject.take = takeIndex(entry, samples.of);
+    if (!samples.to.empty())
+        subject.to = takeIndex(entry, samples.to);
+    subject.weight = samples.weight;
+    if (const auto& across = samples.across)
+        subject.across = {takeIndex(entry, across->of), takeIndex(entry, across->to), across->weight};
+    return subject;
+}
 
 VariationWork::VariationWork(std::shared_ptr<SequenceOpener> opener, VariationEntry entry)
     : m_opener(std::move(opener))
@@ -43,35 +81,10 @@ std::vector<std::string> VariationWork::takeNames() const
     for (const TrainingEntry& take : m_entry.training)
         names.push_back(take.sequence);
     const std::vector<std::string> takes = names;
-    const std::vector<MovementBlend> all = blends();
+    const std::vector<MovementBlend> all = blendsOf(m_entry);
     for (const Preblend& point : preblendsOf(all))
         names.push_back(preblendName(all[point.blend], point, takes));
     return names;
-}
-
-std::vector<MovementBlend> VariationWork::blends() const
-{
-    std::vector<MovementBlend> all;
-    for (const BlendEntry& entry : m_entry.blends) {
-        MovementBlend& blend = all.emplace_back();
-        blend.from = takeIndex(entry.from);
-        blend.to = takeIndex(entry.to);
-        blend.weights = entry.weights;
-        if (const auto& across = entry.across)
-            blend.across = {takeIndex(across->from), takeIndex(across->to), across->weights};
-    }
-    return all;
-}
-
-std::size_t VariationWork::takeIndex(const std::string& name) const
-{
-    const auto& takes = m_entry.training;
-    const auto found = std::find_if(takes.begin(), takes.end(),
-                                    [&](const TrainingEntry& take) { return take.sequence == name; });
-    if (found == takes.end())
-        throwInvalid("“" + name + "” is none of the takes that “" + m_entry.name + "” learns from",
-                     "Name it under “sequences”, too.");
-    return static_cast<std::size_t>(found - takes.begin());
 }
 
 std::vector<TrainingTake> VariationWork::openTakes(const Progress& progress)
@@ -136,10 +149,10 @@ std::shared_ptr<const Movement> VariationWork::movement(const Progress& progress
     settings.displacementShare = m_entry.displacementShare;
     const std::vector<Vec3f> pose =
         m_entry.templatePose ? namedPose(*m_entry.templatePose, progress) : std::vector<Vec3f>();
-    const std::size_t reference = m_entry.reference.empty() ? 0 : takeIndex(m_entry.reference);
+    const std::size_t reference = m_entry.reference.empty() ? 0 : takeIndex(m_entry, m_entry.reference);
     m_movement = std::make_shared<const Movement>(
-        makeMovement(takes, reference, cutParts(takes.front().sequence, progress), blends(), settings, pose,
-                     progress.part(opening, 1)));
+        makeMovement(takes, reference, cutParts(takes.front().sequence, progress), blendsOf(m_entry),
+                     settings, pose, progress.part(opening, 1)));
     std::vector<MeshSequence> sequences;
     sequences.reserve(takes.size());
     for (const TrainingTake& take : takes)
@@ -238,18 +251,6 @@ std::string VariationWork::movementSettings() const
 std::vector<std::string> VariationWork::clipStages() const
 {
     return clipInputs(project(), sequences());
-}
-
-VariationSubject VariationWork::subject(const SamplesEntry& samples) const
-{
-    VariationSubject subject;
-    subject.take = takeIndex(samples.of);
-    if (!samples.to.empty())
-        subject.to = takeIndex(samples.to);
-    subject.weight = samples.weight;
-    if (const auto& across = samples.across)
-        subject.across = {takeIndex(across->of), takeIndex(across->to), across->weight};
-    return subject;
 }
 
 } // namespace quadrille

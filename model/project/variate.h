@@ -14,6 +14,12 @@
 
 namespace quadrille {
 
+// Takes count as an entry of “variations” lists them. \throws Error ProjectInvalid where it names others.
+
+std::vector<MovementBlend> blendsOf(const VariationEntry& entry);
+/// What a set of samples varies.
+VariationSubject subjectOf(const VariationEntry& entry, const SamplesEntry& samples);
+
 /// What an entry of “variations” is computed from. Takes are opened and aligned at the first use; safe from
 /// any thread.
 class VariationWork
@@ -52,8 +58,8 @@ public:
     /// The training sequences that are clips of others need these stages.
     std::vector<std::string> clipStages() const;
 
-    /// What a set of samples varies. \throws Error ProjectInvalid where it names no take.
-    VariationSubject subject(const SamplesEntry& samples) const;
+    /// What a set of samples varies. \throws Error as subjectOf.
+    VariationSubject subject(const SamplesEntry& samples) const { return subjectOf(m_entry, samples); }
     /// How its poses are made, but for the seed; refers to this object. \throws Error as movement.
     VariationPoses poses(const Progress& progress = {});
 
@@ -63,8 +69,6 @@ private:
     std::vector<TrainingTake> openTakes(const Progress& progress);
     std::vector<Vec3f> namedPose(const NamedFrame& frame, const Progress& progress);
     BodyParts cutParts(const MeshSequence& first, const Progress& progress);
-    std::size_t takeIndex(const std::string& name) const;
-    std::vector<MovementBlend> blends() const;
 
     std::shared_ptr<SequenceOpener> m_opener;
     VariationEntry m_entry;

@@ -17,14 +17,6 @@ using Square = std::array<std::size_t, 4>;
 constexpr std::size_t weightBit = 1;
 constexpr std::size_t acrossBit = 2;
 
-/// A learned trajectory over a square.
-struct LearnedNode
-{
-    double weight = 0;
-    double across = 0;
-    std::size_t take = 0;
-};
-
 struct LearnedWeight
 {
     double weight = 0;
@@ -109,24 +101,6 @@ private:
     bool m_isTransposed;
 };
 
-/// All that was learned over a square, at least its corners: the nodes of a grid.
-std::vector<LearnedNode> learnedNodes(const Movement& movement, const Square& square)
-{
-    std::vector<LearnedNode> nodes{
-        {0, 0, square[0]}, {1, 0, square[1]}, {0, 1, square[2]}, {1, 1, square[3]}};
-    for (std::size_t b = 0; b < movement.blends.size(); ++b) {
-        const auto place = GridPlace::find(movement.blends[b], square);
-        if (!place)
-            continue;
-        for (std::size_t p = 0; p < movement.preblends.size(); ++p) {
-            if (movement.preblends[p].blend == b)
-                nodes.push_back(place->node(movement.preblends[p], takeOf(movement, p)));
-        }
-        break;
-    }
-    return nodes;
-}
-
 std::vector<double> valuesOf(const std::vector<LearnedNode>& nodes, double LearnedNode::*member)
 {
     std::vector<double> values;
@@ -137,12 +111,12 @@ std::vector<double> valuesOf(const std::vector<LearnedNode>& nodes, double Learn
     return values;
 }
 
-std::vector<BlendShare> inSquare(const Movement& movement, const Square& square, double weight, double across)
+std::vector<BlendShare> inSquare(const Movement& movement, const VariationSubject& subject)
 {
-    const std::vector<LearnedNode> nodes = learnedNodes(movement, square);
+    const std::vector<LearnedNode> nodes = learnedNodes(movement.blends, movement.capturedCount(), subject);
     const std::vector<double> columns = valuesOf(nodes, &LearnedNode::weight);
     const std::vector<double> rows = valuesOf(nodes, &LearnedNode::across);
-    const BlendCell cell = blendCell(columns, rows, weight, across);
+    const BlendCell cell = blendCell(columns, rows, subject.weight, subject.across->weight);
     const std::array<double, 4> shares = cell.shares();
     std::vector<BlendShare> takes;
     for (std::size_t c = 0; c < shares.size(); ++c) {
@@ -188,9 +162,27 @@ std::vector<BlendShare> subjectTakes(const Movement& movement, const VariationSu
         return captured;
     if (captured.size() == 2)
         return alongPair(movement, captured[0].take, captured[1].take, captured[1].share);
-    const SubjectAcross& across = *subject.across;
-    return inSquare(movement, {subject.take, *subject.to, across.take, across.to}, subject.weight,
-                    across.weight);
+    return inSquare(movement, subject);
+}
+
+std::vector<LearnedNode> learnedNodes(std::span<const MovementBlend> blends, std::size_t takes,
+                                      const VariationSubject& subject)
+{
+    const Square square{subject.take, *subject.to, subject.across->take, subject.across->to};
+    std::vector<LearnedNode> nodes{
+        {0, 0, square[0]}, {1, 0, square[1]}, {0, 1, square[2]}, {1, 1, square[3]}};
+    const std::vector<Preblend> preblends = preblendsOf(blends);
+    for (std::size_t b = 0; b < blends.size(); ++b) {
+        const auto place = GridPlace::find(blends[b], square);
+        if (!place)
+            continue;
+        for (std::size_t p = 0; p < preblends.size(); ++p) {
+            if (preblends[p].blend == b)
+                nodes.push_back(place->node(preblends[p], takes + p));
+        }
+        break;
+    }
+    return nodes;
 }
 
 } // namespace quadrille

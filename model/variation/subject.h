@@ -31,10 +31,23 @@ struct VariationSubject
 /// alone).
 std::vector<BlendShare> capturedShares(const Movement& movement, const VariationSubject& subject);
 
+/// A learned trajectory over a square of takes.
+struct LearnedNode
+{
+    double weight = 0;
+    double across = 0;
+    std::size_t take = 0; ///< of the movement, pre-blends included
+};
+
+/// All that was learned over the square of a subject of four takes, its corners first: the nodes of a grid,
+/// whatever corner it begins at; the corners alone where none was learned. \param takes  captured ones.
+/// \pre The subject has a second pair.
+std::vector<LearnedNode> learnedNodes(std::span<const MovementBlend> blends, std::size_t takes,
+                                      const VariationSubject& subject);
+
 /// Around which learned trajectories variations of a subject are drawn: that of a take or of a pre-blend, the
 /// two next to the weight of a blend, or the four around both weights, with their shares. Inside of a square
-/// those of a grid over it count, if one was learned, whatever corner it begins at; on its edges, as for two
-/// takes, all that were learned between these two.
+/// learnedNodes count; on its edges, as for two takes, all that were learned between these two.
 /// \return takes of the movement, pre-blends included. \throws Error as capturedShares.
 std::vector<BlendShare> subjectTakes(const Movement& movement, const VariationSubject& subject);
 

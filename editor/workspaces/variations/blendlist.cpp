@@ -5,6 +5,7 @@
 #include "editor/application/editorcontext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/currentvariation.h"
+#include "model/project/blendedges.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
 
@@ -29,6 +30,39 @@ constexpr int rowHeight = 24; // pixels
 constexpr int pairColumn = 0;
 constexpr int weightsColumn = 1;
 constexpr double percent = 100;
+
+/// Between the weights of both pairs of a square.
+QString times()
+{
+    return QStringLiteral(" × ");
+}
+
+QString pairText(const BlendEntry& blend)
+{
+    const auto text = [](const std::string& from, const std::string& to) {
+        return BlendList::tr("%1 → %2").arg(QString::fromStdString(from), QString::fromStdString(to));
+    };
+    const QString pair = text(blend.from, blend.to);
+    return blend.across ? pair + times() + text(blend.across->from, blend.across->to) : pair;
+}
+
+QString allWeightsText(const BlendEntry& blend)
+{
+    const QString weights = weightsText(blend.weights);
+    return blend.across ? weights + times() + weightsText(blend.across->weights) : weights;
+}
+
+/// Takes weights as allWeightsText writes them. \return false where there are none.
+bool takeWeightsOf(BlendEntry& blend, const QString& text)
+{
+    const QStringList pairs = text.split(times().trimmed());
+    if (pairs.size() != (blend.across ? 2 : 1))
+        return false;
+    blend.weights = weightsIn(pairs.front());
+    if (blend.across)
+        blend.across->weights = weightsIn(pairs.back());
+    return !blend.weights.empty() && !(blend.across && blend.across->weights.empty());
+}
 
 } // namespace
 
@@ -137,9 +171,8 @@ void BlendList::refresh()
             m_to->addItem(QString::fromStdString(take.sequence));
         }
         for (const BlendEntry& blend : entry->blends) {
-            const QString pair =
-                tr("%1 → %2").arg(QString::fromStdString(blend.from), QString::fromStdString(blend.to));
-            auto* item = new QTreeWidgetItem(m_blends, {pair, weightsText(blend.weights)});
+            const QString pair = pairText(blend);
+            auto* item = new QTreeWidgetItem(m_blends, {pair, allWeightsText(blend)});
             item->setFlags(item->flags() | Qt::ItemIsEditable);
             item->setToolTip(pairColumn, pair);
             item->setTextAlignment(weightsColumn, Qt::AlignRight | Qt::AlignVCenter);
@@ -162,7 +195,8 @@ void BlendList::refreshAdding()
     const auto isPair = [this](const BlendEntry& blend) {
         const std::string from = m_from->currentText().toStdString();
         const std::string to = m_to->currentText().toStdString();
-        return (blend.from == from && blend.to == to) || (blend.from == to && blend.to == from);
+        return std::ranges::any_of(edgesOf(blend),
+                                   [&](const BlendEdge& edge) { return edge.isBetween(from, to); });
     };
     const bool areTwo = m_from->count() > 1;
     m_add->setEnabled(areTwo && m_from->currentText() != m_to->currentText() &&
@@ -187,7 +221,8 @@ void BlendList::remove(int row)
         const BlendEntry gone = entry.blends[static_cast<std::size_t>(row)];
         entry.blends.erase(entry.blends.begin() + row);
         std::erase_if(entry.samples, [&](const SamplesEntry& samples) {
-            return samples.of == gone.from && samples.to == gone.to;
+            return samples.of == gone.from && samples.to == gone.to &&
+                   samples.across.has_value() == gone.across.has_value();
         });
     });
 }
@@ -197,13 +232,13 @@ void BlendList::takeWeights(QTreeWidgetItem* item)
     if (m_isShowing)
         return;
     const auto row = static_cast<std::size_t>(m_blends->indexOfTopLevelItem(item));
-    const std::vector<double> weights = weightsIn(item->text(weightsColumn));
-    if (weights.empty()) {
+    BlendEntry blend = m_variation.entry()->blends.at(row);
+    if (!takeWeightsOf(blend, item->text(weightsColumn))) {
         refresh();
         return;
     }
     m_variation.edit(tr("Change the weights of a blend"), QStringLiteral("blends"),
-                     [&](VariationEntry& entry) { entry.blends[row].weights = weights; });
+                     [&](VariationEntry& entry) { entry.blends[row] = blend; });
     refresh();
 }
 

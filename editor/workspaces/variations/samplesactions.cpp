@@ -5,6 +5,7 @@
 #include "editor/commands/projectedits.h"
 #include "editor/documents/variationresult.h"
 #include "editor/fields/partlist.h"
+#include "editor/workspaces/variations/acrossfields.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/samplespanel.h"
 #include "model/project/madeclips.h"
@@ -152,6 +153,8 @@ void SamplesPanel::refreshFields()
     m_seed->setValue(static_cast<int>(set->seed));
     m_weightRow->setVisible(!set->to.empty());
     m_weightLabel->setVisible(!set->to.empty());
+    m_across->setVisible(m_across->isUseful());
+    m_acrossLabel->setVisible(m_across->isUseful());
 }
 
 void SamplesPanel::refreshVariations()

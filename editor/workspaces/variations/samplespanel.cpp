@@ -8,6 +8,7 @@
 #include "editor/fields/partlist.h"
 #include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
+#include "editor/workspaces/variations/acrossfields.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
@@ -40,10 +41,18 @@ QString nameOf(const SamplesEntry& samples)
     QString of = QString::fromStdString(samples.of);
     if (samples.to.empty())
         return of;
-    constexpr double percent = 100;
-    //: two takes, and the share of the second
-    return SamplesPanel::tr("%1 → %2, %3 %")
-        .arg(of, QString::fromStdString(samples.to), QLocale().toString(samples.weight * percent, 'f', 0));
+    const auto pair = [](const QString& first, const std::string& second, double weight) {
+        constexpr double percent = 100;
+        //: two takes, and the share of the second
+        return SamplesPanel::tr("%1 → %2, %3 %")
+            .arg(first, QString::fromStdString(second), QLocale().toString(weight * percent, 'f', 0));
+    };
+    const QString along = pair(of, samples.to, samples.weight);
+    if (!samples.across)
+        return along;
+    //: two pairs of takes at the corners of a square
+    return SamplesPanel::tr("%1 × %2").arg(
+        along, pair(QString::fromStdString(samples.across->of), samples.across->to, samples.across->weight));
 }
 
 SamplesPanel::SamplesPanel(CurrentVariation& variation, QWidget* parent)
@@ -58,6 +67,8 @@ SamplesPanel::SamplesPanel(CurrentVariation& variation, QWidget* parent)
     , m_percent(new QSpinBox)
     , m_weightRow(new QWidget)
     , m_weightLabel(new QLabel)
+    , m_across(new AcrossFields(variation))
+    , m_acrossLabel(new QLabel)
     , m_count(new QSpinBox)
     , m_seed(new QSpinBox)
     , m_again(nullptr)
@@ -148,12 +159,16 @@ QWidget* SamplesPanel::makeSets()
     m_weightLabel = addRow(
         4, [] { return tr("Weight"); }, m_weight);
     grid->addWidget(m_weightRow, 4, 1);
+    m_acrossLabel = addRow(
+        5, [] { return tr("Across"); }, m_across);
+    m_acrossLabel->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    grid->addWidget(m_across, 5, 1);
     addRow(
-        5, [] { return tr("Count"); }, m_count);
-    grid->addWidget(m_count, 5, 1);
+        6, [] { return tr("Count"); }, m_count);
+    grid->addWidget(m_count, 6, 1);
     addRow(
-        6, [] { return tr("Seed"); }, m_seed);
-    grid->addLayout(seedRow, 6, 1);
+        7, [] { return tr("Seed"); }, m_seed);
+    grid->addLayout(seedRow, 7, 1);
     return page;
 }
 
@@ -204,6 +219,7 @@ void SamplesPanel::connectFields()
             set.of = take.toStdString();
             if (set.to == set.of)
                 set.to.clear();
+            dropImpossibleAcross(set);
         });
     });
     connect(m_to, &QComboBox::activated, this, [this](int index) {
@@ -211,6 +227,7 @@ void SamplesPanel::connectFields()
             constexpr double middle = 0.5;
             set.to = index == 0 ? std::string() : m_to->currentText().toStdString();
             set.weight = set.to.empty() ? 0 : set.weight > 0 ? set.weight : middle;
+            dropImpossibleAcross(set);
         });
     });
     connect(m_weight, &QSlider::valueChanged, this, [this](int percent) {

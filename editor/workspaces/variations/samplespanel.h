@@ -21,6 +21,7 @@ class QTreeWidgetItem;
 
 namespace quadrille {
 
+class AcrossFields;
 class CurrentVariation;
 class PartList;
 struct DrawnVariation;
@@ -75,6 +76,8 @@ private:
     QSpinBox* m_percent;
     QWidget* m_weightRow;
     QLabel* m_weightLabel;
+    AcrossFields* m_across;
+    QLabel* m_acrossLabel;
     QSpinBox* m_count;
     QSpinBox* m_seed;
     QToolButton* m_again;
@@ -84,7 +87,7 @@ private:
     bool m_isShowing = false; ///< fields change because of the document
 };
 
-/// "walk 1", or "walk 1 → jog 1, 40 %".
+/// "walk 1", "walk 1 → jog 1, 40 %", or "walk 1 → jog 1, 40 % × walk 2 → jog 2, 50 %".
 QString nameOf(const SamplesEntry& samples);
 
 } // namespace quadrille
