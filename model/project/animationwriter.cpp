@@ -27,13 +27,6 @@ void addChoice(Json& json, const FrameChoice& choice)
     addRange(json, "range", choice.range);
 }
 
-template <typename Value>
-void addOptional(Json& json, const char* key, const std::optional<Value>& value)
-{
-    if (value)
-        json[key] = *value;
-}
-
 Json toJson(const KeyEntry& key, UpAxis)
 {
     Json json = Json::object();
@@ -85,8 +78,7 @@ Json toJson(const PathEntry& path, UpAxis up)
         json["spans"].push_back(toJson(span));
     for (const ObstacleEntry& obstacle : path.obstacles)
         json["obstacles"].push_back(toJson(obstacle));
-    if (path.clearance != 0)
-        json["clearance"] = path.clearance;
+    addUnless(json, "clearance", path.clearance, 0);
     addUnknown(json, path.unknown);
     return json;
 }
@@ -96,8 +88,7 @@ Json toJson(const ActionEntry& action, UpAxis)
     Json json = Json::object();
     json["kind"] = "action";
     addChoice(json, action.frames);
-    if (action.repeat != 1)
-        json["repeat"] = action.repeat;
+    addUnless(json, "repeat", action.repeat, 1);
     addOptional(json, "duration", action.duration);
     addOptional(json, "least_share", action.leastShare);
     addUnknown(json, action.unknown);
@@ -110,8 +101,7 @@ Json toJson(const SearchEntry& search)
     addOptional(json, "budget", search.budget);
     addOptional(json, "beta", search.beta);
     addOptional(json, "mu", search.mu);
-    if (search.globalKeys)
-        json["global"] = true;
+    addUnless(json, "global", search.globalKeys, false);
     addUnknown(json, search.unknown);
     return json;
 }
@@ -145,8 +135,7 @@ Json toJson(const WalkEntry& walk)
         item["frames"] = rangeToJson(span.frames);
         json["spans"].push_back(std::move(item));
     }
-    if (walk.turn != 0)
-        json["turn"] = walk.turn;
+    addUnless(json, "turn", walk.turn, 0);
     if (walk.at)
         json["at"] = pairJson(*walk.at);
     addUnknown(json, walk.unknown);
@@ -164,8 +153,7 @@ Json toJson(const LoopSettings& loop, const UnknownKeys& unknown)
     Json json = Json::object();
     addSeconds(json, "cut_start", loop.cutStart);
     addSeconds(json, "cut_end", loop.cutEnd);
-    if (loop.inPlace)
-        json["in_place"] = true;
+    addUnless(json, "in_place", loop.inPlace, false);
     addUnknown(json, unknown);
     return json.empty() ? Json(true) : json;
 }
@@ -174,15 +162,11 @@ Json toJson(const ContactCorrectionSettings& contacts, const UnknownKeys& unknow
 {
     const ContactCorrectionSettings usual;
     Json json = Json::object();
-    const auto add = [&json](const char* key, double value, double otherwise) {
-        if (value != otherwise)
-            json[key] = value;
-    };
-    add("strength", contacts.strength, usual.strength);
-    add("ease", contacts.easeSeconds, usual.easeSeconds);
-    add("greatest_shift", contacts.greatestShift, usual.greatestShift);
-    add("greatest_turn", contacts.greatestTurn, usual.greatestTurn);
-    add("greatest_lift", contacts.greatestLift, usual.greatestLift);
+    addUnless(json, "strength", contacts.strength, usual.strength);
+    addUnless(json, "ease", contacts.easeSeconds, usual.easeSeconds);
+    addUnless(json, "greatest_shift", contacts.greatestShift, usual.greatestShift);
+    addUnless(json, "greatest_turn", contacts.greatestTurn, usual.greatestTurn);
+    addUnless(json, "greatest_lift", contacts.greatestLift, usual.greatestLift);
     addUnknown(json, unknown);
     return json.empty() ? Json(true) : json;
 }
@@ -197,8 +181,7 @@ Json toJson(const RetimeSettings& retime, const UnknownKeys& unknown)
     else
         for (const RetimePoint& point : std::get<RetimeSettings::Curve>(retime.time))
             json["curve"].push_back(Json::array({point.output.value, point.clip.value}));
-    if (retime.keepsRootSpeed)
-        json["keep_root_speed"] = true;
+    addUnless(json, "keep_root_speed", retime.keepsRootSpeed, false);
     addUnknown(json, unknown);
     return json;
 }
@@ -207,8 +190,7 @@ Json toJson(const VariedRepeats& repeats)
 {
     Json json = Json::object();
     addText(json, "from", repeats.from);
-    if (repeats.ease != VariedRepeats().ease)
-        json["ease"] = repeats.ease;
+    addUnless(json, "ease", repeats.ease, VariedRepeats().ease);
     addUnknown(json, repeats.unknown);
     return json.empty() ? Json(true) : json;
 }
@@ -222,11 +204,9 @@ Json toJson(const PostProcessingEntry& post)
         json["loop"] = toJson(*post.steps.loop, post.unknownOfLoop);
     if (post.steps.contacts)
         json["contact_correction"] = toJson(*post.steps.contacts, post.unknownOfContacts);
-    if (post.steps.mirror)
-        json["mirror"] = true;
+    addUnless(json, "mirror", post.steps.mirror, false);
     addText(json, "symmetry", post.symmetry);
-    if (post.steps.repeats != 1)
-        json["repeats"] = post.steps.repeats;
+    addUnless(json, "repeats", post.steps.repeats, 1);
     if (post.steps.retime)
         json["retime"] = toJson(*post.steps.retime, post.unknownOfRetime);
     addUnknown(json, post.unknown);
@@ -237,10 +217,8 @@ Json toJson(const AudioEntry& audio)
 {
     Json json = Json::object();
     json["file"] = audio.file;
-    if (audio.offset != 0)
-        json["offset"] = audio.offset;
-    if (audio.gain != 0)
-        json["gain"] = audio.gain;
+    addUnless(json, "offset", audio.offset, 0);
+    addUnless(json, "gain", audio.gain, 0);
     addUnknown(json, audio.unknown);
     return json;
 }
@@ -271,19 +249,15 @@ Json animationToJson(const AnimationEntry& animation, UpAxis up)
     for (const ConstraintEntry& constraint : animation.constraints)
         json["constraints"].push_back(
             std::visit([up](const auto& entry) { return toJson(entry, up); }, constraint));
-    const auto addMember = [&json](const char* key, Json member) {
-        if (!member.empty())
-            json[key] = std::move(member);
-    };
-    addMember("search", toJson(animation.search));
-    addMember("junctions", toJson(animation.junctions));
+    addFilled(json, "search", toJson(animation.search));
+    addFilled(json, "junctions", toJson(animation.junctions));
     if (animation.walk)
         json["walk"] = toJson(*animation.walk);
     if (animation.interpolation != InterpolationMethod::Poisson)
         json["interpolation"] = animation.interpolation == InterpolationMethod::Slerp ? "slerp" : "linear";
     if (animation.gentleBlend)
         json["blend"] = "gentle";
-    addMember("post", toJson(animation.post));
+    addFilled(json, "post", toJson(animation.post));
     if (animation.audio)
         json["audio"] = toJson(*animation.audio);
     for (const CameraKeyEntry& key : animation.camera)

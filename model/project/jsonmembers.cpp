@@ -20,6 +20,12 @@ void addText(Json& json, const char* key, const std::string& text)
         json[key] = text;
 }
 
+void addFilled(Json& json, const char* key, Json member)
+{
+    if (!member.empty())
+        json[key] = std::move(member);
+}
+
 Json rangeToJson(FrameRange range)
 {
     return Json::array({range.first.value, range.last.value});

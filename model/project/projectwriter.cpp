@@ -90,8 +90,7 @@ Json sequenceToJson(const SequenceEntry& sequence)
     json["source"] = sequence.source;
     addText(json, "clip", sequence.clip);
     addRange(json, "range", sequence.range);
-    if (sequence.sourceFps)
-        json["source_fps"] = *sequence.sourceFps;
+    addOptional(json, "source_fps", sequence.sourceFps);
     if (sequence.sourceAxes)
         addAxes(json, "source_up_axis", "source_unit", *sequence.sourceAxes);
     addTexture(json, sequence.texture);
@@ -109,19 +108,16 @@ Json graphToJson(const GraphEntry& graph)
     addText(json, "character", graph.character);
     if (graph.pose.metric == PoseMetric::Euclidean)
         json["metric"] = "euclidean";
-    if (graph.pose.stretchWeight != usual.pose.stretchWeight)
-        json["stretch_weight"] = graph.pose.stretchWeight;
+    addUnless(json, "stretch_weight", graph.pose.stretchWeight, usual.pose.stretchWeight);
     if (graph.cost == TransitionCost::Mean)
         json["cost"] = "mean";
     if (graph.costScale == CostScale::Liveliness)
         json["cost_scale"] = "liveliness";
-    if (graph.slope != usual.slope)
-        json["slope"] = graph.slope;
+    addUnless(json, "slope", graph.slope, usual.slope);
     if (graph.durations)
         json["durations"] = Json::array({graph.durations->first, graph.durations->second});
     json["alpha"] = graph.alpha;
-    if (graph.greatestDistance)
-        json["d_max"] = *graph.greatestDistance;
+    addOptional(json, "d_max", graph.greatestDistance);
     addUnknown(json, graph.unknown);
     return json;
 }
@@ -145,14 +141,10 @@ Json evaluationToJson(const EvaluationEntry& evaluation)
     Json json = Json::object();
     json["table"] = evaluation.table;
     addText(json, "character", evaluation.character);
-    if (!evaluation.sequences.empty())
-        json["sequences"] = evaluation.sequences;
-    if (!evaluation.alphas.empty())
-        json["alphas"] = evaluation.alphas;
-    if (evaluation.count)
-        json["count"] = *evaluation.count;
-    if (evaluation.seed != EvaluationEntry().seed)
-        json["seed"] = evaluation.seed;
+    addFilled(json, "sequences", evaluation.sequences);
+    addFilled(json, "alphas", evaluation.alphas);
+    addOptional(json, "count", evaluation.count);
+    addUnless(json, "seed", evaluation.seed, EvaluationEntry().seed);
     addUnknown(json, evaluation.unknown);
     return json.size() == 1 ? json["table"] : json;
 }
@@ -165,12 +157,10 @@ Json exportToJson(const ExportEntry& entry)
     json["path"] = entry.path;
     addText(json, "format", entry.format);
     addRange(json, "range", entry.range);
-    if (entry.fps)
-        json["fps"] = *entry.fps;
+    addOptional(json, "fps", entry.fps);
     if (entry.axes)
         addAxes(json, "up_axis", "unit", *entry.axes);
-    if (!entry.textures)
-        json["textures"] = false;
+    addUnless(json, "textures", entry.textures, true);
     if (!entry.picture.is_null())
         json["picture"] = entry.picture;
     addUnknown(json, entry.unknown);

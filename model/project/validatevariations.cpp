@@ -116,6 +116,11 @@ private:
             if (!contains(curves, part.curves[c]))
                 warn(key + "/curves/" + std::to_string(c), "There is no curve " + quoted(part.curves[c]),
                      meantOr(part.curves[c], curves, "Correct the name."));
+            else if (std::count(part.curves.begin(), part.curves.end(), part.curves[c]) > 1 && c > 0)
+                warn(key + "/curves/" + std::to_string(c),
+                     "The part " + quoted(part.name) + " names the curve " + quoted(part.curves[c]) +
+                         " twice",
+                     "Name two different ones.");
         }
         if (!part.parent.empty() && part.curves.size() != 2)
             warn(key + "/curves",

@@ -23,21 +23,12 @@ Json toJson(const NamedFrame& frame)
     return json;
 }
 
-/// A member that is left out where it is as usual.
-template <typename Value>
-void addUnless(Json& json, const char* key, const Value& value, const Value& usual)
-{
-    if (value != usual)
-        json[key] = value;
-}
-
 Json toJson(const PartCurveEntry& entry)
 {
     Json json = Json::object();
     json["name"] = entry.curve.name;
     json["vertices"] = toJson(entry.curve.vertices);
-    if (!entry.points.empty())
-        json["points"] = toJson(entry.points);
+    addFilled(json, "points", toJson(entry.points));
     addUnknown(json, entry.unknown);
     return json;
 }
@@ -47,8 +38,7 @@ Json toJson(const PartEntry& entry)
     Json json = Json::object();
     json["name"] = entry.part.name;
     addText(json, "parent", entry.part.parent);
-    if (!entry.part.curves.empty())
-        json["curves"] = entry.part.curves;
+    addFilled(json, "curves", entry.part.curves);
     addUnknown(json, entry.unknown);
     return json;
 }
@@ -149,8 +139,7 @@ Json toJson(const SamplesEntry& samples)
         json["across"] = toJson(*samples.across);
     json["count"] = samples.count;
     json["seed"] = samples.seed;
-    if (!samples.discarded.empty())
-        json["discarded"] = samples.discarded;
+    addFilled(json, "discarded", samples.discarded);
     addUnknown(json, samples.unknown);
     return json;
 }
@@ -189,17 +178,14 @@ Json variationToJson(const VariationEntry& variation)
     for (const BlendEntry& blend : variation.blends)
         json["blends"].push_back(toJson(blend));
     addUnless(json, "displacement_share", variation.displacementShare, usual.displacementShare);
-    if (Json learning = learningToJson(variation); !learning.empty())
-        json["learning"] = std::move(learning);
-    if (Json sampling = samplingToJson(variation); !sampling.empty())
-        json["sampling"] = std::move(sampling);
+    addFilled(json, "learning", learningToJson(variation));
+    addFilled(json, "sampling", samplingToJson(variation));
     for (const SamplesEntry& samples : variation.samples)
         json["samples"].push_back(toJson(samples));
     if (variation.draw == PoseDraw::Sample)
         json["poses"] = "sample";
     addUnless(json, "contact_correction", variation.correctsContacts, usual.correctsContacts);
-    if (Json limits = limitsToJson(variation); !limits.empty())
-        json["limits"] = std::move(limits);
+    addFilled(json, "limits", limitsToJson(variation));
     addUnknown(json, variation.unknown);
     return json;
 }

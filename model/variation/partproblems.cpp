@@ -187,10 +187,13 @@ private:
     void checkCurves(const PartDescription& part)
     {
         const std::size_t needed = part.parent.empty() ? 0 : 2;
-        if (part.curves.size() != needed)
+        // One that is named twice is one.
+        const std::set<std::string> curves(part.curves.begin(), part.curves.end());
+        if (curves.size() != needed || part.curves.size() != needed)
             report(ErrorCode::PartCurveCount, part,
-                   {{"found", std::to_string(part.curves.size())}, {"needed", std::to_string(needed)}});
-        for (const std::string& curve : part.curves) {
+                   {{"found", std::to_string(curves.size() == needed ? part.curves.size() : curves.size())},
+                    {"needed", std::to_string(needed)}});
+        for (const std::string& curve : curves) {
             if (!indexOf(m_curves, curve))
                 report(ErrorCode::PartCurveUnknown, part, {{"curve", curve}}, curve);
             const auto [user, isFirst] = m_users.emplace(curve, &part);

@@ -143,6 +143,15 @@ TEST(Validate, PathsThatHoldOnOneMachineOnlyAreWarnings)
     EXPECT_THAT(problems[1].toString(), HasSubstr("this machine only"));
 }
 
+TEST(Validate, APartNamesTwoDifferentCurves)
+{
+    Project project = fullProject();
+    auto& curves = project.bodyParts.front().parts[1].part.curves;
+    curves[1] = curves[0];
+    EXPECT_THAT(onlyProblem(project),
+                HasSubstr("/body_parts/0/parts/1/curves/1 The part “arm” names the curve “shoulder” twice"));
+}
+
 TEST(Paths, AreStoredRelativeWithForwardSlashes)
 {
     const TemporaryFolder folder;

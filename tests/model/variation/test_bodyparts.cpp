@@ -302,7 +302,8 @@ TEST(PartProblems, OfATree)
                 ElementsAre(ErrorCode::PartCycle, ErrorCode::PartCycle));
     EXPECT_THAT(of({{"arm", "hand", {"shoulder", "sleeve"}}, {"hand", "arm", {"cuff", "elbow"}}}),
                 ElementsAre(ErrorCode::PartCycle, ErrorCode::PartCycle, ErrorCode::PartRootMissing));
-    EXPECT_THAT(of({torso, {"arm", "torso", {"shoulder"}}}), ElementsAre(ErrorCode::PartCurveCount));
+    for (const auto& bad : std::vector<std::vector<std::string>>{{"shoulder"}, {2, "shoulder"}})
+        EXPECT_THAT(of({torso, {"arm", "torso", bad}}), ElementsAre(ErrorCode::PartCurveCount));
     EXPECT_THAT(of({{"torso", "", {"shoulder"}}}), ElementsAre(ErrorCode::PartCurveCount));
     EXPECT_THAT(of({torso, {"arm", "torso", {"shoulder", "neck"}}}),
                 ElementsAre(ErrorCode::PartCurveUnknown));
