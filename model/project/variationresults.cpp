@@ -161,9 +161,9 @@ Result modelResult(const PartTraining& training, const GpdmLearning& learning,
         rows.insert(rows.end(), {span.first, span.last()});
     spans.values = std::move(rows);
     result.arrays.push_back(std::move(spans));
-    result.arrays.push_back(arrayOfDoubles("displacement-scale",
-                                           "What displacements are multiplied by; 0 where the part has none.",
-                                           "", {1}, {training.displacementScale}));
+    result.arrays.push_back(arrayOfDoubles(
+        "displacement-scale", "What displacements are multiplied by; 0 where the part has none.", "", {1},
+        {training.blocks.empty() ? 0 : training.blocks.front().scale}));
     TableBuilder names("takes", "What the spans are of.");
     names.text("take").whole("first", "row").whole("last", "row");
     for (std::size_t t = 0; t < training.spans.size(); ++t)

@@ -28,6 +28,8 @@ struct TrainingTake
 {
     MeshSequence sequence;
     std::optional<FrameRange> range; ///< exactly these frames; its whole, or the cycle that is found
+    /// Of each kind (MovementSettings::coefficients) all captured frames × values; may be empty.
+    std::vector<RowMatrix> coefficients;
 };
 
 struct AlignmentSettings

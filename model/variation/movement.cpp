@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/variation/movement.h"
 
+#include "model/core/badargument.h"
 #include "model/variation/preblend.h"
 
 #include <atomic>
@@ -34,6 +35,24 @@ void addPreblends(Movement& movement, const MovementSettings& settings, const Pr
     }
 }
 
+/// Warps what was captured with the frames to the reference.
+void alignCoefficients(std::span<const TrainingTake> captured, std::size_t kinds,
+                       std::vector<AlignedTake>& takes)
+{
+    for (std::size_t t = 0; t < captured.size(); ++t) {
+        const std::vector<RowMatrix>& given = captured[t].coefficients;
+        if (given.size() != kinds)
+            refuse("A take has not one list of coefficients for each kind", "Give as many to all takes.");
+        for (std::size_t k = 0; k < kinds; ++k) {
+            if (given[k].rows() != captured[t].sequence.frameCount() ||
+                given[k].cols() != captured.front().coefficients[k].cols())
+                refuse("A take has not as many coefficients in each frame as the others",
+                       "Give a row for each of its frames.");
+            takes[t].coefficients.push_back(valuesAt(given[k], takes[t].warp.positions));
+        }
+    }
+}
+
 } // namespace
 
 Movement makeMovement(std::span<const TrainingTake> takes, std::size_t reference, const BodyParts& parts,
@@ -53,10 +72,12 @@ Movement makeMovement(std::span<const TrainingTake> takes, std::size_t reference
                       .blends = blends,
                       .preblends = preblendsOf(blends),
                       .training = {}};
+    alignCoefficients(takes, settings.coefficients.size(), movement.alignment.takes);
     if (!movement.preblends.empty())
         addPreblends(movement, settings, progress.part(aligning, 1));
     for (const BodyPart& part : parts.parts)
-        movement.training.push_back(partTraining(movement.alignment.takes, part, settings.displacementShare));
+        movement.training.push_back(
+            partTraining(movement.alignment.takes, part, settings.displacementShare, settings.coefficients));
     return movement;
 }
 

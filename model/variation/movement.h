@@ -19,6 +19,7 @@ struct MovementSettings
 {
     AlignmentSettings alignment;
     double displacementShare = 6; ///< variance of the displacements, in mean variances of a coordinate
+    std::vector<CoefficientKind> coefficients; ///< of the takes' coefficients
     InterpolationMethod interpolation = InterpolationMethod::Poisson;
 };
 
@@ -31,7 +32,7 @@ struct Movement
     Alignment alignment;
     std::vector<MovementBlend> blends;
     std::vector<Preblend> preblends;    ///< of all blends in their order, as preblendsOf
-    std::vector<PartTraining> training; ///< of each part, the rows of all takes
+    std::vector<PartTraining> training; ///< of each part, the rows of all takes; the root's is the first
 
     std::size_t capturedCount() const { return alignment.reports.size(); }
     const AlignedTake& take(std::size_t index) const { return alignment.takes.at(index); }
@@ -40,7 +41,8 @@ struct Movement
 /// Aligns takes, blends two or four of them and makes the training rows of all parts.
 /// \param parts  of the takes' mesh. \param templatePose  that all frames are laid onto; empty for the first
 /// frame used of the reference.
-/// \throws Error as alignTakes; as checkBlends; Cancelled.
+/// \throws Error as alignTakes; as checkBlends; BadArgument (coefficients that
+/// are not there for each kind and each frame of all takes); Cancelled.
 Movement makeMovement(std::span<const TrainingTake> takes, std::size_t reference, const BodyParts& parts,
                       const std::vector<MovementBlend>& blends, const MovementSettings& settings = {},
                       Positions templatePose = {}, const Progress& progress = {});

@@ -95,6 +95,11 @@ AlignedTake blendedTake(const std::shared_ptr<const PoissonSystem>& system, std:
         if (blend.laidOnto)
             layOnto(*blend.laidOnto, frames, blend.poses);
     }
+    for (std::size_t k = 0; k < blend.coefficients.size(); ++k) {
+        blend.coefficients[k] *= some.front().share;
+        for (const TakeShare& each : std::span(some).subspan(1))
+            blend.coefficients[k] += each.share * each.take->coefficients[k];
+    }
     blend.warp = blendedWarp(warps);
     blend.placements = blendedPlacements(some, settings.up);
     return blend;

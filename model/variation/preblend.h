@@ -30,8 +30,9 @@ struct TakeShare
 
 /// A movement between takes on one reference (CVS §7): poses by non-linear interpolation, of more than two
 /// takes one after the other, laid onto their template; placements by blendedPlacements, timing by
-/// blendedWarp. Where one take is all of it, that take, but for its name. \throws Error BadArgument (shares
-/// below 0, or that do not add up to 1), VertexCountMismatch, Cancelled. Parallel over the frames.
+/// blendedWarp, coefficients linearly. Where one take is all of it, that take, but for its name. \throws
+/// Error BadArgument (shares below 0, or that do not add up to 1), VertexCountMismatch, Cancelled. Parallel
+/// over the frames.
 AlignedTake blendedTake(const std::shared_ptr<const PoissonSystem>& system, std::span<const TakeShare> takes,
                         std::string name, const PreblendSettings& settings = {},
                         const Progress& progress = {});

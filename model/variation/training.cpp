@@ -51,6 +51,42 @@ double totalVariance(const Eigen::Ref<const RowMatrix>& rows)
     return (rows.rowwise() - rows.colwise().mean()).squaredNorm() / static_cast<double>(rows.rows());
 }
 
+void checkShare(double share, const std::string& block)
+{
+    if (!(share > 0) || !std::isfinite(share))
+        refuse("The share of the " + block + " must be greater than 0", "The usual share is 6.");
+}
+
+RowMatrix displacementRows(const AlignedTake& take)
+{
+    const std::vector<Displacement> displacements = displacementsOf(take.placements);
+    return Eigen::Map<const RowMatrix>(displacements.front().data(),
+                                       static_cast<Eigen::Index>(displacements.size()), displacementCount);
+}
+
+/// The displacements, then the coefficients of each kind.
+std::vector<BlockColumns> rootBlocks(const AlignedTake& take, Eigen::Index coordinates,
+                                     std::span<const CoefficientKind> kinds)
+{
+    std::vector<BlockColumns> blocks{{displacementBlock, coordinates, displacementCount, 1}};
+    for (std::size_t k = 0; k < kinds.size(); ++k)
+        blocks.push_back(
+            {kinds[k].name, blocks.back().first + blocks.back().count, take.coefficients[k].cols(), 1});
+    return blocks;
+}
+
+/// Gives a block its share of the variance.
+void scaleBlock(PartTraining& training, std::size_t index, Eigen::Index coordinates, double share)
+{
+    BlockColumns& block = training.blocks[index];
+    auto columns = training.rows.middleCols(block.first, block.count);
+    const double poses = totalVariance(training.rows.leftCols(coordinates));
+    const double values = totalVariance(columns);
+    const double wanted = share * poses / static_cast<double>(coordinates);
+    block.scale = wanted > 0 && values > 0 ? std::sqrt(wanted / values) : 1;
+    columns *= block.scale;
+}
+
 } // namespace
 
 RigidMotion AlignmentTemplate::onto(Positions other) const
@@ -98,41 +134,40 @@ std::vector<RigidMotion> integrated(std::span<const Displacement> displacements,
     return placements;
 }
 
-PartTraining partTraining(std::span<const AlignedTake> takes, const BodyPart& part, double displacementShare)
+PartTraining partTraining(std::span<const AlignedTake> takes, const BodyPart& part, double displacementShare,
+                          std::span<const CoefficientKind> kinds)
 {
     if (takes.empty())
         refuse("There is no take to learn from", "Name at least one.");
-    if (!(displacementShare > 0) || !std::isfinite(displacementShare))
-        refuse("The share of the displacements must be greater than 0", "The usual share is 6.");
-    const auto frames = static_cast<Eigen::Index>(takes.front().placements.size());
-    const auto coordinates = static_cast<Eigen::Index>(3 * part.vertices.size());
-    const bool isRoot = part.parent < 0;
+    checkShare(displacementShare, displacementBlock);
+    for (const CoefficientKind& kind : kinds)
+        checkShare(kind.share, kind.name);
     PartTraining training;
-    training.rows.resize(frames * static_cast<Eigen::Index>(takes.size()),
-                         coordinates + (isRoot ? displacementCount : 0));
-    Eigen::Index row = 0;
+    const auto coordinates = static_cast<Eigen::Index>(3 * part.vertices.size());
+    if (part.parent < 0)
+        training.blocks = rootBlocks(takes.front(), coordinates, kinds);
+    const auto frames = static_cast<Eigen::Index>(takes.front().placements.size());
+    training.rows.resize(
+        frames * static_cast<Eigen::Index>(takes.size()),
+        training.blocks.empty() ? coordinates : training.blocks.back().first + training.blocks.back().count);
     for (const AlignedTake& take : takes) {
         assert(static_cast<Eigen::Index>(take.placements.size()) == frames);
-        training.spans.push_back({row, frames});
-        const std::vector<Displacement> displacements =
-            isRoot ? displacementsOf(take.placements) : std::vector<Displacement>();
-        for (std::size_t f = 0; f < take.placements.size(); ++f, ++row) {
-            const Positions pose = take.pose(f);
+        const Eigen::Index first = training.spans.empty() ? 0 : training.spans.back().last() + 1;
+        training.spans.push_back({first, frames});
+        for (Eigen::Index f = 0; f < frames; ++f) {
+            const Positions pose = take.pose(static_cast<std::size_t>(f));
             for (std::size_t v = 0; v < part.vertices.size(); ++v)
-                training.rows.row(row).segment<3>(static_cast<Eigen::Index>(3 * v)) =
+                training.rows.row(first + f).segment<3>(static_cast<Eigen::Index>(3 * v)) =
                     pose[part.vertices[v].value].cast<double>();
-            if (isRoot)
-                training.rows.row(row).tail<displacementCount>() =
-                    Eigen::Map<const Eigen::Matrix<double, 1, displacementCount>>(displacements[f].data());
+        }
+        for (std::size_t b = 0; b < training.blocks.size(); ++b) {
+            const BlockColumns& block = training.blocks[b];
+            training.rows.block(first, block.first, frames, block.count) =
+                b == 0 ? displacementRows(take) : take.coefficients[b - 1];
         }
     }
-    if (isRoot) {
-        const double poses = totalVariance(training.rows.leftCols(coordinates));
-        const double places = totalVariance(training.rows.rightCols(displacementCount));
-        const double wanted = displacementShare * poses / static_cast<double>(coordinates);
-        training.displacementScale = wanted > 0 && places > 0 ? std::sqrt(wanted / places) : 1;
-        training.rows.rightCols(displacementCount) *= training.displacementScale;
-    }
+    for (std::size_t b = 0; b < training.blocks.size(); ++b)
+        scaleBlock(training, b, coordinates, b == 0 ? displacementShare : kinds[b - 1].share);
     training.mean = training.rows.colwise().mean();
     training.rows.rowwise() -= training.mean;
     return training;
@@ -145,13 +180,16 @@ void partPose(std::span<const double> poseVector, MutablePositions out)
         out[v] = Eigen::Map<const Vec3d>(&poseVector[3 * v]).cast<float>();
 }
 
-Displacement partDisplacement(std::span<const double> poseVector, double displacementScale)
+std::vector<Displacement> partDisplacements(const Eigen::Ref<const RowMatrix>& poseVectors,
+                                            const PartTraining& training)
 {
-    assert(displacementScale > 0 && poseVector.size() >= displacementCount);
-    Displacement displacement{};
-    for (std::size_t k = 0; k < displacement.size(); ++k)
-        displacement[k] = poseVector[poseVector.size() - displacement.size() + k] / displacementScale;
-    return displacement;
+    assert(!training.blocks.empty() && training.blocks.front().count == displacementCount);
+    const RowMatrix values = blockValues(poseVectors, training.blocks.front());
+    std::vector<Displacement> displacements(static_cast<std::size_t>(values.rows()));
+    for (std::size_t f = 0; f < displacements.size(); ++f)
+        Eigen::Map<Eigen::Matrix<double, 1, displacementCount>>(displacements[f].data()) =
+            values.row(static_cast<Eigen::Index>(f));
+    return displacements;
 }
 
 } // namespace quadrille

@@ -4,6 +4,7 @@
 
 #include "model/geometry/procrustes.h"
 #include "model/variation/bodyparts.h"
+#include "model/variation/coefficients.h"
 #include "model/variation/gpdm.h"
 #include "model/variation/timewarp.h"
 
@@ -34,6 +35,8 @@ struct AlignedTake
     std::vector<Vec3f> poses;
     /// Of each reference frame the motion from the template's place to where it was captured.
     std::vector<RigidMotion> placements;
+    /// Of each kind (MovementSettings::coefficients) reference frames × values; may be empty.
+    std::vector<RowMatrix> coefficients;
     /// That the poses lie on; blends of two such takes are laid onto it, too. Null where poses lie anywhere.
     std::shared_ptr<const AlignmentTemplate> laidOnto;
 
@@ -58,23 +61,29 @@ struct PartTraining
     RowMatrix rows; ///< frames × coordinates, centred
     Eigen::RowVectorXd mean;
     std::vector<RowSpan> spans; ///< of the takes
-    /// The last six coordinates are displacements times this; 0: the part has none.
-    double displacementScale = 0;
+    /// What follows the coordinates of the vertices: of the root its displacements, then all coefficients; of
+    /// other parts nothing.
+    std::vector<BlockColumns> blocks;
 };
 
+/// Name of the block of displacements.
+inline constexpr auto displacementBlock = "displacements";
+
 /// The training rows of one part (ALGORITHMS section 8): three coordinates of each of its vertices in their
-/// order, and the displacements for the root. Where nothing moves from its place, or no vertex moves, the
-/// scale of the displacements is 1.
+/// order, and the blocks of values for the root. A block that does not vary, or beside vertices that do not
+/// move, has the scale 1.
 /// \param displacementShare  total variance of the displacements, in mean variances of a coordinate.
-/// \pre All takes have as many frames, at least two.
+/// \param kinds  of the takes' coefficients.
+/// \pre All takes have as many frames, at least two, and as many coefficients of each kind.
 /// \throws Error BadArgument (no takes, a share that is not positive).
 PartTraining partTraining(std::span<const AlignedTake> takes, const BodyPart& part,
-                          double displacementShare = 6);
+                          double displacementShare = 6, std::span<const CoefficientKind> kinds = {});
 
 /// The vertices that a pose vector (mean added) means, in BodyPart::vertices' order, metres.
 /// \pre The vector has three coordinates of each.
 void partPose(std::span<const double> poseVector, MutablePositions out);
-/// The displacement that the last six coordinates of a pose vector (mean added) mean. \pre scale > 0.
-Displacement partDisplacement(std::span<const double> poseVector, double displacementScale);
+/// The displacement of each pose vector of the root (mean added). \pre The training is of the root.
+std::vector<Displacement> partDisplacements(const Eigen::Ref<const RowMatrix>& poseVectors,
+                                            const PartTraining& training);
 
 } // namespace quadrille

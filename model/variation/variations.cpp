@@ -164,10 +164,7 @@ Clip makeVariation(const LearnedMovement& learned, const VariationSubject& subje
     }
     const std::vector<RigidMotion> guide = blendedPlacements(takes, settings.up);
     const RowMatrix& root = rows.front();
-    std::vector<Displacement> displacements;
-    for (Eigen::Index f = 0; f < root.rows(); ++f)
-        displacements.push_back(partDisplacement({root.row(f).data(), static_cast<std::size_t>(root.cols())},
-                                                 movement.training.front().displacementScale));
+    const std::vector<Displacement> displacements = partDisplacements(root, movement.training.front());
     const std::vector<RigidMotion> placements =
         pathOnGround(displacements, guide, {.up = settings.up, .fps = movement.alignment.fps});
     Clip clip;
@@ -178,6 +175,24 @@ Clip makeVariation(const LearnedMovement& learned, const VariationSubject& subje
     if (!settings.supports.empty())
         keepStanding(clip, settings.supports, settings.up);
     return clip;
+}
+
+std::vector<RowMatrix> variationCoefficients(const LearnedMovement& learned, const VariationSubject& subject,
+                                             const LatentVariation& latents, const VariationPoses& settings)
+{
+    const Movement& movement = learned.movement();
+    std::vector<WarpShare> warps;
+    for (const auto& [index, share] : capturedShares(movement, subject))
+        warps.push_back({&movement.take(index).warp, share});
+    const TakeWarp warp = blendedWarp(warps);
+    std::vector<RowMatrix> coefficients;
+    const std::vector<BlockColumns>& blocks = movement.training.front().blocks;
+    if (blocks.size() < 2)
+        return coefficients;
+    const RowMatrix rows = partRows(learned, 0, latents.front(), settings);
+    for (const BlockColumns& block : std::span(blocks).subspan(1))
+        coefficients.push_back(valuesAt(blockValues(rows, block), warp.playback));
+    return coefficients;
 }
 
 } // namespace quadrille

@@ -85,6 +85,12 @@ Clip makeVariation(const LearnedMovement& learned, const VariationSubject& subje
                    const LatentVariation& latents, const FrameLayout& layout,
                    const VariationPoses& settings = {}, const Progress& progress = {});
 
+/// The coefficients that belong to makeVariation's clip, of the same draw: of each kind its frames × values;
+/// nothing where the movement has none. \throws Error as subjectTakes.
+std::vector<RowMatrix> variationCoefficients(const LearnedMovement& learned, const VariationSubject& subject,
+                                             const LatentVariation& latents,
+                                             const VariationPoses& settings = {});
+
 /// The poses of a variation on the reference's frames, laid onto the template, without the displacement:
 /// frames × vertices.
 std::vector<Vec3f> variationPoses(const LearnedMovement& learned, const LatentVariation& latents,

@@ -92,7 +92,7 @@ TEST(PartTraining, StacksVerticesOfAllTakesCentred)
     const PartTraining training = partTraining(takes, part);
     ASSERT_EQ(training.rows.rows(), 12);
     ASSERT_EQ(training.rows.cols(), 9);
-    EXPECT_EQ(training.displacementScale, 0);
+    EXPECT_TRUE(training.blocks.empty());
     EXPECT_EQ(training.spans, (std::vector<RowSpan>{{0, 6}, {6, 6}}));
     EXPECT_LT(training.rows.colwise().mean().norm(), 1e-12);
     for (Eigen::Index row = 0; row < 12; ++row) {
@@ -114,19 +114,41 @@ TEST(PartTraining, GivesDisplacementsTheShareThatWasAskedFor)
         ASSERT_EQ(training.rows.cols(), 21);
         EXPECT_NEAR(variance(training.rows.rightCols(6)), share * variance(training.rows.leftCols(15)) / 15,
                     1e-9);
-        const Eigen::RowVectorXd vector = training.rows.row(12) + training.mean;
-        const Displacement found = partDisplacement({vector.data(), 21}, training.displacementScale);
+        const Displacement found = partDisplacements(training.rows.row(12) + training.mean, training).front();
         const Displacement expected = displacementsOf(takes[1].placements)[3];
         for (std::size_t k = 0; k < 6; ++k)
             EXPECT_NEAR(found[k], expected[k], 1e-12);
     }
 }
 
+TEST(PartTraining, GivesEachKindOfCoefficientsItsShare)
+{
+    std::vector<AlignedTake> takes = {takeOf(9, 0), takeOf(9, 2)};
+    for (AlignedTake& take : takes)
+        take.coefficients = {RowMatrix::Random(9, 4) * 100, RowMatrix::Random(9, 1)};
+    const BodyPart root = partOf({0, 7, 20, 21, 40}, -1);
+    const std::vector<CoefficientKind> kinds{{"texture", 2}, {"warp", 0.5}};
+    const PartTraining training = partTraining(takes, root, 6, kinds);
+    ASSERT_EQ(training.rows.cols(), 15 + 6 + 4 + 1);
+    const double coordinate = variance(training.rows.leftCols(15)) / 15;
+    EXPECT_NEAR(variance(training.rows.middleCols(21, 4)), 2 * coordinate, 1e-9);
+    EXPECT_NEAR(variance(training.rows.rightCols(1)), 0.5 * coordinate, 1e-9);
+    const RowMatrix whole = training.rows.rowwise() + training.mean;
+    ASSERT_EQ(training.blocks.size(), 3U);
+    EXPECT_EQ(training.blocks[0].name, displacementBlock);
+    EXPECT_EQ(training.blocks[2].name, "warp");
+    EXPECT_LT((blockValues(whole, training.blocks[1]).bottomRows(9) - takes[1].coefficients[0]).norm(), 1e-9);
+    EXPECT_LT((blockValues(whole, training.blocks[2]).topRows(9) - takes[0].coefficients[1]).norm(), 1e-9);
+    // Other parts learn their vertices alone, and without kinds nothing is changed.
+    EXPECT_TRUE(partTraining(takes, partOf({3}, 0), 6, kinds).blocks.empty());
+    EXPECT_LT((partTraining(takes, root).rows - training.rows.leftCols(21)).norm(), 1e-12);
+}
+
 TEST(PartTraining, ScalesByOneWhereNothingMoves)
 {
     AlignedTake still = takeOf(4, 0);
     still.placements.assign(4, RigidMotion());
-    EXPECT_EQ(partTraining(std::span(&still, 1), partOf({0, 1}, -1)).displacementScale, 1);
+    EXPECT_EQ(partTraining(std::span(&still, 1), partOf({0, 1}, -1)).blocks.front().scale, 1);
 }
 
 TEST(PartTraining, RefusesWhatItCannotLearnFrom)
@@ -135,6 +157,9 @@ TEST(PartTraining, RefusesWhatItCannotLearnFrom)
     const BodyPart root = partOf({0}, -1);
     EXPECT_EQ(test::codeOf([&] { partTraining({}, root); }), ErrorCode::BadArgument);
     EXPECT_EQ(test::codeOf([&] { partTraining(std::span(&take, 1), root, 0); }), ErrorCode::BadArgument);
+    const std::vector<CoefficientKind> kinds{{"texture", -1}};
+    EXPECT_EQ(test::codeOf([&] { partTraining(std::span(&take, 1), root, 6, kinds); }),
+              ErrorCode::BadArgument);
 }
 
 } // namespace
