@@ -4,6 +4,8 @@
 
 #include "editor/documents/animationresult.h"
 #include "editor/jobs/jobrunner.h"
+#include "model/project/clipparts.h"
+#include "model/project/variedrepeats.h"
 #include "model/project/walkrequest.h"
 
 #include <QElapsedTimer>
@@ -40,13 +42,45 @@ AnimationEntry withoutSoundAndCamera(AnimationEntry entry)
     return entry;
 }
 
+/// The variations that an animation draws from, with their body parts; empty where it has no such option.
+Project drawnFrom(const Project& project, const AnimationEntry& entry)
+{
+    Project drawn;
+    if (!entry.post.variations)
+        return drawn;
+    Project parts = partsOfClip(project, "animations/" + entry.name);
+    drawn.variations = std::move(parts.variations);
+    drawn.bodyParts = std::move(parts.bodyParts);
+    return drawn;
+}
+
+using Variations = std::shared_ptr<const std::vector<TakeVariation>>;
+
+/// What repeats are drawn from, where a walk has any.
+Variations openVariations(const Project& project, const std::filesystem::path& file,
+                          const AnimationEntry& entry, const CharacterGraph& graph, const AnimationWalk& walk,
+                          const Progress& progress)
+{
+    const ClipPlan plan = animationPlan(entry, graph, walk.solution.walk, walk.solution.start);
+    if (!entry.post.variations ||
+        std::ranges::none_of(drawRepeats(plan, graph.layout(), {}), &SpanDraw::isRepeat))
+        return nullptr;
+    return std::make_shared<const std::vector<TakeVariation>>(
+        openTakeVariations(project, file, entry, graph, progress));
+}
+
 ResultPointer makeResult(const AnimationEntry& entry, std::shared_ptr<const OpenedCharacter> character,
-                         AnimationWalk walk, const Progress& progress)
+                         AnimationWalk walk, Variations variations, const Progress& progress)
 {
     auto result = std::make_shared<AnimationResult>();
     const CharacterGraph& graph = character->graph;
-    result->plan = animationPlan(entry, graph, walk.solution.walk, walk.solution.start);
-    PostProcessed processed = animationClip(entry, graph, character->frames, result->plan, progress);
+    AnimationClip made = animationClip(
+        entry, graph, character->frames, animationPlan(entry, graph, walk.solution.walk, walk.solution.start),
+        variations ? std::span(*variations) : std::span<const TakeVariation>(), progress);
+    PostProcessed& processed = made.processed;
+    result->plan = std::move(made.plan);
+    result->spans = std::move(made.spans);
+    result->variations = std::move(variations);
     result->origins = processed.clip.origins;
     result->travel = processed.travel;
     result->framesBeforeRetime = processed.framesBeforeRetime;
@@ -155,7 +189,8 @@ void AnimationMedia::follow(const ChangeEvent& event)
         update();
     } else if (event.kind == ChangeEvent::Kind::Renamed && event.entry.section == Section::Animations) {
         rename(event.before, event.entry.name);
-    } else if (event.touches(Section::Animations)) {
+    } else if (event.touches(Section::Animations) || event.touches(Section::Variations) ||
+               event.touches(Section::BodyParts)) {
         m_delay.start();
     }
 }
@@ -218,10 +253,12 @@ void AnimationMedia::update(const QString& name, Item& item)
         emit changed(name);
         return;
     }
-    if (item.character == graph->opened && item.solved == entry)
+    Project drawn = drawnFrom(m_document.project(), entry);
+    if (item.character == graph->opened && item.solved == entry && item.drawnFrom == drawn)
         return;
     item.isStopped = false;
     item.character = graph->opened;
+    item.drawnFrom = std::move(drawn);
     solve(name, item, entry);
 }
 
@@ -236,7 +273,11 @@ void AnimationMedia::solve(const QString& name, Item& item, const AnimationEntry
     const ResultPointer& before = item.medium.result;
     const bool keepsWalk = before != nullptr && before->isFinal && before->character == item.character &&
                            haveSameWalk(*before, entry);
+    const bool keepsVariations = before != nullptr && before->variations != nullptr &&
+                                 before->character == item.character && before->drawnFrom == item.drawnFrom;
     const auto work = [entry, character = item.character, mailbox = m_mailbox, name, search = item.search,
+                       drawn = item.drawnFrom, variations = keepsVariations ? before->variations : nullptr,
+                       project = m_document.snapshot(), file = m_document.workingFile(),
                        walk = keepsWalk ? std::optional(before->walk)
                                         : std::nullopt](const Progress& progress) -> ResultPointer {
         QElapsedTimer sinceShown;
@@ -245,14 +286,21 @@ void AnimationMedia::solve(const QString& name, Item& item, const AnimationEntry
                 return;
             mailbox->post(name, search,
                           makeResult(entry, character, {walkConstraints(entry, character->graph), solution},
-                                     progress.part(0, 0)));
+                                     variations, progress.part(0, 0)));
             sinceShown.start();
         };
-        constexpr double searching = 0.8;
+        constexpr double searching = 0.6;
+        constexpr double drawing = 0.8;
         AnimationWalk found =
             walk ? *walk : animationWalk(entry, character->graph, progress.part(0, searching), show);
-        ResultPointer last = makeResult(entry, character, std::move(found), progress.part(searching, 1));
-        std::const_pointer_cast<AnimationResult>(last)->isFinal = true;
+        Variations shown = variations ? variations
+                                      : openVariations(project, file, entry, character->graph, found,
+                                                       progress.part(searching, drawing));
+        ResultPointer last =
+            makeResult(entry, character, std::move(found), std::move(shown), progress.part(drawing, 1));
+        const auto finished = std::const_pointer_cast<AnimationResult>(last);
+        finished->drawnFrom = drawn;
+        finished->isFinal = true;
         return last;
     };
     item.medium.job = m_jobs.start({.name = tr("Animation “%1”").arg(name),

@@ -66,6 +66,7 @@ private:
     {
         Medium medium;
         AnimationEntry solved; ///< what the last search was started with
+        Project drawnFrom;     ///< and its variations
         std::shared_ptr<const OpenedCharacter> character;
         int search = 0; ///< counts searches, so that late results are known
         bool isStopped = false;

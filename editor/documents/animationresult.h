@@ -7,6 +7,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace quadrille {
@@ -17,12 +19,24 @@ struct AnimationResult
     AnimationEntry entry; ///< as it was then
     std::shared_ptr<const OpenedCharacter> character;
     AnimationWalk walk;
-    ClipPlan plan;                       ///< before post-processing
+    ClipPlan plan;               ///< before post-processing, with variations that it shows
+    std::vector<SpanDraw> spans; ///< of the walk, and what they are drawn from
+    /// That `spans` and origins count; null where none were asked for, or nothing is shown twice.
+    std::shared_ptr<const std::vector<TakeVariation>> variations;
+    Project drawnFrom;                   ///< all that the variations depend on beside the character
     MeshSequence sequence;               ///< after it
     std::vector<FrameOrigin> origins;    ///< of the frames of `sequence`
     std::optional<GroundMotion> travel;  ///< of a loop, see PostProcessed
     std::int64_t framesBeforeRetime = 0; ///< see PostProcessed
     bool isFinal = false;                ///< otherwise the best walk so far
+
+    /// The variation that a number of an origin means, as "NAME/3"; empty for 0.
+    std::string variationName(std::int32_t number) const
+    {
+        constexpr std::size_t section = std::string_view("variations/").size();
+        return number == 0 ? std::string()
+                           : variations->at(static_cast<std::size_t>(number) - 1).name.substr(section);
+    }
 };
 
 } // namespace quadrille

@@ -89,6 +89,8 @@ QString AnimationPage::finish(const AnimationEntry& entry) const
 {
     const PostProcessing& steps = entry.post.steps;
     QStringList parts;
+    if (entry.post.variations)
+        parts += tr("repeats varied");
     if (steps.loop)
         parts += steps.repeats > 1 ? tr("looped, played %n times", nullptr, steps.repeats) : tr("looped");
     if (steps.contacts)

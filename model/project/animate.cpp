@@ -6,6 +6,7 @@
 #include "model/project/clippost.h"
 #include "model/project/walkrequest.h"
 #include "model/synthesis/makeclip.h"
+#include "model/synthesis/variedplan.h"
 
 namespace quadrille {
 
@@ -58,12 +59,21 @@ ClipPlan animationPlan(const AnimationEntry& animation, const CharacterGraph& gr
                     {.start = start, .blend = blendSettings(animation)});
 }
 
-PostProcessed animationClip(const AnimationEntry& animation, const CharacterGraph& graph,
-                            const CharacterFrames& frames, const ClipPlan& plan, const Progress& progress)
+AnimationClip animationClip(const AnimationEntry& animation, const CharacterGraph& graph,
+                            const CharacterFrames& frames, ClipPlan plan,
+                            std::span<const TakeVariation> variations, const Progress& progress)
 {
-    Clip clip = makeClip(frames, plan, animation.interpolation, progress.part(0, 0.5));
-    return postProcessed(std::move(clip), animation.post.steps,
-                         postProcessingInputs(animation, graph.work(), frames), progress.part(0.5, 1));
+    std::vector<SpanDraw> spans = drawRepeats(plan, graph.layout(), variations);
+    VariedPlan varied = variedPlan(frames, std::move(plan), spans, variations, graph.roots().supports,
+                                   {.easeSeconds = animation.post.variations.value_or(VariedRepeats()).ease,
+                                    .interpolation = animation.interpolation},
+                                   progress.part(0, 0.1));
+    Clip clip = makeClip(varied.character, varied.plan, animation.interpolation, progress.part(0.1, 0.5));
+    return {.processed =
+                postProcessed(std::move(clip), animation.post.steps,
+                              postProcessingInputs(animation, graph.work(), frames), progress.part(0.5, 1)),
+            .plan = std::move(varied.plan),
+            .spans = std::move(spans)};
 }
 
 } // namespace quadrille

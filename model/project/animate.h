@@ -6,6 +6,7 @@
 #include "model/synthesis/clipplan.h"
 #include "model/synthesis/constraints.h"
 #include "model/synthesis/postprocessing.h"
+#include "model/synthesis/repeats.h"
 
 namespace quadrille {
 
@@ -26,9 +27,19 @@ AnimationWalk animationWalk(const AnimationEntry& animation, const CharacterGrap
 ClipPlan animationPlan(const AnimationEntry& animation, const CharacterGraph& graph, const Walk& walk,
                        const GroundMotion& start);
 
-/// Its clip, after post-processing. \throws Error as makeClip and postProcessed.
-PostProcessed animationClip(const AnimationEntry& animation, const CharacterGraph& graph,
-                            const CharacterFrames& frames, const ClipPlan& plan,
-                            const Progress& progress = {});
+/// The clip of an animation and what it was made of.
+struct AnimationClip
+{
+    PostProcessed processed;
+    ClipPlan plan;               ///< before post-processing, with the variations that it shows
+    std::vector<SpanDraw> spans; ///< of its walk; nothing is drawn where the animation has no such option
+};
+
+/// Its clip, after post-processing.
+/// \param variations  what repeats are drawn from, of clipsDrawnFrom; origins count them from 1.
+/// \throws Error as variedPlan, makeClip and postProcessed.
+AnimationClip animationClip(const AnimationEntry& animation, const CharacterGraph& graph,
+                            const CharacterFrames& frames, ClipPlan plan,
+                            std::span<const TakeVariation> variations = {}, const Progress& progress = {});
 
 } // namespace quadrille

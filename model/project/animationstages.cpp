@@ -7,6 +7,7 @@
 #include "model/project/lengthunit.h"
 #include "model/project/madeclips.h"
 #include "model/project/tablebuilder.h"
+#include "model/project/variedrepeats.h"
 #include "model/project/walkrequest.h"
 
 #include <algorithm>
@@ -158,21 +159,35 @@ ResultStage clipStage(const CharacterWork& work, const AnimationEntry& animation
     stage.settings = work.settings + animationSettings(made, work.opener->project().settings.axes.up);
     stage.inputs = CharacterGraph::inputs(work);
     stage.inputs.push_back(walk.name);
+    const std::vector<std::string> drawn = clipsDrawnFrom(work.opener->project(), animation);
+    for (const std::string& clip : drawn) {
+        stage.settings += clip;
+        stage.inputs.push_back(clipStageOf(clip));
+    }
     stage.files = [work, animation](const Progress& progress) {
         std::vector<std::filesystem::path> files = work.files(progress);
         const auto symmetry = symmetryFiles(animation, work);
         files.insert(files.end(), symmetry.begin(), symmetry.end());
         return files;
     };
-    stage.compute = [work, animation, walk = walk.name](const StageContext& context,
-                                                        const Progress& progress) {
+    stage.compute = [work, animation, drawn, walk = walk.name](const StageContext& context,
+                                                               const Progress& progress) {
         const CharacterGraph graph(work, context);
         const Result found = context.resultOf(walk);
         const ClipPlan plan = animationPlan(animation, graph, walkOf(found, graph), placementOf(found));
         const CharacterFrames frames = work.open(progress.part(0, 0.05));
-        const PostProcessed processed = animationClip(animation, graph, frames, plan, progress.part(0.05, 1));
+        std::vector<TakeVariation> variations;
+        for (const std::string& clip : drawn)
+            variations.push_back(takeVariation(clip, context.resultOf(clipStageOf(clip)), graph));
+        const auto [processed, shown, spans] =
+            animationClip(animation, graph, frames, plan, variations, progress.part(0.05, 1));
         Result result = clipResult(processed.clip, graph.layout(), work.sequences,
-                                   unitText(work.opener->project().settings.axes.metresPerUnit));
+                                   unitText(work.opener->project().settings.axes.metresPerUnit), drawn);
+        if (animation.post.variations) {
+            result.tables.push_back(repeatsTable(spans, variations, graph));
+            if (const auto problem = problemWithRepeats(spans, graph))
+                context.tell({.context = {.values = {{"text", *problem}}}});
+        }
         if (processed.travel)
             result.arrays.push_back(groundMotionArray(
                 "loop-travel",

@@ -46,23 +46,38 @@ std::optional<NodeIndex> nodeOf(const std::string& sequence, std::int64_t frame,
 } // namespace
 
 Result clipResult(const Clip& clip, const FrameLayout& layout, const std::vector<std::string>& sequences,
-                  const std::string& unit)
+                  const std::string& unit, std::span<const std::string> variations)
 {
     TableBuilder table("frames", "Where each frame of the clip comes from: a captured frame, or the weight "
                                  "lambda of the second of two.");
     table.whole("frame", "frame").text("sequence").whole("source-frame", "frame");
     table.text("destination-sequence").whole("destination-frame", "frame").real("lambda").text("mirrored");
     table.real("centre-x", unit).real("centre-y", unit).real("centre-z", unit);
+    if (!variations.empty())
+        table.text("variation").text("destination-variation");
+    const auto variationOf = [&](std::int32_t number) {
+        return number == 0 ? std::string() : variations[static_cast<std::size_t>(number) - 1];
+    };
     for (std::int64_t f = 0; f < clip.frameCount(); ++f) {
         const FrameOrigin& origin = clip.origins[static_cast<std::size_t>(f)];
         const int source = layout.sequenceOf(origin.source);
         const int destination = layout.sequenceOf(origin.destination);
         const Vec3d centre = centroid(clip.frame(f));
-        table.add({f, sequences[static_cast<std::size_t>(source)],
-                   std::int64_t{origin.source - layout.firstOf(source)},
-                   sequences[static_cast<std::size_t>(destination)],
-                   std::int64_t{origin.destination - layout.firstOf(destination)}, origin.lambda,
-                   origin.mirrored ? "yes" : "no", centre.x(), centre.y(), centre.z()});
+        std::vector<TableBuilder::Cell> cells{f,
+                                              sequences[static_cast<std::size_t>(source)],
+                                              std::int64_t{origin.source - layout.firstOf(source)},
+                                              sequences[static_cast<std::size_t>(destination)],
+                                              std::int64_t{origin.destination - layout.firstOf(destination)},
+                                              origin.lambda,
+                                              origin.mirrored ? "yes" : "no",
+                                              centre.x(),
+                                              centre.y(),
+                                              centre.z()};
+        if (!variations.empty()) {
+            cells.emplace_back(variationOf(origin.sourceVariation));
+            cells.emplace_back(variationOf(origin.destinationVariation));
+        }
+        table.add(cells);
     }
     DataArray positions;
     positions.name = "positions";

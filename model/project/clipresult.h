@@ -16,8 +16,10 @@ namespace quadrille {
 
 /// A clip as a result: the array “positions” and the table “frames”, which says where each frame comes from.
 /// \param sequences  names, in the order of the layout that the origins count.
+/// \param variations  names of the variations that the origins count; without any there are no columns of
+/// them.
 Result clipResult(const Clip& clip, const FrameLayout& layout, const std::vector<std::string>& sequences,
-                  const std::string& unit);
+                  const std::string& unit, std::span<const std::string> variations = {});
 
 /// A made clip from the results of a project, with textures, labels and contacts; nothing where it is not
 /// there. \param clip  "animations/NAME", "variations/NAME/3". \param sequences  as sequencesOfClip has them.

@@ -7,6 +7,7 @@
 #include "model/project/sequencesettings.h"
 #include "model/project/stage.h"
 #include "model/project/variationjson.h"
+#include "model/synthesis/contactcorrection.h"
 
 #include <algorithm>
 #include <numeric>
@@ -191,7 +192,18 @@ VariationPoses VariationWork::poses(const Progress& progress)
         movement(progress.part(0, 0.7));
         m_supports = findSupports(*m_frames, up, progress.part(0.7, 1));
     }
-    return {.draw = m_entry.draw, .up = up, .supports = m_supports};
+    if (!m_contacts && m_entry.correctsContacts) {
+        const auto made = movement();
+        std::vector<MeshSequence> takes(m_frames->sequences().begin(), m_frames->sequences().end());
+        for (std::size_t t = 0; t < takes.size(); ++t)
+            takes[t].contacts = made->alignment.reports[t].contacts;
+        const CharacterFrames character(takes);
+        m_contacts.emplace(VariationContacts{character, legsOf(character, up, Progress(progress.token()))});
+    }
+    return {.draw = m_entry.draw,
+            .up = up,
+            .supports = m_supports,
+            .contacts = m_contacts ? &*m_contacts : nullptr};
 }
 
 Clip VariationWork::inProjectUnit(Clip clip) const

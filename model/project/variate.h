@@ -80,6 +80,7 @@ private:
     std::optional<CharacterFrames> m_frames; ///< of the takes, metres
     std::optional<VariationMeter> m_meter;
     std::vector<Support> m_supports; ///< of each frame of the takes
+    std::optional<VariationContacts> m_contacts;
 };
 
 } // namespace quadrille

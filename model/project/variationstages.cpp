@@ -39,6 +39,7 @@ std::string selectionSettings(const VariationEntry& entry)
     VariationEntry judged;
     judged.limits = entry.limits;
     judged.draw = entry.draw;
+    judged.correctsContacts = entry.correctsContacts;
     return samplesSettings(entry) + settingsText(judged);
 }
 
@@ -137,6 +138,7 @@ private:
     ResultStage selection() const
     {
         ResultStage made = stage(selectionStageOf(m_name), "variations/" + m_name);
+        made.version = 2;
         made.settings = selectionSettings(m_work->entry());
         made.inputs = drawnStages();
         made.compute = [self = *this](const StageContext& context, const Progress& progress) {
@@ -166,8 +168,10 @@ private:
     {
         const std::string name = variationClip(m_name, number);
         ResultStage made = stage(clipStageOf(name), name);
+        made.version = 2;
         VariationEntry drawn;
         drawn.draw = m_work->entry().draw;
+        drawn.correctsContacts = m_work->entry().correctsContacts;
         made.settings = settingsText(drawn) + std::to_string(number);
         made.inputs = drawnStages();
         made.inputs.push_back(selectionStageOf(m_name));

@@ -2,10 +2,21 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/variedrepeats.h"
 
+#include "model/core/error.h"
+#include "model/core/message.h"
+#include "model/project/characterstages.h"
+#include "model/project/clipparts.h"
 #include "model/project/madeclips.h"
 #include "model/project/opensequence.h"
+#include "model/project/paths.h"
+#include "model/project/rebuild.h"
+#include "model/project/resultstore.h"
+#include "model/project/stage.h"
+#include "model/project/tablebuilder.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace quadrille {
 
@@ -20,6 +31,14 @@ bool contains(const std::vector<std::string>& names, const std::string& name)
 std::optional<std::string> singleTake(const SamplesEntry& samples)
 {
     return samples.to.empty() ? std::optional(samples.of) : std::nullopt;
+}
+
+template <typename Value>
+const std::vector<Value>& columnNamed(const DataTable& table, const std::string& name)
+{
+    const auto column = std::find_if(table.columns.begin(), table.columns.end(),
+                                     [&](const DataArray& each) { return each.name == name; });
+    return std::get<std::vector<Value>>(column->values);
 }
 
 } // namespace
@@ -49,6 +68,104 @@ std::vector<std::string> clipsDrawnFrom(const Project& project, const AnimationE
         }
     }
     return clips;
+}
+
+TakeVariation takeVariation(const std::string& clip, const Result& result, const CharacterGraph& graph)
+{
+    const DataTable& frames = result.tables.front();
+    const auto& sequences = columnNamed<std::string>(frames, "sequence");
+    const auto& sources = columnNamed<std::int64_t>(frames, "source-frame");
+    TakeVariation variation{.name = clip,
+                            .first = graph.node({sequences.front(), FrameIndex(sources.front())}),
+                            .last = graph.node({sequences.back(), FrameIndex(sources.back())}),
+                            .positions = {}};
+    const auto& values = std::get<std::vector<float>>(arrayOf(result, "positions").values);
+    variation.positions.reserve(values.size() / 3);
+    for (std::size_t v = 0; v + 2 < values.size(); v += 3)
+        variation.positions.emplace_back(values[v], values[v + 1], values[v + 2]);
+    return variation;
+}
+
+std::vector<TakeVariation> openTakeVariations(Project project, const std::filesystem::path& projectFile,
+                                              const AnimationEntry& animation, const CharacterGraph& graph,
+                                              const Progress& progress)
+{
+    if (isMadeOfItself(project, "animations/" + animation.name))
+        throw Error(ErrorCode::ProjectInvalid,
+                    {.values = {{"reason", "“" + animation.name + "” is drawn from variations of itself"},
+                                {"remedy", QUADRILLE_MESSAGE("Break the circle.")}}});
+    const std::vector<std::string> clips = clipsDrawnFrom(project, animation);
+    if (clips.empty())
+        return {};
+    RebuildOptions options;
+    for (const std::string& clip : clips)
+        options.targets.push_back(clipStageOf(clip));
+    const std::filesystem::path results = cacheFolder(projectFile);
+    const auto opener =
+        std::make_shared<SequenceOpener>(std::move(project), projectFolder(projectFile), results);
+    std::map<std::string, std::string> keys;
+    for (const StageReport& stage :
+         rebuild(makeStages({opener, projectFile}), projectFile, options, progress.part(0, 0.9), {}).stages) {
+        if (stage.error)
+            throw Error(*stage.error);
+        keys[stage.stage] = stage.key;
+    }
+    std::vector<TakeVariation> variations;
+    const ResultStore store(results);
+    for (std::size_t i = 0; i < clips.size(); ++i) {
+        progress.part(0.9, 1).report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(clips.size()));
+        variations.push_back(takeVariation(
+            clips[i], store.load(options.targets[i], keys.at(options.targets[i])).result, graph));
+    }
+    return variations;
+}
+
+DataTable repeatsTable(std::span<const SpanDraw> spans, std::span<const TakeVariation> variations,
+                       const CharacterGraph& graph)
+{
+    TableBuilder table("variations", "What each span of the animation is drawn from: captured frames, or a "
+                                     "variation of some of them.");
+    table.whole("span").text("sequence").whole("first", "frame").whole("last", "frame");
+    table.whole("shown-from", "frame").text("repeat").text("variation");
+    table.whole("varied-first", "frame").whole("varied-last", "frame");
+    for (std::size_t s = 0; s < spans.size(); ++s) {
+        if (!spans[s].frames)
+            continue;
+        const auto [first, last] = *spans[s].frames;
+        const auto frameOf = [&](NodeIndex node) { return graph.nameOf(node).frame.value; };
+        std::string name;
+        std::int64_t variedFirst = -1;
+        std::int64_t variedLast = -1;
+        if (spans[s].variation) {
+            const TakeVariation& variation = variations[*spans[s].variation];
+            name = variation.name;
+            variedFirst = frameOf(std::max(first, variation.first));
+            variedLast = frameOf(std::min(last, variation.last));
+        }
+        table.add({static_cast<std::int64_t>(s) + 1, graph.nameOf(first).sequence, frameOf(first),
+                   frameOf(last), spans[s].start, spans[s].isRepeat ? "yes" : "no", name, variedFirst,
+                   variedLast});
+    }
+    return std::move(table).table();
+}
+
+std::optional<std::string> problemWithRepeats(std::span<const SpanDraw> spans, const CharacterGraph& graph)
+{
+    std::set<std::string> asCaptured;
+    bool hasRepeats = false;
+    for (const SpanDraw& span : spans) {
+        hasRepeats = hasRepeats || span.isRepeat;
+        if (span.isRepeat && !span.variation)
+            asCaptured.insert("“" + graph.nameOf(span.frames->first).sequence + "”");
+    }
+    if (!hasRepeats)
+        return "No captured frames are shown twice, so that nothing is drawn from variations.";
+    if (asCaptured.empty())
+        return std::nullopt;
+    std::string takes;
+    for (const std::string& take : asCaptured)
+        takes += (takes.empty() ? "" : ", ") + take;
+    return "Frames are shown again as they were captured, for no variation varies them: of " + takes + ".";
 }
 
 } // namespace quadrille

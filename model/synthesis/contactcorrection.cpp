@@ -101,6 +101,17 @@ struct MovedLeg
 
 } // namespace
 
+Legs legsOf(const CharacterFrames& character, UpAxis up, const Progress& progress)
+{
+    for (const MeshSequence& sequence : character.sequences()) {
+        Legs legs = findLegs(*sequence.topology, loadUpright(sequence, up, progress.part(0, 1)),
+                             ContactOptions().footShare);
+        if (!legs.feet.empty())
+            return legs;
+    }
+    return {};
+}
+
 Clip contactsCorrected(Clip clip, std::span<const ContactSpan> contacts,
                        const ContactCorrectionSettings& settings, const ContactScope& scope,
                        const Progress& progress)
@@ -108,8 +119,10 @@ Clip contactsCorrected(Clip clip, std::span<const ContactSpan> contacts,
     progress.report(0.0);
     checkSettings(settings);
     const Topology& topology = *clip.topology;
-    Legs legs = findLegs(topology, upright(clip.positions, topology.vertexCount(), scope.up),
-                         ContactOptions().footShare);
+    Legs legs;
+    if (!scope.trustsLegs)
+        legs = findLegs(topology, upright(clip.positions, topology.vertexCount(), scope.up),
+                        ContactOptions().footShare);
     if (legs.feet.empty() && scope.legs)
         legs = *scope.legs;
     if (legs.feet.empty())

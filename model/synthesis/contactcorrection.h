@@ -23,7 +23,14 @@ struct ContactScope
     std::optional<FrameRange> frames;
     /// The legs of the character, for clips in which it does not stand upright; null where nobody knows.
     const Legs* legs = nullptr;
+    /// Takes these legs although the clip may show some: contacts of captured frames call feet as their take
+    /// does, which a made clip in which they slide may take for each other.
+    bool trustsLegs = false;
 };
+
+/// The legs of a character as the first of its sequences shows them that has any; none where none does.
+/// \throws Error as loadFrames.
+Legs legsOf(const CharacterFrames& character, UpAxis up, const Progress& progress = {});
 
 /// Makes feet stand still on the ground during their contacts. What touches the ground is followed from frame
 /// to frame; the way that it slips, and the angle that it turns about the vertical, are taken from the foot,

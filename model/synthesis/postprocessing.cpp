@@ -5,7 +5,6 @@
 #include "model/core/error.h"
 #include "model/core/message.h"
 #include "model/sequence/contacts.h"
-#include "model/sequence/feet.h"
 #include "model/synthesis/contactcorrection.h"
 #include "model/synthesis/mirror.h"
 #include "model/synthesis/retime.h"
@@ -30,25 +29,12 @@ std::vector<ContactSpan> contactsOf(const Clip& clip, const PostProcessingInputs
         options, progress);
 }
 
-/// The legs as the first sequence shows them that has any; none where no character is known.
-Legs legsOf(const PostProcessingInputs& inputs, const Progress& progress)
-{
-    if (!inputs.character)
-        return {};
-    for (const MeshSequence& sequence : inputs.character->sequences()) {
-        Legs legs = findLegs(*sequence.topology, loadUpright(sequence, inputs.method.up, progress.part(0, 1)),
-                             ContactOptions().footShare);
-        if (!legs.feet.empty())
-            return legs;
-    }
-    return {};
-}
-
 /// The correction, with the character's legs where the clip shows none.
 Clip corrected(Clip clip, const std::vector<ContactSpan>& contacts, const ContactCorrectionSettings& settings,
                const PostProcessingInputs& inputs, std::optional<FrameRange> frames, const Progress& progress)
 {
-    const Legs legs = legsOf(inputs, progress.part(0, 0.2));
+    const Legs legs =
+        inputs.character ? legsOf(*inputs.character, inputs.method.up, progress.part(0, 0.2)) : Legs();
     return contactsCorrected(std::move(clip), contacts, settings,
                              {.up = inputs.method.up, .frames = frames, .legs = &legs},
                              progress.part(0.2, 1));

@@ -3,6 +3,7 @@
 #include "model/variation/variations.h"
 
 #include "model/core/random.h"
+#include "model/synthesis/contactcorrection.h"
 #include "model/variation/latentblend.h"
 #include "model/variation/playback.h"
 #include "model/variation/preblend.h"
@@ -174,6 +175,13 @@ Clip makeVariation(const LearnedMovement& learned, const VariationSubject& subje
     clip.origins = variationOrigins(origins);
     if (!settings.supports.empty())
         keepStanding(clip, settings.supports, settings.up);
+    if (settings.contacts && !settings.contacts->legs.feet.empty()) {
+        const std::vector<ContactSpan> contacts = contactsOf(clip, settings.contacts->character);
+        clip = contactsCorrected(
+            std::move(clip), contacts, {},
+            {.up = settings.up, .frames = {}, .legs = &settings.contacts->legs, .trustsLegs = true},
+            Progress(progress.token()));
+    }
     return clip;
 }
 

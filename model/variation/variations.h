@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/sequence/feet.h"
 #include "model/synthesis/clip.h"
 #include "model/synthesis/supports.h"
 #include "model/variation/posedraw.h"
@@ -68,6 +69,13 @@ LatentVariations drawLatents(const LearnedMovement& learned, const VariationSubj
                              std::uint64_t seed, const HmcSettings& settings = {},
                              const Progress& progress = {});
 
+/// What keeps the feet of variations still while they stand.
+struct VariationContacts
+{
+    CharacterFrames character; ///< the captured takes, with their contacts
+    Legs legs;                 ///< without any nothing is corrected
+};
+
 struct VariationPoses
 {
     PoseDraw draw = PoseDraw::Mean;
@@ -76,6 +84,8 @@ struct VariationPoses
     /// What of the captured frames stands, by the nodes of the layout: the way follows the steps then (see
     /// keepStanding). Empty: it follows the displacements alone.
     std::span<const Support> supports;
+    /// Null: feet slip as the poses and the way let them.
+    const VariationContacts* contacts = nullptr;
 };
 
 /// One variation as a clip: parts reconstructed, stitched and moved over the ground, in the timing of what

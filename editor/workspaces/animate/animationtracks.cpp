@@ -58,6 +58,16 @@ TimelineTrack AnimationTracks::keys(const std::vector<int>& ids, FramePictures& 
     return track;
 }
 
+QString AnimationTracks::variationText(const ClipPart& part) const
+{
+    for (FrameIndex f = part.frames.first; f <= part.frames.last; ++f.value) {
+        const FrameOrigin& origin = result->origins[static_cast<std::size_t>(f.value)];
+        if (!part.isJunction && origin.destinationVariation != 0)
+            return QString::fromStdString(result->variationName(origin.destinationVariation));
+    }
+    return {};
+}
+
 QString AnimationTracks::partText(const ClipPart& part) const
 {
     if (part.index < 0)
@@ -77,9 +87,11 @@ QString AnimationTracks::partText(const ClipPart& part) const
         return graph.nameOf(result->origins[static_cast<std::size_t>(frame.value)].nearest());
     };
     const NamedFrame first = originOf(part.frames.first);
-    return QStringLiteral("%1–%2")
-        .arg(poseText(first.sequence, first.frame))
-        .arg(originOf(part.frames.last).frame.value);
+    const QString text = QStringLiteral("%1–%2")
+                             .arg(poseText(first.sequence, first.frame))
+                             .arg(originOf(part.frames.last).frame.value);
+    const QString variation = variationText(part);
+    return variation.isEmpty() ? text : tr("%1, drawn from %2", "frames, a variation").arg(text, variation);
 }
 
 TimelineTrack AnimationTracks::clip() const
@@ -90,13 +102,13 @@ TimelineTrack AnimationTracks::clip() const
     track.kind = TimelineTrack::Kind::Clips;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const ClipPart& part = parts[i];
-        track.spans.push_back(
-            {.id = static_cast<int>(i),
-             .first = static_cast<int>(part.frames.first.value),
-             .last = static_cast<int>(part.frames.last.value),
-             .text = partText(part),
-             .color = Theme::color(part.isJunction ? ColorRole::Synthetic : ColorRole::Original),
-             .hatched = part.isJunction});
+        const bool isMade = part.isJunction || !variationText(part).isEmpty();
+        track.spans.push_back({.id = static_cast<int>(i),
+                               .first = static_cast<int>(part.frames.first.value),
+                               .last = static_cast<int>(part.frames.last.value),
+                               .text = partText(part),
+                               .color = Theme::color(isMade ? ColorRole::Synthetic : ColorRole::Original),
+                               .hatched = isMade});
     }
     // Short transitions lie above the captured frames beside them.
     std::stable_partition(track.spans.begin(), track.spans.end(),

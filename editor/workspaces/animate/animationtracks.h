@@ -42,6 +42,8 @@ public:
 
 private:
     QString partText(const ClipPart& part) const;
+    /// The variation that a part is drawn from; empty for captured frames.
+    QString variationText(const ClipPart& part) const;
 };
 
 } // namespace quadrille

@@ -10,11 +10,12 @@ namespace quadrille {
 
 namespace {
 
-using OriginKey = std::tuple<NodeIndex, NodeIndex, double>;
+using OriginKey = std::tuple<NodeIndex, NodeIndex, double, std::int32_t, std::int32_t>;
 
 OriginKey keyOf(const FrameOrigin& origin)
 {
-    return {origin.source, origin.destination, origin.lambda};
+    return {origin.source, origin.destination, origin.lambda, origin.sourceVariation,
+            origin.destinationVariation};
 }
 
 /// Which part of the walk a planned frame belongs to. A transition without frames of its own has the first

@@ -41,6 +41,7 @@ PostPanel::PostPanel(CurrentAnimation& animation, QWidget* parent)
     column->addWidget(m_scroll, 1);
     column->addWidget(m_empty, 1);
 
+    addRepeats();
     addLoop();
     addRetime();
     addContacts();
@@ -49,6 +50,10 @@ PostPanel::PostPanel(CurrentAnimation& animation, QWidget* parent)
     addSearch();
     connect(&animation, &CurrentAnimation::changed, this, &PostPanel::refresh);
     connect(&animation, &CurrentAnimation::resultChanged, this, &PostPanel::refresh);
+    connect(&animation.context().document, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
+        if (event.touches(Section::Variations))
+            refresh();
+    });
     retranslates(this, [this] { retranslate(); });
 }
 
@@ -196,6 +201,8 @@ void PostPanel::refreshProblems(const AnimationEntry& entry)
         const bool isOurs = error && std::ranges::find(codes, error->code()) != codes.end();
         return isOurs ? describe(*error).oneLine() : QString();
     };
+    const QString missing = failure({ErrorCode::VariationMissing});
+    m_form->setProblem(m_repeated, missing.isEmpty() ? problemOfRepeats(entry) : missing);
     m_form->setProblem(m_loop, failure({ErrorCode::LoopTooShort, ErrorCode::LoopCutTooShort}));
     const bool isOfSymmetryFile =
         error && !entry.post.symmetry.empty() && error->context().file == entry.post.symmetry;
@@ -216,8 +223,10 @@ void PostPanel::retranslate()
         set();
     m_curve->setAxisTitles(tr("Time in the result (s)"), tr("Moment of the clip (s)"));
     m_curve->setAccessibleName(tr("Curve of times"));
-    if (m_animation.entry() != nullptr)
-        refreshProblems(*m_animation.entry());
+    if (m_animation.entry() == nullptr)
+        return;
+    refreshRepeats(*m_animation.entry());
+    refreshProblems(*m_animation.entry());
 }
 
 } // namespace quadrille

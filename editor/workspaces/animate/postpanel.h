@@ -68,6 +68,7 @@ private:
     void makeEmpty();
     void addSearch();
     void addBlending();
+    void addRepeats();
     void addLoop();
     void addContacts();
     void addMirror();
@@ -81,6 +82,9 @@ private:
     void retranslate();
     void refresh();
     void refreshProblems(const AnimationEntry& entry);
+    /// Offers the variations of the animation's character.
+    void refreshRepeats(const AnimationEntry& entry);
+    QString problemOfRepeats(const AnimationEntry& entry) const;
     void refreshCurve(const AnimationEntry& entry);
     void chooseSymmetry();
     void change(const QString& what, const char* property, const Edit& edit,
@@ -94,6 +98,7 @@ private:
     QScrollArea* m_scroll;
     QWidget* m_empty;
     QLabel* m_emptyText;
+    QComboBox* m_repeated = nullptr; ///< what repeats are drawn from; data: the name of variations
     QCheckBox* m_loop = nullptr;
     QDoubleSpinBox* m_repeats = nullptr;
     QCheckBox* m_contacts = nullptr;

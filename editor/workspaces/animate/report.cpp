@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <QStringList>
+#include <algorithm>
 #include <cmath>
 
 namespace quadrille {
@@ -60,6 +61,12 @@ private:
                 static_cast<double>(m_result.plan.frameCount()) / m_fps, seconds());
         add(Texts::tr("Transitions"), static_cast<double>(solution().walk.transitionCount()));
         add(Texts::tr("Cost of transitions"), solution().cost.edges);
+        if (m_result.entry.post.variations) {
+            const auto& spans = m_result.spans;
+            const auto drawn =
+                std::ranges::count_if(spans, [](const SpanDraw& span) { return span.variation.has_value(); });
+            add(Texts::tr("Repeats drawn from variations"), static_cast<double>(drawn));
+        }
     }
 
     void addSearch()
@@ -170,8 +177,8 @@ QString framesCsv(const AnimationResult& result, double fps)
     const CharacterGraph& graph = result.character->graph;
     const bool isAsPlanned = !result.entry.post.steps.loop && !result.entry.post.steps.retime;
     const auto deviations = isAsPlanned ? deviationsOf(result, fps) : std::vector<DeviationAt>();
-    QString csv = line(
-        {"frame", "time_s", "sequence", "source_frame", "to_sequence", "to_frame", "lambda", "deviation_m"});
+    QString csv = line({"frame", "time_s", "sequence", "source_frame", "to_sequence", "to_frame", "lambda",
+                        "deviation_m", "variation", "to_variation"});
     for (std::size_t f = 0; f < result.origins.size(); ++f) {
         const FrameOrigin& origin = result.origins[f];
         const NamedFrame from = graph.nameOf(origin.source);
@@ -179,10 +186,11 @@ QString framesCsv(const AnimationResult& result, double fps)
         const auto name = [](const NamedFrame& frame) {
             return quoted(QString::fromStdString(frame.sequence));
         };
-        csv +=
-            line({QString::number(f), number(static_cast<double>(f) / fps), name(from),
-                  QString::number(from.frame.value), name(to), QString::number(to.frame.value),
-                  number(origin.lambda), f < deviations.size() ? number(deviations[f].metres) : QString()});
+        csv += line({QString::number(f), number(static_cast<double>(f) / fps), name(from),
+                     QString::number(from.frame.value), name(to), QString::number(to.frame.value),
+                     number(origin.lambda), f < deviations.size() ? number(deviations[f].metres) : QString(),
+                     quoted(QString::fromStdString(result.variationName(origin.sourceVariation))),
+                     quoted(QString::fromStdString(result.variationName(origin.destinationVariation)))});
     }
     return csv;
 }

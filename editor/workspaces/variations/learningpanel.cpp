@@ -11,6 +11,7 @@
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
@@ -265,6 +266,33 @@ void LearningPanel::addDrawing()
                               draw->setCurrentIndex(static_cast<int>(entry.draw));
                           },
                           [](const VariationEntry& entry) { return entry.draw == PoseDraw::Mean; }});
+    addContacts();
+}
+
+void LearningPanel::addContacts()
+{
+    auto* correct = new QCheckBox;
+    const auto set = [this](bool on) {
+        if (!m_isShowing && m_variation.entry() != nullptr)
+            m_variation.edit(tr("Change whether standing feet keep still"),
+                             QStringLiteral("correctsContacts"),
+                             [on](VariationEntry& entry) { entry.correctsContacts = on; });
+    };
+    connect(correct, &QCheckBox::toggled, this, set);
+    m_form->add(
+        "drawContacts", {},
+        [] {
+            return tr("Takes slip from feet that touch the ground in the take, before variations are judged");
+        },
+        correct, [set] { set(VariationEntry().correctsContacts); });
+    m_bindings.push_back({correct,
+                          [correct](const VariationEntry& entry) {
+                              correct->setText(tr("Keep standing &feet still"));
+                              correct->setChecked(entry.correctsContacts);
+                          },
+                          [](const VariationEntry& entry) {
+                              return entry.correctsContacts == VariationEntry().correctsContacts;
+                          }});
 }
 
 void LearningPanel::refreshSettings()

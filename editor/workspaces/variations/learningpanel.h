@@ -55,6 +55,7 @@ private:
     void arrangeWidgets();
     void addLearning();
     void addDrawing();
+    void addContacts();
     void addNumber(const Number& number);
     void refreshSettings();
     void refreshParts();
