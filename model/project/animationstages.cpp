@@ -152,6 +152,7 @@ ResultStage clipStage(const CharacterWork& work, const AnimationEntry& animation
 {
     ResultStage stage;
     stage.name = clipStageOf("animations/" + animation.name);
+    stage.version = 2;
     stage.dataPrefix = walk.dataPrefix;
     const AnimationEntry made{.interpolation = animation.interpolation,
                               .gentleBlend = animation.gentleBlend,

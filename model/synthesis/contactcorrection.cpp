@@ -119,8 +119,8 @@ Clip contactsCorrected(Clip clip, std::span<const ContactSpan> contacts,
     progress.report(0.0);
     checkSettings(settings);
     const Topology& topology = *clip.topology;
-    Legs legs;
-    if (!scope.trustsLegs)
+    Legs legs = scope.trustsLegs && scope.legs ? *scope.legs : Legs();
+    if (legs.feet.empty())
         legs = findLegs(topology, upright(clip.positions, topology.vertexCount(), scope.up),
                         ContactOptions().footShare);
     if (legs.feet.empty() && scope.legs)

@@ -36,7 +36,10 @@ Clip corrected(Clip clip, const std::vector<ContactSpan>& contacts, const Contac
     const Legs legs =
         inputs.character ? legsOf(*inputs.character, inputs.method.up, progress.part(0, 0.2)) : Legs();
     return contactsCorrected(std::move(clip), contacts, settings,
-                             {.up = inputs.method.up, .frames = frames, .legs = &legs},
+                             {.up = inputs.method.up,
+                              .frames = frames,
+                              .legs = &legs,
+                              .trustsLegs = static_cast<bool>(inputs.contactsOf)},
                              progress.part(0.2, 1));
 }
 

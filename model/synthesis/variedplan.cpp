@@ -79,6 +79,29 @@ GroundMotion layingOnto(Positions varied, Positions captured, std::span<const st
                                 groundAlignment(varied, captured, ground));
 }
 
+/// Values evened out along their order by a Gaussian; beyond both ends they stay as they are there.
+/// \param deviation  of the Gaussian, in values; 0: nothing is changed.
+std::vector<Vec2d> smoothed(const std::vector<Vec2d>& values, double deviation)
+{
+    if (!(deviation > 0))
+        return values;
+    const auto reach = static_cast<std::int64_t>(std::ceil(4 * deviation));
+    const auto last = static_cast<std::int64_t>(values.size()) - 1;
+    std::vector<Vec2d> even;
+    for (std::int64_t i = 0; i <= last; ++i) {
+        Vec2d sum = Vec2d::Zero();
+        double weights = 0;
+        for (std::int64_t k = -reach; k <= reach; ++k) {
+            const double away = static_cast<double>(k) / deviation;
+            const double weight = std::exp(-away * away / 2);
+            sum += weight * values[static_cast<std::size_t>(std::clamp<std::int64_t>(i + k, 0, last))];
+            weights += weight;
+        }
+        even.emplace_back(sum / weights);
+    }
+    return even;
+}
+
 /// A take with the frames of a variation.
 struct VariedTake
 {
@@ -144,9 +167,19 @@ private:
         };
         const GroundMotion first = laying(0);
         const GroundMotion change = laying(last) * first.inverse();
+        std::vector<Vec2d> deviations; // of the centre, from that of the captured frame
         for (NodeIndex f = 0; f <= last; ++f) {
             const double share = last == 0 ? 0 : static_cast<double>(f) / last;
             moveFrame(frameOf(positions, f), partOf(change, share) * first, m_ground);
+            const Frame captured = m_character.frame(variation.first + f);
+            deviations.push_back(
+                m_ground.of(centroid(frameOf(positions, f)) - centroid(captured.positions())));
+        }
+        const MeshSequence& take = m_character.sequences().front();
+        const std::vector<Vec2d> even = smoothed(deviations, m_settings.wayEvening * take.fps);
+        for (NodeIndex f = 0; f <= last; ++f) {
+            const auto at = static_cast<std::size_t>(f);
+            moveFrame(frameOf(positions, f), {0, even[at] - deviations[at]}, m_ground);
         }
         return positions;
     }

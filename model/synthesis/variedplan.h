@@ -15,6 +15,9 @@ struct VariedPlanSettings
     /// How long poses take from captured frames to varied ones, and back, where a take goes on beyond what a
     /// variation varies, seconds; at most a third of the variation.
     double easeSeconds = 0.2;
+    /// Over how long the way of a variation is evened out against that of the captured frames, seconds
+    /// (standard deviation): its steps drive its body by fits and starts; standing feet then slip a little.
+    double wayEvening = 0.06;
     InterpolationMethod interpolation = InterpolationMethod::Poisson;
 };
 

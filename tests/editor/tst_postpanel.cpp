@@ -4,7 +4,9 @@
 #include "animatedproject.h"
 #include "editor/commands/animationedits.h"
 #include "editor/commands/projectedits.h"
+#include "editor/commands/variationedits.h"
 #include "editor/workspaces/animate/animateworkspace.h"
+#include "variedproject.h"
 #include "widgets/charts/curveeditor.h"
 
 #include <QCheckBox>
@@ -198,6 +200,76 @@ private slots:
         QCOMPARE(curve->points().back().x(), length);
         QVERIFY(waitForResult());
         QCOMPARE(clipFrames(), once);
+    }
+
+    void drawsWhatIsShownAgainFromVariations()
+    {
+        // The first take is shown from 2 to 18, and once more from 10 on.
+        AnimationEntry twice = entry();
+        twice.constraints.clear();
+        twice.walk.emplace();
+        for (const int first : {2, 10})
+            twice.walk->spans.push_back({"first", {FrameIndex(first), FrameIndex(18)}});
+        setAnimation(context().document, "dance", "Twice", "walk", twice);
+        QVERIFY(waitForResult());
+        const std::int64_t frames = clipFrames();
+        const auto shown = [this] { return context().animations.result("dance"); };
+        const auto last = [&] {
+            const Frame frame = shown()->sequence.frame(FrameIndex(frames - 1));
+            return std::vector<Vec3f>(frame.positions().begin(), frame.positions().end());
+        };
+        const std::vector<Vec3f> captured = last();
+
+        auto* box = field<QComboBox>("postVariations");
+        auto* problem = field<QLabel>("postVariationsProblem");
+        QCOMPARE(box->count(), 2);
+        QVERIFY(!problem->isVisible() && !field<QDoubleSpinBox>("postVariationEase")->isVisible());
+        choose("postVariations", 1);
+        QVERIFY(entry().post.variations && entry().post.variations->from.empty());
+        QVERIFY(problem->isVisible() && problem->text().contains("no variations"));
+        context().document.undo();
+        QVERIFY(!problem->isVisible());
+        QCOMPARE(box->currentIndex(), 0);
+
+        addVariation(context().document, test::variedProject(m_folder.path()).variations.front());
+        QCOMPARE(box->count(), 3);
+        choose("postVariations", 2);
+        QCOMPARE(entry().post.variations->from, std::string("sways"));
+        QVERIFY(waitForResult());
+        QVERIFY(!problem->isVisible());
+        QCOMPARE(clipFrames(), frames);
+        QVERIFY(!shown()->spans[0].variation && shown()->spans[1].variation == 0U);
+        QCOMPARE(shown()->variationName(shown()->origins.back().destinationVariation),
+                 std::string("sways/1"));
+        QVERIFY(last() != captured);
+
+        type("postVariationEase", "0.4");
+        QCOMPARE(entry().post.variations->ease, 0.4);
+        QVERIFY(renameEntry(context().document, {Section::Variations, "sways"}, "swings"));
+        QCOMPARE(entry().post.variations->from, std::string("swings"));
+        QVERIFY(box->currentText().contains("swings"));
+        // Throwing the first one away draws from the second.
+        VariationEntry fewer = context().document.project().variations.front();
+        fewer.samples.front().discarded = {1};
+        setVariation(context().document, "swings", "Discard", "discarded", fewer);
+        QTRY_COMPARE_WITH_TIMEOUT(shown()->variationName(shown()->origins.back().destinationVariation),
+                                  std::string("swings/2"), 60000);
+
+        choose("postVariations", 0);
+        QVERIFY(!entry().post.variations);
+        QVERIFY(waitForResult());
+        QVERIFY(last() == captured);
+        context().document.undo();
+        QVERIFY(entry().post.variations.has_value());
+    }
+
+    void saysThatNothingIsShownAgain()
+    {
+        addVariation(context().document, test::variedProject(m_folder.path()).variations.front());
+        choose("postVariations", 1);
+        QVERIFY(waitForResult());
+        auto* problem = field<QLabel>("postVariationsProblem");
+        QVERIFY(problem->isVisible() && problem->text().contains("no frames again"));
     }
 
     void searchAndBlendingAreSettingsToo()

@@ -153,6 +153,29 @@ TEST(ContactCorrection, MakesFeetStand)
     }
 }
 
+TEST(ContactCorrection, CallsFeetAsTheLegsDoThatAreTrusted)
+{
+    // Who calls the feet the other way round calls the contacts so, too.
+    const Slipping& s = slipping();
+    Legs legs = findLegs(*s.clip.topology,
+                         upright(s.clip.positions, s.clip.topology->vertexCount(), UpAxis::Y), 0.07);
+    ASSERT_EQ(legs.feet.size(), 2U);
+    std::swap(legs.feet[0].name, legs.feet[1].name);
+    std::vector<ContactSpan> contacts(s.contacts.begin(), s.contacts.end());
+    for (ContactSpan& contact : contacts)
+        contact.foot = contact.foot == "left" ? "right" : "left";
+    const Clip expected = contactsCorrected(s.clip, s.contacts);
+    const auto distance = [&](const ContactScope& scope) {
+        const Clip result = contactsCorrected(s.clip, contacts, {}, scope);
+        return largestDistance(result.positions, expected.positions);
+    };
+    EXPECT_LT(distance({.legs = &legs, .trustsLegs = true}), 1e-6);
+    EXPECT_GT(distance({.legs = &legs}), 0.01);
+    // Without legs nobody can be trusted.
+    const Legs none;
+    EXPECT_GT(distance({.legs = &none, .trustsLegs = true}), 0.01);
+}
+
 TEST(ContactCorrection, ChangesNoLengthsMuchAndDoesNotPop)
 {
     const Slipping& s = slipping();

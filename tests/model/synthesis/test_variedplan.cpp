@@ -165,6 +165,28 @@ TEST(VariedPlan, SharesOutWhatTheWayOfAVariationIsOff)
         EXPECT_LT(largestDistance(clip.frame(f), plain.frame(f)), 5e-5) << f;
 }
 
+TEST(VariedPlan, EvensOutAWayByFitsAndStarts)
+{
+    TakeVariation jumping = bulging(0, 19, 0);
+    const std::size_t vertices = takes().character.vertexCount();
+    for (std::size_t v = 0; v < jumping.positions.size(); ++v)
+        jumping.positions[v].y() += v / vertices < 10 ? 0.F : 0.1F;
+    // As the first and the last frame stay, 0.1 m come back over 19 steps.
+    const auto leap = [&](double evening) {
+        const VariedPlan made = varied({{{4, 14}, {6, 13}}}, std::vector{jumping}, {.wayEvening = evening});
+        const VariedPlan plain = varied({{{4, 14}, {6, 13}}}, {});
+        double largest = 0;
+        for (std::size_t f = 1; f < made.plan.frames.size(); ++f)
+            largest = std::max(largest, ((made.plan.frames[f].centre - plain.plan.frames[f].centre) -
+                                         (made.plan.frames[f - 1].centre - plain.plan.frames[f - 1].centre))
+                                            .norm());
+        return largest;
+    };
+    EXPECT_NEAR(leap(0), 0.1 - 0.1 / 19, 1e-3);
+    // A step evened out by a Gaussian of two frames is nowhere steeper than 1 / (2 √(2 π)) of it.
+    EXPECT_NEAR(leap(0.08), 0.1 / (2 * std::sqrt(2 * std::numbers::pi)) - 0.1 / 19, 1e-3);
+}
+
 TEST(VariedPlan, EasesFromCapturedFramesToVariedOnesAndBack)
 {
     const Walk walk{{{3, 15}, {5, 16}}};
