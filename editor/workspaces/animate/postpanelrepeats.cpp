@@ -33,12 +33,12 @@ VariedRepeats repeatsOf(const AnimationEntry& entry)
 
 void PostPanel::addRepeats()
 {
-    m_form->addHeading([] { return tr("Repeats"); });
+    m_form->addHeading([] { return tr("Variations"); });
     m_repeated = new QComboBox;
     m_repeated->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_repeated->setFocusPolicy(Qt::StrongFocus);
     const auto set = [this](int index) {
-        change(tr("Repeats"), "postVariations", [&](AnimationEntry& entry) {
+        change(tr("Frames shown again"), "postVariations", [&](AnimationEntry& entry) {
             if (index == AsCaptured) {
                 entry.post.variations.reset();
                 return;
