@@ -136,6 +136,7 @@ public:
             const std::vector<BlendShare> captured = capturedShares(*movement, subject);
             const std::vector<BlendShare> nearby = subjectTakes(*movement, subject);
             std::vector<TakeShare> takes;
+            takes.reserve(captured.size());
             for (const BlendShare& each : captured)
                 takes.push_back({&movement->take(each.take), each.share});
             const AlignedTake truth = blendedTake(system, takes, {}, {.up = work.project().settings.axes.up});

@@ -18,6 +18,7 @@ void addPreblends(Movement& movement, const MovementSettings& settings, const Pr
 {
     std::vector<AlignedTake>& takes = movement.alignment.takes;
     std::vector<std::string> names;
+    names.reserve(takes.size());
     for (const AlignedTake& take : takes)
         names.push_back(take.name);
     const auto system = std::make_shared<const PoissonSystem>(movement.topology);

@@ -104,6 +104,7 @@ private:
 std::vector<double> valuesOf(const std::vector<LearnedNode>& nodes, double LearnedNode::*member)
 {
     std::vector<double> values;
+    values.reserve(nodes.size());
     for (const LearnedNode& node : nodes)
         values.push_back(node.*member);
     std::ranges::sort(values);

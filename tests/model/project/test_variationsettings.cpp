@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What each setting of variations changes, and what stays.
+#include "model/core/random.h"
 #include "model/project/jsontext.h"
 #include "model/project/madeclips.h"
+#include "model/project/variate.h"
 #include "model/variation/selection.h"
 #include "tests/model/largestdistance.h"
 #include "tests/model/project/tubeproject.h"
@@ -176,7 +178,34 @@ TEST_F(VariationSettings, NumberVariationsOverAllSets)
     EXPECT_TRUE(std::equal(last.begin(), last.end(), drawn.begin() + first));
 }
 
-TEST_F(VariationSettings, DrawPosesAnewForEachVariation)
+TEST_F(VariationSettings, DrawThePosesThatWereJudged)
+{
+    sway().draw = PoseDraw::Sample;
+    sway().samples[0].seed = 5;
+    computed(run("variations"));
+    const auto opener = std::make_shared<SequenceOpener>(project, folder.path());
+    VariationWork work(opener, sway());
+    std::vector<GpdmState> states;
+    LatentVariation latents;
+    for (const std::string part : {"base", "tip"}) {
+        const std::string name = "variations/sway/" + part;
+        const std::vector<double> h = doubles(name + "/hyperparameters");
+        const std::vector<double> rows = doubles(name + "/latents");
+        const std::vector<double> drawn = doubles(name + "/samples");
+        states.push_back(
+            {Eigen::Map<const RowMatrix>(rows.data(), 36, 3), {h[0], h[1], h[2], h[3], h[4], h[5], h[6]}});
+        latents.emplace_back(Eigen::Map<const RowMatrix>(drawn.data(), 18, 3));
+    }
+    const auto learned = work.learned(states);
+    VariationPoses poses = work.poses();
+    poses.seed = streamSeed(5, 0);
+    const Clip expected =
+        makeVariation(*learned, work.subject(sway().samples[0]), latents, work.layout(), poses);
+    EXPECT_EQ(frames("variations/sway/1"), expected.positions);
+    EXPECT_THAT(column<std::int64_t>("variations/sway/report", "candidate"), ElementsAre(0, 1));
+}
+
+TEST_F(VariationSettings, DrawOtherPosesThanTheMean)
 {
     computed(run("variations"));
     const std::vector<Vec3f> mean = frames("variations/sway/1");
