@@ -45,6 +45,7 @@ VariationMedia::Basis VariationMedia::Basis::of(const Project& project, const Va
     basis.entry.samples.clear();
     basis.entry.chain = {};
     basis.entry.draw = {};
+    basis.entry.correctsContacts = {};
     // Labels change no frame, and sequences that are not learned from are another matter.
     const auto isLearnedFrom = [&entry](const SequenceEntry& sequence) {
         return std::ranges::find(entry.training, sequence.name, &TrainingEntry::sequence) !=
@@ -68,13 +69,14 @@ struct Drawing
     std::vector<SamplesEntry> samples;
     HmcSettings chain;
     PoseDraw draw = PoseDraw::Mean;
+    bool correctsContacts = true;
 
     bool operator==(const Drawing&) const = default;
 };
 
 Drawing drawingOf(const VariationEntry& entry)
 {
-    Drawing drawing{entry.samples, entry.chain, entry.draw};
+    Drawing drawing{entry.samples, entry.chain, entry.draw, entry.correctsContacts};
     for (SamplesEntry& samples : drawing.samples)
         samples.discarded.clear();
     return drawing;

@@ -156,7 +156,8 @@ std::vector<DrawnSet> drawVariations(const VariationJob& job, const OpenedVariat
 {
     constexpr double preparing = 0.1;
     const VariationEntry& entry = entryOf(job);
-    const VariationMeter& meter = opened.work->meter(progress.part(0, preparing));
+    const VariationMeter& meter = opened.work->meter(progress.part(0, preparing / 2));
+    const VariationPoses poses = opened.work->poses(entry, progress.part(preparing / 2, preparing));
     const CharacterFrames takes(opened.takes);
     std::vector<DrawnSet> sets;
     int before = 0;
@@ -171,8 +172,7 @@ std::vector<DrawnSet> drawVariations(const VariationJob& job, const OpenedVariat
                                                      samples.seed, entry.chain, own.part(0, drawing));
         VariationSelection selection =
             selectVariations(*learned.movement, subject, latents.variations, samples.count, samples.seed,
-                             {.draw = entry.draw, .up = job.project.settings.axes.up}, meter, takes.layout(),
-                             entry.limits, own.part(drawing, 1));
+                             poses, meter, takes.layout(), entry.limits, own.part(drawing, 1));
         DrawnSet& set = sets.emplace_back();
         set.rejected = selection.rejectedCount();
         for (std::size_t i = 0; i < selection.accepted.size(); ++i) {

@@ -184,7 +184,7 @@ const VariationMeter& VariationWork::meter(const Progress& progress)
     return *m_meter;
 }
 
-VariationPoses VariationWork::poses(const Progress& progress)
+VariationPoses VariationWork::poses(const VariationEntry& entry, const Progress& progress)
 {
     const std::scoped_lock lock(m_mutex);
     const UpAxis up = project().settings.axes.up;
@@ -192,7 +192,7 @@ VariationPoses VariationWork::poses(const Progress& progress)
         movement(progress.part(0, 0.7));
         m_supports = findSupports(*m_frames, up, progress.part(0.7, 1));
     }
-    if (!m_contacts && m_entry.correctsContacts) {
+    if (!m_contacts && entry.correctsContacts) {
         const auto made = movement();
         std::vector<MeshSequence> takes(m_frames->sequences().begin(), m_frames->sequences().end());
         for (std::size_t t = 0; t < takes.size(); ++t)
@@ -200,10 +200,10 @@ VariationPoses VariationWork::poses(const Progress& progress)
         const CharacterFrames character(takes);
         m_contacts.emplace(VariationContacts{character, legsOf(character, up, Progress(progress.token()))});
     }
-    return {.draw = m_entry.draw,
+    return {.draw = entry.draw,
             .up = up,
             .supports = m_supports,
-            .contacts = m_contacts ? &*m_contacts : nullptr};
+            .contacts = entry.correctsContacts ? &*m_contacts : nullptr};
 }
 
 Clip VariationWork::inProjectUnit(Clip clip) const

@@ -61,7 +61,9 @@ public:
     /// What a set of samples varies. \throws Error as subjectOf.
     VariationSubject subject(const SamplesEntry& samples) const { return subjectOf(m_entry, samples); }
     /// How its poses are made, but for the seed; refers to this object. \throws Error as movement.
-    VariationPoses poses(const Progress& progress = {});
+    VariationPoses poses(const Progress& progress = {}) { return poses(m_entry, progress); }
+    /// As another entry says that differs in what is drawn alone.
+    VariationPoses poses(const VariationEntry& entry, const Progress& progress);
 
 private:
     /// The takes, and those that poses are taken from.

@@ -4,11 +4,13 @@
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/workspaces/variations/latentpanel.h"
+#include "model/project/opensequence.h"
 #include "model/project/rebuild.h"
 #include "variedproject.h"
 #include "widgets/graph/linechart.h"
 #include "widgets/latent/latentview.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDirIterator>
 #include <QLineEdit>
@@ -226,6 +228,32 @@ private slots:
         QTRY_VERIFY(medium().drawn != before);
         QVERIFY(test::waitForVariations(context(), "sways"));
         QVERIFY(medium().drawn->at(0).variations[0].latents != before->at(0).variations[0].latents);
+    }
+
+    void standingFeetAreKeptStillUnlessTheEntrySaysOtherwise()
+    {
+        learn();
+        show("learningPanel");
+        auto* box = test::find<QCheckBox>("drawContacts");
+        QVERIFY(box->isChecked());
+        QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+        QVERIFY(!entry().correctsContacts);
+        // What was learned stays; variations are drawn again.
+        QVERIFY(medium().state == State::Drawing || medium().state == State::Ready);
+        QVERIFY(test::waitForVariations(context(), "sways"));
+        document().undo();
+        QVERIFY(entry().correctsContacts && box->isChecked());
+    }
+
+    void whatIsShownIsWhatARebuildWrites()
+    {
+        learn();
+        const auto shown = loadFrames(*context().variations.clip("sways", 2));
+        const Project project = document().snapshot();
+        const auto file = document().workingFile();
+        rebuild(project, file, {.targets = {"variations/sways/2"}});
+        SequenceOpener opener(project, file.parent_path(), cacheFolder(file));
+        QVERIFY(loadFrames(opener.openClip("variations/sways/2")->sequence) == shown);
     }
 
     void aBlendIsDrawnAtTheWeightOfTheSlider()
