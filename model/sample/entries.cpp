@@ -4,6 +4,8 @@
 
 #include "model/variation/proposedparts.h"
 
+#include <algorithm>
+
 namespace quadrille {
 
 namespace {
@@ -44,7 +46,7 @@ PartCurveEntry curveEntry(const PartCurve& curve)
     return entry;
 }
 
-/// \param takes  the first is the reference; the first two are blended half-way.
+/// \param takes  the first is the reference.
 VariationEntry variationOf(std::string name, const std::string& character,
                            const std::vector<std::string>& takes)
 {
@@ -53,11 +55,16 @@ VariationEntry variationOf(std::string name, const std::string& character,
     variation.character = character;
     for (const std::string& take : takes)
         variation.training.emplace_back().sequence = take;
-    BlendEntry blend;
-    blend.from = takes.at(0);
-    blend.to = takes.at(1);
-    variation.blends = {blend};
     return variation;
+}
+
+/// A jump from the crouch before it to the one after it; what is stood before and after would cost as much to
+/// learn as the jump.
+FrameRange jumpIn(const SampleTake& take)
+{
+    constexpr std::int64_t around = 10;
+    return {FrameIndex(std::max<std::int64_t>(take.flight.first.value - around, 0)),
+            FrameIndex(std::min(take.flight.last.value + around, take.sequence.frameCount() - 1))};
 }
 
 SamplesEntry samplesOf(std::string take, int count)
@@ -139,15 +146,27 @@ BodyPartsEntry sampleBodyParts(const SampleBody& body)
     return entry;
 }
 
-std::vector<VariationEntry> sampleVariations(const std::string& character)
+std::vector<VariationEntry> sampleVariations(const SampleCharacter& character)
 {
-    VariationEntry walking =
-        variationOf("walking", character, {"walk 1", "jog 1", "left turn 1", "right turn 1"});
+    const std::string& name = character.body.name;
+    VariationEntry walking = variationOf("walking", name, {"walk 1", "jog 1", "left turn 1", "right turn 1"});
+    BlendEntry blend;
+    blend.from = "walk 1";
+    blend.to = "jog 1";
+    walking.blends = {blend};
     SamplesEntry between = samplesOf("walk 1", 2);
     between.to = "jog 1";
     between.weight = 0.3;
     walking.samples = {samplesOf("walk 1", 5), between};
-    return {walking};
+    VariationEntry jumping =
+        variationOf("jumping", name, {"short jump 1", "long jump 1", "low jump 1", "high jump 1"});
+    for (TrainingEntry& training : jumping.training) {
+        const auto take = std::ranges::find(character.takes, training.sequence,
+                                            [](const SampleTake& each) { return each.sequence.name; });
+        training.range = jumpIn(*take);
+    }
+    jumping.samples = {samplesOf("short jump 1", 3), samplesOf("high jump 1", 2)};
+    return {walking, jumping};
 }
 
 } // namespace quadrille

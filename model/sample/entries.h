@@ -19,7 +19,8 @@ std::vector<ExportEntry> sampleExports();
 std::vector<AnimationEntry> sampleAnimations(const std::string& character);
 /// The five parts that are proposed for its body.
 BodyPartsEntry sampleBodyParts(const SampleBody& body);
-/// Variations of walking and jogging, straight on and in turns, as in CVS Fig. 9.
-std::vector<VariationEntry> sampleVariations(const std::string& character);
+/// Variations of walking and jogging, straight on and in turns, as in CVS Fig. 9, and of four jumps as in
+/// Fig. 8.
+std::vector<VariationEntry> sampleVariations(const SampleCharacter& character);
 
 } // namespace quadrille

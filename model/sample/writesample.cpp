@@ -144,7 +144,7 @@ fs::path writeSample(const fs::path& folder, const SampleOptions& options, const
     project.graphs[0].character = project.characters[0].name;
     project.animations = sampleAnimations(project.characters[0].name);
     project.bodyParts = {sampleBodyParts(character.body)};
-    project.variations = sampleVariations(project.characters[0].name);
+    project.variations = sampleVariations(character);
     project.evaluations = sampleEvaluations(project.characters[0].name);
     project.exports = sampleExports();
     const fs::path truth = folder / "groundtruth";

@@ -57,6 +57,16 @@ TEST_F(WriteSample, everythingThatTheProjectNamesIsThere)
         EXPECT_FALSE(sequence.contacts.empty()) << sequence.name;
         EXPECT_FALSE(sequence.labels.empty()) << sequence.name;
     }
+    ASSERT_EQ(project.variations.size(), 2U);
+    EXPECT_EQ(project.variations[0].name, "walking");
+    EXPECT_EQ(project.variations[1].name, "jumping");
+    ASSERT_EQ(project.variations[1].training.size(), 4U);
+    for (const TrainingEntry& take : project.variations[1].training) {
+        // A flight of a third to three quarters of a second, and ten frames on both sides of it.
+        ASSERT_TRUE(take.range) << take.sequence;
+        EXPECT_GE(take.range->count(), 26) << take.sequence;
+        EXPECT_LE(take.range->count(), 40) << take.sequence;
+    }
     for (const char* truth : {"skeleton.json", "takes.json", "landmarks.json", "warps_walk_1.npy"})
         EXPECT_GT(fs::file_size(m_folder / "groundtruth" / truth), 100U) << truth;
     EXPECT_TRUE(fs::exists(m_folder / "textures/walk_1/0000.jpg"));
