@@ -44,6 +44,7 @@ VariationMedia::Basis VariationMedia::Basis::of(const Project& project, const Va
     basis.settings.cacheMegabytes = 0;
     basis.entry.samples.clear();
     basis.entry.chain = {};
+    basis.entry.extent = {};
     basis.entry.draw = {};
     basis.entry.correctsContacts = {};
     // Labels change no frame, and sequences that are not learned from are another matter.
@@ -68,6 +69,7 @@ struct Drawing
 {
     std::vector<SamplesEntry> samples;
     HmcSettings chain;
+    TrajectoryLimits extent;
     PoseDraw draw = PoseDraw::Mean;
     bool correctsContacts = true;
 
@@ -76,7 +78,7 @@ struct Drawing
 
 Drawing drawingOf(const VariationEntry& entry)
 {
-    Drawing drawing{entry.samples, entry.chain, entry.draw, entry.correctsContacts};
+    Drawing drawing{entry.samples, entry.chain, entry.extent, entry.draw, entry.correctsContacts};
     for (SamplesEntry& samples : drawing.samples)
         samples.discarded.clear();
     return drawing;

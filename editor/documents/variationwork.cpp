@@ -168,8 +168,9 @@ std::vector<DrawnSet> drawVariations(const VariationJob& job, const OpenedVariat
         const SamplesEntry& samples = entry.samples[s];
         const VariationSubject subject = opened.work->subject(samples);
         constexpr double drawing = 0.4;
-        const LatentVariations latents = drawLatents(*learned.movement, subject, candidatesFor(samples.count),
-                                                     samples.seed, entry.chain, own.part(0, drawing));
+        const LatentVariations latents =
+            drawLatents(*learned.movement, subject, candidatesFor(samples.count), samples.seed,
+                        {entry.chain, entry.extent}, own.part(0, drawing));
         VariationSelection selection =
             selectVariations(*learned.movement, subject, latents.variations, samples.count, samples.seed,
                              poses, meter, takes.layout(), entry.limits, own.part(drawing, 1));

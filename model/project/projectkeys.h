@@ -61,8 +61,8 @@ inline constexpr std::array<std::string_view, 4> blend{"from", "to", "weights", 
 inline constexpr std::array<std::string_view, 3> acrossBlend{"from", "to", "weights"};
 inline constexpr std::array<std::string_view, 6> learning{"dimensions", "restarts", "seed",
                                                           "tolerance",  "window",   "iterations"};
-inline constexpr std::array<std::string_view, 4> sampling{"leapfrog_steps", "burn_in", "thinning",
-                                                          "acceptance"};
+inline constexpr std::array<std::string_view, 6> sampling{"leapfrog_steps", "burn_in", "thinning",
+                                                          "acceptance",     "spread",  "uncertainty"};
 inline constexpr std::array<std::string_view, 7> samples{"of",    "to",   "weight",   "across",
                                                          "count", "seed", "discarded"};
 inline constexpr std::array<std::string_view, 3> acrossSamples{"of", "to", "weight"};

@@ -17,6 +17,7 @@ namespace quadrille {
 namespace {
 
 constexpr int greatestDimensions = 10;
+constexpr double greatestSpread = 3;
 constexpr int greatestRestarts = 100;
 constexpr int greatestCount = 10'000;
 
@@ -148,6 +149,7 @@ public:
             invalid("/displacement_share", "The share of the displacements is not above zero");
         checkLearning(entry.learning);
         checkSampling(entry.chain);
+        checkExtent(entry.extent);
         const VariationLimits& limits = entry.limits;
         if (!(limits.poseDistance > 0 && limits.skate > 0 && limits.intersections >= 0 &&
               limits.volumeChange > 0))
@@ -282,6 +284,15 @@ private:
               chain.greatestAcceptance < 1))
             invalid("/sampling/acceptance", "Shares that are accepted must lie between 0 and 1, ascending",
                     "Write [0.6, 0.9], as usual.");
+    }
+
+    void checkExtent(const TrajectoryLimits& extent)
+    {
+        if (!(extent.spread >= 0 && extent.spread <= greatestSpread))
+            invalid("/sampling/spread", "The spread must be from 0 to 3", "Write 0.5, as usual.");
+        if (!(extent.uncertainty > 0 && extent.uncertainty <= 1))
+            invalid("/sampling/uncertainty", "The uncertainty must be above 0, and 1 at most",
+                    "Write 0.25, as usual.");
     }
 
     void checkSamples(const SamplesEntry& samples, const std::string& key)

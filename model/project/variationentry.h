@@ -7,6 +7,7 @@
 #include "model/variation/gpdm.h"
 #include "model/variation/hmc.h"
 #include "model/variation/posedraw.h"
+#include "model/variation/trajectorylimits.h"
 #include "model/variation/variationlimits.h"
 
 #include <optional>
@@ -119,6 +120,7 @@ struct VariationEntry
     double displacementShare = 6; ///< variance of the displacements, in mean variances of a coordinate
     GpdmSettings learning;
     HmcSettings chain;
+    TrajectoryLimits extent;
     std::vector<SamplesEntry> samples;
     PoseDraw draw = PoseDraw::Mean;
     bool correctsContacts = true; ///< feet that stand in the take stand still

@@ -157,6 +157,9 @@ void readSampling(const ObjectReader& reader, VariationEntry& variation)
         chain.leastAcceptance = shares->at(0);
         chain.greatestAcceptance = shares->at(1);
     }
+    TrajectoryLimits& extent = variation.extent;
+    extent.spread = reader.number("spread").value_or(extent.spread);
+    extent.uncertainty = reader.number("uncertainty").value_or(extent.uncertainty);
     variation.unknownOfSampling = reader.unknown(projectkeys::sampling);
 }
 

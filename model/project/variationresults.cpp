@@ -5,6 +5,7 @@
 #include "model/core/error.h"
 #include "model/project/characterstages.h"
 #include "model/project/tablebuilder.h"
+#include "model/variation/reconstructionerror.h"
 
 #include <algorithm>
 #include <array>
@@ -92,15 +93,39 @@ std::string faultsText(const Candidate& candidate)
 
 DataTable chainsTable(const std::vector<PartVariations>& sets)
 {
-    TableBuilder table("chains", "How the Markov chains ran, one for each trajectory that was drawn around.");
+    TableBuilder table("chains",
+                       "How the Markov chains ran, one for each trajectory that was drawn around, what their "
+                       "deviations were multiplied by, and how far the samples are apart then, as a share of "
+                       "how far the takes are; how many samples were sure enough, and how many were not.");
     table.whole("samples").whole("chain").real("acceptance").real("step-size").whole("thinning");
-    table.real("effective-sample-size").real("lag-1-autocorrelation");
+    table.real("effective-sample-size").real("lag-1-autocorrelation").real("scale").real("spread");
+    table.whole("accepted").whole("rejected");
     for (std::size_t s = 0; s < sets.size(); ++s) {
-        for (std::size_t c = 0; c < sets[s].chains.size(); ++c) {
-            const HmcReport& chain = sets[s].chains[c];
+        for (std::size_t c = 0; c < sets[s].reports.size(); ++c) {
+            const SampleReport& report = sets[s].reports[c];
+            const HmcReport& chain = report.chain;
             table.add({static_cast<std::int64_t>(s + 1), static_cast<std::int64_t>(c + 1), chain.acceptance,
-                       chain.stepSize, std::int64_t{chain.thinning}, chain.effectiveSampleSize, chain.lag1});
+                       chain.stepSize, std::int64_t{chain.thinning}, chain.effectiveSampleSize, chain.lag1,
+                       report.scale, report.spread,
+                       std::ssize(sets[s].trajectories) - std::int64_t{report.uncertain},
+                       std::int64_t{report.rejected}});
         }
+    }
+    return std::move(table).table();
+}
+
+DataTable spreadTable(const VariationEntry& entry, const std::vector<std::vector<PartSpread>>& sets)
+{
+    TableBuilder table(
+        "spread", "How far the variations of a set are apart, and the captured takes: mean distance of a "
+                  "vertex from its mean over them. 0 where there are fewer than two.");
+    table.whole("samples").text("of").text("to").text("part").real("variations", "m").real("takes", "m");
+    table.real("ratio");
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+        for (const PartSpread& spread : sets[s])
+            table.add({static_cast<std::int64_t>(s + 1), entry.samples[s].of, entry.samples[s].to,
+                       spread.part.empty() ? "whole body" : spread.part, spread.variations.value_or(0),
+                       spread.takes.value_or(0), spread.ratio().value_or(0)});
     }
     return std::move(table).table();
 }
@@ -168,11 +193,18 @@ Result modelResult(const PartTraining& training, const GpdmLearning& learning,
     names.text("take").whole("first", "row").whole("last", "row");
     for (std::size_t t = 0; t < training.spans.size(); ++t)
         names.add({takes.at(t), training.spans[t].first, training.spans[t].last()});
-    TableBuilder learned("learning", "How learning went.");
+    TableBuilder learned(
+        "learning", "How learning went, and how far the model reconstructs what it learned: mean distance "
+                    "of a vertex, beside principal components of as many dimensions.");
     learned.text("stop").whole("iterations").real("objective").text("active-bounds");
+    learned.real("model-error", "m").real("principal-components-error", "m");
+    const Eigen::Index vertices =
+        (training.blocks.empty() ? training.rows.cols() : training.blocks.front().first) / 3;
+    const GpdmState& state = learning.state;
     learned.add({toText(learning.stop), static_cast<std::int64_t>(learning.objective.size()),
-                 learning.objective.empty() ? 0.0 : learning.objective.back(),
-                 joined(learning.activeBounds)});
+                 learning.objective.empty() ? 0.0 : learning.objective.back(), joined(learning.activeBounds),
+                 modelError(state, training.rows, vertices),
+                 principalError(training.rows, static_cast<int>(state.latents.cols()), vertices)});
     result.tables = {std::move(names).table(), std::move(learned).table()};
     return result;
 }
@@ -240,7 +272,8 @@ std::vector<RowMatrix> trajectoriesOf(const Result& samples)
     return trajectories;
 }
 
-Result selectionResult(const VariationEntry& entry, const std::vector<VariationSelection>& sets)
+Result selectionResult(const VariationEntry& entry, const std::vector<VariationSelection>& sets,
+                       const std::vector<std::vector<PartSpread>>& spreads)
 {
     TableBuilder table("report", "All variations that were drawn: those with a number were good enough.");
     table.whole("variation").text("of").text("to").real("weight");
@@ -265,7 +298,7 @@ Result selectionResult(const VariationEntry& entry, const std::vector<VariationS
         before += samples.count;
     }
     Result result;
-    result.tables = {std::move(table).table()};
+    result.tables = {std::move(table).table(), spreadTable(entry, spreads)};
     return result;
 }
 

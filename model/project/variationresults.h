@@ -5,6 +5,7 @@
 #include "model/project/result.h"
 #include "model/project/variationentry.h"
 #include "model/variation/selection.h"
+#include "model/variation/variationspread.h"
 
 namespace quadrille {
 
@@ -26,8 +27,9 @@ Result samplesResult(const std::vector<PartVariations>& sets, Eigen::Index frame
 /// \pre The result is one of samplesResult.
 std::vector<RowMatrix> trajectoriesOf(const Result& samples);
 
-/// Which candidates became variations, and what all of them are like.
-Result selectionResult(const VariationEntry& entry, const std::vector<VariationSelection>& sets);
+/// Which candidates became variations, what all of them are like, and how far those of a set are apart.
+Result selectionResult(const VariationEntry& entry, const std::vector<VariationSelection>& sets,
+                       const std::vector<std::vector<PartSpread>>& spreads);
 /// The candidate, from 0 in its set, that became a variation. \pre The result is one of selectionResult.
 /// \throws Error VariationMissing where too few candidates were good.
 int candidateOf(const Result& selection, int number);

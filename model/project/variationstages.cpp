@@ -30,6 +30,7 @@ std::string samplesSettings(const VariationEntry& entry)
     for (SamplesEntry& samples : drawn.samples)
         samples.discarded.clear();
     drawn.chain = entry.chain;
+    drawn.extent = entry.extent;
     return settingsText(drawn);
 }
 
@@ -95,6 +96,7 @@ private:
             stage(modelStageOf(m_name, m_parts[part]), "variations/" + m_name + "/" + m_parts[part]);
         VariationEntry learned;
         learned.learning = m_work->entry().learning;
+        made.version = 2;
         made.settings = settingsText(learned);
         made.inputs = {alignmentStageOf(m_name)};
         made.compute = [work = m_work, name = m_parts[part]](const StageContext&, const Progress& progress) {
@@ -114,6 +116,7 @@ private:
         ResultStage made =
             stage(samplesStageOf(m_name, m_parts[part]), "variations/" + m_name + "/" + m_parts[part]);
         const std::string model = modelStageOf(m_name, m_parts[part]);
+        made.version = 2;
         made.settings = samplesSettings(m_work->entry());
         made.inputs = {model};
         made.compute = [work = m_work, name = m_parts[part], model](const StageContext& context,
@@ -122,12 +125,13 @@ private:
             const std::size_t index = movement->parts.indexOf(name);
             const GpdmState state = stateOf(context.resultOf(model));
             const std::vector<SamplesEntry>& sets = work->entry().samples;
+            const SamplingSettings settings{work->entry().chain, work->entry().extent};
             std::vector<PartVariations> drawn;
             for (std::size_t s = 0; s < sets.size(); ++s) {
                 const double share = 0.9 / static_cast<double>(sets.size());
                 const double at = 0.1 + share * static_cast<double>(s);
                 drawn.push_back(drawPart(*movement, index, state, work->subject(sets[s]),
-                                         candidatesFor(sets[s].count), sets[s].seed, work->entry().chain,
+                                         candidatesFor(sets[s].count), sets[s].seed, settings,
                                          progress.part(at, at + share)));
             }
             return samplesResult(drawn, movement->alignment.frameCount(), state.latents.cols());
@@ -153,15 +157,39 @@ private:
         const auto latents = allLatents(context);
         const VariationMeter meter = m_work->meter(progress.part(0.1, 0.2));
         std::vector<VariationSelection> selections;
+        std::vector<std::vector<PartSpread>> spreads;
         const std::vector<SamplesEntry>& sets = m_work->entry().samples;
         for (std::size_t s = 0; s < sets.size(); ++s) {
             const double share = 0.8 / static_cast<double>(sets.size());
             const double at = 0.2 + share * static_cast<double>(s);
             selections.push_back(selectVariations(
                 *learned, m_work->subject(sets[s]), latents[s], sets[s].count, sets[s].seed, m_work->poses(),
-                meter, m_work->layout(), m_work->entry().limits, progress.part(at, at + share)));
+                meter, m_work->layout(), m_work->entry().limits, progress.part(at, at + 0.8 * share)));
+            spreads.push_back(spreadOf(*learned, latents[s], selections.back(), sets[s].seed,
+                                       progress.part(at + 0.8 * share, at + share)));
         }
-        return selectionResult(m_work->entry(), selections);
+        return selectionResult(m_work->entry(), selections, spreads);
+    }
+
+    /// Of the accepted variations of a set beside the captured takes, on the frames of the reference.
+    std::vector<PartSpread> spreadOf(const LearnedMovement& learned,
+                                     const std::vector<LatentVariation>& latents,
+                                     const VariationSelection& selection, std::uint64_t seed,
+                                     const Progress& progress) const
+    {
+        const Movement& movement = learned.movement();
+        std::vector<std::vector<Vec3f>> poses;
+        for (const int candidate : selection.accepted) {
+            VariationPoses settings = m_work->poses();
+            settings.seed = streamSeed(seed, static_cast<std::uint64_t>(candidate));
+            poses.push_back(variationPoses(learned, latents[static_cast<std::size_t>(candidate)], settings,
+                                           Progress(progress.token())));
+        }
+        const std::vector<Positions> variations(poses.begin(), poses.end());
+        std::vector<Positions> takes;
+        for (std::size_t t = 0; t < movement.capturedCount(); ++t)
+            takes.emplace_back(movement.take(t).poses);
+        return variationSpread(movement.parts, movement.topology->vertexCount(), variations, takes, progress);
     }
 
     ResultStage clip(int number) const

@@ -101,6 +101,9 @@ Json samplingToJson(const VariationEntry& variation)
     if (chain.leastAcceptance != usual.leastAcceptance ||
         chain.greatestAcceptance != usual.greatestAcceptance)
         json["acceptance"] = Json::array({chain.leastAcceptance, chain.greatestAcceptance});
+    const TrajectoryLimits usualExtent;
+    addUnless(json, "spread", variation.extent.spread, usualExtent.spread);
+    addUnless(json, "uncertainty", variation.extent.uncertainty, usualExtent.uncertainty);
     addUnknown(json, variation.unknownOfSampling);
     return json;
 }

@@ -64,12 +64,9 @@ void addKernelGradient(const RowMatrix& h, const DenseMatrix& radial, const RowM
 } // namespace
 
 GpdmDynamics::GpdmDynamics(const GpdmState& state, std::span<const RowSpan> spans)
-    : m_hyperparameters(state.hyperparameters)
-    , m_latents(state.latents)
-    , m_inputs(rowsFrom(state.latents, spans, 0))
+    : m_hyperparameters(state.hyperparameters), m_inputs(rowsFrom(state.latents, spans, 0))
 {
     const RowMatrix outputs = rowsFrom(state.latents, spans, 1);
-    m_meanStep = outputs.rows() > 0 ? (outputs - m_inputs).rowwise().norm().mean() : 0;
     DynamicsKernel kernel(m_inputs, m_inputs, m_hyperparameters);
     kernel.sum.view().diagonal().array() += 1 / m_hyperparameters.beta4;
     m_factor = covarianceFactor(kernel.sum, kernel.sum.view().diagonal().mean());
@@ -117,52 +114,6 @@ RowMatrix GpdmDynamics::meanPrediction(const Eigen::RowVectorXd& start, Eigen::I
     for (Eigen::Index i = 0; i < length; ++i)
         trajectory.row(i) = i > 0 ? next(trajectory.row(i - 1)) : start;
     return trajectory;
-}
-
-// With C = L·Lᵀ, R = L·U for the residuals R and the innovations U. A row of L depends on the positions
-// before it only, so that trajectory and factor grow together.
-RowMatrix GpdmDynamics::trajectory(const Eigen::RowVectorXd& start, const RowMatrix& innovations) const
-{
-    const Eigen::Index count = innovations.rows();
-    RowMatrix trajectory(count + 1, start.size());
-    trajectory.row(0) = start;
-    RowMatrix solved(count, m_inputs.rows()); // L_X⁻¹·k of each step
-    RowMatrix factor = RowMatrix::Zero(count, count);
-    const double least = std::numeric_limits<double>::epsilon() / m_hyperparameters.beta4;
-    for (Eigen::Index step = 0; step < count; ++step) {
-        const RowMatrix from = trajectory.row(step);
-        DynamicsKernel cross(m_inputs, from, m_hyperparameters);
-        trajectory.row(step + 1).noalias() = cross.sum.view().transpose() * m_weights;
-        solveLower(m_factor, cross.sum);
-        solved.row(step) = cross.sum.view().transpose();
-        Eigen::VectorXd row =
-            DynamicsKernel(trajectory.topRows(step + 1), from, m_hyperparameters).sum.view().col(0) -
-            solved.topRows(step + 1) * solved.row(step).transpose();
-        factor.topLeftCorner(step, step).triangularView<Eigen::Lower>().solveInPlace(row.head(step));
-        const double variance = row[step] + 1 / m_hyperparameters.beta4 - row.head(step).squaredNorm();
-        row[step] = std::sqrt(std::max(variance, least));
-        factor.row(step).head(step + 1) = row.transpose();
-        trajectory.row(step + 1).noalias() += row.transpose() * innovations.topRows(step + 1);
-    }
-    return trajectory;
-}
-
-RowMatrix GpdmDynamics::innovations(const RowMatrix& trajectory) const
-{
-    const Eigen::Index count = std::max<Eigen::Index>(trajectory.rows() - 1, 0);
-    const Steps s = steps(trajectory.topRows(count));
-    DenseMatrix residuals(trajectory.bottomRows(count) - s.means);
-    solveLower(covarianceFactor(s.covariance, m_hyperparameters.beta1), residuals);
-    return residuals.view();
-}
-
-double GpdmDynamics::furthestFromTraining(const RowMatrix& trajectory) const
-{
-    double furthest = 0;
-    for (Eigen::Index i = 0; i < trajectory.rows(); ++i)
-        furthest =
-            std::max(furthest, (m_latents.rowwise() - trajectory.row(i)).rowwise().squaredNorm().minCoeff());
-    return furthest > 0 ? std::sqrt(furthest) / m_meanStep : 0;
 }
 
 double GpdmDynamics::energy(const RowMatrix& trajectory, RowMatrix* gradient) const

@@ -13,9 +13,9 @@ namespace quadrille {
 
 struct HmcSettings
 {
-    int leapfrogSteps = 20; ///< at most; each trajectory has a random number of them, against periods
-    int burnIn = 100;       ///< trajectories before the first sample is taken, while the step size is tuned
-    int thinning = 10;      ///< trajectories from one sample to the next; more where samples would depend
+    int leapfrogSteps = 8; ///< at most; each trajectory has a random number of them, against periods
+    int burnIn = 100;      ///< trajectories before the first sample is taken, while the step size is tuned
+    int thinning = 3;      ///< trajectories from one sample to the next; more where samples would depend
     double leastAcceptance = 0.6;
     double greatestAcceptance = 0.9;
 

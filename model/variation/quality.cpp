@@ -90,6 +90,8 @@ VariationMeter::VariationMeter(const CharacterFrames& character, std::span<const
             static_cast<std::int64_t>(m_intersections.find(frame.positions()).size())};
         rest.report(++done, static_cast<std::int64_t>(nodes.size()));
     });
+    for (const FrameBaseline& frame : m_frames)
+        m_takeIntersections = std::max(m_takeIntersections, frame.intersections);
     m_leastVolume = std::numeric_limits<double>::infinity();
     m_greatestVolume = -m_leastVolume;
     for (const Positions& pose : m_training) {
@@ -125,15 +127,11 @@ void VariationMeter::addSkate(const Clip& clip, VariationQuality& quality) const
     quality.takeSkate = std::max(meanOf(takeSpeeds[0]).value_or(0), meanOf(takeSpeeds[1]).value_or(0));
 }
 
-void VariationMeter::addIntersections(const Clip& clip, VariationQuality& quality) const
+void VariationMeter::addIntersections(VariationQuality& quality) const
 {
     for (const VariationFrameQuality& frame : quality.frames)
         quality.intersections = std::max(quality.intersections, frame.intersections);
-    for (const FrameOrigin& origin : clip.origins) {
-        quality.takeIntersections =
-            std::max({quality.takeIntersections, baselineOf(origin.source).intersections,
-                      baselineOf(origin.destination).intersections});
-    }
+    quality.takeIntersections = m_takeIntersections;
 }
 
 void VariationMeter::addVolume(VariationQuality& quality) const
@@ -174,7 +172,7 @@ VariationQuality VariationMeter::measure(const Clip& clip, const Progress& progr
         quality.worstPoseDistance = std::max(quality.worstPoseDistance, pose.distance);
     }
     addSkate(clip, quality);
-    addIntersections(clip, quality);
+    addIntersections(quality);
     addVolume(quality);
     return quality;
 }

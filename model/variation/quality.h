@@ -40,7 +40,7 @@ struct VariationQuality
     std::optional<double> skate;        ///< mean over the frames in which something stands, m/s
     double takeSkate = 0;               ///< the same of the take, of two takes the larger one, m/s
     std::int64_t intersections = 0;     ///< most of a frame
-    std::int64_t takeIntersections = 0; ///< most of a frame of the takes that it varies
+    std::int64_t takeIntersections = 0; ///< most of a frame of the takes
     /// How far the volume leaves the range of the poses learned from, as a share of their mean: negative
     /// where it falls below; 0 inside.
     std::optional<double> volumeChange;
@@ -88,7 +88,7 @@ private:
     const FrameBaseline& baselineOf(NodeIndex node) const { return m_frames[static_cast<std::size_t>(node)]; }
     std::vector<std::uint32_t> standingIn(const FrameOrigin& origin) const;
     void addSkate(const Clip& clip, VariationQuality& quality) const;
-    void addIntersections(const Clip& clip, VariationQuality& quality) const;
+    void addIntersections(VariationQuality& quality) const;
     void addVolume(VariationQuality& quality) const;
 
     UpAxis m_up;
@@ -97,6 +97,7 @@ private:
     std::vector<Positions> m_training;
     SelfIntersections m_intersections;
     SurfaceVolume m_volume;
+    std::int64_t m_takeIntersections = 0;
     double m_leastVolume = 0;
     double m_greatestVolume = 0;
     double m_meanVolume = 0;

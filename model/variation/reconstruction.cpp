@@ -64,8 +64,15 @@ void PoseReconstruction::mean(const Eigen::Ref<const Eigen::RowVectorXd>& latent
 
 double PoseReconstruction::variance(const Eigen::Ref<const Eigen::RowVectorXd>& latent) const
 {
-    const double explained = predict(latent).whitened.view().squaredNorm();
-    return std::max(0.0, m_hyperparameters.alpha1 - explained);
+    return combination(latent).variances[0];
+}
+
+PoseCombination PoseReconstruction::combination(const RowMatrix& trajectory) const
+{
+    Prediction prediction = predict(trajectory);
+    const Eigen::VectorXd explained = prediction.whitened.view().colwise().squaredNorm();
+    return {.coefficients = std::move(prediction.coefficients),
+            .variances = (m_hyperparameters.alpha1 - explained.array()).cwiseMax(0.0)};
 }
 
 RowMatrix PoseReconstruction::means(const RowMatrix& trajectory) const

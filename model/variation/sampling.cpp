@@ -4,6 +4,8 @@
 
 #include "model/core/badargument.h"
 #include "model/core/error.h"
+#include "model/variation/posespread.h"
+#include "model/variation/smoothdeviations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,119 +17,161 @@ namespace quadrille {
 namespace {
 
 /// So many candidates are drawn for each sample.
-constexpr int candidatesPerSample = 8;
-/// So many of them, at least, decide on the spread: by how many of these keep within the reach.
-constexpr int trials = 40;
-constexpr int leastWithin = trials / 4;
-constexpr double narrowing = 0.7;
-constexpr int greatestNarrowings = 10;
+constexpr int candidatesPerSample = 2;
+/// The first so many decide on the scale; at least half of them must be sure enough.
+constexpr std::size_t trials = 24;
+constexpr double leastShareSure = 0.5;
+/// The scale is found when the spread differs by no more than this share …
+constexpr double scaleTolerance = 0.01;
+/// … or after so many measurements.
+constexpr int greatestMeasurements = 20;
 
-/// What the innovations of a chain become.
+/// Deviations that a chain drew, centred, as variations of any scale.
 class Candidates
 {
 public:
-    Candidates(const GpdmDynamics& dynamics, const RowMatrix& trajectory,
-               const std::vector<Eigen::VectorXd>& innovations, double reach, const CancelToken& token)
-        : m_dynamics(dynamics)
-        , m_start(trajectory.row(0))
-        , m_innovations(innovations)
-        , m_reach(reach)
-        , m_token(token)
+    Candidates(const PoseSpread& poses, const RowMatrix& trajectory, const SmoothDeviations& smooth,
+               const std::vector<Eigen::VectorXd>& amplitudes, double uncertainty, const CancelToken& token)
+        : m_poses(poses), m_trajectory(trajectory), m_uncertainty(uncertainty), m_token(token)
     {
+        const std::size_t tried = std::min(amplitudes.size(), trials);
+        Eigen::VectorXd mean = Eigen::VectorXd::Zero(smooth.size());
+        for (std::size_t i = 0; i < tried; ++i)
+            mean += amplitudes[i] / static_cast<double>(tried);
+        for (const Eigen::VectorXd& each : amplitudes)
+            m_deviations.push_back(smooth.deviation(each - mean));
     }
 
-    std::size_t count() const { return m_innovations.size(); }
-    RowMatrix trajectory(std::size_t index, double spread) const
+    std::size_t count() const { return m_deviations.size(); }
+    RowMatrix trajectory(std::size_t index, double scale) const
     {
-        if (m_token.isCancelled())
-            throw Error(ErrorCode::Cancelled);
-        const Eigen::VectorXd& values = m_innovations[index];
-        const Eigen::Index dimensions = m_start.size();
-        return m_dynamics.trajectory(
-            m_start,
-            spread * Eigen::Map<const RowMatrix>(values.data(), values.size() / dimensions, dimensions));
+        return m_trajectory + scale * m_deviations[index];
     }
-    /// Infinite for trajectories that overflow.
-    double distance(const RowMatrix& candidate) const
-    {
-        return candidate.allFinite() ? m_dynamics.furthestFromTraining(candidate)
-                                     : std::numeric_limits<double>::infinity();
-    }
-    bool isWithin(double distance) const { return distance <= m_reach; }
+    bool isSure(const PosedTrajectory& posed) const { return posed.uncertainty <= m_uncertainty; }
 
-    /// The largest of the spreads that keep enough candidates within the reach.
-    double usefulSpread(double spread) const
+    struct Measurement
     {
-        const std::size_t tried = std::min<std::size_t>(count(), trials);
-        for (int narrowings = 0; narrowings < greatestNarrowings; ++narrowings, spread *= narrowing) {
-            int within = 0;
-            for (std::size_t i = 0; i < tried && within < leastWithin; ++i)
-                within += isWithin(distance(trajectory(i, spread)));
-            if (within == leastWithin)
-                break;
+        double spread = 0; ///< metres
+        bool isSure = false;
+    };
+    Measurement measure(double scale) const
+    {
+        std::vector<PosedTrajectory> posed;
+        std::size_t sure = 0;
+        for (std::size_t i = 0; i < std::min(count(), trials); ++i) {
+            if (m_token.isCancelled())
+                throw Error(ErrorCode::Cancelled);
+            posed.push_back(m_poses.posed(trajectory(i, scale)));
+            sure += isSure(posed.back());
         }
-        return spread;
+        return {m_poses.between(posed),
+                static_cast<double>(sure) >= leastShareSure * static_cast<double>(posed.size())};
     }
 
 private:
-    const GpdmDynamics& m_dynamics;
-    Eigen::RowVectorXd m_start;
-    const std::vector<Eigen::VectorXd>& m_innovations;
-    double m_reach;
+    const PoseSpread& m_poses;
+    RowMatrix m_trajectory;
+    std::vector<RowMatrix> m_deviations;
+    double m_uncertainty;
     CancelToken m_token;
 };
 
-/// The first candidates within the reach; where there are too few, those nearest to the training as well.
-void choose(const Candidates& candidates, int count, const Progress& progress, TrajectorySamples& samples)
+/// The scale at which candidates are so far apart, or the largest one at which enough of them are sure.
+double scaleFor(const Candidates& candidates, double spread, const Progress& progress)
 {
-    std::vector<RowMatrix> beyond;
-    std::vector<double> distances;
-    const auto wanted = static_cast<std::size_t>(count);
-    for (std::size_t i = 0; i < candidates.count() && samples.trajectories.size() < wanted; ++i) {
-        RowMatrix candidate = candidates.trajectory(i, samples.spread);
-        const double distance = candidates.distance(candidate);
-        if (candidates.isWithin(distance)) {
-            samples.trajectories.push_back(std::move(candidate));
+    double below = 0;
+    double spreadBelow = 0;
+    double above = std::numeric_limits<double>::infinity();
+    double scale = 1;
+    for (int i = 0; i < greatestMeasurements && spread > 0; ++i) {
+        progress.report(i, greatestMeasurements);
+        const Candidates::Measurement found = candidates.measure(scale);
+        if (found.spread <= 0)
+            return 0;
+        const double ratio = spread / found.spread;
+        if (found.isSure && std::abs(ratio - 1) <= scaleTolerance)
+            return scale;
+        // Far from all that was learned, poses become alike again.
+        if (found.isSure && ratio > 1 && found.spread >= spreadBelow) {
+            below = scale;
+            spreadBelow = found.spread;
         } else {
-            ++samples.rejected;
-            beyond.push_back(std::move(candidate));
-            distances.push_back(distance);
+            above = scale;
         }
-        progress.report(static_cast<std::int64_t>(samples.trajectories.size()), count);
+        // Poses are nearly linear in small scales; between two that were tried, their mean size.
+        if (below > 0 && std::isfinite(above))
+            scale = std::sqrt(below * above);
+        else
+            scale *= below > 0 ? ratio : std::min(ratio, 0.5);
+        if (above <= (1 + scaleTolerance) * below)
+            break;
     }
-    std::vector<std::size_t> order(beyond.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return distances[i]; });
-    for (std::size_t i = 0; samples.trajectories.size() < wanted; ++i) {
-        samples.trajectories.push_back(beyond[order[i]]);
-        ++samples.beyondReach;
+    return below;
+}
+
+/// The first candidates that are sure; where there are too few, the surest of the others as well.
+void choose(const Candidates& candidates, const PoseSpread& poses, int count, const Progress& progress,
+            TrajectorySamples& samples)
+{
+    std::vector<PosedTrajectory> posed;
+    std::vector<std::size_t> order;
+    std::vector<std::size_t> chosen;
+    const auto wanted = static_cast<std::size_t>(count);
+    for (std::size_t i = 0; i < candidates.count() && chosen.size() < wanted; ++i) {
+        progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(candidates.count()));
+        posed.push_back(poses.posed(candidates.trajectory(i, samples.report.scale)));
+        (candidates.isSure(posed.back()) ? chosen : order).push_back(i);
     }
+    samples.report.rejected = static_cast<int>(order.size());
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return posed[i].uncertainty; });
+    for (std::size_t i = 0; chosen.size() < wanted; ++i) {
+        chosen.push_back(order[i]);
+        ++samples.report.uncertain;
+    }
+    std::vector<PosedTrajectory> given;
+    for (const std::size_t i : chosen) {
+        samples.trajectories.push_back(candidates.trajectory(i, samples.report.scale));
+        given.push_back(std::move(posed[i]));
+    }
+    samples.report.spread = poses.reference() > 0 ? poses.between(given) / poses.reference() : 0;
+}
+
+void check(const RowMatrix& trajectory, const TrajectoryLimits& limits)
+{
+    if (trajectory.rows() == 0)
+        refuse("the trajectory has no positions", "choose a learned trajectory");
+    if (!(limits.spread >= 0) || !std::isfinite(limits.spread) || !(limits.uncertainty >= 0))
+        refuse("the limits of variations are negative or no numbers",
+               "choose numbers from 0 on, such as 0.5");
 }
 
 } // namespace
 
-TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const RowMatrix& trajectory, int count,
-                                     std::uint64_t seed, const HmcSettings& settings,
-                                     const Progress& progress, const TrajectoryLimits& limits)
+TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const PoseSpread& poses,
+                                     const RowMatrix& trajectory, int count, std::uint64_t seed,
+                                     const SamplingSettings& settings, const Progress& progress)
 {
-    if (trajectory.rows() == 0)
-        refuse("the trajectory has no positions", "choose a learned trajectory");
-    if (!(limits.spread >= 0) || !std::isfinite(limits.spread) || !(limits.reach >= 0))
-        refuse("the limits of variations are negative or no numbers", "choose numbers from 0 on, such as 1");
+    check(trajectory, settings.limits);
+    TrajectorySamples samples;
     if (count <= 0)
-        return {};
-    const HmcEnergy energy = [](const Eigen::VectorXd& innovations, Eigen::VectorXd& gradient) {
-        gradient = innovations;
-        return 0.5 * innovations.squaredNorm();
+        return samples;
+    if (trajectory.rows() == 1) {
+        samples.trajectories.assign(static_cast<std::size_t>(count), trajectory);
+        return samples;
+    }
+    const SmoothDeviations smooth(dynamics, trajectory);
+    const HmcEnergy energy = [&](const Eigen::VectorXd& amplitudes, Eigen::VectorXd& gradient) {
+        return smooth.energy(amplitudes, gradient);
     };
-    const Eigen::VectorXd start = Eigen::VectorXd::Zero(trajectory.size() - trajectory.cols());
-    const HmcChain chain = drawByHmc(energy, start, {}, std::max(candidatesPerSample * count, trials), seed,
-                                     settings, progress.part(0, 0.3));
-    const Candidates candidates(dynamics, trajectory, chain.samples, limits.reach, progress.token());
-    TrajectorySamples samples{.report = chain.report, .spread = candidates.usefulSpread(limits.spread)};
-    choose(candidates, count, progress.part(0.3, 1), samples);
-    for (const RowMatrix& sample : samples.trajectories)
-        samples.energies.push_back(dynamics.energy(sample));
+    const int drawn = std::max(candidatesPerSample * count, static_cast<int>(trials));
+    HmcChain chain = drawByHmc(energy, Eigen::VectorXd::Zero(smooth.size()), smooth.curvature(), drawn, seed,
+                               settings.chain, progress.part(0, 0.8));
+    const Candidates candidates(poses, trajectory, smooth, chain.samples, settings.limits.uncertainty,
+                                progress.token());
+    samples.report.chain = std::move(chain.report);
+    samples.report.scale =
+        scaleFor(candidates, settings.limits.spread * poses.reference(), progress.part(0.8, 0.95));
+    choose(candidates, poses, count, progress.part(0.95, 1), samples);
     return samples;
 }
 

@@ -6,6 +6,7 @@
 #include "model/variation/gpdm.h"
 #include "model/variation/hmc.h"
 #include "model/variation/rowpanels.h"
+#include "model/variation/trajectorylimits.h"
 
 #include <cstdint>
 #include <span>
@@ -31,17 +32,6 @@ public:
     /// conditional of ALGORITHMS section 8, and its gradient by the trajectory (first row zero).
     /// Cost: O(length · inputs² + length³).
     double energy(const RowMatrix& trajectory, RowMatrix* gradient = nullptr) const;
-    /// The trajectory whose steps depart from their means, given the training and all steps before them, by
-    /// so many standard deviations. Zeros give the mean prediction; independent standard normals make the
-    /// trajectory a draw from the joint conditional.
-    /// \param innovations  steps × dimensions. \return one row more. Cost: O(steps · (inputs + steps)²).
-    RowMatrix trajectory(const Eigen::RowVectorXd& start, const RowMatrix& innovations) const;
-    /// Undoes trajectory().
-    RowMatrix innovations(const RowMatrix& trajectory) const;
-
-    /// How far the position of a trajectory that is furthest from all learned ones is from the nearest of
-    /// them, in mean steps of the training.
-    double furthestFromTraining(const RowMatrix& trajectory) const;
 
     const RowMatrix& inputs() const { return m_inputs; }
     const GpdmHyperparameters& hyperparameters() const { return m_hyperparameters; }
@@ -51,44 +41,49 @@ private:
     Steps steps(const RowMatrix& from) const;
 
     GpdmHyperparameters m_hyperparameters;
-    RowMatrix m_latents;
-    double m_meanStep = 0;
     RowMatrix m_inputs;   ///< all but the last latent of each sequence
     DenseMatrix m_factor; ///< lower Cholesky factor of K_X
     RowMatrix m_weights;  ///< K_X⁻¹·X′
 };
 
-/// How far variations may go. A model knows little of what lies between its training takes, and trajectories
-/// that leave them give poses that nobody would take.
-struct TrajectoryLimits
+/// How variations are drawn.
+struct SamplingSettings
 {
-    double spread = 1; ///< scale of all innovations at most: 1 is what the model says
-    /// Trajectories that go further from all training latents are rejected, in mean steps of the training.
-    /// Where less than a quarter of them keep within it, the spread is made smaller.
-    double reach = 1;
+    HmcSettings chain;
+    TrajectoryLimits limits;
+};
 
-    bool operator==(const TrajectoryLimits&) const = default;
+/// How one learned trajectory was varied.
+struct SampleReport
+{
+    HmcReport chain;
+    /// What the deviations that the chain drew were multiplied by; 1 is what the model says.
+    double scale = 1;
+    /// How far the samples are apart, as a share of PoseSpread::reference.
+    double spread = 0;
+    int rejected = 0;  ///< more uncertain than the limit
+    int uncertain = 0; ///< of the samples, where too few of all were sure
 };
 
 struct TrajectorySamples
 {
     std::vector<RowMatrix> trajectories; ///< each frames × dimensions; the first row is the start
-    std::vector<double> energies;        ///< of the trajectories (see GpdmDynamics::energy)
-    HmcReport report;                    ///< of the chain; its energies are those of the innovations
-    double spread = 1;                   ///< that was used
-    int rejected = 0;                    ///< went beyond the reach
-    int beyondReach = 0;                 ///< of the trajectories, where too few of all kept within it
+    SampleReport report;
 };
 
-/// Draws variations of a latent trajectory by Hybrid Monte Carlo, started at the mean prediction from its
-/// first position, which stays (CVS §6). The chain moves in the innovations of the trajectory: there the
-/// joint conditional is a standard normal distribution, while in the positions themselves it is so stiff that
-/// a chain stays about where it began. The same seed gives the same samples. \param trajectory  of which the
-/// first position and the length count: a learned one. \throws Error BadArgument (a trajectory without
-/// positions, limits that are negative or no numbers), Cancelled.
-TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const RowMatrix& trajectory, int count,
-                                     std::uint64_t seed, const HmcSettings& settings = {},
-                                     const Progress& progress = {}, const TrajectoryLimits& limits = {});
+class PoseSpread;
+
+/// Draws variations of a learned latent trajectory by Hybrid Monte Carlo (CVS §6). The chain's target is the
+/// joint conditional of the dynamics, given the first position, on trajectories that deviate smoothly from
+/// the learned one (see SmoothDeviations), where it starts. What it draws is centred, so that variations lie
+/// around what they vary, and scaled until poses are as far apart as `limits.spread` says. Of innovations
+/// that were scaled instead, noise became jitter, and errors grew along the trajectory until it left all that
+/// was learned. The first position stays. The same seed gives the same samples, for any number of threads.
+/// \param poses  of the same model. \throws Error BadArgument (a trajectory without positions, limits that
+/// are negative or no numbers), Cancelled.
+TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const PoseSpread& poses,
+                                     const RowMatrix& trajectory, int count, std::uint64_t seed,
+                                     const SamplingSettings& settings = {}, const Progress& progress = {});
 
 /// How a drawn pose deviates from the mean.
 enum class PoseDeviation
@@ -96,6 +91,13 @@ enum class PoseDeviation
     Coordinates, ///< each coordinate on its own, as CVS eq. 11 says: rough where the model is unsure
     /// Along combinations of the training poses with as much variance in each frame: as smooth as they are.
     TrainingSpan,
+};
+
+/// Poses as sums of training poses.
+struct PoseCombination
+{
+    RowMatrix coefficients;    ///< of the training rows, positions × training rows
+    Eigen::VectorXd variances; ///< of a coordinate without the noise (CVS eq. 13)
 };
 
 /// The Gaussian process from latent positions to poses of a learned model (CVS eq. 11–13). Factorised once;
@@ -112,6 +114,8 @@ public:
     void mean(const Eigen::Ref<const Eigen::RowVectorXd>& latent, std::span<double> out) const;
     /// Variance of a coordinate without the noise (eq. 13).
     double variance(const Eigen::Ref<const Eigen::RowVectorXd>& latent) const;
+    /// What the means of a trajectory are sums of, and how sure they are.
+    PoseCombination combination(const RowMatrix& trajectory) const;
     /// Pose vectors of a trajectory by the mean, frames × coordinates.
     RowMatrix means(const RowMatrix& trajectory) const;
     /// One draw for the whole trajectory, jointly over its frames, so that it does not flicker, without the

@@ -13,8 +13,8 @@ struct VariationLimits
     /// How much faster standing feet may slide than in the take, sizes of the figure a second: half a metre
     /// a second for a grown-up, which a correction of contacts can still take out.
     double skate = 0.25;
-    /// Pairs of triangles that go through each other in the worst frame beyond those of the take's worst, as
-    /// a share of all triangles.
+    /// Pairs of triangles that go through each other in the worst frame beyond those of the worst frame of
+    /// all takes, as a share of all triangles: a variation of one take may bend as far as another one does.
     double intersections = 0.01;
     /// See VariationQuality::volumeChange. An arm that is a fifth too long changes the body by 3 %; takes of
     /// walks and runs differ by 1 %.

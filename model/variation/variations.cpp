@@ -6,16 +6,22 @@
 #include "model/synthesis/contactcorrection.h"
 #include "model/variation/latentblend.h"
 #include "model/variation/playback.h"
+#include "model/variation/posespread.h"
 #include "model/variation/preblend.h"
 #include "model/variation/standing.h"
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <tbb/parallel_for.h>
 
 namespace quadrille {
 
 namespace {
+
+/// Of what variations differ in height and tilt from what they vary, seconds: a jump that rises at another
+/// speed would else land half a metre above the ground, or below.
+constexpr double driftHalfLife = 0.08;
 
 /// Pose vectors of a part, one row for each frame.
 RowMatrix partRows(const LearnedMovement& learned, std::size_t part, const RowMatrix& latents,
@@ -89,21 +95,31 @@ RowMatrix LearnedMovement::trajectory(std::size_t part, std::size_t take) const
 
 PartVariations drawPart(const Movement& movement, std::size_t part, const GpdmState& state,
                         const VariationSubject& subject, int count, std::uint64_t seed,
-                        const HmcSettings& settings, const Progress& progress)
+                        const SamplingSettings& settings, const Progress& progress)
 {
     const std::vector<BlendShare> around = subjectTakes(movement, subject);
-    const std::vector<RowSpan>& spans = movement.training.at(part).spans;
+    const PartTraining& training = movement.training.at(part);
+    const std::vector<RowSpan>& spans = training.spans;
     const GpdmDynamics dynamics(state, spans);
+    const BodyPart& body = movement.parts.parts.at(part);
+    const PoseSpread poses(state, posesOnParent(training, body),
+                           std::span(spans).first(movement.capturedCount()), std::ssize(body.vertices),
+                           Progress(progress.token()));
+    double squares = 0;
+    for (const BlendShare& each : around)
+        squares += each.share * each.share;
+    SamplingSettings own = settings;
+    own.limits.spread /= std::sqrt(squares);
     PartVariations result;
     std::vector<TrajectorySamples> drawn;
     for (std::size_t c = 0; c < around.size(); ++c) {
         const RowSpan& span = spans.at(around[c].take);
         const double share = 1.0 / static_cast<double>(around.size());
         const auto at = static_cast<double>(c);
-        drawn.push_back(sampleTrajectories(dynamics, state.latents.middleRows(span.first, span.count), count,
-                                           streamSeed(seed, 2 * part), settings,
+        drawn.push_back(sampleTrajectories(dynamics, poses, state.latents.middleRows(span.first, span.count),
+                                           count, streamSeed(streamSeed(seed, part), around[c].take), own,
                                            progress.part(at * share, (at + 1) * share)));
-        result.chains.push_back(drawn.back().report);
+        result.reports.push_back(drawn.back().report);
     }
     for (std::size_t v = 0; v < static_cast<std::size_t>(count); ++v) {
         std::vector<LatentShare> shares;
@@ -115,13 +131,13 @@ PartVariations drawPart(const Movement& movement, std::size_t part, const GpdmSt
 }
 
 LatentVariations drawLatents(const LearnedMovement& learned, const VariationSubject& subject, int count,
-                             std::uint64_t seed, const HmcSettings& settings, const Progress& progress)
+                             std::uint64_t seed, const SamplingSettings& settings, const Progress& progress)
 {
     subjectTakes(learned.movement(), subject);
     const std::size_t parts = learned.partCount();
     LatentVariations result;
     result.variations.resize(static_cast<std::size_t>(count), LatentVariation(parts));
-    result.chains.resize(parts);
+    result.reports.resize(parts);
     std::vector<std::atomic<double>> fractions(parts);
     tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t p) {
         const Progress own(progress.token(), [&, p](double fraction) {
@@ -135,7 +151,7 @@ LatentVariations drawLatents(const LearnedMovement& learned, const VariationSubj
             drawPart(learned.movement(), p, learned.state(p), subject, count, seed, settings, own);
         for (std::size_t v = 0; v < result.variations.size(); ++v)
             result.variations[v][p] = std::move(drawn.trajectories[v]);
-        result.chains[p] = std::move(drawn.chains);
+        result.reports[p] = std::move(drawn.reports);
     });
     return result;
 }
@@ -167,7 +183,8 @@ Clip makeVariation(const LearnedMovement& learned, const VariationSubject& subje
     const RowMatrix& root = rows.front();
     const std::vector<Displacement> displacements = partDisplacements(root, movement.training.front());
     const std::vector<RigidMotion> placements =
-        pathOnGround(displacements, guide, {.up = settings.up, .fps = movement.alignment.fps});
+        pathOnGround(displacements, guide,
+                     {.up = settings.up, .fps = movement.alignment.fps, .driftHalfLife = driftHalfLife});
     Clip clip;
     clip.topology = movement.topology;
     clip.fps = movement.alignment.fps;

@@ -46,27 +46,28 @@ using LatentVariation = std::vector<RowMatrix>;
 struct PartVariations
 {
     std::vector<RowMatrix> trajectories; ///< each reference frames × dimensions
-    std::vector<HmcReport> chains;       ///< of each trajectory that was drawn around
+    std::vector<SampleReport> reports;   ///< of each trajectory that was drawn around
 };
 
 /// Draws latent variations of one part of a subject (CVS §6 and §7). Of a blend each is drawn around all
-/// learned trajectories next to it with the same random numbers: so it follows the weights without a jump,
-/// and does not vary less between them.
+/// learned trajectories next to it, around one always with the same random numbers: so it follows the weights
+/// without a jump. They are drawn as much further apart as blending brings them together again.
 /// \param seed  of all parts together. \throws Error as subjectTakes; Cancelled.
 PartVariations drawPart(const Movement& movement, std::size_t part, const GpdmState& state,
                         const VariationSubject& subject, int count, std::uint64_t seed,
-                        const HmcSettings& settings = {}, const Progress& progress = {});
+                        const SamplingSettings& settings = {}, const Progress& progress = {});
 
 struct LatentVariations
 {
     std::vector<LatentVariation> variations;
-    std::vector<std::vector<HmcReport>> chains; ///< of each part, of each trajectory that was drawn around
+    std::vector<std::vector<SampleReport>>
+        reports; ///< of each part, of each trajectory that was drawn around
 };
 
 /// Draws latent variations of all parts, independently and in parallel.
 /// \return the same for any number of threads. \throws Error as drawPart.
 LatentVariations drawLatents(const LearnedMovement& learned, const VariationSubject& subject, int count,
-                             std::uint64_t seed, const HmcSettings& settings = {},
+                             std::uint64_t seed, const SamplingSettings& settings = {},
                              const Progress& progress = {});
 
 /// What keeps the feet of variations still while they stand.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/variation/sampling.h"
-#include "tests/model/variation/latentloops.h"
 #include "tests/model/variation/plaindynamics.h"
+#include "tests/model/variation/posedloops.h"
 
 #include <Eigen/Cholesky>
 #include <benchmark/benchmark.h>
@@ -45,29 +45,18 @@ void plainEnergy(benchmark::State& run)
 }
 BENCHMARK(plainEnergy)->ArgName("frames")->Arg(160)->Unit(benchmark::kMillisecond);
 
-/// One trajectory from its innovations.
-void oneTrajectory(benchmark::State& run)
-{
-    const LatentLoops loops = loopsOf(run.range(0));
-    const GpdmDynamics dynamics(loops.state, loops.spans);
-    const RowMatrix innovations = normals(takeFrames - 1, 3, 1);
-    for (auto _ : run)
-        benchmark::DoNotOptimize(dynamics.trajectory(loops.state.latents.row(0), innovations).data());
-}
-BENCHMARK(oneTrajectory)->ArgName("frames")->Arg(160)->Arg(1000)->Unit(benchmark::kMillisecond);
-
-/// Twenty variations of 40 frames for five parts.
+/// Twenty variations of 40 frames for five parts of 600 vertices.
 void twentyVariations(benchmark::State& run)
 {
-    const LatentLoops loops = loopsOf(200);
+    const PosedLoops posed(loopsOf(200), {}, 600);
     tbb::task_arena arena(static_cast<int>(run.range(0)));
     for (auto _ : run)
         arena.execute([&] {
             tbb::parallel_for(0, 5, [&](int part) {
-                const GpdmDynamics dynamics(loops.state, loops.spans);
-                benchmark::DoNotOptimize(
-                    sampleTrajectories(dynamics, loops.trajectory(1), 20, static_cast<std::uint64_t>(part))
-                        .trajectories.data());
+                const PoseSpread poses(posed.loops.state, posed.rows, posed.loops.spans, 600);
+                benchmark::DoNotOptimize(sampleTrajectories(posed.dynamics, poses, posed.loops.trajectory(1),
+                                                            20, static_cast<std::uint64_t>(part))
+                                             .trajectories.data());
             });
         });
 }

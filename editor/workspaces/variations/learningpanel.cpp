@@ -228,6 +228,10 @@ void LearningPanel::addLearning()
 void LearningPanel::addDrawing()
 {
     m_form->addHeading([] { return tr("Drawing"); });
+    addNumber({"spread", [] { return tr("Spread"); },
+               [] { return tr("How far variations are apart, as a share of how far the takes are"); },
+               [](const VariationEntry& entry) { return entry.extent.spread; },
+               [](VariationEntry& entry, double value) { entry.extent.spread = value; }, 0, 3, 0.1, 2});
     addNumber(
         {"chainSteps", [] { return tr("Leapfrog steps"); },
          [] { return tr("Of each proposal of Hybrid Monte Carlo: more wander further"); },

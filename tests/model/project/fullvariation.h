@@ -68,6 +68,7 @@ inline VariationEntry fullVariation()
     variation.chain.thinning = 5;
     variation.chain.leastAcceptance = 0.65;
     variation.chain.greatestAcceptance = 0.85;
+    variation.extent = {.spread = 0.8, .uncertainty = 0.1};
     SamplesEntry samples;
     samples.of = "talk";
     samples.to = "again";

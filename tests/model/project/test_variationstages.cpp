@@ -56,6 +56,40 @@ TEST_F(VariationStages, OfferTheDataOfEachPart)
     EXPECT_THAT(shape("variations/sway/tip/training"), ElementsAre(36, 8 * tubeSides * 3));
 }
 
+TEST_F(VariationStages, SayHowFarVariationsAreApart)
+{
+    sway().samples.front().count = 5;
+    sway().extent.spread = 0.8;
+    computed(run("variations"));
+    EXPECT_THAT(column<std::string>("variations/sway/spread", "part"),
+                ElementsAre("base", "tip", "whole body"));
+    const auto takes = column<double>("variations/sway/spread", "takes");
+    const auto ratios = column<double>("variations/sway/spread", "ratio");
+    const auto variations = column<double>("variations/sway/spread", "variations");
+    for (std::size_t p = 0; p < 3; ++p) {
+        EXPECT_GT(takes[p], 0.001);
+        EXPECT_DOUBLE_EQ(ratios[p], variations[p] / takes[p]);
+    }
+    // Five of the 24 that were scaled to 0.8; the base is measured after the tip was laid onto it.
+    const auto drawn = column<double>("variations/sway/tip/chains", "spread");
+    EXPECT_NEAR(drawn[0], 0.8, 0.3);
+    EXPECT_NEAR(ratios[1], drawn[0], 0.4);
+    sway().extent.spread = 0.2;
+    const auto names = computed(run("variations"));
+    EXPECT_THAT(names, Not(Contains("variations/sway/tip/model")));
+    EXPECT_LT(column<double>("variations/sway/spread", "ratio")[1], 0.5 * ratios[1]);
+}
+
+TEST_F(VariationStages, SayHowFarModelsAreFromWhatTheyLearned)
+{
+    computed(run("variations/sway/tip/model"));
+    const auto model = column<double>("variations/sway/tip/learning", "model-error");
+    const auto principal = column<double>("variations/sway/tip/learning", "principal-components-error");
+    ASSERT_EQ(model.size(), 1U);
+    EXPECT_TRUE(model[0] > 0 && model[0] < 0.01) << model[0];
+    EXPECT_TRUE(principal[0] > 0 && principal[0] < 0.05) << principal[0];
+}
+
 TEST_F(VariationStages, CentreTheTrainingRows)
 {
     computed(run("variations/sway/tip/model"));
@@ -228,13 +262,15 @@ TEST_F(VariationStages, AreRefusedWhereTheProjectAsksForTheImpossible)
     sway().learning.dimensions = 0;
     sway().training.push_back(sway().training.front());
     sway().reference = "jump";
+    sway().extent = {.spread = -1, .uncertainty = 1.5};
     std::string texts;
     for (const ProjectProblem& each : validate(project))
         texts += each.pointer + ": " + each.toString() + "\n";
     for (const char* expected :
          {"/variations/0/samples/0/weight: The weight of a blend must be from 0 to 1",
           "/variations/0/learning/dimensions: ", "/variations/0/sequences/2: The take “calm” is here twice",
-          "/variations/0/reference: “jump” is none of the takes"})
+          "/variations/0/reference: “jump” is none of the takes",
+          "/variations/0/sampling/spread: The spread must be", "/variations/0/sampling/uncertainty: "})
         EXPECT_THAT(texts, HasSubstr(expected));
 }
 

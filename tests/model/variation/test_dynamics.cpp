@@ -31,7 +31,6 @@ TEST(GpdmDynamics, solvesOnePairAsByHand)
                 0.5 * std::log(variance) + 0.5 * residual * residual / variance, 1e-14);
     EXPECT_EQ(gradient(0, 0), 0);
     EXPECT_NEAR(gradient(1, 0), residual / variance, 1e-14);
-    EXPECT_NEAR(dynamics.innovations(trajectory)(0, 0), residual / std::sqrt(variance), 1e-14);
 }
 
 // The inverse of the plain formula loses about the condition of K_X, 1e5, times the precision.
@@ -71,41 +70,6 @@ TEST(GpdmDynamics, gradientIsThatOfFiniteDifferences)
     }
 }
 
-// R = L·U with the plain covariance L·Lᵀ and the plain residuals R.
-TEST(GpdmDynamics, innovationsAreTheWhitenedResidualsOfThePlainFormula)
-{
-    const LatentLoops loops = latentLoops(2, 12);
-    const GpdmDynamics dynamics(loops.state, loops.spans);
-    const RowMatrix trajectory = loops.trajectory(0) + 0.1 * normals(12, 3, 2);
-    const auto [mean, covariance] = PlainDynamics(loops).joint(trajectory.topRows(11));
-    const Eigen::MatrixXd residuals = trajectory.bottomRows(11) - mean;
-    const Eigen::MatrixXd expected = covariance.llt().matrixL().solve(residuals);
-    EXPECT_LT((dynamics.innovations(trajectory) - expected).norm(), 1e-7 * expected.norm());
-}
-
-TEST(GpdmDynamics, trajectoriesAndInnovationsUndoEachOther)
-{
-    const LatentLoops loops = latentLoops(3, 25);
-    const GpdmDynamics dynamics(loops.state, loops.spans);
-    const RowMatrix innovations = normals(30, 3, 8);
-    const Eigen::RowVectorXd start = loops.state.latents.row(25);
-    const RowMatrix trajectory = dynamics.trajectory(start, innovations);
-    ASSERT_EQ(trajectory.rows(), 31);
-    EXPECT_EQ(trajectory.row(0), start);
-    EXPECT_LT((dynamics.innovations(trajectory) - innovations).norm(), 1e-6 * innovations.norm());
-}
-
-TEST(GpdmDynamics, withoutInnovationsTheMeanPredictionIsTheTrajectory)
-{
-    const LatentLoops loops = latentLoops(2, 20);
-    const GpdmDynamics dynamics(loops.state, loops.spans);
-    const Eigen::RowVectorXd start = loops.state.latents.row(0);
-    EXPECT_LT(
-        (dynamics.trajectory(start, RowMatrix::Zero(19, 3)) - dynamics.meanPrediction(start, 20)).norm(),
-        1e-9);
-    EXPECT_EQ(dynamics.trajectory(start, RowMatrix(0, 3)), start);
-}
-
 TEST(GpdmDynamics, meanPredictionFollowsWhatWasLearned)
 {
     const LatentLoops loops = latentLoops(1, 40);
@@ -125,19 +89,6 @@ TEST(GpdmDynamics, isSureWhereItWasTaughtAndUnsureElsewhere)
     EXPECT_GT(dynamics.variance(Eigen::RowVectorXd::Constant(3, 9)), p.beta1);
 }
 
-// Steps of 2 and 4 along one axis: 3 on average.
-TEST(GpdmDynamics, measuresDistancesFromTheTrainingInItsMeanSteps)
-{
-    GpdmState state{.latents = RowMatrix(3, 2)};
-    state.latents << 0, 0, 2, 0, 6, 0;
-    const RowSpan span{0, 3};
-    const GpdmDynamics dynamics(state, std::span(&span, 1));
-    EXPECT_EQ(dynamics.furthestFromTraining(state.latents), 0);
-    RowMatrix trajectory(2, 2);
-    trajectory << 2, 1.5, 4, 0;
-    EXPECT_NEAR(dynamics.furthestFromTraining(trajectory), 2.0 / 3, 1e-14);
-}
-
 TEST(GpdmDynamics, oneFrameHasNeitherEnergyNorGradient)
 {
     const LatentLoops loops = latentLoops(1, 5);
@@ -145,7 +96,6 @@ TEST(GpdmDynamics, oneFrameHasNeitherEnergyNorGradient)
     RowMatrix gradient;
     EXPECT_EQ(dynamics.energy(loops.state.latents.topRows(1), &gradient), 0);
     EXPECT_EQ(gradient.norm(), 0);
-    EXPECT_EQ(dynamics.innovations(loops.state.latents.topRows(1)).rows(), 0);
 }
 
 // All frames alike and no noise to speak of: the kernel matrix is singular in double precision.
@@ -158,5 +108,4 @@ TEST(GpdmDynamics, staysFiniteWithASingularKernel)
     const GpdmDynamics dynamics(loops.state, loops.spans);
     EXPECT_NEAR(dynamics.next(loops.state.latents.row(0))[0], 0.7, 1e-3);
     EXPECT_TRUE(dynamics.meanPrediction(loops.state.latents.row(0), 10).allFinite());
-    EXPECT_TRUE(dynamics.trajectory(loops.state.latents.row(0), normals(9, 3, 1)).allFinite());
 }

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/variation/posespread.h"
+
+#include "model/geometry/procrustes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+
+namespace {
+
+constexpr double shareOfOneTake = 0.25;
+/// Takes that are nearer to each other than this share of how far their frames are apart are the same.
+constexpr double leastShare = 1e-3;
+
+} // namespace
+
+RowMatrix posesOnParent(const PartTraining& training, const BodyPart& part)
+{
+    const Eigen::Index coordinates = 3 * std::ssize(part.vertices);
+    if (part.overlap.empty())
+        return training.rows.leftCols(coordinates);
+    std::vector<double> weights;
+    for (const VertexIndex vertex : part.vertices)
+        weights.push_back(std::ranges::binary_search(part.overlap, vertex) ? 1 : 0);
+    const auto poseOf = [&](const Eigen::RowVectorXd& row) {
+        std::vector<Vec3f> pose(part.vertices.size());
+        partPose({row.data(), static_cast<std::size_t>(row.size())}, pose);
+        return pose;
+    };
+    const std::vector<Vec3f> mean = poseOf(training.mean);
+    RowMatrix rows(training.rows.rows(), coordinates);
+    for (Eigen::Index f = 0; f < rows.rows(); ++f) {
+        const std::vector<Vec3f> pose = poseOf(training.rows.row(f) + training.mean);
+        const RigidMotion motion = rigidProcrustes(pose, mean, weights);
+        for (std::size_t v = 0; v < pose.size(); ++v)
+            rows.block<1, 3>(f, 3 * static_cast<Eigen::Index>(v)) =
+                (motion(pose[v].cast<double>()) - mean[v].cast<double>()).transpose();
+    }
+    return rows;
+}
+
+PoseSpread::PoseSpread(const GpdmState& state, const Eigen::Ref<const RowMatrix>& rows,
+                       std::span<const RowSpan> takes, Eigen::Index vertices, const Progress& progress)
+    : m_poses(state, RowMatrix(rows.rows(), 0), Eigen::RowVectorXd())
+    , m_priorVariance(state.hyperparameters.alpha1)
+    , m_gram(gramMatrix(rows.leftCols(3 * vertices), progress))
+    , m_vertices(vertices)
+{
+    const auto identity = RowMatrix::Identity(rows.rows(), rows.rows());
+    std::vector<PosedTrajectory> captured;
+    double ownSquares = 0;
+    Eigen::Index frames = 0;
+    for (const RowSpan& take : takes) {
+        captured.push_back({.coefficients = identity.middleRows(take.first, take.count)});
+        ownSquares += distanceSquares(captured.back().coefficients);
+        frames += take.count;
+    }
+    const auto values = static_cast<double>(std::max<Eigen::Index>(frames * vertices, 1));
+    const double own = std::sqrt(ownSquares / values);
+    const double apart = between(captured);
+    m_reference = apart > leastShare * own ? apart : shareOfOneTake * own;
+}
+
+PosedTrajectory PoseSpread::posed(const RowMatrix& trajectory) const
+{
+    PoseCombination combination = m_poses.combination(trajectory);
+    return {.coefficients = std::move(combination.coefficients),
+            .uncertainty = combination.variances.maxCoeff() / m_priorVariance};
+}
+
+/// Of poses from their mean, summed over poses and vertices.
+double PoseSpread::distanceSquares(const RowMatrix& coefficients) const
+{
+    const RowMatrix apart = coefficients.rowwise() - coefficients.colwise().mean();
+    return std::max(0.0, (apart * m_gram).cwiseProduct(apart).sum());
+}
+
+double PoseSpread::between(std::span<const PosedTrajectory> trajectories) const
+{
+    if (trajectories.size() < 2 || m_vertices == 0)
+        return 0;
+    const Eigen::Index frames = trajectories.front().coefficients.rows();
+    RowMatrix poses(std::ssize(trajectories), m_gram.rows());
+    double sum = 0;
+    for (Eigen::Index f = 0; f < frames; ++f) {
+        for (Eigen::Index t = 0; t < poses.rows(); ++t)
+            poses.row(t) = trajectories[static_cast<std::size_t>(t)].coefficients.row(f);
+        sum += std::sqrt(distanceSquares(poses) / static_cast<double>((poses.rows() - 1) * m_vertices));
+    }
+    return sum / static_cast<double>(frames);
+}
+
+} // namespace quadrille

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/variation/bodyparts.h"
+#include "model/variation/sampling.h"
+#include "model/variation/training.h"
+
+#include <span>
+
+namespace quadrille {
+
+/// The training rows of a part without its displacements, each pose laid rigidly onto the mean pose by what
+/// it shares with its parent: where stitching puts it. Otherwise small turns there, which stitching takes
+/// back, swing a whole limb. Those of the root stay where they are.
+RowMatrix posesOnParent(const PartTraining& training, const BodyPart& part);
+
+/// What a model makes of a latent trajectory.
+struct PosedTrajectory
+{
+    RowMatrix coefficients; ///< of the training rows in the pose of each frame
+    double uncertainty = 0; ///< the greatest variance of a pose, as a share of that of an unknown one
+};
+
+/// How far apart poses of a part are, metres: in each frame the root mean square distance of a vertex from
+/// its mean, of that the mean over the frames. Poses are sums of training poses, so that Y·Yᵀ is all that is
+/// needed of them. Immutable; safe from any thread.
+class PoseSpread
+{
+public:
+    /// \param rows  centred training rows, three coordinates of each vertex first; of a part that is laid
+    /// onto its parent those of posesOnParent. \param takes  the rows of the captured takes, as many in each;
+    /// at least one.
+    PoseSpread(const GpdmState& state, const Eigen::Ref<const RowMatrix>& rows,
+               std::span<const RowSpan> takes, Eigen::Index vertices, const Progress& progress = {});
+
+    PosedTrajectory posed(const RowMatrix& trajectory) const;
+    /// Between trajectories of the same length, frame by frame, made larger by √(n/(n − 1)); 0 of fewer than
+    /// two.
+    double between(std::span<const PosedTrajectory> trajectories) const;
+    /// Between the captured takes. Where there is one, or all are the same, a quarter of how far its frames
+    /// are apart: takes of one movement by one person differ by 0.1 to 0.5 of that.
+    double reference() const { return m_reference; }
+
+private:
+    double distanceSquares(const RowMatrix& coefficients) const;
+
+    PoseReconstruction m_poses; ///< without coordinates: its coefficients and variances are what counts
+    double m_priorVariance;
+    RowMatrix m_gram; ///< of the vertices' coordinates
+    Eigen::Index m_vertices;
+    double m_reference = 0;
+};
+
+} // namespace quadrille

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/variation/smoothdeviations.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace quadrille {
+
+namespace {
+
+/// Waves hold this share of the squares of the learned trajectory …
+constexpr double shareOfTrajectory = 0.95;
+/// … and are at least so many: the shortest then has a third of the trajectory's length.
+constexpr Eigen::Index leastWaves = 6;
+/// Of the largest curvature; flatter directions, and those in which the energy falls, count as so curved.
+constexpr double leastCurvature = 1e-4;
+
+RowMatrix sineWaves(Eigen::Index frames)
+{
+    RowMatrix waves(frames, frames - 1);
+    const double span = static_cast<double>(frames) - 0.5;
+    for (Eigen::Index f = 0; f < frames; ++f) {
+        for (Eigen::Index w = 0; w < waves.cols(); ++w)
+            waves(f, w) = std::sqrt(2 / span) * std::sin((static_cast<double>(w) + 0.5) * std::numbers::pi *
+                                                         static_cast<double>(f) / span);
+    }
+    return waves;
+}
+
+} // namespace
+
+SmoothDeviations::SmoothDeviations(const GpdmDynamics& dynamics, const RowMatrix& trajectory)
+    : m_dynamics(dynamics), m_trajectory(trajectory)
+{
+    const RowMatrix all = sineWaves(trajectory.rows());
+    const RowMatrix own = all.transpose() * (trajectory.rowwise() - trajectory.row(0));
+    const double squares = own.squaredNorm();
+    Eigen::Index count = std::min(leastWaves, all.cols());
+    while (count < all.cols() && own.topRows(count).squaredNorm() < shareOfTrajectory * squares)
+        ++count;
+    m_waves = all.leftCols(count);
+    m_size = std::sqrt(squares);
+}
+
+RowMatrix SmoothDeviations::deviation(const Eigen::VectorXd& amplitudes) const
+{
+    return m_waves * Eigen::Map<const RowMatrix>(amplitudes.data(), m_waves.cols(), m_trajectory.cols());
+}
+
+double SmoothDeviations::energy(const Eigen::VectorXd& amplitudes, Eigen::VectorXd& gradient) const
+{
+    RowMatrix byPositions;
+    const double energy = m_dynamics.energy(m_trajectory + deviation(amplitudes), &byPositions);
+    const RowMatrix byAmplitudes = m_waves.transpose() * byPositions;
+    gradient = byAmplitudes.reshaped<Eigen::RowMajor>();
+    return energy;
+}
+
+Eigen::MatrixXd SmoothDeviations::curvature() const
+{
+    // Far below the length scales of the kernel, far above rounding.
+    const double step = m_size > 0 ? 1e-4 * m_size : 1e-6;
+    Eigen::MatrixXd second(size(), size());
+    Eigen::VectorXd above;
+    Eigen::VectorXd below;
+    for (Eigen::Index i = 0; i < size(); ++i) {
+        energy(step * Eigen::VectorXd::Unit(size(), i), above);
+        energy(-step * Eigen::VectorXd::Unit(size(), i), below);
+        second.col(i) = (above - below) / (2 * step);
+    }
+    if (!second.allFinite())
+        return Eigen::MatrixXd::Identity(size(), size());
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (second + second.transpose()));
+    const Eigen::VectorXd sizes = solver.eigenvalues().cwiseAbs();
+    if (sizes.maxCoeff() <= 0)
+        return Eigen::MatrixXd::Identity(size(), size());
+    const Eigen::VectorXd raised = sizes.cwiseMax(leastCurvature * sizes.maxCoeff());
+    return solver.eigenvectors() * raised.asDiagonal() * solver.eigenvectors().transpose();
+}
+
+} // namespace quadrille
