@@ -75,7 +75,7 @@ void PostPanel::refreshRepeats(const AnimationEntry& entry)
     const QSignalBlocker blocker(m_repeated);
     m_repeated->clear();
     m_repeated->addItem(tr("As captured"));
-    m_repeated->addItem(tr("From all variations"), QString());
+    m_repeated->addItem(tr("From all"), QString());
     const Project& project = m_animation.context().document.project();
     for (const VariationEntry* variation : learnedVariations(project, characterNameOf(project, entry))) {
         const QString name = QString::fromStdString(variation->name);
