@@ -200,10 +200,11 @@ void MainWindow::makeWorkspaces()
             docks += addDock(panel.name, panel.title, panel.content, panel.area);
             docks.back()->setProperty("isShownFirst", panel.isShown);
             if (panel.isLower) {
-                if (lower != nullptr)
-                    tabifyDockWidget(lower, docks.back());
-                else
-                    splitDockWidget(firstOf.value(panel.area), lower = docks.back(), Qt::Vertical);
+                // Docks that share a place cannot be split: the one below them can be shared.
+                docks.back()->setProperty("isLower", true);
+                tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("textureDock")), docks.back());
+                if (lower == nullptr)
+                    lower = docks.back();
                 continue;
             }
             // Side by side they would be too low to be of use.
@@ -217,6 +218,8 @@ void MainWindow::makeWorkspaces()
         }
         for (QDockWidget* first : std::as_const(firstOf))
             first->raise();
+        if (lower != nullptr)
+            lower->raise();
         // Its own panels take the place of the properties.
         m_workspaces->add({QLatin1String(id), std::move(title), workspace, docks,
                            firstOf.contains(Qt::RightDockWidgetArea)});
@@ -259,6 +262,7 @@ void MainWindow::connectAll()
             [this](const QStringList& names) { m_context.selection.selectSequences(names.mid(0, 1)); });
     connect(m_export, &ExportFlow::exported, this, [this](const QStringList& files) {
         showMessage(tr("Exported to %1").arg(files.value(0)), files);
+        m_context.variations.readStopped();
     });
     connect(m_variations, &VariationsWorkspace::exportAsked, this,
             [this](const QString& clip) { m_export->exportClips({clip}); });

@@ -5,6 +5,7 @@
 #include "editor/application/actionregistry.h"
 #include "editor/application/settings.h"
 #include "editor/documents/animationmedia.h"
+#include "editor/documents/bodyproblems.h"
 #include "editor/documents/graphmedia.h"
 #include "editor/documents/projectdocument.h"
 #include "editor/documents/selection.h"
@@ -42,6 +43,7 @@ struct EditorContext
     GraphMedia graphs;
     AnimationMedia animations;
     VariationMedia variations;
+    BodyProblems bodies;
 };
 
 } // namespace quadrille

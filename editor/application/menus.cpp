@@ -151,7 +151,8 @@ Menus::Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& 
                                                "variations.export",
                                                "",
                                                "variations.original",
-                                               "variations.confidence"});
+                                               "variations.confidence",
+                                               "variations.frameLatent"});
     addMenu([] { return tr("&Playback"); },
             {"play.toggle", "", "play.previous", "play.next", "play.first", "play.last", "", "play.backwards",
              "play.pause", "play.forwards"});

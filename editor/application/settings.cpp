@@ -16,6 +16,9 @@ constexpr auto languageKey = "language";
 constexpr auto autosaveKey = "autosaveSeconds";
 constexpr auto historyKey = "historyMegabytes";
 constexpr auto loopKey = "loopPlayback";
+constexpr auto snapsKey = "curves/snaps";
+constexpr auto snapRadiusKey = "curves/snapRadius";
+constexpr auto overlapKey = "curves/overlap";
 constexpr auto recentKey = "recentProjects";
 constexpr auto geometryKey = "window/geometry";
 constexpr auto docksKey = "window/docks";
@@ -97,6 +100,21 @@ bool Settings::loopsPlayback() const
 void Settings::setLoopsPlayback(bool loops)
 {
     set(loopKey, loops);
+}
+
+Settings::CurveDrawing Settings::curveDrawing() const
+{
+    const CurveDrawing usual;
+    return {.snaps = m_store.value(snapsKey, usual.snaps).toBool(),
+            .snapRadius = m_store.value(snapRadiusKey, usual.snapRadius).toDouble(),
+            .overlap = m_store.value(overlapKey, usual.overlap).toDouble()};
+}
+
+void Settings::setCurveDrawing(const CurveDrawing& drawing)
+{
+    set(snapsKey, drawing.snaps);
+    set(snapRadiusKey, drawing.snapRadius);
+    set(overlapKey, drawing.overlap);
 }
 
 QStringList Settings::recentProjects() const

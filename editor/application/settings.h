@@ -37,6 +37,15 @@ public:
     void setHistoryMegabytes(int megabytes);
     bool loopsPlayback() const;
     void setLoopsPlayback(bool loops);
+    /// How curves are drawn on bodies.
+    struct CurveDrawing
+    {
+        bool snaps = true;        ///< points jump to creases
+        double snapRadius = 0.02; ///< how far they jump, metres
+        double overlap = 0.075;   ///< between the two curves of a part, metres over the surface
+    };
+    CurveDrawing curveDrawing() const;
+    void setCurveDrawing(const CurveDrawing& drawing);
 
     /// Project files, last used first.
     QStringList recentProjects() const;

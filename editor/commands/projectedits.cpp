@@ -3,7 +3,7 @@
 #include "editor/commands/projectedits.h"
 
 #include "editor/commands/changeproject.h"
-#include "editor/commands/insertpart.h"
+#include "editor/commands/entryedits.h"
 #include "editor/commands/relinkmedia.h"
 #include "model/project/references.h"
 
@@ -291,14 +291,7 @@ void setSettings(ProjectDocument& document, const ProjectSettings& settings, Edi
 
 QString addExport(ProjectDocument& document, ExportEntry entry)
 {
-    const Project& project = document.project();
-    QString name = freeName(project, Section::Exports, QString::fromStdString(entry.name));
-    entry.name = name.toStdString();
-    ProjectPart part;
-    part.exports.emplace_back(project.exports.size(), std::move(entry));
-    document.push(
-        std::make_unique<InsertPart>(document, Texts::tr("Add export “%1”").arg(name), std::move(part)));
-    return name;
+    return addEntry(document, Texts::tr("Add export “%1”"), std::move(entry));
 }
 
 void setExport(ProjectDocument& document, const QString& name, const ExportEntry& entry)

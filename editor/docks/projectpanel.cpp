@@ -22,9 +22,22 @@ namespace quadrille {
 
 namespace {
 
-ProjectTreeModel::EntryStatus statusOf(const AnimationMedia::Medium* medium)
+bool isAtWork(AnimationMedia::State state)
 {
-    using State = AnimationMedia::State;
+    return state == AnimationMedia::State::Waiting || state == AnimationMedia::State::Solving;
+}
+
+bool isAtWork(VariationMedia::State state)
+{
+    using State = VariationMedia::State;
+    return state == State::Opening || state == State::Learning || state == State::Drawing;
+}
+
+/// Of animations and variations alike.
+template <typename Media>
+ProjectTreeModel::EntryStatus statusOf(const typename Media::Medium* medium)
+{
+    using State = typename Media::State;
     ProjectTreeModel::EntryStatus status{.state = EntryState::Stale, .problem = {}};
     if (medium == nullptr)
         return status;
@@ -32,7 +45,7 @@ ProjectTreeModel::EntryStatus statusOf(const AnimationMedia::Medium* medium)
         status.state = EntryState::Fresh;
     else if (medium->state == State::Failed)
         status.state = EntryState::Failed;
-    else if (medium->state != State::Idle)
+    else if (isAtWork(medium->state))
         status.state = EntryState::Computing;
     if (medium->error)
         status.problem = describe(*medium->error).oneLine();
@@ -42,7 +55,13 @@ ProjectTreeModel::EntryStatus statusOf(const AnimationMedia::Medium* medium)
 ProjectTreeModel::EntryStatus statusOf(const EditorContext& context, const EntryRef& entry)
 {
     if (entry.section == Section::Animations)
-        return statusOf(context.animations.medium(entry.name));
+        return statusOf<AnimationMedia>(context.animations.medium(entry.name));
+    if (entry.section == Section::Variations)
+        return statusOf<VariationMedia>(context.variations.medium(entry.name));
+    if (entry.section == Section::BodyParts) {
+        const QString problem = context.bodies.problemOf(entry.name);
+        return {.state = problem.isEmpty() ? EntryState::Fresh : EntryState::Failed, .problem = problem};
+    }
     const SequenceMedia& media = context.media;
     ProjectTreeModel::EntryStatus status;
     const auto* medium = entry.section == Section::Sequences ? media.medium(entry.name) : nullptr;
@@ -84,6 +103,12 @@ ProjectPanel::ProjectPanel(EditorContext& context, QWidget* parent)
     });
     connect(&context.animations, &AnimationMedia::changed, this, [this](const QString& name) {
         m_model->updateStatus({Section::Animations, name});
+    });
+    connect(&context.variations, &VariationMedia::changed, this, [this](const QString& name) {
+        m_model->updateStatus({Section::Variations, name});
+    });
+    connect(&context.bodies, &BodyProblems::changed, this, [this](const QString& character) {
+        m_model->updateStatus({Section::BodyParts, character});
     });
     connect(m_tree->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &ProjectPanel::takeSelection);
@@ -132,7 +157,7 @@ void ProjectPanel::makeActions()
 void ProjectPanel::updateActions()
 {
     const EntryRef& current = m_context.selection.current();
-    const bool isEntry = !current.name.isEmpty();
+    const bool isEntry = !current.name.isEmpty() && current.section != Section::BodyParts;
     m_context.actions.action("edit.rename")->setEnabled(isEntry);
     m_context.actions.action("edit.remove")->setEnabled(isEntry);
     m_context.actions.action("edit.duplicate")
@@ -215,7 +240,8 @@ void ProjectPanel::activate(const QModelIndex& index)
         m_context.media.retry(entry.name);
     else if (entry.section == Section::Animations && !entry.name.isEmpty())
         m_context.actions.action("workspace.animate")->trigger();
-    else if (entry.section == Section::Variations && !entry.name.isEmpty())
+    else if ((entry.section == Section::Variations || entry.section == Section::BodyParts) &&
+             !entry.name.isEmpty())
         m_context.actions.action("workspace.variations")->trigger();
     else if (entry.section == Section::Exports && !entry.name.isEmpty())
         m_context.actions.action("file.export")->trigger();

@@ -11,8 +11,8 @@ namespace quadrille {
 
 namespace {
 
-constexpr std::array sections{Section::Characters, Section::Sequences, Section::Animations,
-                              Section::Variations, Section::Exports};
+constexpr std::array sections{Section::Characters, Section::Sequences,  Section::Animations,
+                              Section::BodyParts,  Section::Variations, Section::Exports};
 /// Marks the index of a section; entries carry their section's row.
 constexpr quintptr sectionId = ~quintptr{0};
 
@@ -31,6 +31,36 @@ QStringList names(const std::vector<Entry>& entries)
     return result;
 }
 
+/// They are called by their character, which a project with only one need not name.
+QStringList namesOfBodies(const Project& project)
+{
+    QStringList result;
+    for (const BodyPartsEntry& body : project.bodyParts) {
+        const bool isNamed = !body.character.empty() || project.characters.empty();
+        result += QString::fromStdString(isNamed ? body.character : project.characters.front().name);
+    }
+    result.removeAll(QString());
+    return result;
+}
+
+/// In the colour of texts once it is up to date; what is yet to be made is faint, what is being made
+/// coloured.
+QIcon iconOf(const QString& name, EntryState state)
+{
+    using widgets::ColorRole;
+    switch (state) {
+    case EntryState::Fresh:
+        return widgets::icons::icon(name);
+    case EntryState::Stale:
+        return widgets::icons::icon(name, ColorRole::TextMuted);
+    case EntryState::Computing:
+        return widgets::icons::icon(QStringLiteral("refresh"), ColorRole::AccentText);
+    case EntryState::Failed:
+        return widgets::icons::icon(QStringLiteral("error"), ColorRole::Error);
+    }
+    return {};
+}
+
 QString iconOf(Section section)
 {
     switch (section) {
@@ -40,6 +70,8 @@ QString iconOf(Section section)
         return QStringLiteral("sequence");
     case Section::Animations:
         return QStringLiteral("trajectory");
+    case Section::BodyParts:
+        return QStringLiteral("parts");
     case Section::Variations:
         return QStringLiteral("variation");
     default:
@@ -122,6 +154,8 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const
             return tr("Sequences (%1)").arg(count);
         case Section::Animations:
             return tr("Animations (%1)").arg(count);
+        case Section::BodyParts:
+            return tr("Body parts (%1)").arg(count);
         case Section::Variations:
             return tr("Variations (%1)").arg(count);
         default:
@@ -133,20 +167,34 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const
     case Qt::EditRole:
         return ref.name;
     case Qt::DecorationRole:
-        return m_statusOf(ref).state == EntryState::Failed
-                   ? widgets::icons::icon(QStringLiteral("error"), widgets::ColorRole::Error)
-                   : widgets::icons::icon(iconOf(ref.section));
+        return iconOf(iconOf(ref.section), m_statusOf(ref).state);
     case StateRole:
         return static_cast<int>(m_statusOf(ref).state);
     case ProblemRole:
         return m_statusOf(ref).problem;
     case Qt::ToolTipRole: {
-        const QString problem = m_statusOf(ref).problem;
-        return problem.isEmpty() ? ref.name : problem;
+        const EntryStatus status = m_statusOf(ref);
+        const QString state = status.problem.isEmpty() ? stateText(status.state) : status.problem;
+        //: an entry of the project, and its state or what is wrong with it
+        return state.isEmpty() ? ref.name : tr("%1: %2").arg(ref.name, state);
     }
     default:
         return {};
     }
+}
+
+QString ProjectTreeModel::stateText(EntryState state)
+{
+    switch (state) {
+    case EntryState::Fresh:
+    case EntryState::Failed:
+        return {};
+    case EntryState::Stale:
+        return tr("not made yet, or out of date");
+    case EntryState::Computing:
+        return tr("being made");
+    }
+    return {};
 }
 
 bool ProjectTreeModel::setData(const QModelIndex& index, const QVariant& value, int role)
@@ -164,9 +212,12 @@ Qt::ItemFlags ProjectTreeModel::flags(const QModelIndex& index) const
 {
     if (!index.isValid())
         return Qt::NoItemFlags;
-    const bool isEntry = index.internalId() != sectionId;
-    return Qt::ItemIsEnabled | Qt::ItemIsSelectable |
-           (isEntry ? Qt::ItemIsEditable | Qt::ItemNeverHasChildren : Qt::NoItemFlags);
+    Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    if (index.internalId() == sectionId)
+        return flags;
+    flags |= Qt::ItemNeverHasChildren;
+    flags.setFlag(Qt::ItemIsEditable, entry(index).section != Section::BodyParts);
+    return flags;
 }
 
 void ProjectTreeModel::updateStatus(const EntryRef& entry)
@@ -186,6 +237,8 @@ QStringList ProjectTreeModel::namesOf(int section) const
         return names(project.sequences);
     case Section::Animations:
         return names(project.animations);
+    case Section::BodyParts:
+        return namesOfBodies(project);
     case Section::Variations:
         return names(project.variations);
     default:
@@ -236,6 +289,8 @@ void ProjectTreeModel::follow(const ChangeEvent& event)
             reload(section);
         break;
     case ChangeEvent::Kind::Renamed: {
+        if (event.entry.section == Section::Characters)
+            reload(rowOf(Section::BodyParts));
         const QModelIndex index = indexOf({event.entry.section, event.before});
         if (index.isValid()) {
             m_names[static_cast<std::size_t>(index.internalId())][index.row()] = event.entry.name;
@@ -244,6 +299,8 @@ void ProjectTreeModel::follow(const ChangeEvent& event)
         break;
     }
     case ChangeEvent::Kind::Entry:
+        if (event.entry.section == Section::BodyParts) // one value for all characters
+            reload(rowOf(Section::BodyParts));
         updateStatus(event.entry);
         break;
     case ChangeEvent::Kind::File:

@@ -58,6 +58,7 @@ signals:
     void nameRefused(const quadrille::EntryRef& entry, const QString& name);
 
 private:
+    static QString stateText(EntryState state);
     void follow(const ChangeEvent& event);
     void reload(int section);
     QStringList namesOf(int section) const;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/variationmedia.h"
 
+#include "editor/documents/variationbasis.h"
 #include "editor/documents/variationwork.h"
 #include "editor/jobs/jobrunner.h"
 
 #include <QElapsedTimer>
 #include <algorithm>
-#include <functional>
 #include <mutex>
 #include <utility>
 
@@ -21,78 +21,14 @@ constexpr int showingMilliseconds = 150;
 
 } // namespace
 
-/// All of a project that takes and their models depend on.
-struct VariationMedia::Basis
-{
-    ProjectSettings settings;
-    std::vector<CharacterEntry> characters;
-    std::vector<SequenceEntry> sequences;
-    std::vector<BodyPartsEntry> bodies;
-    VariationEntry entry; ///< without what is drawn
-
-    bool operator==(const Basis&) const = default;
-    static Basis of(const Project& project, const VariationEntry& entry);
-};
-
-VariationMedia::Basis VariationMedia::Basis::of(const Project& project, const VariationEntry& entry)
-{
-    Basis basis{.settings = project.settings,
-                .characters = project.characters,
-                .sequences = project.sequences,
-                .bodies = project.bodyParts,
-                .entry = entry};
-    basis.settings.cacheMegabytes = 0;
-    basis.entry.samples.clear();
-    basis.entry.chain = {};
-    basis.entry.extent = {};
-    basis.entry.draw = {};
-    basis.entry.correctsContacts = {};
-    // Labels change no frame, and sequences that are not learned from are another matter.
-    const auto isLearnedFrom = [&entry](const SequenceEntry& sequence) {
-        return std::ranges::find(entry.training, sequence.name, &TrainingEntry::sequence) !=
-               entry.training.end();
-    };
-    const auto isClip = [&](const SequenceEntry& sequence) {
-        return isLearnedFrom(sequence) && sequence.source.starts_with("clip:");
-    };
-    if (std::ranges::none_of(basis.sequences, isClip))
-        std::erase_if(basis.sequences, std::not_fn(isLearnedFrom));
-    for (SequenceEntry& sequence : basis.sequences)
-        sequence.labels.clear();
-    return basis;
-}
-
-namespace {
-
-/// What is drawn depends on these, besides the models.
-struct Drawing
-{
-    std::vector<SamplesEntry> samples;
-    HmcSettings chain;
-    TrajectoryLimits extent;
-    PoseDraw draw = PoseDraw::Mean;
-    bool correctsContacts = true;
-
-    bool operator==(const Drawing&) const = default;
-};
-
-Drawing drawingOf(const VariationEntry& entry)
-{
-    Drawing drawing{entry.samples, entry.chain, entry.extent, entry.draw, entry.correctsContacts};
-    for (SamplesEntry& samples : drawing.samples)
-        samples.discarded.clear();
-    return drawing;
-}
-
-} // namespace
-
 struct VariationMedia::Item
 {
     Medium medium;
-    std::optional<Basis> basis; ///< of `opened` and `learned`
+    std::optional<VariationBasis> basis; ///< of `opened` and `learned`
     std::shared_ptr<const OpenedVariation> opened;
     std::shared_ptr<const LearnedVariation> learned; ///< null before learning
-    std::optional<Drawing> drawing;                  ///< of `drawn`
+    std::shared_ptr<const LearnedVariation> stopped; ///< to go on with where there is nothing better
+    std::optional<VariationDrawing> drawing;         ///< of `drawn`
     int run = 0;                                     ///< counts work, so that late results are known
 };
 
@@ -217,7 +153,7 @@ void VariationMedia::update()
 void VariationMedia::update(const QString& name, Item& item)
 {
     const VariationEntry& entry = *m_document.variation(name);
-    const Basis basis = Basis::of(m_document.project(), entry);
+    const VariationBasis basis = basisOf(m_document.project(), entry);
     if (entry.training.empty()) {
         end(item);
         item = Item{};
@@ -274,7 +210,7 @@ void VariationMedia::start(const QString& text, const QString& name, Item& item,
     emit changed(name);
 }
 
-void VariationMedia::open(const QString& name, Item& item, const Basis& basis)
+void VariationMedia::open(const QString& name, Item& item, const VariationBasis& basis)
 {
     end(item);
     item.basis = basis;
@@ -292,9 +228,11 @@ void VariationMedia::open(const QString& name, Item& item, const Basis& basis)
             done.drawing.reset();
             done.medium.drawn.reset();
             done.medium.parts.clear();
+            done.medium.isStopped = false;
             done.learned.reset();
-            if (done.opened->learned != nullptr)
-                takeLearned(name, run, done.opened->learned);
+            const auto stopped = std::exchange(done.stopped, nullptr);
+            if (const auto learned = done.opened->learned != nullptr ? done.opened->learned : stopped)
+                takeLearned(name, run, learned);
             else
                 emit changed(name);
         });
@@ -377,6 +315,18 @@ void VariationMedia::stop(const QString& name)
     const auto found = m_items.find(name);
     if (found != m_items.end() && found->second->medium.job)
         found->second->medium.job->cancel();
+}
+
+void VariationMedia::readStopped()
+{
+    for (const auto& [name, item] : m_items) {
+        const VariationEntry* entry = m_document.variation(name);
+        if (!item->medium.isStopped || entry == nullptr ||
+            item->basis != basisOf(m_document.project(), *entry))
+            continue;
+        item->stopped = item->learned;
+        retry(name);
+    }
 }
 
 void VariationMedia::retry(const QString& name)

@@ -19,6 +19,7 @@ class Job;
 class JobRunner;
 struct LearnedVariation;
 struct Movement;
+struct VariationBasis;
 struct VariationJob;
 
 /// The variations of a document. The takes of those that are wanted are aligned by themselves, and what was
@@ -65,6 +66,8 @@ public:
     void stop(const QString& name);
     /// Tries again what failed.
     void retry(const QString& name);
+    /// Others may have learned to the end what was stopped here: it is taken from beside the project.
+    void readStopped();
 
 signals:
     /// The state or the result of variations is another now.
@@ -72,7 +75,6 @@ signals:
 
 private:
     struct Mailbox;
-    struct Basis;
     struct Item;
 
     void follow(const ChangeEvent& event);
@@ -84,7 +86,7 @@ private:
     void end(Item& item);
     template <typename Work, typename Done>
     void start(const QString& text, const QString& name, Item& item, Work work, Done done);
-    void open(const QString& name, Item& item, const Basis& basis);
+    void open(const QString& name, Item& item, const VariationBasis& basis);
     void draw(const QString& name, Item& item);
     void takeLearned(const QString& name, int run, std::shared_ptr<const LearnedVariation> learned);
 

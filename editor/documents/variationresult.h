@@ -7,6 +7,7 @@
 #include "model/variation/selection.h"
 
 #include <QString>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,7 +43,8 @@ struct DrawnVariation
 struct DrawnSet
 {
     std::vector<DrawnVariation> variations;
-    int rejected = 0; ///< that were not good enough, and drawn again
+    int rejected = 0;                          ///< that were not good enough, and drawn again
+    std::array<int, variationFaults> faults{}; ///< of these, how many had each of the faults
 };
 
 } // namespace quadrille

@@ -176,6 +176,9 @@ std::vector<DrawnSet> drawVariations(const VariationJob& job, const OpenedVariat
                              poses, meter, takes.layout(), entry.limits, own.part(drawing, 1));
         DrawnSet& set = sets.emplace_back();
         set.rejected = selection.rejectedCount();
+        for (const Candidate& candidate : selection.candidates)
+            for (const VariationFault fault : candidate.faults)
+                set.faults.at(static_cast<std::size_t>(fault)) += candidate.isAccepted() ? 0 : 1;
         for (std::size_t i = 0; i < selection.accepted.size(); ++i) {
             const auto candidate = static_cast<std::size_t>(selection.accepted[i]);
             DrawnVariation drawn{.number = before + static_cast<int>(i) + 1,

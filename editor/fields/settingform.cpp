@@ -45,12 +45,37 @@ SettingForm::SettingForm(QWidget* parent) : QWidget(parent), m_grid(new QGridLay
 void SettingForm::addHeading(Text text)
 {
     auto* heading = new QLabel(text());
+    heading->setContentsMargins(0, m_headings.empty() ? 4 : 12, 0, 0);
+    addHeadingRow(heading);
+    m_fold = nullptr;
+    m_headings.emplace_back(heading, std::move(text));
+}
+
+void SettingForm::addFold(const char* name, Text text)
+{
+    auto* fold = new QToolButton;
+    fold->setObjectName(QLatin1String(name));
+    fold->setAutoRaise(true);
+    fold->setCheckable(true);
+    fold->setArrowType(Qt::RightArrow);
+    fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    fold->setFocusPolicy(Qt::TabFocus);
+    addHeadingRow(fold);
+    m_fold = fold;
+    m_folds.emplace_back(fold, std::move(text));
+    connect(fold, &QToolButton::toggled, this, [this, fold](bool isOpen) {
+        fold->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
+        for (const Row& row : m_rows)
+            showRow(row);
+    });
+}
+
+void SettingForm::addHeadingRow(QWidget* heading)
+{
     QFont font = heading->font();
     font.setWeight(QFont::DemiBold);
     heading->setFont(font);
-    heading->setContentsMargins(0, m_headings.empty() ? 4 : 12, 0, 0);
-    m_grid->addWidget(heading, m_grid->rowCount(), 0, 1, ColumnCount);
-    m_headings.emplace_back(heading, std::move(text));
+    m_grid->addWidget(heading, m_grid->rowCount(), 0, 1, ColumnCount, Qt::AlignLeft);
 }
 
 void SettingForm::add(const char* name, Text label, Text tip, QWidget* field, std::function<void()> reset)
@@ -61,7 +86,8 @@ void SettingForm::add(const char* name, Text label, Text tip, QWidget* field, st
             .reset = new QToolButton,
             .problem = new QLabel,
             .text = std::move(label),
-            .tip = std::move(tip)};
+            .tip = std::move(tip),
+            .fold = m_fold};
     field->setObjectName(QLatin1String(name));
     field->setMinimumHeight(rowHeight);
     field->installEventFilter(this);
@@ -80,14 +106,13 @@ void SettingForm::add(const char* name, Text label, Text tip, QWidget* field, st
     QSizePolicy keepsItsPlace = row.reset->sizePolicy();
     keepsItsPlace.setRetainSizeWhenHidden(true);
     row.reset->setSizePolicy(keepsItsPlace);
-    row.reset->hide();
     m_grid->addWidget(row.reset, place, ResetColumn, Qt::AlignTop);
     connect(row.reset, &QToolButton::clicked, this, [reset = std::move(reset)] { reset(); });
     row.problem->setObjectName(QLatin1String(name) + QStringLiteral("Problem"));
     row.problem->setWordWrap(true);
     row.problem->setForegroundRole(QPalette::PlaceholderText);
-    row.problem->hide();
     m_grid->addWidget(row.problem, place + 1, LabelColumn, 1, ColumnCount);
+    showRow(row);
     m_rows.push_back(std::move(row));
     retranslate();
 }
@@ -114,26 +139,32 @@ void SettingForm::setUsual(const QWidget* field, bool usual)
     // A button that goes takes the keyboard along: the field keeps it.
     if (usual && row.reset->hasFocus())
         row.field->setFocus();
-    row.reset->setVisible(!usual && row.isVisible);
+    row.isUsual = usual;
+    showRow(row);
 }
 
 void SettingForm::setProblem(const QWidget* field, const QString& sentence)
 {
     Row& row = rowOf(field);
     row.problem->setText(sentence);
-    row.problem->setVisible(!sentence.isEmpty() && row.isVisible);
+    showRow(row);
 }
 
 void SettingForm::setRowVisible(const QWidget* field, bool visible)
 {
     Row& row = rowOf(field);
     row.isVisible = visible;
+    showRow(row);
+}
+
+void SettingForm::showRow(const Row& row)
+{
+    const bool visible = row.isVisible && (row.fold == nullptr || row.fold->isChecked());
     if (row.label != nullptr)
         row.label->setVisible(visible);
     row.field->setVisible(visible);
     row.problem->setVisible(visible && !row.problem->text().isEmpty());
-    if (!visible)
-        row.reset->hide();
+    row.reset->setVisible(visible && !row.isUsual);
     // Its place is kept for the button in rows that are seen, not in others.
     QSizePolicy policy = row.reset->sizePolicy();
     policy.setRetainSizeWhenHidden(visible);
@@ -144,6 +175,8 @@ void SettingForm::retranslate()
 {
     for (const auto& [label, text] : m_headings)
         label->setText(text());
+    for (const auto& [fold, text] : m_folds)
+        fold->setText(text());
     for (const Row& row : m_rows) {
         if (row.label != nullptr) {
             row.label->setText(row.text());

@@ -24,6 +24,9 @@ public:
     explicit SettingForm(QWidget* parent = nullptr);
 
     void addHeading(Text text);
+    /// A heading that shows and hides the rows after it, up to the next heading; closed at first.
+    /// \param name  object name of its button.
+    void addFold(const char* name, Text text);
     /// \param name  object name of the field; its button is called the same with "Reset" behind.
     /// \param label  empty: the field says itself what it is, as a check box does.
     /// \param tip  what the setting does, in one sentence.
@@ -46,15 +49,21 @@ private:
         QLabel* problem;
         Text text;
         Text tip;
+        QToolButton* fold = nullptr; ///< that shows and hides it
         bool isVisible = true;
+        bool isUsual = true;
     };
 
+    void addHeadingRow(QWidget* heading);
+    static void showRow(const Row& row);
     Row& rowOf(const QWidget* field);
     void retranslate();
 
     QGridLayout* m_grid;
     std::vector<Row> m_rows;
     std::vector<std::pair<QLabel*, Text>> m_headings;
+    std::vector<std::pair<QToolButton*, Text>> m_folds;
+    QToolButton* m_fold = nullptr; ///< that rows are added to
 };
 
 } // namespace quadrille

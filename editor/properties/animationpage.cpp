@@ -4,67 +4,54 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/commands/animationedits.h"
-#include "editor/commands/projectedits.h"
 #include "editor/documents/animationresult.h"
 
-#include <QComboBox>
-#include <QLineEdit>
 #include <QLocale>
-#include <QPushButton>
 #include <array>
 
 namespace quadrille {
 
 AnimationPage::AnimationPage(EditorContext& context)
-    : m_context(context), m_nameField(new QLineEdit), m_character(new QComboBox), m_open(new QPushButton)
+    : EntryPage(context, {.section = Section::Animations,
+                          .name = "animation",
+                          .workspace = "workspace.animate",
+                          .characterTip = [] { return tr("Whose sequences the animation is made of"); }})
 {
-    m_character->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    addField(
-        "animationName", [] { return tr("Name"); }, m_nameField, [] { return tr("Unique in the project"); });
-    addField(
-        "animationCharacter", [] { return tr("Character"); }, m_character,
-        [] { return tr("Whose sequences the animation is made of"); });
     m_wishes = addFact("animationWishes", [] { return tr("Asked for"); });
     m_finish = addFact("animationFinish", [] { return tr("Afterwards"); });
     m_outcome = addFact("animationOutcome", [] { return tr("Result"); });
-    for (QLabel* fact : {m_wishes, m_finish, m_outcome})
-        fact->setWordWrap(true);
-    addWide("animationOpen", m_open);
-    connect(m_nameField, &QLineEdit::editingFinished, this, [this] {
-        if (!renameEntry(m_context.document, {Section::Animations, m_name}, m_nameField->text()))
-            m_nameField->setText(m_name);
-    });
-    connect(m_character, &QComboBox::textActivated, this, [this](const QString& character) {
-        AnimationEntry after = *m_context.document.animation(m_name);
-        after.character = character.toStdString();
-        setAnimation(m_context.document, m_name, tr("Change the character of “%1”").arg(m_name),
-                     QStringLiteral("character"), std::move(after));
-    });
-    connect(m_open, &QPushButton::clicked, this, [this] {
-        m_context.selection.selectAnimations({m_name});
-        m_context.actions.action(QStringLiteral("workspace.animate"))->trigger();
-    });
+    addOpen();
     connect(&context.animations, &AnimationMedia::changed, this, [this](const QString& name) {
-        if (name == m_name)
+        if (name == entryName())
             m_outcome->setText(outcome());
     });
-    retranslate();
 }
 
 void AnimationPage::show(const QString& name)
 {
-    m_name = name;
-    const AnimationEntry& entry = *m_context.document.animation(name);
-    if (!m_nameField->hasFocus() || !m_nameField->isModified())
-        m_nameField->setText(name);
-    m_character->clear();
-    for (const CharacterEntry& character : m_context.document.project().characters)
-        m_character->addItem(QString::fromStdString(character.name));
-    m_character->setCurrentText(m_context.animations.characterOf(name));
-    setFieldVisible(m_character, m_character->count() > 1);
+    EntryPage::show(name);
+    const AnimationEntry& entry = *context().document.animation(name);
     m_wishes->setText(wishes(entry));
     m_finish->setText(finish(entry));
     m_outcome->setText(outcome());
+}
+
+QString AnimationPage::character() const
+{
+    return context().animations.characterOf(entryName());
+}
+
+void AnimationPage::setCharacter(const QString& character)
+{
+    AnimationEntry after = *context().document.animation(entryName());
+    after.character = character.toStdString();
+    setAnimation(context().document, entryName(), tr("Change the character of “%1”").arg(entryName()),
+                 QStringLiteral("character"), std::move(after));
+}
+
+void AnimationPage::select()
+{
+    context().selection.selectAnimations({entryName()});
 }
 
 QString AnimationPage::wishes(const AnimationEntry& entry) const
@@ -104,17 +91,12 @@ QString AnimationPage::finish(const AnimationEntry& entry) const
 
 QString AnimationPage::outcome() const
 {
-    const auto result = m_context.animations.result(m_name);
+    const auto result = context().animations.result(entryName());
     if (result == nullptr)
         return tr("made when its workspace is open");
     const double seconds = static_cast<double>(result->sequence.frameCount()) / result->sequence.fps;
     return tr("%n frames, %1 s", nullptr, static_cast<int>(result->sequence.frameCount()))
         .arg(QLocale().toString(seconds, 'f', 2));
-}
-
-void AnimationPage::retranslate()
-{
-    m_open->setText(tr("Work on it"));
 }
 
 } // namespace quadrille

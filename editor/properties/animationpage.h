@@ -2,19 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/properties/propertyform.h"
-
-class QComboBox;
-class QLineEdit;
-class QPushButton;
+#include "editor/properties/entrypage.h"
 
 namespace quadrille {
 
 struct AnimationEntry;
-struct EditorContext;
 
-/// What is asked of an animation, in short, and what came out. Its workspace edits it.
-class AnimationPage : public PropertyForm
+class AnimationPage : public EntryPage
 {
     Q_OBJECT
 
@@ -25,19 +19,16 @@ public:
     using QWidget::show;
 
 private:
-    void retranslate() override;
+    QString character() const override;
+    void setCharacter(const QString& character) override;
+    void select() override;
     QString wishes(const AnimationEntry& entry) const;
     QString finish(const AnimationEntry& entry) const;
     QString outcome() const;
 
-    EditorContext& m_context;
-    QString m_name;
-    QLineEdit* m_nameField;
-    QComboBox* m_character;
     QLabel* m_wishes = nullptr;
     QLabel* m_finish = nullptr;
     QLabel* m_outcome = nullptr;
-    QPushButton* m_open;
 };
 
 } // namespace quadrille

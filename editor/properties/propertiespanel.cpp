@@ -92,7 +92,8 @@ void PropertiesPanel::refresh()
             tr("%n sequences", nullptr, static_cast<int>(m_context.selection.sequences().size())));
         m_several->setText(summary());
         m_pages->setCurrentWidget(m_several);
-    } else if (current.section == Section::Characters && document.character(current.name) != nullptr) {
+    } else if ((current.section == Section::Characters || current.section == Section::BodyParts) &&
+               document.character(current.name) != nullptr) {
         show(1, *m_character, current.name, current.name);
     } else if (current.section == Section::Sequences && document.sequence(current.name) != nullptr) {
         show(2, *m_sequence, current.name, current.name);

@@ -2,18 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/properties/propertyform.h"
-
-class QComboBox;
-class QLineEdit;
-class QPushButton;
+#include "editor/properties/entrypage.h"
 
 namespace quadrille {
 
-struct EditorContext;
-
-/// What variations are learned from and what is drawn, in short. Their workspace edits it.
-class VariationPage : public PropertyForm
+class VariationPage : public EntryPage
 {
     Q_OBJECT
 
@@ -24,15 +17,11 @@ public:
     using QWidget::show;
 
 private:
-    void retranslate() override;
-
-    EditorContext& m_context;
-    QString m_name;
-    QLineEdit* m_nameField;
-    QComboBox* m_character;
+    QString character() const override;
+    void setCharacter(const QString& character) override;
+    void select() override;
     QLabel* m_takes = nullptr;
     QLabel* m_samples = nullptr;
-    QPushButton* m_open;
 };
 
 } // namespace quadrille

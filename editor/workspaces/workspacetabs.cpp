@@ -21,6 +21,11 @@ namespace {
 
 /// Of docks below the view, the first time: the view matters more.
 constexpr int lowHeight = 150;
+/// Of docks at the right that have others below them: parts of the window's width, but no less or more than
+/// these pixels.
+constexpr int wideShare = 5;
+constexpr int leastWide = 300;
+constexpr int mostWide = 400;
 /// In windows below this height such docks wait in the menu until somebody wants them.
 constexpr int roomyHeight = 840;
 
@@ -139,6 +144,14 @@ void WorkspaceTabs::arrangeDocks(int index)
         dock->setVisible(dock->property("isShownFirst").toBool() && m_window.height() >= roomyHeight);
         m_window.resizeDocks({dock}, {lowHeight}, Qt::Vertical);
     }
+    const auto lower = std::ranges::find_if(
+        docks, [](const QDockWidget* dock) { return dock->property("isLower").toBool(); });
+    if (lower == docks.end())
+        return;
+    (*lower)->raise();
+    m_window.resizeDocks({docks.front()}, {std::clamp(m_window.width() / wideShare, leastWide, mostWide)},
+                         Qt::Horizontal);
+    m_window.resizeDocks({docks.front(), *lower}, {3, 2}, Qt::Vertical);
 }
 
 QJsonObject WorkspaceTabs::states()

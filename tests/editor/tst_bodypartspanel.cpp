@@ -2,6 +2,15 @@
 // SPDX-License-Identifier: MIT
 // The panel of body parts: what it proposes, shortens, renames and hangs elsewhere.
 #include "bodypartsfixture.h"
+#include "editor/docks/projecttreemodel.h"
+#include "editor/documents/projectpaths.h"
+#include "editor/workspaces/workspacetabs.h"
+#include "model/sample/sample.h"
+
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <QTreeView>
 
 namespace quadrille {
 
@@ -140,6 +149,144 @@ private slots:
         m_window->context().actions.action("workspace.variations")->trigger();
         QTRY_VERIFY(tool().editor().isActive());
         QTRY_COMPARE(viewport().shading(), widgets::Shading::Scalar);
+    }
+
+    void theMenuShowsThatPartsColourTheView()
+    {
+        drawOnArm(0.45F);
+        run("variations.parts.add");
+        QTRY_COMPARE(viewport().shading(), widgets::Shading::Scalar);
+        ActionRegistry& actions = m_window->context().actions;
+        QVERIFY(!actions.action("view.textured")->isChecked());
+        actions.action("view.clay")->trigger();
+        QCOMPARE(viewport().shading(), widgets::Shading::Clay);
+        actions.action("view.textured")->trigger();
+        actions.action("variations.parts.show")->setChecked(false);
+        actions.action("variations.parts.show")->setChecked(true);
+        QTRY_COMPARE(viewport().shading(), widgets::Shading::Scalar);
+        QVERIFY(!actions.action("view.textured")->isChecked());
+        actions.action("workspace.sequences")->trigger();
+        QTRY_VERIFY(actions.action("view.textured")->isChecked());
+    }
+
+    void ofTwoPanelsSideBySideTheOneUsedLastCounts()
+    {
+        auto* parts = test::find<QDockWidget>("bodyPartsDock");
+        auto* samples = test::find<QDockWidget>("samplesDock");
+        samples->raise();
+        QTRY_VERIFY(!tool().editor().isActive());
+        parts->raise();
+        QTRY_VERIFY(tool().editor().isActive());
+        samples->setFloating(true);
+        samples->show();
+        QTRY_VERIFY(!tool().editor().isActive());
+        QVERIFY(parts->isVisible() && samples->isVisible());
+        m_window->context().actions.action("variations.curve.draw")->trigger();
+        QTRY_VERIFY(tool().editor().isActive());
+        key(Qt::Key_Escape);
+        samples->setFloating(false);
+    }
+
+    void howCurvesAreDrawnIsRemembered()
+    {
+        const bool snapped = tool().snaps();
+        test::find<QDoubleSpinBox>("snapRadius")->setValue(3.5);
+        test::find<QDoubleSpinBox>("partOverlap")->setValue(5);
+        tool().setSnaps(!snapped);
+        const Settings::CurveDrawing kept = Settings().curveDrawing();
+        QCOMPARE(kept.snaps, !snapped);
+        QCOMPARE(kept.snapRadius, 0.035);
+        QCOMPARE(kept.overlap, 0.05);
+        m_window->context().settings.setCurveDrawing({});
+    }
+
+    void theProjectTreeTellsOfFaults()
+    {
+        auto* tree = test::find<QTreeView>("projectTree");
+        auto* model = qobject_cast<ProjectTreeModel*>(tree->model());
+        const auto state = [model] {
+            const QModelIndex section = model->indexOf({Section::BodyParts, {}});
+            return model->rowCount(section) == 1
+                       ? std::optional(static_cast<EntryState>(
+                             model->index(0, 0, section).data(ProjectTreeModel::StateRole).toInt()))
+                       : std::nullopt;
+        };
+        QVERIFY(!state());
+        drawOnArm(0.45F);
+        run("variations.parts.add");
+        QCOMPARE(state(), std::optional(EntryState::Fresh));
+        drawOnArm(0.55F);
+        tool().edit("break", "parts", [](BodyPartsEntry& entry) { entry.parts[1].part.curves = {"curve"}; });
+        QCOMPARE(state(), std::optional(EntryState::Failed));
+        history().undo();
+        QCOMPARE(state(), std::optional(EntryState::Fresh));
+    }
+
+    void whatPointersDoIsTimed_data()
+    {
+        QTest::addColumn<QString>("body");
+        for (const char* name : {"sample", "rb_m04"})
+            QTest::newRow(name) << name;
+    }
+
+    /// Prints what each event costs the interface; slower machines fail nothing.
+    void whatPointersDoIsTimed()
+    {
+        QFETCH(QString, body);
+        if (body == "sample") {
+            const auto folder = toPath(m_folder->filePath("sample"));
+            document().load(writeSample(folder, {.textureSize = 64, .takesPerKind = 1}));
+        } else {
+            const QDir data(QString::fromLocal8Bit(QUADRILLE_DATA_DIR "/characters/rb_m04"));
+            if (!data.exists("mesh.obj"))
+                QSKIP("no captures here");
+            Project project;
+            project.characters = {{.name = "rb", .mesh = data.filePath("mesh.obj").toStdString()}};
+            project.sequences.push_back(
+                {.name = "walk", .character = "rb", .source = data.filePath("walk_1.pc2").toStdString()});
+            document().reset(project);
+            test::find<QDockWidget>("bodyPartsDock")->raise();
+            QTRY_VERIFY_WITH_TIMEOUT(tool().surface().graph() != nullptr, 30000);
+            run("variations.parts.propose");
+        }
+        m_window->workspaces().select("variations");
+        test::find<QDockWidget>("bodyPartsDock")->raise();
+        QTRY_VERIFY_WITH_TIMEOUT(tool().surface().graph() != nullptr, 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(tool().cut().parts.parts.size() == 5, 30000);
+        QTRY_VERIFY(tool().editor().isActive() && tool().editor().figure() >= 0);
+        widgets::SurfaceCurveEditor& editor = tool().editor();
+        widgets::SurfaceCurvePart point{PartKind::Point, 0, 0};
+        const auto isNotSeen = [&] {
+            editor.reveal(point);
+            return !editor.isSeen(point);
+        };
+        while (point.curve + 1 < static_cast<int>(editor.curves().size()) && isNotSeen())
+            ++point.curve;
+        QVERIFY(editor.isSeen(point));
+        const QPointF from = *editor.pixelOf(point);
+        const auto timed = [&](const char* what, Qt::MouseButtons buttons) {
+            std::vector<double> costs;
+            for (int step = 1; step <= 24; ++step) {
+                const QPointF to = from + QPointF(0.5 * step, 0.7 * (step % 12));
+                QMouseEvent event(QEvent::MouseMove, to, viewport().view()->mapToGlobal(to), Qt::NoButton,
+                                  buttons, {});
+                QElapsedTimer timer;
+                timer.start();
+                QCoreApplication::sendEvent(viewport().view(), &event);
+                costs.push_back(static_cast<double>(timer.nsecsElapsed()) / 1e6);
+                QCoreApplication::processEvents();
+            }
+            std::ranges::sort(costs);
+            qInfo("%s, %s: median %.1f ms, most %.1f ms", qPrintable(body), what, costs[costs.size() / 2],
+                  costs.back());
+        };
+        timed("pointing", Qt::NoButton);
+        QTest::mousePress(viewport().view(), Qt::LeftButton, {}, from.toPoint());
+        QVERIFY(editor.isDragging());
+        timed("dragging a point", Qt::LeftButton);
+        QTest::mouseRelease(viewport().view(), Qt::LeftButton, {}, from.toPoint());
+        run("variations.curve.draw");
+        timed("drawing", Qt::NoButton);
     }
 
     void aCurveIsDrawnByKeyboard()

@@ -2,22 +2,27 @@
 // SPDX-License-Identifier: MIT
 // Variations of a movement from the choice of takes to the data set.
 #include "editor/commands/projectedits.h"
+#include "editor/docks/projecttreemodel.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/workspaces/variations/latentpanel.h"
 #include "model/project/opensequence.h"
 #include "model/project/rebuild.h"
 #include "variedproject.h"
+#include "widgets/controls/messagestrip.h"
 #include "widgets/graph/linechart.h"
 #include "widgets/latent/latentview.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDirIterator>
+#include <QDoubleSpinBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
 #include <QToolButton>
+#include <QTreeView>
 #include <QTreeWidget>
 #include <memory>
 
@@ -146,6 +151,57 @@ private slots:
         QCOMPARE(chart->series().size(), 2U);
         QCOMPARE(chart->series()[0].points.size(), 20U);
         QCOMPARE(row("warpedTakes", 0)->text(1), "0–19");
+        QCOMPARE(row("trainingTakes", 0)->text(2), "0–19");
+        QVERIFY(row("trainingTakes", 2)->text(2).isEmpty());
+    }
+
+    void settingsForThoseWhoKnowAreFoldedAway()
+    {
+        open();
+        show("learningPanel");
+        auto* tolerance = test::find<QDoubleSpinBox>("learnTolerance");
+        QVERIFY(!tolerance->isVisible());
+        test::find<QToolButton>("learnAdvanced")->click();
+        QTRY_VERIFY(tolerance->isVisible());
+        QCOMPARE(tolerance->value(), 1.0);
+        tolerance->setValue(4);
+        QCOMPARE(entry().learning.tolerance, 4e-6);
+        test::find<QToolButton>("learnToleranceReset")->click();
+        QCOMPARE(entry().learning.tolerance, GpdmSettings().tolerance);
+        test::find<QDoubleSpinBox>("chainLeast")->setValue(99);
+        QCOMPARE(entry().chain.leastAcceptance, entry().chain.greatestAcceptance);
+        test::find<QDoubleSpinBox>("limitVolume")->setValue(5);
+        QCOMPARE(entry().limits.volumeChange, 0.05);
+        test::find<QToolButton>("learnAdvanced")->click();
+        QTRY_VERIFY(!tolerance->isVisible());
+    }
+
+    void limitsAreAskedOfDrawingsAlone()
+    {
+        learn();
+        const auto movement = medium().movement;
+        variation().edit("strict", "limits", [](VariationEntry& after) { after.limits.poseDistance = 1e-6; });
+        QTRY_VERIFY_WITH_TIMEOUT(medium().drawn->at(0).variations.empty(), 30000);
+        QCOMPARE(medium().movement, movement);
+        const DrawnSet& set = medium().drawn->at(0);
+        QVERIFY(set.rejected > 0);
+        QCOMPARE(set.faults[static_cast<std::size_t>(VariationFault::PoseDistance)], set.rejected);
+        QVERIFY(test::find<QLabel>("samplesSummary")->text().contains("3 were asked for"));
+    }
+
+    void theProjectTreeTellsHowFarItIs()
+    {
+        open();
+        auto* model = qobject_cast<ProjectTreeModel*>(test::find<QTreeView>("projectTree")->model());
+        const auto state = [model] {
+            return static_cast<EntryState>(
+                model->indexOf({Section::Variations, "sways"}).data(ProjectTreeModel::StateRole).toInt());
+        };
+        QCOMPARE(state(), EntryState::Stale);
+        action("variations.learn")->trigger();
+        QCOMPARE(state(), EntryState::Computing);
+        QVERIFY(test::waitForVariations(context(), "sways"));
+        QCOMPARE(state(), EntryState::Fresh);
     }
 
     void learningIsStoppedAndBegunAgain()
@@ -171,6 +227,12 @@ private slots:
         QVERIFY(medium().isStopped);
         QVERIFY(medium().parts[0].error);
         QCOMPARE(medium().drawn->at(0).variations.size(), 3U);
+        QVERIFY(test::find<widgets::MessageStrip>("variationsViewMessage")->text().contains("stopped"));
+        // Reading again finds nothing better: the best so far stays.
+        context().variations.readStopped();
+        QCOMPARE(medium().state, State::Opening);
+        QVERIFY(test::waitForVariations(context(), "sways"));
+        QVERIFY(medium().isStopped);
 
         const auto stopped = medium().movement;
         document().undo();

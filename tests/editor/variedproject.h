@@ -46,14 +46,15 @@ inline bool waitForVariations(EditorContext& context, const QString& name)
         60000);
 }
 
-inline bool waitForState(EditorContext& context, const QString& name, VariationMedia::State state)
+inline bool waitForState(EditorContext& context, const QString& name, VariationMedia::State state,
+                         int milliseconds = 60000)
 {
     return QTest::qWaitFor(
         [&] {
             const auto* medium = context.variations.medium(name);
             return medium != nullptr && medium->state == state;
         },
-        60000);
+        milliseconds);
 }
 
 } // namespace quadrille::test

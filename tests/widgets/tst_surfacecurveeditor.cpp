@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 // Curves that are drawn on a surface, and points that are dragged.
 #include "surfacecurvefixture.h"
+#include "widgets/viewport/smoothline.h"
+
+#include <cmath>
 
 using namespace quadrille::test;
 using namespace quadrille::widgets;
@@ -23,7 +26,35 @@ private slots:
     void aDragBesideTheBodyKeepsTheLastPlace();
     void escapeTakesADragBack();
     void pointsBehindTheBodyCannotBeGrabbed();
+    void aLineIsDrawnWithoutTheZigzagOfItsEdges();
 };
+
+void TestSurfaceCurveEditor::aLineIsDrawnWithoutTheZigzagOfItsEdges()
+{
+    std::vector<QVector3D> zigzag;
+    for (int i = 0; i < 12; ++i)
+        zigzag.emplace_back(static_cast<float>(i), i % 2 == 0 ? 0.1F : -0.1F, 0.0F);
+    const auto smooth = withoutZigzag(zigzag, {6}, false);
+    QCOMPARE(smooth.size(), zigzag.size());
+    for (const std::size_t end : {std::size_t{0}, std::size_t{6}, std::size_t{11}})
+        QCOMPARE(smooth[end], zigzag[end]);
+    for (const std::size_t inside : {std::size_t{3}, std::size_t{9}})
+        QVERIFY(std::abs(smooth[inside].y()) < 0.02F);
+    // Places go through a line's own, and a straight line stays straight.
+    const std::vector<QVector3D> straight{{0, 0, 0}, {1, 1, 0}, {2, 2, 0}, {3, 3, 0}};
+    QCOMPARE(smoothPlace(straight, 1, 0.0F, false), straight[1]);
+    QCOMPARE(smoothPlace(straight, 1, 1.0F, false), straight[2]);
+    QVERIFY((smoothPlace(straight, 1, 0.5F, false) - QVector3D(1.5F, 1.5F, 0)).length() < 1e-6F);
+    // A regular ring stays one; only its radius shrinks, without corners.
+    std::vector<QVector3D> ring;
+    for (int i = 0; i < 24; ++i)
+        ring.emplace_back(std::cos(static_cast<float>(i) * 0.2617994F),
+                          std::sin(static_cast<float>(i) * 0.2617994F), 0.0F);
+    const auto round = withoutZigzag(ring, {}, true);
+    for (const QVector3D& place : round)
+        QVERIFY(std::abs(place.length() - round[0].length()) < 1e-5F);
+    QVERIFY(std::abs(smoothPlace(round, 23, 0.5F, true).length() - round[0].length()) < 1e-3F);
+}
 
 void TestSurfaceCurveEditor::whatTheBodyHidesIsNotSeen()
 {

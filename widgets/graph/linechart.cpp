@@ -130,13 +130,18 @@ ChartScale LineChart::xScale() const
 ChartScale LineChart::yScale() const
 {
     const QRectF plot = plotArea();
+    return yScale(plot.bottom(), plot.top());
+}
+
+ChartScale LineChart::yScale(double bottom, double top) const
+{
     std::vector<double> values;
     for (const ChartSeries& series : m_series)
         for (const QPointF& point : series.points)
             if (fits(m_y, point.y()))
                 values.push_back(point.y());
     const auto [low, high] = reach(std::move(values), m_y.isLogarithmic, true);
-    return {low, high, m_y.isLogarithmic, plot.bottom(), plot.top()};
+    return {low, high, m_y.isLogarithmic, bottom, top};
 }
 
 QPointF LineChart::positionOf(const QPointF& value) const

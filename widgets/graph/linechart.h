@@ -86,7 +86,8 @@ private:
     QRectF plotArea() const;
     ChartScale xScale() const;
     ChartScale yScale() const;
-    double leftMargin() const;
+    ChartScale yScale(double bottom, double top) const;
+    std::vector<QPointF> legendPlaces() const;
     std::vector<double> allX() const;
     bool isOnMarker(const QPointF& position) const;
     void moveMarker(double position, bool committed);

@@ -51,18 +51,36 @@ int ticksIn(double pixels, double each)
 
 } // namespace
 
-double LineChart::leftMargin() const
+/// Where each entry of the legend begins: one after the other, in as many rows as that takes.
+std::vector<QPointF> LineChart::legendPlaces() const
 {
-    const QFontMetricsF metrics(font());
-    return std::max(metrics.horizontalAdvance(QStringLiteral("0.0000")), 40.0) + gap;
+    const QFontMetricsF metrics(Theme::tabularFont(font()));
+    std::vector<QPointF> places;
+    QPointF place(gap, gap / 2 + metrics.height() * 1.5 + 2);
+    for (const ChartSeries& series : m_series) {
+        const double width = swatch + gap / 2 + metrics.horizontalAdvance(series.name);
+        if (place.x() > gap && place.x() + width > this->width() - gap)
+            place = {gap, place.y() + metrics.height()};
+        places.push_back(place);
+        place.rx() += width + 2 * gap;
+    }
+    return places;
 }
 
 /// Title and legend above, numbers and title of x below.
 QRectF LineChart::plotArea() const
 {
-    const double line = QFontMetricsF(font()).height();
-    return QRectF(rect()).adjusted(leftMargin() + gap / 2, 2 * line + gap + gap / 2, -2 * gap,
-                                   -(2 * line + gap));
+    const QFontMetricsF metrics(Theme::tabularFont(font()));
+    const double line = metrics.height();
+    const auto places = legendPlaces();
+    const double legend = places.empty() ? 0.0 : places.back().y() - places.front().y();
+    QRectF plot = QRectF(rect()).adjusted(0, 2 * line + gap + gap / 2 + legend, -2 * gap, -(2 * line + gap));
+    const ChartScale y = yScale(plot.bottom(), plot.top());
+    double widest = std::max(metrics.horizontalAdvance(QStringLiteral("0.0000")), 40.0);
+    for (const double tick : chartTicks(y, ticksIn(plot.height(), tickHeight)))
+        widest = std::max(widest, metrics.horizontalAdvance(chartNumber(tick)));
+    plot.setLeft(widest + gap + gap / 2);
+    return plot;
 }
 
 void LineChart::paintEvent(QPaintEvent* /*event*/)
@@ -171,9 +189,11 @@ void LineChart::paintMarker(QPainter& painter) const
 void LineChart::paintLegend(QPainter& painter) const
 {
     const QFontMetricsF metrics(painter.font());
-    double left = gap;
-    const double middle = gap / 2 + metrics.height() * 1.5 + 2;
-    for (const ChartSeries& series : m_series) {
+    const auto places = legendPlaces();
+    for (std::size_t i = 0; i < m_series.size(); ++i) {
+        const ChartSeries& series = m_series[i];
+        double left = places[i].x();
+        const double middle = places[i].y();
         painter.setPen(linePen(series));
         painter.drawLine(QPointF(left, middle), QPointF(left + swatch, middle));
         paintSign(painter, series.sign, {left + swatch / 2, middle}, series.color);
@@ -182,7 +202,6 @@ void LineChart::paintLegend(QPainter& painter) const
         const double room = std::max(width() - left - gap, 0.0);
         painter.drawText(QPointF(left, middle + metrics.ascent() / 2 - metrics.descent() / 2),
                          metrics.elidedText(series.name, Qt::ElideRight, room));
-        left += metrics.horizontalAdvance(series.name) + 2 * gap;
     }
 }
 

@@ -18,6 +18,7 @@ struct LatentPath
     std::vector<QVector3D> points;
     /// How sure the model is at each point, in the unit of the range that colours mean; or none.
     std::vector<double> values;
+    bool isNamed = true; ///< beside its start, where it is no sample
 
     bool operator==(const LatentPath&) const = default;
 };

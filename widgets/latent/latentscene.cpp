@@ -3,11 +3,11 @@
 #include "widgets/latent/latentscene.h"
 
 #include "widgets/theme/theme.h"
+#include "widgets/viewport/scenecamera.h"
 #include "widgets/viewport/vtkbuffers.h"
 
 #include <algorithm>
 #include <vtkActor.h>
-#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -31,8 +31,7 @@ constexpr double cloudOpacity = 0.16;
 
 vtkIdType insert(vtkPoints* points, const QVector3D& point)
 {
-    return points->InsertNextPoint(static_cast<double>(point.x()), static_cast<double>(point.y()),
-                                   static_cast<double>(point.z()));
+    return points->InsertNextPoint(vtkbuffers::xyz(point).data());
 }
 
 void insert(vtkUnsignedCharArray* colors, const QColor& color)
@@ -57,12 +56,6 @@ struct Drawn
     vtkNew<vtkActor> actor;
 };
 
-void set(double (&target)[3], const QVector3D& value)
-{
-    for (int axis = 0; axis < 3; ++axis)
-        target[axis] = static_cast<double>(value[axis]);
-}
-
 } // namespace
 
 struct LatentScene::Private
@@ -75,7 +68,6 @@ struct LatentScene::Private
 
 LatentScene::LatentScene() : d(std::make_unique<Private>())
 {
-    d->renderer->GradientBackgroundOn();
     d->cloud.actor->GetProperty()->SetOpacity(cloudOpacity);
     d->renderer->AddActor(d->axes.actor);
     d->renderer->AddActor(d->cloud.actor);
@@ -91,19 +83,8 @@ void LatentScene::attachTo(vtkRenderWindow* window)
 
 void LatentScene::setCamera(const Turntable& camera)
 {
-    double position[3];
-    double target[3];
-    double up[3];
-    set(position, camera.position());
-    set(target, camera.target);
-    set(up, camera.up());
-    vtkCamera* active = d->renderer->GetActiveCamera();
-    active->SetPosition(position);
-    active->SetFocalPoint(target);
-    active->SetViewUp(up);
-    active->SetViewAngle(static_cast<double>(camera.fieldOfView));
     const auto distance = static_cast<double>(camera.distance);
-    active->SetClippingRange(distance * 0.02, distance * 20.0);
+    lookWith(d->renderer, camera, distance * 0.02, distance * 20.0);
 }
 
 void LatentScene::setPaths(const std::vector<LatentPath>& paths, const ScalarRange* range, double pixels,
@@ -172,10 +153,7 @@ void LatentScene::setAxes(const std::array<QVector3D, 4>& edges, double pixels)
 
 void LatentScene::updateColors()
 {
-    const auto bottom = vtkbuffers::rgb(Theme::color(ColorRole::ViewportBottom));
-    const auto top = vtkbuffers::rgb(Theme::color(ColorRole::ViewportTop));
-    d->renderer->SetBackground(bottom[0], bottom[1], bottom[2]);
-    d->renderer->SetBackground2(top[0], top[1], top[2]);
+    updateBackground(d->renderer);
     const auto axes = vtkbuffers::rgb(Theme::color(ColorRole::TextMuted));
     d->axes.actor->GetProperty()->SetColor(axes[0], axes[1], axes[2]);
 }

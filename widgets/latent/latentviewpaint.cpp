@@ -175,24 +175,26 @@ void LatentView::paintPaths(QPainter& painter) const
     }
     std::vector<QRectF> taken;
     for (const LatentPath& path : d->paths) {
-        if (path.isSample || path.points.empty())
+        if (path.isSample || !path.isNamed || path.points.empty())
             continue;
         const auto start = d->project(path.points.front());
         if (!start)
             continue;
+        constexpr double mark = 14.0; // of the dot that has the line's colour
         QRectF plate(*start + QPointF(9, -metrics.height() - 4),
-                     QSizeF(metrics.horizontalAdvance(path.name) + 8, metrics.height() + 2));
+                     QSizeF(metrics.horizontalAdvance(path.name) + mark + 12, metrics.height() + 4));
+        plate.moveLeft(std::clamp(plate.left(), 2.0, std::max(width() - plate.width() - 2.0, 2.0)));
         const auto isTaken = [&plate](const QRectF& other) { return other.intersects(plate); };
         while (std::any_of(taken.begin(), taken.end(), isTaken))
-            plate.translate(0, metrics.height() + 3);
+            plate.translate(0, metrics.height() + 5);
         taken.push_back(plate);
         painter.setPen(Qt::NoPen);
         painter.setBrush(plateColor());
         painter.drawRoundedRect(plate, 3, 3);
-        painter.setPen(path.color);
-        painter.drawLine(plate.topLeft() + QPointF(1, 2), plate.bottomLeft() + QPointF(1, -2));
+        painter.setBrush(path.color);
+        painter.drawEllipse(QPointF(plate.left() + mark / 2 + 2, plate.center().y()), 4, 4);
         painter.setPen(Theme::color(ColorRole::Text));
-        painter.drawText(plate, Qt::AlignCenter, path.name);
+        painter.drawText(plate.adjusted(mark + 2, 0, -4, 0), Qt::AlignLeft | Qt::AlignVCenter, path.name);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <QStyleFactory>
 #include <QStyleOption>
+#include <QTabBar>
 
 namespace quadrille::widgets {
 
@@ -76,6 +77,15 @@ void OutlineStyle::drawComplexControl(ComplexControl control, const QStyleOption
         return;
     }
     QProxyStyle::drawComplexControl(control, option, painter, widget);
+}
+
+int OutlineStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const
+{
+    constexpr int narrowSpace = 14; // around the words of a tab; Fusion leaves 24
+    return metric == PM_TabBarTabHSpace && qobject_cast<const QTabBar*>(widget) != nullptr &&
+                   widget->inherits("QMainWindowTabBar")
+               ? narrowSpace
+               : QProxyStyle::pixelMetric(metric, option, widget);
 }
 
 int OutlineStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,

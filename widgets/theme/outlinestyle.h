@@ -10,7 +10,7 @@ namespace quadrille::widgets {
 
 /// Fusion with outlines that can be seen: it darkens the window's colour for them, which leaves fields and
 /// check boxes of a dark theme without any. Here they have ColorRole::Line. The buttons of dialogs have no
-/// icons.
+/// icons; the tabs of docks leave room for their words.
 class OutlineStyle : public QProxyStyle
 {
     Q_OBJECT
@@ -21,6 +21,7 @@ public:
                        const QWidget* widget) const override;
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                             const QWidget* widget) const override;
+    int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override;
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                   QStyleHintReturn* result) const override;
 

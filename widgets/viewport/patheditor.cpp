@@ -35,7 +35,7 @@ double distanceToSegment(const QPointF& point, const QPointF& a, const QPointF& 
 } // namespace
 
 PathEditor::PathEditor(Viewport& viewport, QObject* parent)
-    : ViewTool(parent), d(std::make_unique<Private>(*this, viewport))
+    : HandleTool(parent), d(std::make_unique<Private>(*this, viewport))
 {
     d->sampler = [](PathKind, const std::vector<QVector3D>& points) { return points; };
     connect(&Theme::instance(), &Theme::changed, this, &PathEditor::refreshMarks);

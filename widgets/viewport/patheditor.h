@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "widgets/viewport/handletool.h"
 #include "widgets/viewport/pathshape.h"
-#include "widgets/viewport/viewtool.h"
 
 #include <QPointF>
 #include <memory>
@@ -58,7 +58,7 @@ enum class PathEdit
 /// dragged (Shift keeps to an axis, Ctrl snaps to the grid, Alt moves a handle alone, or lifts a point in
 /// space), a double click on the curve inserts a point. Tab walks over everything, arrows move it
 /// (Shift by 1 m, Ctrl by 1 cm), Page Up and Page Down lift, Insert adds, Delete removes, + and − resize.
-class PathEditor : public ViewTool
+class PathEditor : public HandleTool
 {
     Q_OBJECT
 public:
@@ -89,7 +89,8 @@ public:
     /// The height above the ground that the first point gets in space, metres.
     void setUsualHeight(float metres);
     /// Whether something is being dragged.
-    bool isDragging() const;
+    bool isDragging() const override;
+    bool isDrawing() const override;
     /// Where a part is on the view; none when it is not to be seen or not there.
     std::optional<QPointF> pixelOf(const PathPart& part) const;
     /// The part that would be dragged from here.
@@ -101,7 +102,6 @@ public:
     /// Puts the handles of the selected point of a Bézier path onto one line.
     void smoothSelected();
 
-    bool handle(QEvent& event) override;
     void paint(QPainter& painter) const override;
 
 signals:
@@ -123,28 +123,35 @@ signals:
 
 protected:
     void viewChanged() override;
+    bool isReady() const override;
+    bool press(const QMouseEvent& event) override;
+    bool move(const QMouseEvent& event) override;
+    bool release(const QMouseEvent& event) override;
+    bool doubleClick(const QMouseEvent& event) override;
+    void leave() override;
+    bool wantsKey(const QKeyEvent& event) const override;
+    void endDrag(bool commit) override;
+    void leaveDrawing() override;
+    void clearSelection() override;
+    void confirm() override;
+    void insertByKey() override;
+    void askMenuByKey() override;
+    bool removeByKey() override;
+    bool selectNext(int step) override;
+    bool pressOther(const QKeyEvent& event) override;
 
 private:
     struct Private;
     std::unique_ptr<Private> d;
-    bool press(const QMouseEvent& event);
-    bool move(const QMouseEvent& event);
-    bool release(const QMouseEvent& event);
-    bool doubleClick(const QMouseEvent& event);
-    bool pressKey(const QKeyEvent& event);
-    bool wantsKey(const QKeyEvent& event) const;
     void hover(const QMouseEvent& event);
     void addPoint(const QVector3D& place);
     void insertOnCurve(std::size_t anchor, float t, const QVector3D& place);
-    void insertByKey();
-    bool selectNext(int step);
     bool nudge(int key, Qt::KeyboardModifiers modifiers);
     bool resizeSelected(float metres);
     bool deleteSelected();
     void askMenu(const PathPart& part, const QPointF& position, const QPoint& globalPosition);
     void dragTo(const QMouseEvent& event);
     void applyTo(const PathPart& part, const QVector3D& place, bool mirrored, bool committed);
-    void endDrag(bool commit);
     void finishStroke(bool commit);
     void finishObstacle();
     bool finishMode();

@@ -264,15 +264,9 @@ void PathEditor::insertByKey()
 
 bool PathEditor::selectNext(int step)
 {
-    const std::vector<PathPart> parts = d->parts();
-    const auto found = std::find(parts.begin(), parts.end(), d->selected);
-    const auto count = static_cast<int>(parts.size());
-    const int next = found != parts.end() ? static_cast<int>(found - parts.begin()) + step
-                     : step > 0           ? 0
-                                          : count - 1;
-    const bool isInside = next >= 0 && next < count;
-    setSelected(isInside ? parts[static_cast<std::size_t>(next)] : PathPart{});
-    return isInside;
+    const PathPart next = partAfter(d->parts(), d->selected, step);
+    setSelected(next);
+    return next.kind != PathPart::Kind::None;
 }
 
 bool PathEditor::nudge(int key, Qt::KeyboardModifiers modifiers)

@@ -10,8 +10,6 @@ namespace quadrille::widgets {
 
 namespace {
 
-constexpr double dragDistance = 3.0; // pixels
-
 bool isArrow(int key)
 {
     return key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down ||
@@ -43,34 +41,20 @@ Qt::CursorShape PathEditor::Private::cursorFor(const PathPart& part, Mode mode)
     return Qt::ArrowCursor;
 }
 
-bool PathEditor::handle(QEvent& event)
+bool PathEditor::isReady() const
 {
-    if (!d->active)
-        return false;
-    switch (event.type()) {
-    case QEvent::MouseButtonPress:
-        return press(static_cast<QMouseEvent&>(event));
-    case QEvent::MouseMove:
-        return move(static_cast<QMouseEvent&>(event));
-    case QEvent::MouseButtonRelease:
-        return release(static_cast<QMouseEvent&>(event));
-    case QEvent::MouseButtonDblClick:
-        return doubleClick(static_cast<QMouseEvent&>(event));
-    case QEvent::ShortcutOverride:
-        if (!wantsKey(static_cast<QKeyEvent&>(event)))
-            return false;
-        event.accept();
-        return true;
-    case QEvent::KeyPress:
-        return wantsKey(static_cast<QKeyEvent&>(event)) && pressKey(static_cast<QKeyEvent&>(event));
-    case QEvent::Leave:
-        d->pointer.reset();
-        d->hovered = {};
-        emit repaintAsked();
-        return false;
-    default:
-        return false;
-    }
+    return d->active;
+}
+
+bool PathEditor::isDrawing() const
+{
+    return d->mode != Mode::Edit;
+}
+
+void PathEditor::leave()
+{
+    d->pointer.reset();
+    d->hovered = {};
 }
 
 bool PathEditor::press(const QMouseEvent& event)
@@ -137,7 +121,7 @@ bool PathEditor::move(const QMouseEvent& event)
             hover(event);
         return false;
     }
-    if (!d->drag.moved && (event.position() - d->drag.pressedAt).manhattanLength() < dragDistance)
+    if (!d->drag.moved && !isDrag(d->drag.pressedAt, event.position()))
         return true;
     d->drag.moved = true;
     if (d->drag.kind == PathDrag::Kind::Part) {
@@ -176,7 +160,7 @@ bool PathEditor::release(const QMouseEvent& event)
         return true;
     }
     if (!isDragging()) {
-        if (d->clickOnNothing && (event.position() - *d->clickOnNothing).manhattanLength() < dragDistance)
+        if (d->clickOnNothing && !isDrag(*d->clickOnNothing, event.position()))
             setSelected({});
         d->clickOnNothing.reset();
         return false;
@@ -222,23 +206,22 @@ void PathEditor::askMenu(const PathPart& part, const QPointF& position, const QP
 bool PathEditor::wantsKey(const QKeyEvent& event) const
 {
     const bool hasSelection = d->placeOf(d->selected).has_value();
-    const bool isDrawing = d->mode != Mode::Edit;
     switch (event.key()) {
     case Qt::Key_Escape:
-        return isDragging() || hasSelection || isDrawing;
+        return isDragging() || hasSelection || isDrawing();
     case Qt::Key_Menu:
         return hasSelection;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        return isDrawing || hasSelection;
+        return isDrawing() || hasSelection;
     case Qt::Key_Insert:
-        return isDrawing || !d->shape.points.empty();
+        return isDrawing() || !d->shape.points.empty();
     case Qt::Key_Tab:
     case Qt::Key_Backtab:
         return !d->parts().empty();
     case Qt::Key_Delete:
     case Qt::Key_Backspace:
-        return hasSelection || (isDrawing && !d->drawnPoints().empty());
+        return hasSelection || (isDrawing() && !d->drawnPoints().empty());
     case Qt::Key_Plus:
     case Qt::Key_Equal:
     case Qt::Key_Minus:
@@ -248,47 +231,45 @@ bool PathEditor::wantsKey(const QKeyEvent& event) const
     }
 }
 
-bool PathEditor::pressKey(const QKeyEvent& event)
+void PathEditor::leaveDrawing()
+{
+    setMode(Mode::Edit);
+}
+
+void PathEditor::clearSelection()
+{
+    setSelected({});
+}
+
+void PathEditor::confirm()
+{
+    if (!finishMode())
+        emit activated(d->selected);
+}
+
+void PathEditor::askMenuByKey()
+{
+    if (const auto pixel = pixelOf(d->selected))
+        askMenu(d->selected, *pixel, d->viewport.mapToGlobal(pixel->toPoint()));
+}
+
+bool PathEditor::removeByKey()
+{
+    if (d->mode != Mode::Draw || isDragging())
+        return deleteSelected();
+    // Takes back the last point, as drawing programs do.
+    const std::size_t anchors = anchorCount(d->shape.kind, d->shape.points.size());
+    d->firstPoint.reset();
+    if (anchors > 0)
+        emit pointsEdited(removedAnchor(d->shape.kind, d->shape.points, anchors - 1), PathEdit::Delete, true);
+    emit repaintAsked();
+    return true;
+}
+
+bool PathEditor::pressOther(const QKeyEvent& event)
 {
     constexpr float radiusStep = 0.05F; // metres
     switch (event.key()) {
-    case Qt::Key_Escape:
-        if (isDragging())
-            endDrag(false);
-        else if (d->mode != Mode::Edit)
-            setMode(Mode::Edit);
-        else
-            setSelected({});
-        return true;
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-        if (!finishMode())
-            emit activated(d->selected);
-        return true;
-    case Qt::Key_Insert:
-        insertByKey();
-        return true;
-    case Qt::Key_Menu:
-        if (const auto pixel = pixelOf(d->selected))
-            askMenu(d->selected, *pixel, d->viewport.mapToGlobal(pixel->toPoint()));
-        return true;
-    case Qt::Key_Tab:
-        return selectNext(1);
-    case Qt::Key_Backtab:
-        return selectNext(-1);
-    case Qt::Key_Delete:
-    case Qt::Key_Backspace:
-        if (d->mode == Mode::Draw && !isDragging()) {
-            // Takes back the last point, as drawing programs do.
-            const std::size_t anchors = anchorCount(d->shape.kind, d->shape.points.size());
-            d->firstPoint.reset();
-            if (anchors > 0)
-                emit pointsEdited(removedAnchor(d->shape.kind, d->shape.points, anchors - 1),
-                                  PathEdit::Delete, true);
-            emit repaintAsked();
-            return true;
-        }
-        return deleteSelected();
     case Qt::Key_Plus:
     case Qt::Key_Equal:
         return resizeSelected(radiusStep);

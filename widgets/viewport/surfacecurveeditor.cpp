@@ -13,7 +13,7 @@
 namespace quadrille::widgets {
 
 SurfaceCurveEditor::SurfaceCurveEditor(Viewport& viewport, QObject* parent)
-    : ViewTool(parent), d(std::make_unique<Private>(*this, viewport))
+    : HandleTool(parent), d(std::make_unique<Private>(*this, viewport))
 {
     connect(&Theme::instance(), &Theme::changed, this, &SurfaceCurveEditor::repaintAsked);
     connect(&viewport, &Viewport::figureChanged, this, [this](int figure) {

@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "widgets/viewport/handletool.h"
 #include "widgets/viewport/showncurve.h"
-#include "widgets/viewport/viewtool.h"
 
 #include <memory>
 #include <optional>
-
-class QKeyEvent;
-class QMouseEvent;
 
 namespace quadrille::widgets {
 
@@ -23,7 +20,7 @@ namespace quadrille::widgets {
 /// Delete removes it, or the curve that is selected. By keyboard: Tab walks over all points, arrows move the
 /// selected one to the next vertex that way; while drawing, arrows move a cursor over the surface (Shift by
 /// five vertices) and Insert adds a point there.
-class SurfaceCurveEditor : public ViewTool
+class SurfaceCurveEditor : public HandleTool
 {
     Q_OBJECT
 public:
@@ -58,7 +55,8 @@ public:
     Mode mode() const;
     void setSelected(const SurfaceCurvePart& part);
     const SurfaceCurvePart& selected() const;
-    bool isDragging() const;
+    bool isDragging() const override;
+    bool isDrawing() const override;
     /// Where a point is on the view, also behind the body; none where it is not there.
     std::optional<QPointF> pixelOf(const SurfaceCurvePart& part) const;
     /// Whether a point is on the side of the figure that is seen.
@@ -70,7 +68,6 @@ public:
     /// What Delete does, for menus.
     void removeSelected();
 
-    bool handle(QEvent& event) override;
     void paint(QPainter& painter) const override;
 
 signals:
@@ -96,24 +93,31 @@ signals:
 
 protected:
     void viewChanged() override;
+    bool isReady() const override;
+    bool press(const QMouseEvent& event) override;
+    bool move(const QMouseEvent& event) override;
+    bool release(const QMouseEvent& event) override;
+    bool doubleClick(const QMouseEvent& event) override;
+    void leave() override;
+    bool wantsKey(const QKeyEvent& event) const override;
+    void endDrag(bool commit) override;
+    void leaveDrawing() override;
+    void clearSelection() override;
+    void confirm() override;
+    void insertByKey() override;
+    void askMenuByKey() override;
+    bool removeByKey() override;
+    bool selectNext(int step) override;
+    bool pressOther(const QKeyEvent& event) override;
 
 private:
     struct Private;
     std::unique_ptr<Private> d;
-    bool press(const QMouseEvent& event);
-    bool move(const QMouseEvent& event);
-    bool release(const QMouseEvent& event);
-    bool doubleClick(const QMouseEvent& event);
-    bool wantsKey(const QKeyEvent& event) const;
-    bool pressKey(const QKeyEvent& event);
     void hover(const QMouseEvent& event);
     void clickWhileDrawing(const QMouseEvent& event);
     void dragTo(const QMouseEvent& event);
-    void endDrag(bool commit);
     void finishDrawing();
     void insertAt(const SurfaceCurvePart& part, const SurfacePlace& place);
-    void insertByKey();
-    bool selectNext(int step);
     void nudge(int key, Qt::KeyboardModifiers modifiers);
     void moveCursor(int key, Qt::KeyboardModifiers modifiers);
 };

@@ -5,6 +5,7 @@
 #include "widgets/viewport/surfacecurveeditor.h"
 #include "widgets/viewport/surfacevisibility.h"
 
+#include <QPolygonF>
 #include <QRectF>
 
 namespace quadrille::widgets {
@@ -51,6 +52,11 @@ struct SurfaceCurveEditor::Private
 
     std::optional<FigureShape> shape() const;
     std::optional<QPointF> project(std::uint32_t vertex) const;
+    /// Where a curve is drawn: smoother than from vertex to vertex, through its points all the same.
+    std::vector<QVector3D> linePlaces(const std::vector<std::uint32_t>& vertices,
+                                      const std::vector<std::size_t>& fixed, bool isClosed) const;
+    /// From a place of such a line to the next, on the view; empty behind the camera.
+    QPolygonF pieceOf(const std::vector<QVector3D>& line, std::size_t index, bool isClosed) const;
     /// \pre the part is there.
     std::uint32_t vertexOf(const SurfaceCurvePart& part) const;
     bool isThere(const SurfaceCurvePart& part) const;

@@ -14,8 +14,6 @@ namespace {
 
 using Part = SurfaceCurvePart;
 
-constexpr double dragDistance = 3.0; // pixels
-
 /// Where an arrow key points on the view; null for other keys.
 QPointF directionOf(int key)
 {
@@ -40,35 +38,21 @@ int stepsOf(Qt::KeyboardModifiers modifiers)
 
 } // namespace
 
-bool SurfaceCurveEditor::handle(QEvent& event)
+bool SurfaceCurveEditor::isReady() const
 {
-    if (!d->active || !d->shape())
-        return false;
-    switch (event.type()) {
-    case QEvent::MouseButtonPress:
-        return press(static_cast<QMouseEvent&>(event));
-    case QEvent::MouseMove:
-        return move(static_cast<QMouseEvent&>(event));
-    case QEvent::MouseButtonRelease:
-        return release(static_cast<QMouseEvent&>(event));
-    case QEvent::MouseButtonDblClick:
-        return doubleClick(static_cast<QMouseEvent&>(event));
-    case QEvent::ShortcutOverride:
-        if (!wantsKey(static_cast<QKeyEvent&>(event)))
-            return false;
-        event.accept();
-        return true;
-    case QEvent::KeyPress:
-        return wantsKey(static_cast<QKeyEvent&>(event)) && pressKey(static_cast<QKeyEvent&>(event));
-    case QEvent::Leave:
-        d->hovered = {};
-        if (std::exchange(d->pointer, std::nullopt))
-            emit pointerMoved(std::nullopt);
-        emit repaintAsked();
-        return false;
-    default:
-        return false;
-    }
+    return d->active && d->shape();
+}
+
+bool SurfaceCurveEditor::isDrawing() const
+{
+    return d->mode == Mode::Draw;
+}
+
+void SurfaceCurveEditor::leave()
+{
+    d->hovered = {};
+    if (std::exchange(d->pointer, std::nullopt))
+        emit pointerMoved(std::nullopt);
 }
 
 bool SurfaceCurveEditor::press(const QMouseEvent& event)
@@ -115,7 +99,7 @@ bool SurfaceCurveEditor::move(const QMouseEvent& event)
             hover(event);
         return false;
     }
-    if (d->drag->moved || (event.position() - d->drag->pressedAt).manhattanLength() >= dragDistance) {
+    if (d->drag->moved || isDrag(d->drag->pressedAt, event.position())) {
         d->drag->moved = true;
         dragTo(event);
     }
@@ -170,7 +154,7 @@ bool SurfaceCurveEditor::release(const QMouseEvent& event)
         return true;
     }
     const auto pressed = std::exchange(d->pressedAt, std::nullopt);
-    if (pressed && (event.position() - *pressed).manhattanLength() < dragDistance) {
+    if (pressed && !isDrag(*pressed, event.position())) {
         if (d->mode == Mode::Draw)
             clickWhileDrawing(event);
         else
@@ -253,16 +237,10 @@ void SurfaceCurveEditor::insertByKey()
 
 bool SurfaceCurveEditor::selectNext(int step)
 {
-    const std::vector<Part> parts = d->points();
-    const auto found = std::find(parts.begin(), parts.end(), d->selected);
-    const auto count = static_cast<int>(parts.size());
-    const int next = found != parts.end() ? static_cast<int>(found - parts.begin()) + step
-                     : step > 0           ? 0
-                                          : count - 1;
-    const bool isInside = next >= 0 && next < count;
-    setSelected(isInside ? parts[static_cast<std::size_t>(next)] : Part{});
-    reveal(d->selected);
-    return isInside;
+    const Part next = partAfter(d->points(), d->selected, step);
+    setSelected(next);
+    reveal(next);
+    return next.kind != Part::Kind::None;
 }
 
 void SurfaceCurveEditor::nudge(int key, Qt::KeyboardModifiers modifiers)
@@ -300,73 +278,68 @@ void SurfaceCurveEditor::removeSelected()
 
 bool SurfaceCurveEditor::wantsKey(const QKeyEvent& event) const
 {
-    const bool isDrawing = d->mode == Mode::Draw;
     const bool hasSelection = d->isThere(d->selected);
     const bool hasPoint = hasSelection && d->selected.kind == Part::Kind::Point;
     switch (event.key()) {
     case Qt::Key_Escape:
-        return isDrawing || isDragging() || hasSelection;
+        return isDrawing() || isDragging() || hasSelection;
     case Qt::Key_Return:
     case Qt::Key_Enter:
     case Qt::Key_Delete:
     case Qt::Key_Backspace:
     case Qt::Key_Insert:
-        return isDrawing || hasSelection;
+        return isDrawing() || hasSelection;
     case Qt::Key_Menu:
         return hasSelection;
     case Qt::Key_Tab:
     case Qt::Key_Backtab:
-        return !isDrawing && !d->points().empty();
+        return !isDrawing() && !d->points().empty();
     default:
-        return !directionOf(event.key()).isNull() && (isDrawing || hasPoint) &&
+        return !directionOf(event.key()).isNull() && (isDrawing() || hasPoint) &&
                !event.modifiers().testFlag(Qt::ControlModifier);
     }
 }
 
-bool SurfaceCurveEditor::pressKey(const QKeyEvent& event)
+void SurfaceCurveEditor::leaveDrawing()
 {
-    const bool isDrawing = d->mode == Mode::Draw;
-    switch (event.key()) {
-    case Qt::Key_Escape:
-        if (isDragging())
-            endDrag(false);
-        else if (isDrawing)
-            setMode(Mode::Edit);
-        else
-            setSelected({});
-        return true;
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-        if (isDrawing)
-            finishDrawing();
-        else
-            emit activated(d->selected.curve);
-        return true;
-    case Qt::Key_Delete:
-    case Qt::Key_Backspace:
-        if (isDrawing)
-            emit lastPointRemovalAsked();
-        else
-            removeSelected();
-        return true;
-    case Qt::Key_Insert:
-        insertByKey();
-        return true;
-    case Qt::Key_Menu:
-        if (const auto pixel = pixelOf(d->selected))
-            emit contextMenuAsked(d->selected, d->viewport.mapToGlobal(pixel->toPoint()));
-        return true;
-    case Qt::Key_Tab:
-        return selectNext(1);
-    case Qt::Key_Backtab:
-        return selectNext(-1);
-    default:
-        if (isDrawing)
-            moveCursor(event.key(), event.modifiers());
-        else
-            nudge(event.key(), event.modifiers());
-        return true;
-    }
+    setMode(Mode::Edit);
+}
+
+void SurfaceCurveEditor::clearSelection()
+{
+    setSelected({});
+}
+
+void SurfaceCurveEditor::confirm()
+{
+    if (isDrawing())
+        finishDrawing();
+    else
+        emit activated(d->selected.curve);
+}
+
+void SurfaceCurveEditor::askMenuByKey()
+{
+    if (const auto pixel = pixelOf(d->selected))
+        emit contextMenuAsked(d->selected, d->viewport.mapToGlobal(pixel->toPoint()));
+}
+
+bool SurfaceCurveEditor::removeByKey()
+{
+    if (isDrawing())
+        emit lastPointRemovalAsked();
+    else
+        removeSelected();
+    return true;
+}
+
+bool SurfaceCurveEditor::pressOther(const QKeyEvent& event)
+{
+    if (isDrawing())
+        moveCursor(event.key(), event.modifiers());
+    else
+        nudge(event.key(), event.modifiers());
+    return true;
 }
 
 } // namespace quadrille::widgets

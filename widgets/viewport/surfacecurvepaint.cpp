@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "widgets/theme/theme.h"
+#include "widgets/viewport/smoothline.h"
 #include "widgets/viewport/surfacecurveeditorprivate.h"
 #include "widgets/viewport/toolpaint.h"
 
@@ -34,11 +35,43 @@ void paintBadge(QPainter& painter, const QPointF& at)
 
 } // namespace
 
+std::vector<QVector3D> SurfaceCurveEditor::Private::linePlaces(const std::vector<std::uint32_t>& vertices,
+                                                               const std::vector<std::size_t>& fixed,
+                                                               bool isClosed) const
+{
+    const auto figureShape = shape();
+    if (!figureShape)
+        return {};
+    std::vector<QVector3D> line;
+    line.reserve(vertices.size());
+    for (const std::uint32_t vertex : vertices)
+        line.push_back(figureShape->place(vertex));
+    return withoutZigzag(std::move(line), fixed, isClosed);
+}
+
+QPolygonF SurfaceCurveEditor::Private::pieceOf(const std::vector<QVector3D>& line, std::size_t index,
+                                               bool isClosed) const
+{
+    constexpr int pieces = 4;
+    QPolygonF pixels;
+    for (int piece = 0; piece <= pieces; ++piece) {
+        const float share = static_cast<float>(piece) / pieces;
+        QPointF pixel;
+        if (!owner.camera().project(smoothPlace(line, index, share, isClosed), owner.viewSize(), &pixel))
+            return {};
+        pixels << pixel;
+    }
+    return pixels;
+}
+
 void SurfaceCurveEditor::Private::paintCurve(QPainter& painter, int index) const
 {
     const ShownCurve& curve = curves[static_cast<std::size_t>(index)];
     const auto& visible = seen()[static_cast<std::size_t>(index)];
     const std::size_t count = curve.vertices.size();
+    const std::vector<QVector3D> places = linePlaces(curve.vertices, curve.points, curve.isClosed);
+    if (places.empty())
+        return;
     const bool isDrawn = mode == Mode::Draw && index == drawn;
     // While it is drawn, the piece that closes it is only what would be.
     const std::size_t last = isDrawn && !curve.points.empty() ? curve.points.back() : count;
@@ -47,17 +80,16 @@ void SurfaceCurveEditor::Private::paintCurve(QPainter& painter, int index) const
     std::vector<QPolygonF>* current = nullptr;
     for (std::size_t i = 0; i + (curve.isClosed ? 0 : 1) < count; ++i) {
         const std::size_t next = (i + 1) % count;
-        const auto a = project(curve.vertices[i]);
-        const auto b = project(curve.vertices[next]);
+        const QPolygonF smooth = pieceOf(places, i, curve.isClosed);
         Stretches& piece = i >= last ? closing : stretches;
         auto* wanted = visible[i] && visible[next] ? &piece.seen : &piece.hidden;
-        if (!a || !b) {
+        if (smooth.isEmpty()) {
             current = nullptr;
             continue;
         }
         if (wanted != current)
-            wanted->push_back({*a});
-        wanted->back() << *b;
+            wanted->push_back({smooth.front()});
+        wanted->back() += smooth.mid(1);
         current = wanted;
     }
     const bool isSelected = selected.kind != SurfaceCurvePart::Kind::None && selected.curve == index;
@@ -172,9 +204,9 @@ void SurfaceCurveEditor::Private::paintDrawing(QPainter& painter) const
 {
     const QColor accent = Theme::color(ColorRole::AccentText);
     QPolygonF line;
-    for (const std::uint32_t vertex : preview)
-        if (const auto pixel = project(vertex))
-            line << *pixel;
+    const std::vector<QVector3D> places = linePlaces(preview, {}, false);
+    for (std::size_t i = 0; i + 1 < places.size(); ++i)
+        line += pieceOf(places, i, false);
     if (line.size() > 1)
         paintToolLine(painter, line, accent, 2.0, Qt::DashLine);
     QPointF pixel;
@@ -224,7 +256,7 @@ void SurfaceCurveEditor::paint(QPainter& painter) const
     QRectF all;
     for (const int curve : order)
         all |= d->boxOf(curve);
-    std::vector<QRectF> taken;
+    std::vector<QRectF> taken{occupied()};
     for (const int curve : order)
         d->paintCurve(painter, curve);
     for (const int curve : order)

@@ -96,24 +96,40 @@ void paintNotice(QPainter& painter, const QSizeF& size, const QString& text)
     painter.drawText(inside, Qt::AlignCenter | Qt::TextWordWrap, text);
 }
 
+constexpr double keyPadding = 8.0;
+constexpr double keySide = 12.0; // of a field of colour
+
+double keyRow(const QFontMetricsF& metrics)
+{
+    return metrics.height() + 4.0;
+}
+
+/// With the plate around it.
+QRectF keyPlace(const QFont& font, const QSizeF& size, const ColorKey& key)
+{
+    constexpr double margin = 8.0;
+    const QFontMetricsF metrics(font);
+    double width = metrics.horizontalAdvance(key.title);
+    for (const ColorKey::Item& item : key.items)
+        width = std::max(width, metrics.horizontalAdvance(item.name) + keySide + 8.0);
+    const QSizeF plate(width + 2.0 * keyPadding,
+                       keyRow(metrics) * static_cast<double>(key.items.size() + 1) + 2.0 * keyPadding);
+    return {QPointF(size.width() - plate.width() - margin, margin), plate};
+}
+
 /// Names beside their colours, at the upper right.
 void paintKey(QPainter& painter, const QSizeF& size, const ColorKey& key)
 {
-    constexpr double margin = 16.0;
-    constexpr double side = 12.0; // of a field of colour
-    const QFontMetricsF metrics(painter.font());
-    const double row = metrics.height() + 4.0;
-    double width = metrics.horizontalAdvance(key.title);
-    for (const ColorKey::Item& item : key.items)
-        width = std::max(width, metrics.horizontalAdvance(item.name) + side + 8.0);
-    const QRectF place(size.width() - width - margin, margin, width,
-                       row * static_cast<double>(key.items.size() + 1));
+    constexpr double side = keySide;
+    const double row = keyRow(QFontMetricsF(painter.font()));
+    const QRectF plate = keyPlace(painter.font(), size, key);
     QColor background = Theme::color(ColorRole::Base);
     background.setAlphaF(0.86F);
     painter.setPen(Qt::NoPen);
     painter.setBrush(background);
-    painter.drawRoundedRect(place.adjusted(-8.0, -8.0, 8.0, 8.0), 6.0, 6.0);
-    QRectF line(place.topLeft(), QSizeF(width, row));
+    painter.drawRoundedRect(plate, 6.0, 6.0);
+    QRectF line(plate.topLeft() + QPointF(keyPadding, keyPadding),
+                QSizeF(plate.width() - 2.0 * keyPadding, row));
     painter.setPen(Theme::color(ColorRole::TextMuted));
     painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, key.title);
     for (const ColorKey::Item& item : key.items) {
@@ -201,8 +217,10 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
 {
     QPainter painter(this);
     paintAnnotations(painter, size(), m_annotations);
-    if (m_tool)
-        m_tool->paint(painter);
+    if (!m_tool)
+        return;
+    m_tool->setOccupied(m_annotations.key ? keyPlace(painter.font(), size(), *m_annotations.key) : QRectF());
+    m_tool->paint(painter);
 }
 
 } // namespace quadrille::widgets

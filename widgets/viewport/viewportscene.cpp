@@ -5,12 +5,12 @@
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/groundgrid.h"
 #include "widgets/viewport/markactors.h"
+#include "widgets/viewport/scenecamera.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/vtkbuffers.h"
 
 #include <algorithm>
 #include <vtkActor.h>
-#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCullerCollection.h>
 #include <vtkLight.h>
@@ -38,12 +38,6 @@ vtkSmartPointer<vtkLight> cameraLight(double x, double y, double z, double inten
     light->SetIntensity(intensity);
     light->SetColor(tint.redF(), tint.greenF(), tint.blueF());
     return light;
-}
-
-void set(double (&target)[3], const QVector3D& value)
-{
-    for (int axis = 0; axis < 3; ++axis)
-        target[axis] = static_cast<double>(value[axis]);
 }
 
 } // namespace
@@ -81,7 +75,6 @@ ViewportScene::ViewportScene() : d(std::make_unique<Private>())
     d->renderer->AddLight(cameraLight(1.2, 0.1, 0.7, 0.34, QColor(226, 236, 255)));  // fill
     d->renderer->AddLight(cameraLight(0.4, 1.0, -1.2, 0.55, QColor(255, 255, 255))); // rim
     d->renderer->SetAmbient(1.0, 1.0, 1.0);
-    d->renderer->GradientBackgroundOn();
     d->ground = std::make_unique<GroundGrid>(d->renderer);
     updateColors();
     setCamera(Turntable{});
@@ -97,20 +90,9 @@ void ViewportScene::attachTo(vtkRenderWindow* window)
 void ViewportScene::setCamera(const Turntable& camera)
 {
     d->camera = camera;
-    double position[3];
-    double target[3];
-    double up[3];
-    set(position, camera.position());
-    set(target, camera.target);
-    set(up, camera.up());
-    vtkCamera* active = d->renderer->GetActiveCamera();
-    active->SetPosition(position);
-    active->SetFocalPoint(target);
-    active->SetViewUp(up);
-    active->SetViewAngle(static_cast<double>(camera.fieldOfView));
     const auto distance = static_cast<double>(camera.distance);
     constexpr double beyond = 400.0;
-    active->SetClippingRange(std::max(0.002, distance * 0.02), distance * 4.0 + beyond);
+    lookWith(d->renderer, camera, std::max(0.002, distance * 0.02), distance * 4.0 + beyond);
     d->ground->follow(camera);
     sortGhosts(camera);
 }
@@ -130,10 +112,7 @@ void ViewportScene::sortGhosts(const Turntable& camera)
 
 void ViewportScene::updateColors()
 {
-    const auto bottom = vtkbuffers::rgb(Theme::color(ColorRole::ViewportBottom));
-    const auto top = vtkbuffers::rgb(Theme::color(ColorRole::ViewportTop));
-    d->renderer->SetBackground(bottom[0], bottom[1], bottom[2]);
-    d->renderer->SetBackground2(top[0], top[1], top[2]);
+    updateBackground(d->renderer);
     d->ground->setColors(Theme::color(ColorRole::Grid), Theme::color(ColorRole::AxisX),
                          Theme::color(d->camera.upAxis == UpAxis::Y ? ColorRole::AxisZ : ColorRole::AxisY));
     for (auto& [id, figure] : m_figures)
@@ -215,10 +194,8 @@ void ViewportScene::applyTrajectory(int id)
         return;
     const SceneFigure& figure = m_figures.at(id);
     // A little above the ground, or the grid would flicker through.
-    double place[3];
-    set(place,
-        figure.shift() + (d->camera.upAxis == UpAxis::Y ? QVector3D(0, 0.004F, 0) : QVector3D(0, 0, 0.004F)));
-    line->second.actor->SetPosition(place);
+    const QVector3D above = d->camera.upAxis == UpAxis::Y ? QVector3D(0, 0.004F, 0) : QVector3D(0, 0, 0.004F);
+    line->second.actor->SetPosition(vtkbuffers::xyz(figure.shift() + above).data());
     line->second.actor->SetVisibility(figure.visible && d->trajectoriesVisible ? 1 : 0);
 }
 
@@ -233,11 +210,8 @@ void ViewportScene::setTrajectory(int id, const std::vector<QVector3D>& points, 
     vtkNew<vtkPoints> coordinates;
     vtkNew<vtkCellArray> lines;
     lines->InsertNextCell(static_cast<int>(points.size()));
-    for (const QVector3D& point : points) {
-        double place[3];
-        set(place, point);
-        lines->InsertCellPoint(coordinates->InsertNextPoint(place));
-    }
+    for (const QVector3D& point : points)
+        lines->InsertCellPoint(coordinates->InsertNextPoint(vtkbuffers::xyz(point).data()));
     vtkNew<vtkPolyData> line;
     line->SetPoints(coordinates);
     line->SetLines(lines);

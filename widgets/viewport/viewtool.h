@@ -5,6 +5,7 @@
 #include "widgets/viewport/turntable.h"
 
 #include <QObject>
+#include <QRectF>
 #include <QSizeF>
 
 class QEvent;
@@ -30,6 +31,9 @@ public:
     void setView(const Turntable& camera, const QSizeF& size);
     const Turntable& camera() const { return m_camera; }
     const QSizeF& viewSize() const { return m_size; }
+    /// Where the viewport has written something that words of the tool are not to cover; empty for nothing.
+    void setOccupied(const QRectF& place) { m_occupied = place; }
+    const QRectF& occupied() const { return m_occupied; }
 
 signals:
     /// What paint() draws is out of date.
@@ -42,6 +46,7 @@ protected:
 private:
     Turntable m_camera;
     QSizeF m_size;
+    QRectF m_occupied;
 };
 
 } // namespace quadrille::widgets

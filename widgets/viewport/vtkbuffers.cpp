@@ -40,6 +40,11 @@ void connect(vtkOpenGLPolyDataMapper* mapper, vtkPolyData* surface)
     mapper->ScalarVisibilityOff();
 }
 
+std::array<double, 3> xyz(const QVector3D& place)
+{
+    return {static_cast<double>(place.x()), static_cast<double>(place.y()), static_cast<double>(place.z())};
+}
+
 std::array<double, 3> rgb(const QColor& color)
 {
     return {color.redF(), color.greenF(), color.blueF()};

@@ -23,6 +23,7 @@ void setCells(vtkCellArray* cells, std::span<const std::array<std::uint32_t, 3>>
 /// Lets a mapper show one surface without scalars, quick to update.
 void connect(vtkOpenGLPolyDataMapper* mapper, vtkPolyData* surface);
 std::array<double, 3> rgb(const QColor& color);
+std::array<double, 3> xyz(const QVector3D& place);
 /// Mean of points given as vertices × 3.
 QVector3D mean(std::span<const float> positions);
 

@@ -121,6 +121,7 @@ BlendList::BlendList(CurrentVariation& variation, QWidget* parent)
     for (QComboBox* box : {m_from, m_to}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(5);
+        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         connect(box, &QComboBox::activated, this, &BlendList::refreshAdding);
     }
     auto* row = new QHBoxLayout(m_adding);

@@ -62,7 +62,6 @@ void setValue(QDoubleSpinBox* field, double value)
 BodyPartsPanel::BodyPartsPanel(PartCurveTool& tool, QWidget* parent)
     : QWidget(parent)
     , m_tool(tool)
-    , m_living(&tool)
     , m_pages(new QStackedLayout(this))
     , m_emptyNotice(new MessageStrip)
     , m_notice(new MessageStrip)
@@ -194,7 +193,6 @@ void BodyPartsPanel::connectTool()
     connect(&m_tool, &PartCurveTool::changed, this, &BodyPartsPanel::refresh);
     connect(&m_tool, &PartCurveTool::selectionChanged, this, &BodyPartsPanel::refreshProblem);
     connect(&m_tool, &PartCurveTool::told, this, qOverload<const PartNotice&>(&BodyPartsPanel::show));
-    connect(&m_tool, &PartCurveTool::visibilityAsked, this, &BodyPartsPanel::followVisibility);
     connect(&m_tool, &PartCurveTool::panelAsked, this, [this] { Workspace::showPanel(this); });
     connect(m_offer, &MessageStrip::actionTriggered, actionOf(m_tool, "variations.parts.add"),
             &QAction::trigger);
@@ -305,24 +303,6 @@ void BodyPartsPanel::show(const PartNotice& notice)
         else
             strip->show(notice.kind, notice.sentence, notice.remedy);
     }
-}
-
-void BodyPartsPanel::followVisibility()
-{
-    if (m_living)
-        m_tool.setActive(isVisible() && actionOf(m_tool, "variations.parts.show")->isChecked());
-}
-
-void BodyPartsPanel::showEvent(QShowEvent* event)
-{
-    QWidget::showEvent(event);
-    followVisibility();
-}
-
-void BodyPartsPanel::hideEvent(QHideEvent* event)
-{
-    QWidget::hideEvent(event);
-    followVisibility();
 }
 
 } // namespace quadrille

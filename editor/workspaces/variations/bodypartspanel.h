@@ -4,7 +4,6 @@
 
 #include "editor/workspaces/variations/partcurvetool.h"
 
-#include <QPointer>
 #include <QWidget>
 
 class QCheckBox;
@@ -26,10 +25,6 @@ class BodyPartsPanel : public QWidget
 public:
     explicit BodyPartsPanel(PartCurveTool& tool, QWidget* parent = nullptr);
 
-protected:
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
-
 private:
     QWidget* makeEmptyPage();
     QWidget* makeContent();
@@ -42,10 +37,8 @@ private:
     void refreshOffer();
     void show(const PartNotice& notice);
     using QWidget::show;
-    void followVisibility();
 
     PartCurveTool& m_tool;
-    QPointer<PartCurveTool> m_living; ///< a window that is taken apart hides its panels late
     QStackedLayout* m_pages;
     QLabel* m_emptyText;
     QPushButton* m_propose;

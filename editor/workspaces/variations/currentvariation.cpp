@@ -99,8 +99,7 @@ QString CurrentVariation::stateText() const
     case State::Drawing:
         return tr("Drawing variations…");
     case State::Ready:
-        return medium()->isStopped ? tr("Learning was stopped: these are drawn from the best so far.")
-                                   : QString();
+        return medium()->isStopped ? tr("Learning was stopped.") : QString();
     case State::Failed:
         return tr("It did not work.");
     }
@@ -146,11 +145,6 @@ const DrawnSet* CurrentVariation::drawnSet() const
     const auto& sets = *medium()->drawn;
     const auto place = static_cast<std::size_t>(set());
     return place < sets.size() ? &sets[place] : nullptr;
-}
-
-int CurrentVariation::rejectedCount() const
-{
-    return drawnSet() == nullptr ? 0 : drawnSet()->rejected;
 }
 
 std::optional<FrameRange> CurrentVariation::framesUsed() const

@@ -56,8 +56,8 @@ public:
     /// Whether the user took one of them from the view.
     bool isHidden(int inSet) const { return m_hidden.contains(inSet); }
     void setHidden(int inSet, bool hidden);
-    /// Drawings of the set that were not good enough.
-    int rejectedCount() const;
+    /// All that is known of drawing those samples; null before they are drawn.
+    const DrawnSet* drawnSet() const;
     bool isOriginalShown() const { return m_isOriginalShown; }
     void setOriginalShown(bool shown);
     static QColor colorOf(int inSet);
@@ -86,9 +86,10 @@ signals:
     void bodyChanged();
     /// How far learning or drawing is, what was drawn, or which of it is shown is another now.
     void resultChanged();
+    /// A variation of the set was clicked on in the view. \param adds  to those that are selected already.
+    void picked(int inSet, bool adds);
 
 private:
-    const DrawnSet* drawnSet() const;
     /// The timing that the clips in the view have; nothing where it is not known.
     std::optional<TakeWarp> shownWarp() const;
 

@@ -70,12 +70,21 @@ LatentPanel::LatentPanel(CurrentVariation& variation, QWidget* parent)
             askForConfidence();
         });
     m_confidence = makeActionButton(confidence);
+    QAction* whole = variation.context().actions.add(
+        {"variations.frameLatent",
+         [] { return tr("Variations"); },
+         [] { return tr("Show the whole laten&t space"); },
+         [] { return tr("Brings all lines into the view; in the view itself, F does so"); },
+         "frameall",
+         {}},
+        [this] { m_view->frameAll(); });
     auto* row = new QHBoxLayout;
     row->setContentsMargins(8, 4, 8, 4);
     row->setSpacing(4);
     row->addWidget(m_part);
     row->addStretch(1);
     row->addWidget(m_confidence);
+    row->addWidget(makeActionButton(whole));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -142,11 +151,13 @@ std::vector<LatentPath> LatentPanel::paths(const PartProgress& part) const
     for (std::size_t take = 0; take < spans.size(); ++take) {
         if (spans[take].last() >= part.state.latents.rows())
             break;
+        // Blends that are learned, too, are many: they say what they are when pointed at.
         LatentPath path{.name = QString::fromStdString(movement->take(take).name),
                         .color = take < movement->capturedCount()
                                      ? widgets::Theme::categorical(firstTakeColor + static_cast<int>(take))
                                      : widgets::Theme::color(widgets::ColorRole::TextMuted),
-                        .points = placesOf(part.state.latents, spans[take].first, spans[take].count)};
+                        .points = placesOf(part.state.latents, spans[take].first, spans[take].count),
+                        .isNamed = take < movement->capturedCount()};
         paths.push_back(std::move(path));
     }
     for (const DrawnVariation& drawn : m_variation.drawn()) {

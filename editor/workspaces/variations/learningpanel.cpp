@@ -7,19 +7,15 @@
 #include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/currentvariation.h"
+#include "editor/workspaces/variations/learningsettings.h"
 #include "widgets/graph/linechart.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
-#include <QScopedValueRollback>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -40,6 +36,9 @@ enum Column
 };
 
 constexpr double millimetres = 1000;
+constexpr int partsHeight = 170; // pixels, as proportions
+constexpr int chartHeight = 150;
+constexpr int settingsHeight = 150;
 
 QString millimetresText(std::optional<double> metres)
 {
@@ -95,15 +94,11 @@ LearningPanel::LearningPanel(CurrentVariation& variation, QWidget* parent)
     , m_state(new QLabel)
     , m_parts(new QTreeWidget)
     , m_chart(new widgets::LineChart)
-    , m_form(new SettingForm)
 {
     setObjectName(QStringLiteral("learningPanel"));
     setHelpPage(this, QStringLiteral("variations"));
     arrangeWidgets();
-    addLearning();
-    addDrawing();
     connect(m_parts, &QTreeWidget::currentItemChanged, this, &LearningPanel::refreshChart);
-    connect(&variation, &CurrentVariation::changed, this, &LearningPanel::refreshSettings);
     connect(&variation, &CurrentVariation::resultChanged, this, [this] {
         refreshParts();
         refreshChart();
@@ -117,7 +112,6 @@ LearningPanel::LearningPanel(CurrentVariation& variation, QWidget* parent)
         m_parts->setAccessibleName(tr("Parts"));
         m_chart->setAxes({tr("Iteration"), {}}, {tr("Objective"), {}});
         m_chart->setEmptyText(tr("What is minimised shows here while it is learned."));
-        refreshSettings();
         refreshParts();
         refreshChart();
     });
@@ -156,160 +150,16 @@ void LearningPanel::arrangeWidgets()
     upperColumn->addLayout(row);
     upperColumn->addWidget(m_state);
     upperColumn->addWidget(m_parts, 1);
-    auto* scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(m_form);
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->setChildrenCollapsible(false);
-    for (QWidget* part : std::initializer_list<QWidget*>{upper, m_chart, scroll})
+    for (QWidget* part : std::initializer_list<QWidget*>{upper, m_chart, new LearningSettings(m_variation)})
         splitter->addWidget(part);
+    // Parts first, then how far they are; settings are seldom touched.
+    splitter->setStretchFactor(0, 1);
+    splitter->setSizes({partsHeight, chartHeight, settingsHeight});
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(splitter);
-}
-
-void LearningPanel::addNumber(const Number& number)
-{
-    auto* field = new QDoubleSpinBox;
-    field->setDecimals(number.decimals);
-    field->setRange(number.lowest, number.highest);
-    field->setSingleStep(number.step);
-    field->setKeyboardTracking(false);
-    field->setGroupSeparatorShown(true);
-    field->setAlignment(Qt::AlignRight);
-    field->setFocusPolicy(Qt::StrongFocus);
-    const auto set = [this, number](double value) {
-        if (m_isShowing || m_variation.entry() == nullptr)
-            return;
-        m_variation.edit(tr("Set “%1”").arg(number.label()), QLatin1String(number.name),
-                         [&](VariationEntry& entry) { number.set(entry, value); });
-    };
-    connect(field, &QDoubleSpinBox::valueChanged, this, set);
-    m_form->add(number.name, number.label, number.tip, field,
-                [set, get = number.get] { set(get(VariationEntry())); });
-    m_bindings.push_back(
-        {field, [field, get = number.get](const VariationEntry& entry) { field->setValue(get(entry)); },
-         [get = number.get](const VariationEntry& entry) { return get(entry) == get(VariationEntry()); }});
-}
-
-void LearningPanel::addLearning()
-{
-    m_form->addHeading([] { return tr("Learning"); });
-    addNumber(
-        {"learnDimensions", [] { return tr("Dimensions"); },
-         [] { return tr("Of the latent space: more follow the takes closer and vary less"); },
-         [](const VariationEntry& entry) { return entry.learning.dimensions; },
-         [](VariationEntry& entry, double value) { entry.learning.dimensions = static_cast<int>(value); }, 1,
-         10});
-    addNumber(
-        {"learnRestarts", [] { return tr("Restarts"); },
-         [] { return tr("Starts beyond the first, from disturbed principal components; the best counts"); },
-         [](const VariationEntry& entry) { return entry.learning.restarts; },
-         [](VariationEntry& entry, double value) { entry.learning.restarts = static_cast<int>(value); }, 0,
-         50});
-    addNumber(
-        {"learnSeed", [] { return tr("Seed"); },
-         [] { return tr("Of the restarts: the same seed learns the same"); },
-         [](const VariationEntry& entry) { return static_cast<double>(entry.learning.seed); },
-         [](VariationEntry& entry, double value) { entry.learning.seed = static_cast<std::uint64_t>(value); },
-         1, 999'999});
-    addNumber({"learnShare", [] { return tr("Displacement"); },
-               [] {
-                   return tr("How much the way over the ground counts against the pose: its variance in mean "
-                             "variances of a coordinate");
-               },
-               [](const VariationEntry& entry) { return entry.displacementShare; },
-               [](VariationEntry& entry, double value) { entry.displacementShare = value; }, 0.01, 1000, 1,
-               2});
-}
-
-void LearningPanel::addDrawing()
-{
-    m_form->addHeading([] { return tr("Drawing"); });
-    addNumber({"spread", [] { return tr("Spread"); },
-               [] { return tr("How far variations are apart, as a share of how far the takes are"); },
-               [](const VariationEntry& entry) { return entry.extent.spread; },
-               [](VariationEntry& entry, double value) { entry.extent.spread = value; }, 0, 3, 0.1, 2});
-    addNumber(
-        {"chainSteps", [] { return tr("Leapfrog steps"); },
-         [] { return tr("Of each proposal of Hybrid Monte Carlo: more wander further"); },
-         [](const VariationEntry& entry) { return entry.chain.leapfrogSteps; },
-         [](VariationEntry& entry, double value) { entry.chain.leapfrogSteps = static_cast<int>(value); }, 1,
-         1000});
-    addNumber({"chainBurnIn", [] { return tr("Burn-in"); },
-               [] { return tr("Proposals before the first variation, while the step size is tuned"); },
-               [](const VariationEntry& entry) { return entry.chain.burnIn; },
-               [](VariationEntry& entry, double value) { entry.chain.burnIn = static_cast<int>(value); }, 0,
-               100'000, 10});
-    addNumber({"chainThinning", [] { return tr("Thinning"); },
-               [] { return tr("Proposals from one variation to the next: more are less alike"); },
-               [](const VariationEntry& entry) { return entry.chain.thinning; },
-               [](VariationEntry& entry, double value) { entry.chain.thinning = static_cast<int>(value); }, 1,
-               10'000});
-    auto* draw = new QComboBox;
-    draw->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    draw->addItems({QString(), QString()});
-    const auto set = [this](int index) {
-        if (!m_isShowing && m_variation.entry() != nullptr)
-            m_variation.edit(tr("Change how poses come about"), QStringLiteral("draw"),
-                             [index](VariationEntry& entry) { entry.draw = static_cast<PoseDraw>(index); });
-    };
-    connect(draw, &QComboBox::activated, this, set);
-    m_form->add(
-        "poseDraw", [] { return tr("Poses"); },
-        [] {
-            return tr("The most probable pose of each place in the latent space, or one draw for all frames");
-        },
-        draw, [set] { set(0); });
-    m_bindings.push_back({draw,
-                          [draw](const VariationEntry& entry) {
-                              draw->setItemText(0, tr("Most probable"));
-                              draw->setItemText(1, tr("One draw"));
-                              draw->setCurrentIndex(static_cast<int>(entry.draw));
-                          },
-                          [](const VariationEntry& entry) { return entry.draw == PoseDraw::Mean; }});
-    addContacts();
-}
-
-void LearningPanel::addContacts()
-{
-    auto* correct = new QCheckBox;
-    const auto set = [this](bool on) {
-        if (!m_isShowing && m_variation.entry() != nullptr)
-            m_variation.edit(tr("Change whether standing feet keep still"),
-                             QStringLiteral("correctsContacts"),
-                             [on](VariationEntry& entry) { entry.correctsContacts = on; });
-    };
-    connect(correct, &QCheckBox::toggled, this, set);
-    m_form->add(
-        "drawContacts", {},
-        [] {
-            return tr("Takes slip from feet that touch the ground in the take, before variations are judged");
-        },
-        correct, [set] { set(VariationEntry().correctsContacts); });
-    m_bindings.push_back({correct,
-                          [correct](const VariationEntry& entry) {
-                              correct->setText(tr("Keep standing &feet still"));
-                              correct->setChecked(entry.correctsContacts);
-                          },
-                          [](const VariationEntry& entry) {
-                              return entry.correctsContacts == VariationEntry().correctsContacts;
-                          }});
-}
-
-void LearningPanel::refreshSettings()
-{
-    const QScopedValueRollback showing(m_isShowing, true);
-    const VariationEntry usual;
-    const VariationEntry* entry = m_variation.entry();
-    m_form->setEnabled(entry != nullptr);
-    const VariationEntry& shown = entry == nullptr ? usual : *entry;
-    for (const Binding& binding : m_bindings) {
-        binding.show(shown);
-        m_form->setUsual(binding.field, binding.isUsual(shown));
-    }
 }
 
 void LearningPanel::showPart(QTreeWidgetItem& item, const PartProgress& part)

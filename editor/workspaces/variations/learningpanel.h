@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/fields/settingform.h"
-
 #include <QWidget>
-#include <functional>
-#include <vector>
 
 class QLabel;
 class QTreeWidget;
@@ -16,7 +12,6 @@ namespace quadrille {
 
 class CurrentVariation;
 struct PartProgress;
-struct VariationEntry;
 
 namespace widgets {
 class LineChart;
@@ -32,32 +27,7 @@ public:
     explicit LearningPanel(CurrentVariation& variation, QWidget* parent = nullptr);
 
 private:
-    /// A number of the entry.
-    struct Number
-    {
-        const char* name; ///< object name of the field
-        SettingForm::Text label;
-        SettingForm::Text tip;
-        std::function<double(const VariationEntry&)> get;
-        std::function<void(VariationEntry&, double)> set;
-        double lowest = 0;
-        double highest = 1;
-        double step = 1;
-        int decimals = 0;
-    };
-    struct Binding
-    {
-        QWidget* field;
-        std::function<void(const VariationEntry&)> show;
-        std::function<bool(const VariationEntry&)> isUsual;
-    };
-
     void arrangeWidgets();
-    void addLearning();
-    void addDrawing();
-    void addContacts();
-    void addNumber(const Number& number);
-    void refreshSettings();
     void refreshParts();
     void refreshChart();
     void showPart(QTreeWidgetItem& item, const PartProgress& part);
@@ -66,9 +36,6 @@ private:
     QLabel* m_state;
     QTreeWidget* m_parts;
     widgets::LineChart* m_chart;
-    SettingForm* m_form;
-    std::vector<Binding> m_bindings;
-    bool m_isShowing = false; ///< fields change because of the document
 };
 
 } // namespace quadrille

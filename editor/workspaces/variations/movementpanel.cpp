@@ -8,7 +8,9 @@
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/blendlist.h"
 #include "editor/workspaces/variations/currentvariation.h"
+#include "editor/workspaces/variations/takeuse.h"
 #include "editor/workspaces/view/stageview.h"
+#include "model/variation/movement.h"
 #include "widgets/controls/elidedbutton.h"
 #include "widgets/theme/theme.h"
 
@@ -127,6 +129,7 @@ MovementPanel::MovementPanel(CurrentVariation& variation, QWidget* parent)
         m_variation.context().selection.selectSequences({item->text(takeColumn)});
     });
     connect(&variation, &CurrentVariation::changed, this, &MovementPanel::refresh);
+    connect(&variation, &CurrentVariation::resultChanged, this, &MovementPanel::refreshTakes);
     connect(&variation.context().media, &SequenceMedia::changed, this, &MovementPanel::refreshTakes);
     retranslates(this, [this] {
         m_hint->setText(tr("Check the takes of one kind of movement: they are learned from."));
@@ -211,7 +214,25 @@ void MovementPanel::refreshTakes()
             item->setTextAlignment(number, Qt::AlignRight | Qt::AlignVCenter);
             item->setFont(number, widgets::Theme::tabularFont(font()));
         }
+        showUse(*item);
     }
+}
+
+/// Known once the takes are aligned.
+void MovementPanel::showUse(QTreeWidgetItem& item)
+{
+    const auto movement = m_variation.movement();
+    const std::string name = item.text(takeColumn).toStdString();
+    QString used;
+    QString why;
+    for (std::size_t i = 0; movement != nullptr && i < movement->capturedCount(); ++i) {
+        if (movement->take(i).name != name || item.checkState(takeColumn) != Qt::Checked)
+            continue;
+        used = usedText(movement->take(i).warp.frames);
+        why = useText(movement->alignment.reports[i].use);
+    }
+    item.setText(usedColumn, used);
+    item.setToolTip(usedColumn, why);
 }
 
 void MovementPanel::refresh()

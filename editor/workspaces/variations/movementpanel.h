@@ -32,6 +32,7 @@ private:
     void addSettings();
     void refresh();
     void refreshTakes();
+    void showUse(QTreeWidgetItem& item);
     void choose(QTreeWidgetItem* item);
     void takeTemplate();
     QStringList takesOfCharacter() const;

@@ -67,7 +67,7 @@ void PartCurveTool::makeActions()
                        [] { return tr("Points jump to creases near them, and curves follow them"); },
                        "crease",
                        {}},
-                      m_snaps, [this](bool snaps) { setSnaps(snaps); });
+                      m_drawing.snaps, [this](bool snaps) { setSnaps(snaps); });
     actions.addToggle({"variations.parts.show",
                        [] { return tr("Variations"); },
                        [] { return tr("Sho&w the parts"); },

@@ -60,7 +60,7 @@ std::vector<VertexIndex> PartCurveTool::obstaclesFor(const std::string& curve) c
 std::unique_ptr<PartCurveTool::Route> PartCurveTool::routeOf(const PartCurveEntry* entry, bool snaps) const
 {
     CurveSettings settings;
-    if (!snaps || !m_snaps)
+    if (!snaps || !m_drawing.snaps)
         settings.creases = 0;
     const std::string name = entry != nullptr ? entry->curve.name : std::string();
     auto route = std::make_unique<Route>(
@@ -80,9 +80,9 @@ VertexIndex PartCurveTool::vertexAt(const SurfacePlace& place, const Route& rout
     const auto& weights = place.pick.barycentric;
     const VertexIndex nearest = nearestVertex(*m_shownGraph, TriangleIndex(place.pick.triangle),
                                               {weights[0], weights[1], weights[2]});
-    if (!m_snaps || !place.snaps)
+    if (!m_drawing.snaps || !place.snaps)
         return nearest;
-    const VertexIndex crease = nearestCrease(*m_shownGraph, nearest, m_snapRadius).value_or(nearest);
+    const VertexIndex crease = nearestCrease(*m_shownGraph, nearest, m_drawing.snapRadius).value_or(nearest);
     const auto isIn = [crease](const std::vector<VertexIndex>& vertices) {
         return std::find(vertices.begin(), vertices.end(), crease) != vertices.end();
     };

@@ -129,7 +129,7 @@ void PartCurveTool::propose()
     ProposalSettings settings;
     settings.up = context.document.project().settings.axes.up;
     if (const double height = heightOf(m_shownGraph->pose(), settings.up); height > 0)
-        settings.overlap = m_overlap / height;
+        settings.overlap = m_drawing.overlap / height;
     run(tr("Proposing parts of the body"), tr("Propose parts"),
         [graph = m_shownGraph, topology = sequence->topology, settings](BodyPartsEntry body,
                                                                         const Progress& progress) {
@@ -191,7 +191,7 @@ void PartCurveTool::addPart()
     }
     run(
         tr("Adding a part"), tr("Add a part"),
-        [=, graph = m_shownGraph, metres = m_overlap](BodyPartsEntry body, const Progress&) {
+        [=, graph = m_shownGraph, metres = m_drawing.overlap](BodyPartsEntry body, const Progress&) {
             PartCurveEntry other =
                 secondCurve(graph, body, curve, freeCurveName(body, curve.curve.name), metres);
             quadrille::addPart(body, part, root, parent, {first, other.curve.name});
@@ -208,8 +208,8 @@ void PartCurveTool::addSecondCurve()
         return;
     const std::string name = freeCurveName(m_body, first->curve.name);
     run(tr("Adding a second curve"), tr("Add a second curve"),
-        [curve = *first, name, graph = m_shownGraph, metres = m_overlap](BodyPartsEntry body,
-                                                                         const Progress&) {
+        [curve = *first, name, graph = m_shownGraph, metres = m_drawing.overlap](BodyPartsEntry body,
+                                                                                 const Progress&) {
             body.curves.push_back(secondCurve(graph, body, curve, name, metres));
             return body;
         },
@@ -283,8 +283,8 @@ void PartCurveTool::shorten()
         return;
     run(
         tr("Shortening a curve"), tr("Shorten a curve"),
-        [graph = m_shownGraph, name = curve->curve.name, travel = m_overlap](BodyPartsEntry body,
-                                                                             const Progress&) {
+        [graph = m_shownGraph, name = curve->curve.name, travel = m_drawing.overlap](BodyPartsEntry body,
+                                                                                     const Progress&) {
             PartCurveEntry& own = *findCurve(body, name);
             own.curve.vertices =
                 shortenedCurve(*graph, own.curve.vertices, travel, obstaclesIn(body, {name}));

@@ -15,13 +15,11 @@
 #include "widgets/viewport/vtkview.h"
 
 #include <QAction>
-#include <QTimer>
 #include <algorithm>
 #include <utility>
 
 namespace quadrille {
 
-using widgets::Shading;
 using widgets::ShownCurve;
 using widgets::SurfaceCurveEditor;
 using widgets::SurfaceCurvePart;
@@ -57,6 +55,7 @@ PartCurveTool::PartCurveTool(CurrentVariation& variation, QObject* parent)
     , m_variation(variation)
     , m_surface(new BodySurface(variation, this))
     , m_editor(new SurfaceCurveEditor(variation.view().viewport(), this))
+    , m_drawing(variation.context().settings.curveDrawing())
 {
     m_editor->setActive(false);
     makeActions();
@@ -87,42 +86,36 @@ void PartCurveTool::setActive(bool active)
     m_isActive = active;
     widgets::Viewport& viewport = m_variation.view().viewport();
     m_editor->setActive(active);
-    if (active) {
+    if (active)
         viewport.setViewTool(m_editor);
-        // The view takes its way of shading from the menu when its workspace comes to the front.
-        QTimer::singleShot(0, this, [this, &viewport] {
-            if (!m_isActive)
-                return;
-            if (viewport.shading() != Shading::Scalar)
-                m_shadingBefore = viewport.shading();
-            viewport.setShading(Shading::Scalar);
-        });
-    } else {
-        if (viewport.viewTool() == m_editor)
-            viewport.setViewTool(nullptr);
-        if (const auto before = std::exchange(m_shadingBefore, std::nullopt);
-            before && viewport.shading() == Shading::Scalar)
-            viewport.setShading(*before);
-    }
+    else if (viewport.viewTool() == m_editor)
+        viewport.setViewTool(nullptr);
+    m_variation.view().setColoredByTool(active);
     refresh();
 }
 
 void PartCurveTool::setSnaps(bool snaps)
 {
-    m_snaps = snaps;
+    m_drawing.snaps = snaps;
     m_variation.context().actions.action(QStringLiteral("variations.curve.snap"))->setChecked(snaps);
-    emit changed();
+    keepDrawing();
 }
 
 void PartCurveTool::setSnapRadius(double metres)
 {
-    m_snapRadius = metres;
-    emit changed();
+    m_drawing.snapRadius = metres;
+    keepDrawing();
 }
 
 void PartCurveTool::setOverlap(double metres)
 {
-    m_overlap = metres;
+    m_drawing.overlap = metres;
+    keepDrawing();
+}
+
+void PartCurveTool::keepDrawing()
+{
+    m_variation.context().settings.setCurveDrawing(m_drawing);
     emit changed();
 }
 
@@ -159,6 +152,9 @@ void PartCurveTool::refresh()
         m_drag.reset();
     }
     m_cut = graph ? cutBody(*graph, m_body) : PartCut();
+    m_variation.context().bodies.set(
+        m_variation.character(),
+        m_cut.problems.empty() ? QString() : describe(m_cut.problems.front().error).oneLine());
     const bool isGone =
         (m_selected.kind == PartSelection::Kind::Curve && findCurve(m_body, m_selected.name) == nullptr) ||
         (m_selected.kind == PartSelection::Kind::Part && findPart(m_body, m_selected.name) == nullptr);

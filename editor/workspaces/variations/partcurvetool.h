@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "editor/application/settings.h"
 #include "editor/commands/changeentry.h"
 #include "editor/jobs/job.h"
 #include "editor/workspaces/variations/partcut.h"
@@ -71,13 +72,13 @@ public:
     /// Shows curves and colours in the view, and takes its clicks; so does "variations.parts.show".
     void setActive(bool active);
 
-    bool snaps() const { return m_snaps; }
+    bool snaps() const { return m_drawing.snaps; }
     void setSnaps(bool snaps);
     /// How far a point jumps to a crease, metres.
-    double snapRadius() const { return m_snapRadius; }
+    double snapRadius() const { return m_drawing.snapRadius; }
     void setSnapRadius(double metres);
     /// Between the two curves of a part, metres over the surface.
-    double overlap() const { return m_overlap; }
+    double overlap() const { return m_drawing.overlap; }
     void setOverlap(double metres);
 
     void edit(const QString& text, const QString& property, const Edit& edit,
@@ -118,6 +119,7 @@ private:
     struct Route; ///< a curve while its points are edited
     void makeActions();
     void connectEditor();
+    void keepDrawing();
     void refresh();
     void refreshFigure();
     void frameFigure();
@@ -170,10 +172,7 @@ private:
     std::shared_ptr<const Symmetry> m_symmetry; ///< of m_shownGraph, once it was asked for
     bool m_isActive = false;
     int m_framed = -1; ///< the figure that the view came close to
-    bool m_snaps = true;
-    double m_snapRadius = 0.02;
-    double m_overlap = 0.075;
-    std::optional<widgets::Shading> m_shadingBefore;
+    Settings::CurveDrawing m_drawing;
 };
 
 } // namespace quadrille

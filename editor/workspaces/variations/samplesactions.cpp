@@ -31,6 +31,21 @@ namespace quadrille {
 
 namespace {
 
+/// Why variations were rejected, in the order of the columns; one may have several faults.
+QString faultsText(const DrawnSet& set)
+{
+    QStringList lines;
+    const auto add = [&](VariationFault fault, const QString& text) {
+        if (const int count = set.faults.at(static_cast<std::size_t>(fault)); count > 0)
+            lines += text.arg(count);
+    };
+    add(VariationFault::PoseDistance, SamplesPanel::tr("Rejected, too far from what was learned: %1"));
+    add(VariationFault::FootSkate, SamplesPanel::tr("Rejected, feet slide: %1"));
+    add(VariationFault::Intersections, SamplesPanel::tr("Rejected, the surface goes through itself: %1"));
+    add(VariationFault::Volume, SamplesPanel::tr("Rejected, the body swells or shrinks: %1"));
+    return lines.join(QLatin1Char('\n'));
+}
+
 QIcon swatch(const QColor& color)
 {
     constexpr int side = 12;
@@ -168,11 +183,19 @@ void SamplesPanel::refreshVariations()
     for (std::size_t i = 0; i < drawn.size(); ++i)
         showVariation(*m_variations->topLevelItem(static_cast<int>(i)), drawn[i]);
     const auto discarded = static_cast<int>(std::ranges::count(drawn, true, &DrawnVariation::isDiscarded));
-    m_summary->setText(
-        drawn.empty() ? m_variation.stateText()
-                      : tr("%n drawn, %1 rejected, %2 thrown away", nullptr, static_cast<int>(drawn.size()))
-                            .arg(m_variation.rejectedCount())
-                            .arg(discarded));
+    const auto count = static_cast<int>(drawn.size());
+    const DrawnSet* set = m_variation.drawnSet();
+    QString summary = m_variation.stateText();
+    if (set != nullptr && summary.isEmpty())
+        summary =
+            tr("%n drawn, %1 rejected, %2 thrown away", nullptr, count).arg(set->rejected).arg(discarded);
+    if (set != nullptr && count < m_variation.samples()->count && m_variation.stateText().isEmpty())
+        summary +=
+            QLatin1Char('\n') + tr("Too few were good enough: %1 were asked for. Take another seed, or "
+                                   "more takes; the panel Learning says what is rejected.")
+                                    .arg(m_variation.samples()->count);
+    m_summary->setText(summary);
+    m_summary->setToolTip(set == nullptr ? QString() : faultsText(*set));
     updateActions();
 }
 
@@ -306,7 +329,11 @@ void SamplesPanel::addAsSequences()
 void SamplesPanel::makeClips(std::vector<std::string> clips)
 {
     EditorContext& context = m_variation.context();
-    const JobSettings settings{.name = tr("Making %n clip(s)", nullptr, static_cast<int>(clips.size())),
+    const auto count = static_cast<int>(clips.size());
+    const bool isStopped = m_variation.medium() != nullptr && m_variation.medium()->isStopped;
+    const JobSettings settings{.name = isStopped
+                                           ? tr("Learning to the end, making %n clip(s)", nullptr, count)
+                                           : tr("Making %n clip(s)", nullptr, count),
                                .receiver = this};
     context.jobs.start(
         settings,
@@ -318,7 +345,10 @@ void SamplesPanel::makeClips(std::vector<std::string> clips)
                     throw Error(*stage.error);
             }
         },
-        [&context] { context.media.refresh(); });
+        [&context] {
+            context.media.refresh();
+            context.variations.readStopped();
+        });
 }
 
 bool SamplesPanel::eventFilter(QObject* watched, QEvent* event)

@@ -194,8 +194,15 @@ QWidget* SamplesPanel::makeVariations()
     buttons->setContentsMargins(margin, 0, margin, 4);
     buttons->setSpacing(4);
     for (const char* id :
-         {"variations.keep", "variations.discard", "variations.addSequence", "variations.export"})
-        buttons->addWidget(makeActionButton(actions.action(QLatin1String(id))));
+         {"variations.keep", "variations.discard", "variations.addSequence", "variations.export"}) {
+        QToolButton* button = makeActionButton(actions.action(QLatin1String(id)));
+        // What is done most says its name.
+        if (buttons->count() < 2)
+            button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        buttons->addWidget(button);
+        m_variations->addAction(actions.action(QLatin1String(id)));
+    }
+    m_variations->setContextMenuPolicy(Qt::ActionsContextMenu);
     buttons->addStretch(1);
     auto* page = new QWidget;
     auto* column = new QVBoxLayout(page);
@@ -252,6 +259,15 @@ void SamplesPanel::connectFields()
             m_variation.setHidden(item->data(0, Qt::UserRole).toInt(), item->checkState(0) != Qt::Checked);
     });
     connect(m_variations, &QTreeWidget::itemSelectionChanged, this, &SamplesPanel::updateActions);
+    connect(&m_variation, &CurrentVariation::picked, this, [this](int inSet, bool adds) {
+        QTreeWidgetItem* item = m_variations->topLevelItem(inSet - 1);
+        if (item == nullptr)
+            return;
+        m_variations->setCurrentItem(item, 0,
+                                     adds ? QItemSelectionModel::Toggle | QItemSelectionModel::Rows
+                                          : QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+        m_variations->setFocus();
+    });
 }
 
 void SamplesPanel::editSet(const QString& text, const char* property,

@@ -5,6 +5,7 @@
 #include "editor/application/editorcontext.h"
 #include "editor/errors/errortext.h"
 #include "editor/language/retranslate.h"
+#include "editor/workspaces/panelfront.h"
 #include "editor/workspaces/variations/bodypartspanel.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/latentpanel.h"
@@ -18,7 +19,8 @@
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/theme.h"
 
-#include <QEvent>
+#include <QAction>
+#include <QApplication>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -52,10 +54,22 @@ VariationsWorkspace::VariationsWorkspace(EditorContext& context, QWidget* parent
     makePanels();
     connect(m_variation, &CurrentVariation::changed, this, &VariationsWorkspace::follow);
     connect(m_variation, &CurrentVariation::resultChanged, this, &VariationsWorkspace::followResult);
-    connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this,
-            [this] { m_context.variations.retry(m_variation->name()); });
+    connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this, [this] {
+        const VariationMedia::Medium* medium = m_variation->medium();
+        if (medium != nullptr && medium->isStopped)
+            m_context.variations.learn(m_variation->name());
+        else
+            m_context.variations.retry(m_variation->name());
+    });
     connect(&context.media, &SequenceMedia::changed, this,
             [this](const QString& name) { stage().update(name); });
+    connect(&m_view->viewport(), &widgets::Viewport::picked, this,
+            [this](const widgets::Pick& pick, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
+                for (const DrawnVariation& drawn : m_variation->drawn()) {
+                    if (button == Qt::LeftButton && stage().figureOf(nameOf(drawn)) == pick.figure)
+                        emit m_variation->picked(drawn.inSet, modifiers.testFlag(Qt::ControlModifier));
+                }
+            });
     connect(m_view, &StageView::stageChanged, this,
             [this] { m_view->timeline().setFrameCount(static_cast<int>(stage().frameCount())); });
     retranslates(this, [this] { followResult(); });
@@ -89,13 +103,10 @@ void VariationsWorkspace::makeActions()
 void VariationsWorkspace::makePanels()
 {
     m_panels.push_back({"movementDock", [] { return tr("Movement"); }, new MovementPanel(*m_variation)});
-    m_bodyParts = new BodyPartsPanel(*m_parts);
-    m_bodyParts->installEventFilter(this);
-    m_panels.push_back({"bodyPartsDock", [] { return tr("Body parts"); }, m_bodyParts});
+    auto* bodyParts = new BodyPartsPanel(*m_parts);
+    m_panels.push_back({"bodyPartsDock", [] { return tr("Body parts"); }, bodyParts});
     m_panels.push_back({"learningDock", [] { return tr("Learning"); }, new LearningPanel(*m_variation)});
     auto* samples = new SamplesPanel(*m_variation);
-    m_samples = samples;
-    m_samples->installEventFilter(this);
     m_panels.push_back({"samplesDock", [] { return tr("Samples"); }, samples});
     connect(samples, &SamplesPanel::exportAsked, this,
             [this] { emit exportAsked(QStringLiteral("variations/") + m_variation->name()); });
@@ -106,6 +117,45 @@ void VariationsWorkspace::makePanels()
     Panel warps{"warpDock", [] { return tr("Warps"); }, new WarpPanel(*m_variation)};
     warps.isLower = true;
     m_panels.push_back(std::move(warps));
+    m_bodyPartsFront = new PanelFront(*bodyParts);
+    m_samplesFront = new PanelFront(*samples);
+    followPanels();
+}
+
+void VariationsWorkspace::followPanels()
+{
+    connect(m_bodyPartsFront, &PanelFront::changed, this, &VariationsWorkspace::setCutting);
+    connect(m_samplesFront, &PanelFront::changed, this,
+            [this](bool isInFront) { setCutting(m_bodyPartsFront->isInFront() && !isInFront); });
+    connect(m_parts, &PartCurveTool::panelAsked, this, [this] { setCutting(true); });
+    connect(&m_context.selection, &Selection::changed, this, [this] {
+        const EntryRef& current = m_context.selection.current();
+        if (m_isActive && current.section == Section::BodyParts && !current.name.isEmpty())
+            showPanel(qobject_cast<QWidget*>(m_bodyPartsFront->parent()));
+    });
+    connect(m_parts, &PartCurveTool::visibilityAsked, this, &VariationsWorkspace::showParts);
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget* /*before*/, QWidget* now) {
+        for (const PanelFront* front : {m_bodyPartsFront, m_samplesFront}) {
+            const auto* panel = qobject_cast<QWidget*>(front->parent());
+            if (front->isInFront() && now != nullptr && panel->isAncestorOf(now))
+                setCutting(front == m_bodyPartsFront);
+        }
+    });
+}
+
+void VariationsWorkspace::setCutting(bool cutting)
+{
+    if (cutting == m_isCutting)
+        return;
+    m_isCutting = cutting;
+    showParts();
+    QMetaObject::invokeMethod(this, &VariationsWorkspace::followResult, Qt::QueuedConnection);
+}
+
+void VariationsWorkspace::showParts()
+{
+    m_parts->setActive(m_isCutting &&
+                       m_context.actions.action(QStringLiteral("variations.parts.show"))->isChecked());
 }
 
 std::optional<NamedFrame> VariationsWorkspace::shownPose()
@@ -127,6 +177,8 @@ std::optional<NamedFrame> VariationsWorkspace::shownPose()
 void VariationsWorkspace::setActive(bool active)
 {
     m_isActive = active;
+    if (active && m_context.selection.current().section == Section::BodyParts)
+        showPanel(qobject_cast<QWidget*>(m_bodyPartsFront->parent()));
     follow();
 }
 
@@ -137,27 +189,13 @@ const MeshSequence* VariationsWorkspace::clip(const QString& name)
     if (found != all.end())
         return m_context.variations.clip(m_variation->name(), found->number);
     const MeshSequence* take = m_context.media.sequence(name);
-    if (take == nullptr || all.empty() || isCutting())
+    if (take == nullptr || all.empty() || m_isCutting)
         return take;
     const auto used = m_variation->framesUsed();
     if (!used)
         return take;
     m_original = take->cutTo(*used);
     return &m_original;
-}
-
-/// Curves are drawn on a take: it is what is shown with their panel, unless samples are looked at.
-bool VariationsWorkspace::isCutting() const
-{
-    return m_bodyParts->isVisible() && !m_samples->isVisible();
-}
-
-bool VariationsWorkspace::eventFilter(QObject* watched, QEvent* event)
-{
-    if ((watched == m_bodyParts || watched == m_samples) &&
-        (event->type() == QEvent::Show || event->type() == QEvent::Hide))
-        QMetaObject::invokeMethod(this, &VariationsWorkspace::followResult, Qt::QueuedConnection);
-    return Workspace::eventFilter(watched, event);
 }
 
 /// Takes are aligned and variations drawn only while somebody looks.
@@ -176,7 +214,7 @@ void VariationsWorkspace::followResult()
     const SamplesEntry* set = m_variation->samples();
     const QString take = set == nullptr ? QString() : QString::fromStdString(set->of);
     const std::vector<DrawnVariation> all =
-        isCutting() ? std::vector<DrawnVariation>() : m_variation->drawn();
+        m_isCutting ? std::vector<DrawnVariation>() : m_variation->drawn();
     if (m_variation->isOriginalShown() && !all.empty())
         names += take;
     for (const DrawnVariation& drawn : all) {
@@ -214,6 +252,12 @@ void VariationsWorkspace::showState()
             text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where);
         message.show(widgets::MessageStrip::Kind::Error, sentence, text.remedy);
         message.setAction(tr("Try Again"));
+    } else if (medium != nullptr && medium->isStopped) {
+        message.show(widgets::MessageStrip::Kind::Info,
+                     tr("Learning was stopped: these variations are drawn from the best so far."),
+                     tr("What is exported or added as sequences is learned to the end first, so that the "
+                        "project always makes the same of it."));
+        message.setAction(tr("Learn to the End"));
     } else {
         message.clear();
     }

@@ -8,6 +8,7 @@ namespace quadrille {
 
 class CurrentVariation;
 class LatentPanel;
+class PanelFront;
 class PartCurveTool;
 
 /// The workspace in which movements are learned and natural variations of them are drawn.
@@ -30,9 +31,6 @@ signals:
     /// The user wants the variations "variations/NAME" as a data set.
     void exportAsked(const QString& clip);
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     SequenceStage::Source source();
     void makePanels();
@@ -40,7 +38,9 @@ private:
     /// A variation by the name that the view gives it, a take, or its used frames; null until it is there.
     const MeshSequence* clip(const QString& name);
     void follow();
-    bool isCutting() const;
+    void followPanels();
+    void setCutting(bool cutting);
+    void showParts();
     void followResult();
     void showState();
 
@@ -48,12 +48,15 @@ private:
     StageView* m_view;
     CurrentVariation* m_variation;
     PartCurveTool* m_parts;
-    QWidget* m_bodyParts = nullptr;
-    QWidget* m_samples = nullptr;
+    PanelFront* m_bodyPartsFront = nullptr;
+    PanelFront* m_samplesFront = nullptr;
     LatentPanel* m_latent = nullptr;
     std::vector<Panel> m_panels;
     MeshSequence m_original; ///< the frames used of the take that is varied
     bool m_isActive = false;
+    /// Curves are drawn on a take: it is what is shown with their panel. Where samples are to be seen beside
+    /// it, the panel counts that was used last.
+    bool m_isCutting = false;
     bool m_wasOverlaid = false; ///< once several variations were shown
 };
 

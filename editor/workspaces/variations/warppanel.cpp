@@ -14,9 +14,9 @@
 
 #include <QHeaderView>
 #include <QLocale>
-#include <QSplitter>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace quadrille {
 
@@ -54,14 +54,11 @@ WarpPanel::WarpPanel(CurrentVariation& variation, QWidget* parent)
     m_takes->header()->setStretchLastSection(false);
     m_takes->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_takes->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    auto* splitter = new QSplitter(Qt::Vertical);
-    splitter->setChildrenCollapsible(false);
-    splitter->addWidget(m_chart);
-    splitter->addWidget(m_takes);
-    splitter->setStretchFactor(0, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(splitter);
+    column->setSpacing(0);
+    column->addWidget(m_chart, 1);
+    column->addWidget(m_takes);
     connect(&variation, &CurrentVariation::resultChanged, this, &WarpPanel::refresh);
     connect(&variation.view().player(), &Player::frameChanged, this, &WarpPanel::followPlayer);
     connect(&widgets::Theme::instance(), &widgets::Theme::changed, this, &WarpPanel::refreshChart);
@@ -99,6 +96,11 @@ void WarpPanel::refresh()
             item->setFont(number, widgets::Theme::tabularFont(font()));
         }
     }
+    // The chart gets what the table does not need.
+    constexpr int mostRows = 5;
+    const int rows = std::clamp(m_takes->topLevelItemCount(), 1, mostRows);
+    m_takes->setFixedHeight(m_takes->header()->sizeHint().height() +
+                            rows * std::max(m_takes->sizeHintForRow(0), 16) + 2);
     refreshChart();
 }
 

@@ -202,6 +202,16 @@ void StageView::setLayoutMode(widgets::Viewport::Layout layout)
     m_viewport->frameAll();
 }
 
+void StageView::setColoredByTool(bool colored)
+{
+    if (colored == m_isColoredByTool)
+        return;
+    m_isColoredByTool = colored;
+    if (colored)
+        m_viewport->setShading(widgets::Shading::Scalar);
+    emit coloredByToolChanged();
+}
+
 void StageView::frameCurrent()
 {
     m_viewport->frameFigure(m_stage->figureOf(m_current));

@@ -55,12 +55,16 @@ public:
     void setGhostsShown(bool shown);
     void setLayoutMode(widgets::Viewport::Layout layout);
     void frameCurrent();
+    /// A tool colours figures, whatever the menu says; or does so no longer.
+    void setColoredByTool(bool colored);
+    bool isColoredByTool() const { return m_isColoredByTool; }
 
 signals:
     /// Clips came, went or changed their length; the timeline has not followed yet.
     void stageChanged();
     /// Textures would look alike where figures stand in one place: clay has a colour for each.
     void clayAsked();
+    void coloredByToolChanged();
 
 private:
     void arrangeWidgets();
@@ -84,6 +88,7 @@ private:
     bool m_follows = false;
     bool m_ghostsShown = false;
     bool m_playsWhenReady = false;
+    bool m_isColoredByTool = false;
 };
 
 } // namespace quadrille

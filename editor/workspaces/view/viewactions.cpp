@@ -46,6 +46,7 @@ void ViewActions::setView(StageView* view)
     if (view == nullptr)
         return;
     apply();
+    connect(view, &StageView::coloredByToolChanged, this, &ViewActions::followColors);
     connect(&view->viewport(), &widgets::Viewport::toolChanged, this, [this](Tool tool) {
         m_context.actions.action("view.measure")->setChecked(tool == Tool::Measure);
     });
@@ -61,7 +62,7 @@ bool ViewActions::isOn(const char* id) const
 void ViewActions::apply()
 {
     widgets::Viewport& viewport = m_view->viewport();
-    applyShading();
+    followColors();
     applyComparing();
     viewport.setGridVisible(isOn("view.grid"));
     viewport.setTrajectoriesVisible(isOn("view.trajectory"));
@@ -84,6 +85,25 @@ void ViewActions::applyShading()
         if (isOn(id))
             m_view->viewport().setShading(shading);
     }
+}
+
+/// While a tool colours the view, none of the usual ways is on; one that is chosen then counts.
+void ViewActions::followColors()
+{
+    using Policy = QActionGroup::ExclusionPolicy;
+    if (m_view->isColoredByTool()) {
+        if (QAction* before = m_shading->checkedAction()) {
+            m_shadingBefore = before;
+            m_shading->setExclusionPolicy(Policy::ExclusiveOptional);
+            before->setChecked(false);
+        }
+        return;
+    }
+    m_shading->setExclusionPolicy(Policy::Exclusive);
+    if (m_shadingBefore && m_shading->checkedAction() == nullptr)
+        m_shadingBefore->setChecked(true);
+    m_shadingBefore.clear();
+    applyShading();
 }
 
 void ViewActions::makePlaybackActions()
@@ -134,16 +154,18 @@ void ViewActions::makeShadingActions()
                            ActionRegistry::Text([] { return tr("&Clay"); }),
                            ActionRegistry::Text([] { return tr("&Wireframe"); })};
     const auto view = [] { return tr("View"); };
-    auto* group = new QActionGroup(this);
+    m_shading = new QActionGroup(this);
     for (std::size_t i = 0; i < shadings.size(); ++i) {
         const QString id = QLatin1String(shadings.at(i).first);
-        group->addAction(m_context.actions.addToggle(
+        m_shading->addAction(m_context.actions.addToggle(
             {id, view, texts.at(i), {}, id.section(QLatin1Char('.'), 1), {}}, i == 0, [this](bool on) {
-                if (on && m_view != nullptr)
-                    applyShading();
+                if (!on || m_view == nullptr)
+                    return;
+                m_view->setColoredByTool(false);
+                applyShading();
             }));
     }
-    group->addAction(m_context.actions.addToggle(
+    m_shading->addAction(m_context.actions.addToggle(
         {"view.heatMap",
          view,
          [] { return tr("&Pose distance"); },

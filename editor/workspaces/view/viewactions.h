@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QAction>
 #include <QObject>
 #include <QPointer>
+
+class QActionGroup;
 
 namespace quadrille {
 
@@ -33,9 +36,12 @@ private:
     void apply();
     void applyComparing();
     void applyShading();
+    void followColors();
 
     EditorContext& m_context;
     QPointer<StageView> m_view;
+    QActionGroup* m_shading = nullptr;
+    QPointer<QAction> m_shadingBefore; ///< a tool coloured the view
 };
 
 } // namespace quadrille

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/project.h"
+
+#include <vector>
+
+namespace quadrille {
+
+/// All of a project that takes and their models depend on.
+struct VariationBasis
+{
+    ProjectSettings settings;
+    std::vector<CharacterEntry> characters;
+    std::vector<SequenceEntry> sequences;
+    std::vector<BodyPartsEntry> bodies;
+    VariationEntry entry; ///< without what is drawn
+
+    bool operator==(const VariationBasis&) const = default;
+};
+
+VariationBasis basisOf(const Project& project, const VariationEntry& entry);
+
+/// What is drawn depends on these, besides the models.
+struct VariationDrawing
+{
+    std::vector<SamplesEntry> samples;
+    HmcSettings chain;
+    TrajectoryLimits extent;
+    PoseDraw draw = PoseDraw::Mean;
+    VariationLimits limits;
+    bool correctsContacts = true;
+
+    bool operator==(const VariationDrawing&) const = default;
+};
+
+VariationDrawing drawingOf(const VariationEntry& entry);
+
+} // namespace quadrille
