@@ -3,6 +3,7 @@
 #include "model/synthesis/variedplan.h"
 
 #include "model/core/error.h"
+#include "model/core/smoothing.h"
 #include "model/geometry/procrustes.h"
 #include "model/synthesis/loop.h"
 #include "model/synthesis/rootposes.h"
@@ -79,29 +80,6 @@ GroundMotion layingOnto(Positions varied, Positions captured, std::span<const st
                                 groundAlignment(varied, captured, ground));
 }
 
-/// Values evened out along their order by a Gaussian; beyond both ends they stay as they are there.
-/// \param deviation  of the Gaussian, in values; 0: nothing is changed.
-std::vector<Vec2d> smoothed(const std::vector<Vec2d>& values, double deviation)
-{
-    if (!(deviation > 0))
-        return values;
-    const auto reach = static_cast<std::int64_t>(std::ceil(4 * deviation));
-    const auto last = static_cast<std::int64_t>(values.size()) - 1;
-    std::vector<Vec2d> even;
-    for (std::int64_t i = 0; i <= last; ++i) {
-        Vec2d sum = Vec2d::Zero();
-        double weights = 0;
-        for (std::int64_t k = -reach; k <= reach; ++k) {
-            const double away = static_cast<double>(k) / deviation;
-            const double weight = std::exp(-away * away / 2);
-            sum += weight * values[static_cast<std::size_t>(std::clamp<std::int64_t>(i + k, 0, last))];
-            weights += weight;
-        }
-        even.emplace_back(sum / weights);
-    }
-    return even;
-}
-
 /// A take with the frames of a variation.
 struct VariedTake
 {
@@ -176,7 +154,7 @@ private:
                 m_ground.of(centroid(frameOf(positions, f)) - centroid(captured.positions())));
         }
         const MeshSequence& take = m_character.sequences().front();
-        const std::vector<Vec2d> even = smoothed(deviations, m_settings.wayEvening * take.fps);
+        const std::vector<Vec2d> even = evened(deviations, m_settings.wayEvening * take.fps);
         for (NodeIndex f = 0; f <= last; ++f) {
             const auto at = static_cast<std::size_t>(f);
             moveFrame(frameOf(positions, f), {0, even[at] - deviations[at]}, m_ground);

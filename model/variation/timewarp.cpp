@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/variation/timewarp.h"
 
+#include "model/core/smoothing.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -199,40 +201,6 @@ std::vector<Vec2d> anchorsOf(const std::vector<WarpMatch>& path)
     return anchors;
 }
 
-/// Evens an ascending function out by a Gaussian; continued point-symmetrically, so that ends and order stay.
-std::vector<double> smoothed(const std::vector<double>& values, double deviation)
-{
-    const auto count = static_cast<std::int64_t>(values.size());
-    const auto radius = static_cast<std::int64_t>(std::ceil(3 * deviation));
-    if (radius == 0 || count < 3)
-        return values;
-    const std::int64_t period = 2 * (count - 1);
-    const double rise = 2 * (values.back() - values.front());
-    const auto continued = [&](std::int64_t i) {
-        const std::int64_t turns = i >= 0 ? i / period : -((period - 1 - i) / period);
-        const std::int64_t within = i - turns * period;
-        const double there = within < count
-                                 ? values[static_cast<std::size_t>(within)]
-                                 : 2 * values.back() - values[static_cast<std::size_t>(period - within)];
-        return there + static_cast<double>(turns) * rise;
-    };
-    std::vector<double> result(values.size());
-    for (std::int64_t i = 0; i < count; ++i) {
-        double sum = 0;
-        double weights = 0;
-        for (std::int64_t d = -radius; d <= radius; ++d) {
-            const double z = static_cast<double>(d) / deviation;
-            const double weight = std::exp(-z * z / 2);
-            sum += weight * continued(i + d);
-            weights += weight;
-        }
-        result[static_cast<std::size_t>(i)] = sum / weights;
-    }
-    result.front() = values.front();
-    result.back() = values.back();
-    return result;
-}
-
 } // namespace
 
 WarpPathResult warpWhole(const Table<float>& costs, const WarpSteps& steps)
@@ -270,7 +238,7 @@ TakeWarp warpOf(const std::vector<WarpMatch>& path, double smoothing, FrameIndex
     }
     TakeWarp warp{
         .frames = {FrameIndex(first.value + path.front().take), FrameIndex(first.value + path.back().take)},
-        .positions = smoothed(positions, smoothing),
+        .positions = evened(positions, smoothing),
         .playback = {}};
     warp.playback =
         inverseWarp(warp.positions, static_cast<double>(warp.frames.first.value), warp.frames.count());
