@@ -289,7 +289,7 @@ private:
     void checkExtent(const TrajectoryLimits& extent)
     {
         if (!(extent.spread >= 0 && extent.spread <= greatestSpread))
-            invalid("/sampling/spread", "The spread must be from 0 to 3", "Write 0.5, as usual.");
+            invalid("/sampling/spread", "The spread must be from 0 to 3", "Write 0.7, as usual.");
         if (!(extent.uncertainty > 0 && extent.uncertainty <= 1))
             invalid("/sampling/uncertainty", "The uncertainty must be above 0, and 1 at most",
                     "Write 0.25, as usual.");

@@ -116,7 +116,7 @@ private:
         ResultStage made =
             stage(samplesStageOf(m_name, m_parts[part]), "variations/" + m_name + "/" + m_parts[part]);
         const std::string model = modelStageOf(m_name, m_parts[part]);
-        made.version = 2;
+        made.version = 3;
         made.settings = samplesSettings(m_work->entry());
         made.inputs = {model};
         made.compute = [work = m_work, name = m_parts[part], model](const StageContext& context,
@@ -142,7 +142,7 @@ private:
     ResultStage selection() const
     {
         ResultStage made = stage(selectionStageOf(m_name), "variations/" + m_name);
-        made.version = 3;
+        made.version = 4;
         made.settings = selectionSettings(m_work->entry());
         made.inputs = drawnStages();
         made.compute = [self = *this](const StageContext& context, const Progress& progress) {
@@ -196,7 +196,7 @@ private:
     {
         const std::string name = variationClip(m_name, number);
         ResultStage made = stage(clipStageOf(name), name);
-        made.version = 3;
+        made.version = 4;
         VariationEntry drawn;
         drawn.draw = m_work->entry().draw;
         drawn.correctsContacts = m_work->entry().correctsContacts;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/variation/posespread.h"
 
-#include "model/geometry/procrustes.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -22,22 +20,18 @@ RowMatrix posesOnParent(const PartTraining& training, const BodyPart& part)
     const Eigen::Index coordinates = 3 * std::ssize(part.vertices);
     if (part.overlap.empty())
         return training.rows.leftCols(coordinates);
-    std::vector<double> weights;
-    for (const VertexIndex vertex : part.vertices)
-        weights.push_back(std::ranges::binary_search(part.overlap, vertex) ? 1 : 0);
-    const auto poseOf = [&](const Eigen::RowVectorXd& row) {
-        std::vector<Vec3f> pose(part.vertices.size());
-        partPose({row.data(), static_cast<std::size_t>(row.size())}, pose);
-        return pose;
-    };
-    const std::vector<Vec3f> mean = poseOf(training.mean);
-    RowMatrix rows(training.rows.rows(), coordinates);
+    RowMatrix rows = training.rows.leftCols(coordinates);
     for (Eigen::Index f = 0; f < rows.rows(); ++f) {
-        const std::vector<Vec3f> pose = poseOf(training.rows.row(f) + training.mean);
-        const RigidMotion motion = rigidProcrustes(pose, mean, weights);
-        for (std::size_t v = 0; v < pose.size(); ++v)
-            rows.block<1, 3>(f, 3 * static_cast<Eigen::Index>(v)) =
-                (motion(pose[v].cast<double>()) - mean[v].cast<double>()).transpose();
+        Eigen::RowVector3d shift = Eigen::RowVector3d::Zero();
+        Eigen::Index place = 0;
+        for (const VertexIndex vertex : part.vertices) {
+            if (std::ranges::binary_search(part.overlap, vertex))
+                shift += rows.block<1, 3>(f, 3 * place);
+            ++place;
+        }
+        shift /= static_cast<double>(part.overlap.size());
+        for (Eigen::Index v = 0; v < place; ++v)
+            rows.block<1, 3>(f, 3 * v) -= shift;
     }
     return rows;
 }

@@ -10,9 +10,9 @@
 
 namespace quadrille {
 
-/// The training rows of a part without its displacements, each pose laid rigidly onto the mean pose by what
-/// it shares with its parent: where stitching puts it. Otherwise small turns there, which stitching takes
-/// back, swing a whole limb. Those of the root stay where they are.
+/// The training rows of a part without its displacements, each pose moved so that what it shares with its
+/// parent has the place that it has in the mean pose: stitching puts it there. Those of the root stay where
+/// they are.
 RowMatrix posesOnParent(const PartTraining& training, const BodyPart& part);
 
 /// What a model makes of a latent trajectory.
@@ -39,7 +39,7 @@ public:
     /// two.
     double between(std::span<const PosedTrajectory> trajectories) const;
     /// Between the captured takes. Where there is one, or all are the same, a quarter of how far its frames
-    /// are apart: takes of one movement by one person differ by 0.1 to 0.5 of that.
+    /// are apart.
     double reference() const { return m_reference; }
 
 private:

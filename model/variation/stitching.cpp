@@ -35,6 +35,26 @@ std::vector<Vec3f> gathered(Positions positions, std::span<const std::uint32_t> 
     return chosen;
 }
 
+/// The mean of points that weigh.
+Vec3d weightedMean(std::span<const Vec3f> points, std::span<const double> weights)
+{
+    Vec3d sum = Vec3d::Zero();
+    double total = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        sum += weights[i] * points[i].cast<double>();
+        total += weights[i];
+    }
+    return total > 0 ? Vec3d(sum / total) : sum;
+}
+
+RigidMotion laidBy(ChildLaying laying, std::span<const Vec3f> child, std::span<const Vec3f> parent,
+                   std::span<const double> weights)
+{
+    if (laying == ChildLaying::Rigidly)
+        return rigidProcrustes(child, parent, weights);
+    return {Eigen::Quaterniond::Identity(), weightedMean(parent, weights) - weightedMean(child, weights)};
+}
+
 /// What differs between two instances of an overlap.
 struct OverlapPair
 {
@@ -42,10 +62,11 @@ struct OverlapPair
     std::vector<Vec3f> parent; ///< as given
     RigidMotion ontoParent;    ///< of the child
 
-    OverlapPair(const PartPlan& plan, const PartOverlap& overlap, Positions childPose, Positions parentPose)
+    OverlapPair(const PartPlan& plan, const PartOverlap& overlap, Positions childPose, Positions parentPose,
+                ChildLaying laying)
         : child(gathered(childPose, plan.inPart))
         , parent(gathered(parentPose, plan.inParent))
-        , ontoParent(rigidProcrustes(child, parent, overlap.areas()))
+        , ontoParent(laidBy(laying, child, parent, overlap.areas()))
     {
     }
 
@@ -186,7 +207,7 @@ Stitching::Frame::Frame(const Stitching& stitching, std::span<const Positions> g
     assert(poses.size() == parts.parts.size());
     for (std::size_t p = 1; p < poses.size(); ++p) {
         const auto parent = static_cast<std::size_t>(parts.parts[p].parent);
-        pairs.emplace_back(work.plans[p], work.overlaps[p - 1], poses[p], poses[parent]);
+        pairs.emplace_back(work.plans[p], work.overlaps[p - 1], poses[p], poses[parent], stitching.m_laying);
         placements.push_back(after(placements[parent], pairs.back().ontoParent));
     }
 }
@@ -261,8 +282,9 @@ void Stitching::Frame::place(const std::vector<double>& solution, MutablePositio
 }
 
 Stitching::Stitching(std::shared_ptr<const Topology> topology, BodyParts parts, Positions pose,
-                     std::span<const Positions> shapes)
+                     std::span<const Positions> shapes, ChildLaying laying)
     : m_parts(std::move(parts))
+    , m_laying(laying)
     , m_work(std::make_unique<const Work>(std::move(topology), m_parts, pose, shapes))
 {
 }

@@ -11,8 +11,18 @@
 
 namespace quadrille {
 
+/// How a child is laid onto its parent.
+enum class ChildLaying
+{
+    Rigidly, ///< turned and moved (CVS §6); each part may be anywhere
+    /// Moved alone: all parts have one frame of reference. Where the overlaps of two are turned against each
+    /// other, as those of independent draws are by a few degrees, the turn goes over within the overlap
+    /// instead of swinging the whole limb.
+    Moved,
+};
+
 /// Joins parts of a body that were deformed one by one into one surface without seams (CVS §6): each child is
-/// laid rigidly onto its parent over their overlap, cut from it along the closed curve on which both deviate
+/// laid onto its parent over their overlap, cut from it along the closed curve on which both deviate
 /// least, and merged with it by a Poisson solve. Around the curve the gradients go over from one to the other
 /// within the overlap, so that no crease is left where the two differ. Factorised once for all frames;
 /// immutable, safe from any thread.
@@ -24,7 +34,7 @@ public:
     /// any, all stay as they are given.
     /// \pre The parts are those of the topology, as cutIntoParts makes them.
     Stitching(std::shared_ptr<const Topology> topology, BodyParts parts, Positions pose,
-              std::span<const Positions> shapes = {});
+              std::span<const Positions> shapes = {}, ChildLaying laying = ChildLaying::Rigidly);
     ~Stitching();
 
     const Topology& topology() const;
@@ -39,14 +49,14 @@ public:
     };
 
     /// The curves that are best for all of some frames together, so that nothing jumps between them.
-    /// \param parts  of each part frames × vertices, in BodyPart::vertices' order, metres; each part
-    /// anywhere. \return the same for any number of threads. \throws Error Cancelled. \pre All parts have as
-    /// many frames.
+    /// \param parts  of each part frames × vertices, in BodyPart::vertices' order, metres; where
+    /// the laying says. \return the same for any number of threads. \throws Error Cancelled. \pre All parts
+    /// have as many frames.
     Seams bestSeams(std::span<const Positions> parts, const Progress& progress = {}) const;
 
-    /// One frame. \param poses  of each part its vertices, in BodyPart::vertices' order, metres; each part
-    /// anywhere, the root gives the place. \param seams  of bestSeams. \param out  all vertices of the mesh,
-    /// metres. \pre As many poses as parts.
+    /// One frame. \param poses  of each part its vertices, in BodyPart::vertices' order, metres; where
+    /// the laying says, the root gives the place. \param seams  of bestSeams. \param out  all vertices of the
+    /// mesh, metres. \pre As many poses as parts.
     void stitch(std::span<const Positions> poses, const Seams& seams, MutablePositions out) const;
 
     /// One frame by itself, cut where that is best for it. \return where.
@@ -60,6 +70,7 @@ private:
     Seams cheapestSeams(const EdgeCosts& costs) const;
 
     BodyParts m_parts;
+    ChildLaying m_laying;
     std::unique_ptr<const Work> m_work;
 };
 

@@ -9,7 +9,7 @@ struct TrajectoryLimits
 {
     /// How far they are apart, as a share of how far the captured takes are that the model was learned from:
     /// 0 repeats the take, 1 is as different as the takes. See PoseSpread::reference where there is one take.
-    double spread = 0.5;
+    double spread = 0.7;
     /// Variance of a pose (CVS eq. 13) at most, as a share of what it is where nothing was learned: 0 is
     /// sure, 1 knows nothing. Trajectories with a frame beyond are rejected; where most of them are, the
     /// spread is made smaller.

@@ -78,7 +78,7 @@ LearnedMovement::LearnedMovement(std::shared_ptr<const Movement> movement, std::
     : m_movement(std::move(movement))
     , m_states(std::move(states))
     , m_stitching(m_movement->topology, m_movement->parts, m_movement->alignment.templatePose,
-                  learnedPoses(*m_movement))
+                  learnedPoses(*m_movement), ChildLaying::Moved)
 {
     for (std::size_t p = 0; p < m_states.size(); ++p) {
         const PartTraining& training = m_movement->training.at(p);
