@@ -435,6 +435,13 @@
             <numerusform>Making %n clips</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Learning to the end, making %n clip(s)</source>
+        <translation>
+            <numerusform>Learning to the end, making %n clip</numerusform>
+            <numerusform>Learning to the end, making %n clips</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>quadrille::SequenceCards</name>

@@ -1375,6 +1375,74 @@
     </message>
 </context>
 <context>
+    <name>quadrille::AcrossFields</name>
+    <message>
+        <source>Vary a blend of four</source>
+        <translation>Varier un mélange de quatre</translation>
+    </message>
+    <message>
+        <source>Change the weights of a blend</source>
+        <translation>Changer les poids d’un mélange</translation>
+    </message>
+    <message>
+        <source>Across from the first take</source>
+        <translation>En face de la première prise</translation>
+    </message>
+    <message>
+        <source>The take across from the first: four takes make a square with two weights</source>
+        <translation>La prise en face de la première : quatre prises font un carré à deux poids</translation>
+    </message>
+    <message>
+        <source>Across from the second take</source>
+        <translation>En face de la seconde prise</translation>
+    </message>
+    <message>
+        <source>The take across from the second</source>
+        <translation>La prise en face de la seconde</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Poids</translation>
+    </message>
+    <message>
+        <source>Drag to where variations lie between the four takes; arrows move by 1 %, with Shift by 10 %. Dots are blends that are learned.</source>
+        <translation>Glissez le point là où les variations se tiennent entre les quatre prises ; les flèches le déplacent de 1 %, avec Maj de 10 %. Les points sont des mélanges appris.</translation>
+    </message>
+    <message>
+        <source>Upwards</source>
+        <translation>Vers le haut</translation>
+    </message>
+    <message>
+        <source>Weight of the second pair in percent</source>
+        <translation>Poids de la seconde paire en pour cent</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <comment>percent</comment>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Learn this square</source>
+        <translation>Apprendre ce carré</translation>
+    </message>
+    <message>
+        <source>Learn from blends of the four takes, too: on the edges of the square and inside</source>
+        <translation>Apprendre aussi de mélanges des quatre prises : sur les bords du carré et à l’intérieur</translation>
+    </message>
+    <message>
+        <source>nothing: two takes alone</source>
+        <translation>rien : deux prises seules</translation>
+    </message>
+    <message>
+        <source>Vary a blend of two</source>
+        <translation>Varier un mélange de deux</translation>
+    </message>
+    <message>
+        <source>Learn a square of blends</source>
+        <translation>Apprendre un carré de mélanges</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::ActionForm</name>
     <message>
         <source>Change how often an action is performed</source>
@@ -1686,18 +1754,6 @@
 <context>
     <name>quadrille::AnimationPage</name>
     <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>Unique in the project</source>
-        <translation>Unique dans le projet</translation>
-    </message>
-    <message>
-        <source>Character</source>
-        <translation>Personnage</translation>
-    </message>
-    <message>
         <source>Whose sequences the animation is made of</source>
         <translation>Celui dont les séquences font l’animation</translation>
     </message>
@@ -1785,8 +1841,8 @@
         </translation>
     </message>
     <message>
-        <source>Work on it</source>
-        <translation>Y travailler</translation>
+        <source>repeats varied</source>
+        <translation>reprises variées</translation>
     </message>
 </context>
 <context>
@@ -1890,6 +1946,10 @@
     <message>
         <source>Action lasts</source>
         <translation>Action : durée</translation>
+    </message>
+    <message>
+        <source>Repeats drawn from variations</source>
+        <translation>Reprises tirées de variations</translation>
     </message>
 </context>
 <context>
@@ -2023,6 +2083,11 @@
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1, drawn from %2</source>
+        <comment>frames, a variation</comment>
+        <translation>%1, tiré de %2</translation>
     </message>
 </context>
 <context>
@@ -2457,16 +2522,35 @@
         <translation>Tirage des variations…</translation>
     </message>
     <message>
-        <source>Learning was stopped: these are drawn from the best so far.</source>
-        <translation>L’apprentissage a été arrêté : tirées du meilleur trouvé.</translation>
-    </message>
-    <message>
         <source>It did not work.</source>
         <translation>Cela n’a pas marché.</translation>
     </message>
     <message>
         <source>variations</source>
         <translation>variations</translation>
+    </message>
+    <message>
+        <source>Learning was stopped.</source>
+        <translation>L’apprentissage a été arrêté.</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::EntryPage</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Unique in the project</source>
+        <translation>Unique dans le projet</translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>Personnage</translation>
+    </message>
+    <message>
+        <source>Work on it</source>
+        <translation>Y travailler</translation>
     </message>
 </context>
 <context>
@@ -4178,6 +4262,14 @@
         <source>log₁₀ variance</source>
         <translation>log₁₀ variance</translation>
     </message>
+    <message>
+        <source>Show the whole laten&amp;t space</source>
+        <translation>Montrer tout l’espace laten&amp;t</translation>
+    </message>
+    <message>
+        <source>Brings all lines into the view; in the view itself, F does so</source>
+        <translation>Ramène toutes les lignes dans la vue ; dans la vue même, F le fait</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::LearningPanel</name>
@@ -4237,94 +4329,6 @@
         <source>What is minimised shows here while it is learned.</source>
         <translation>Ce qui est minimisé se voit ici pendant l’apprentissage.</translation>
     </message>
-    <message>
-        <source>Set “%1”</source>
-        <translation>Régler « %1 »</translation>
-    </message>
-    <message>
-        <source>Learning</source>
-        <translation>Apprentissage</translation>
-    </message>
-    <message>
-        <source>Dimensions</source>
-        <translation>Dimensions</translation>
-    </message>
-    <message>
-        <source>Of the latent space: more follow the takes closer and vary less</source>
-        <translation>De l’espace latent : plus il y en a, plus il suit les prises et moins il varie</translation>
-    </message>
-    <message>
-        <source>Restarts</source>
-        <translation>Redémarrages</translation>
-    </message>
-    <message>
-        <source>Starts beyond the first, from disturbed principal components; the best counts</source>
-        <translation>Départs après le premier, de composantes principales perturbées ; le meilleur compte</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Graine</translation>
-    </message>
-    <message>
-        <source>Of the restarts: the same seed learns the same</source>
-        <translation>Des redémarrages : la même graine apprend la même chose</translation>
-    </message>
-    <message>
-        <source>Displacement</source>
-        <translation>Déplacement</translation>
-    </message>
-    <message>
-        <source>How much the way over the ground counts against the pose: its variance in mean variances of a coordinate</source>
-        <translation>Combien le chemin au sol compte face à la pose : sa variance en variances moyennes d’une coordonnée</translation>
-    </message>
-    <message>
-        <source>Drawing</source>
-        <translation>Tirage</translation>
-    </message>
-    <message>
-        <source>Leapfrog steps</source>
-        <translation>Pas de saute-mouton</translation>
-    </message>
-    <message>
-        <source>Of each proposal of Hybrid Monte Carlo: more wander further</source>
-        <translation>De chaque proposition de Monte-Carlo hybride : plus il y en a, plus loin il erre</translation>
-    </message>
-    <message>
-        <source>Burn-in</source>
-        <translation>Rodage</translation>
-    </message>
-    <message>
-        <source>Proposals before the first variation, while the step size is tuned</source>
-        <translation>Propositions avant la première variation, pendant que le pas est réglé</translation>
-    </message>
-    <message>
-        <source>Thinning</source>
-        <translation>Espacement</translation>
-    </message>
-    <message>
-        <source>Proposals from one variation to the next: more are less alike</source>
-        <translation>Propositions d’une variation à l’autre : plus il y en a, moins elles se ressemblent</translation>
-    </message>
-    <message>
-        <source>Change how poses come about</source>
-        <translation>Changer la façon de former les poses</translation>
-    </message>
-    <message>
-        <source>Poses</source>
-        <translation>Poses</translation>
-    </message>
-    <message>
-        <source>The most probable pose of each place in the latent space, or one draw for all frames</source>
-        <translation>La pose la plus probable en chaque lieu de l’espace latent, ou un tirage pour toutes les images</translation>
-    </message>
-    <message>
-        <source>Most probable</source>
-        <translation>Les plus probables</translation>
-    </message>
-    <message>
-        <source>One draw</source>
-        <translation>Un tirage</translation>
-    </message>
     <message numerus="yes">
         <source>%n iterations, %1</source>
         <translation>
@@ -4335,6 +4339,241 @@
     <message>
         <source>At the bound of what it may be</source>
         <translation>À la borne de ce qu’il peut être</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::LearningSettings</name>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Set “%1”</source>
+        <translation>Définir « %1 »</translation>
+    </message>
+    <message>
+        <source>Learning</source>
+        <translation>Apprentissage</translation>
+    </message>
+    <message>
+        <source>Dimensions</source>
+        <translation>Dimensions</translation>
+    </message>
+    <message>
+        <source>Of the latent space: more follow the takes closer and vary less; 1 to 10</source>
+        <translation>De l’espace latent : plus il y en a, plus il suit les prises et moins il varie ; de 1 à 10</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Déplacement</translation>
+    </message>
+    <message>
+        <source>How much the way over the ground counts against the pose: its variance in mean variances of a coordinate</source>
+        <translation>Poids du chemin au sol face à la pose : sa variance en variances moyennes d’une coordonnée</translation>
+    </message>
+    <message>
+        <source>variances</source>
+        <translation>variances</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Tirage</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>How far variations are apart, as a share of how far the takes are</source>
+        <translation>L’écart entre les variations, en part de l’écart entre les prises</translation>
+    </message>
+    <message>
+        <source>Advanced: learning</source>
+        <translation>Avancé : apprentissage</translation>
+    </message>
+    <message>
+        <source>Restarts</source>
+        <translation>Redémarrages</translation>
+    </message>
+    <message>
+        <source>Starts beyond the first, from disturbed principal components; the best counts</source>
+        <translation>Départs après le premier, à partir de composantes principales perturbées ; le meilleur compte</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Of the restarts: the same seed learns the same</source>
+        <translation>Des nouveaux départs : la même graine apprend la même chose</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>Learning stops where the objective fell by less than this share of itself, in parts per million, over the window</source>
+        <translation>L’apprentissage s’arrête quand l’objectif a baissé de moins que cette part de lui-même, en millionièmes, sur la fenêtre</translation>
+    </message>
+    <message>
+        <source>ppm</source>
+        <translation>ppm</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenêtre</translation>
+    </message>
+    <message>
+        <source>Over how many iterations the fall of the objective is looked at</source>
+        <translation>Sur combien d’itérations on regarde la baisse de l’objectif</translation>
+    </message>
+    <message>
+        <source>iterations</source>
+        <translation>itérations</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Au plus</translation>
+    </message>
+    <message>
+        <source>Iterations of one start; the panel says where these were not enough</source>
+        <translation>Itérations d’un départ ; le panneau dit où elles n’ont pas suffi</translation>
+    </message>
+    <message>
+        <source>Advanced: drawing</source>
+        <translation>Avancé : tirage</translation>
+    </message>
+    <message>
+        <source>Leapfrog steps</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>At most, of each proposal of Hybrid Monte Carlo: more wander further</source>
+        <translation>Au plus, de chaque proposition du Monte-Carlo hybride : plus il y en a, plus elle va loin</translation>
+    </message>
+    <message>
+        <source>Burn-in</source>
+        <translation>Rodage</translation>
+    </message>
+    <message>
+        <source>Proposals before the first variation, while the step size is tuned</source>
+        <translation>Propositions avant la première variation, pendant que le pas est réglé</translation>
+    </message>
+    <message>
+        <source>proposals</source>
+        <translation>propositions</translation>
+    </message>
+    <message>
+        <source>Thinning</source>
+        <translation>Espacement</translation>
+    </message>
+    <message>
+        <source>Proposals from one variation to the next: more are less alike</source>
+        <translation>Propositions d’une variation à la suivante : plus il y en a, moins elles se ressemblent</translation>
+    </message>
+    <message>
+        <source>Accepted, at least</source>
+        <translation>Acceptées, au moins</translation>
+    </message>
+    <message>
+        <source>The step size is made smaller where fewer proposals are accepted</source>
+        <translation>Le pas est réduit quand moins de propositions sont acceptées</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <comment>percent</comment>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Accepted, at most</source>
+        <translation>Acceptées, au plus</translation>
+    </message>
+    <message>
+        <source>The step size is made greater where more proposals are accepted</source>
+        <translation>Le pas est agrandi quand plus de propositions sont acceptées</translation>
+    </message>
+    <message>
+        <source>Advanced: what is rejected</source>
+        <translation>Avancé : ce qui est rejeté</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>How far the worst pose may be from the nearest one that was learned from, in sizes of the figure</source>
+        <translation>À quelle distance de la plus proche pose apprise la pire pose peut être, en tailles de la figure</translation>
+    </message>
+    <message>
+        <source>% of size</source>
+        <comment>percent</comment>
+        <translation>% de la taille</translation>
+    </message>
+    <message>
+        <source>Skate</source>
+        <translation>Glissement</translation>
+    </message>
+    <message>
+        <source>How much faster standing feet may slide than in the take, in sizes of the figure a second</source>
+        <translation>De combien les pieds posés peuvent glisser plus vite que dans la prise, en tailles de la figure par seconde</translation>
+    </message>
+    <message>
+        <source>% of size/s</source>
+        <comment>percent</comment>
+        <translation>% de la taille/s</translation>
+    </message>
+    <message>
+        <source>Crossings</source>
+        <translation>Croisements</translation>
+    </message>
+    <message>
+        <source>How many more triangles may go through each other than in the take, as a share of all</source>
+        <translation>Combien de triangles de plus que dans la prise peuvent se traverser, en part de tous</translation>
+    </message>
+    <message>
+        <source>% of triangles</source>
+        <comment>percent</comment>
+        <translation>% des triangles</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>How far the body’s volume may leave that of the takes</source>
+        <translation>De combien le volume du corps peut s’écarter de celui des prises</translation>
+    </message>
+    <message>
+        <source>Change how poses come about</source>
+        <translation>Changer l’origine des poses</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Poses</translation>
+    </message>
+    <message>
+        <source>The most probable pose of each place in the latent space, or one draw for all frames</source>
+        <translation>La pose la plus probable de chaque lieu de l’espace latent, ou un seul tirage pour toutes les images</translation>
+    </message>
+    <message>
+        <source>Most probable</source>
+        <translation>La plus probable</translation>
+    </message>
+    <message>
+        <source>One draw</source>
+        <translation>Un tirage</translation>
+    </message>
+    <message>
+        <source>Change whether standing feet keep still</source>
+        <translation>Changer si les pieds posés restent en place</translation>
+    </message>
+    <message>
+        <source>Takes slip from feet that touch the ground in the take, before variations are judged</source>
+        <translation>Retire le glissement des pieds qui touchent le sol dans la prise, avant que les variations soient jugées</translation>
+    </message>
+    <message>
+        <source>Keep standing &amp;feet still</source>
+        <translation>&amp;Tenir immobiles les pieds posés</translation>
     </message>
 </context>
 <context>
@@ -5901,6 +6140,47 @@ maximal %2</translation>
         <source>Seeks the best walk over all keys; otherwise from key to key, as published</source>
         <translation>Cherche le meilleur parcours sur toutes les clés ; sinon de clé en clé, comme publié</translation>
     </message>
+    <message>
+        <source>Variations</source>
+        <translation>Variations</translation>
+    </message>
+    <message>
+        <source>Frames shown again</source>
+        <translation>Images remontrées</translation>
+    </message>
+    <message>
+        <source>The first time captured frames are shown as they are; each further time they can be drawn from another variation of their take, so that repeats are never the same</source>
+        <translation>La première fois, les images captées sont montrées telles quelles ; chaque fois suivante, elles peuvent être tirées d’une autre variation de leur prise, pour qu’aucune reprise ne soit la même</translation>
+    </message>
+    <message>
+        <source>How long poses take from captured frames to varied ones, and back</source>
+        <translation>Temps que mettent les poses pour passer des images captées aux variées, et revenir</translation>
+    </message>
+    <message>
+        <source>As captured</source>
+        <translation>Telles que captées</translation>
+    </message>
+    <message>
+        <source>From all</source>
+        <translation>De toutes</translation>
+    </message>
+    <message>
+        <source>From “%1”</source>
+        <comment>variations</comment>
+        <translation>De « %1 »</translation>
+    </message>
+    <message>
+        <source>There are no variations to draw from: learn some in the workspace Variations.</source>
+        <translation>Il n’y a pas de variations d’où tirer : apprenez-en dans l’espace Variations.</translation>
+    </message>
+    <message>
+        <source>This animation shows no frames again.</source>
+        <translation>Cette animation ne remontre aucune image.</translation>
+    </message>
+    <message>
+        <source>Some frames are shown again as captured: no variation varies them.</source>
+        <translation>Certaines images sont remontrées telles que captées : aucune variation ne les varie.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::PreferencesDialog</name>
@@ -6264,6 +6544,23 @@ maximal %2</translation>
     <message>
         <source>Variations (%1)</source>
         <translation>Variations (%1)</translation>
+    </message>
+    <message>
+        <source>Body parts (%1)</source>
+        <translation>Parties du corps (%1)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>an entry of the project, and its state or what is wrong with it</extracomment>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>not made yet, or out of date</source>
+        <translation>pas encore fait, ou périmé</translation>
+    </message>
+    <message>
+        <source>being made</source>
+        <translation>en cours</translation>
     </message>
 </context>
 <context>
@@ -6850,6 +7147,42 @@ maximal %2</translation>
     <message>
         <source>How far the body’s volume leaves that of the takes</source>
         <translation>De combien le volume du corps s’écarte de celui des prises</translation>
+    </message>
+    <message>
+        <source>Rejected, too far from what was learned: %1</source>
+        <translation>Rejetées, trop loin de ce qui a été appris : %1</translation>
+    </message>
+    <message>
+        <source>Rejected, feet slide: %1</source>
+        <translation>Rejetées, les pieds glissent : %1</translation>
+    </message>
+    <message>
+        <source>Rejected, the surface goes through itself: %1</source>
+        <translation>Rejetées, la surface se traverse : %1</translation>
+    </message>
+    <message>
+        <source>Rejected, the body swells or shrinks: %1</source>
+        <translation>Rejetées, le corps enfle ou rétrécit : %1</translation>
+    </message>
+    <message>
+        <source>Too few were good enough: %1 were asked for. Take another seed, or more takes; the panel Learning says what is rejected.</source>
+        <translation>Trop peu étaient assez bonnes : %1 étaient demandées. Prenez une autre graine, ou plus de prises ; le panneau Apprentissage dit ce qui est rejeté.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Learning to the end, making %n clip(s)</source>
+        <translation>
+            <numerusform>Apprentissage jusqu’au bout, %n clip en cours</numerusform>
+            <numerusform>Apprentissage jusqu’au bout, %n clips en cours</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <extracomment>two pairs of takes at the corners of a square</extracomment>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>En face</translation>
     </message>
 </context>
 <context>
@@ -7922,18 +8255,6 @@ maximal %2</translation>
 <context>
     <name>quadrille::VariationPage</name>
     <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>Unique in the project</source>
-        <translation>Unique dans le projet</translation>
-    </message>
-    <message>
-        <source>Character</source>
-        <translation>Personnage</translation>
-    </message>
-    <message>
         <source>Whose movement is learned; its takes are chosen anew with another one</source>
         <translation>Celui dont le mouvement est appris ; avec un autre, ses prises sont à choisir à nouveau</translation>
     </message>
@@ -7959,10 +8280,6 @@ maximal %2</translation>
             <numerusform>%n variation</numerusform>
             <numerusform>%n variations</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Work on it</source>
-        <translation>Y travailler</translation>
     </message>
 </context>
 <context>
@@ -8018,6 +8335,18 @@ maximal %2</translation>
     <message>
         <source>Try Again</source>
         <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>Learning was stopped: these variations are drawn from the best so far.</source>
+        <translation>L’apprentissage a été arrêté : ces variations sont tirées du meilleur trouvé.</translation>
+    </message>
+    <message>
+        <source>What is exported or added as sequences is learned to the end first, so that the project always makes the same of it.</source>
+        <translation>Ce qui est exporté ou ajouté comme séquences est d’abord appris jusqu’au bout, pour que le projet en fasse toujours la même chose.</translation>
+    </message>
+    <message>
+        <source>Learn to the End</source>
+        <translation>Apprendre jusqu’au bout</translation>
     </message>
 </context>
 <context>
@@ -8539,6 +8868,14 @@ maximal %2</translation>
     <message>
         <source>There is no OpenGL 3.2 here, so nothing can be shown in three dimensions. Install the graphics driver, or Mesa&apos;s software renderer (libgl1-mesa-dri).</source>
         <translation>OpenGL 3.2 n’est pas disponible ici&#xa0;: rien ne peut être montré en trois dimensions. Installez le pilote graphique, ou le rendu logiciel de Mesa (libgl1-mesa-dri).</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::WeightsPad</name>
+    <message>
+        <source>%1 % to the right, %2 % upwards</source>
+        <extracomment>shares of two weights, to the right and upwards, in percent</extracomment>
+        <translation>%1 % vers la droite, %2 % vers le haut</translation>
     </message>
 </context>
 </TS>
