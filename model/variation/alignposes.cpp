@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/variation/alignposes.h"
 
-#include "model/variation/playback.h"
+#include "model/variation/resampling.h"
 
-#include <algorithm>
 #include <tbb/parallel_for.h>
 
 namespace quadrille {
@@ -45,18 +44,12 @@ void alignPoses(const MeshSequence& sequence, AlignedTake& take, const Progress&
     const std::size_t vertices = take.laidOnto->pose.size();
     take.poses.resize(take.warp.positions.size() * vertices);
     for (std::size_t f = 0; f < take.warp.positions.size(); ++f) {
-        const double frame =
-            std::clamp(take.warp.positions[f] - static_cast<double>(take.warp.frames.first.value), 0.0,
-                       static_cast<double>(laid.placements.size() - 1));
-        const auto before = static_cast<std::size_t>(frame);
-        const std::size_t after = std::min(before + 1, laid.placements.size() - 1);
-        const double share = frame - static_cast<double>(before);
-        take.placements.push_back(interpolated(laid.placements[before], laid.placements[after], share));
-        for (std::size_t v = 0; v < vertices; ++v) {
-            const Vec3f& a = laid.poses[before * vertices + v];
-            const Vec3f& b = laid.poses[after * vertices + v];
-            take.poses[f * vertices + v] = a + static_cast<float>(share) * (b - a);
-        }
+        const FramesAround at =
+            framesAround(take.warp.positions[f] - static_cast<double>(take.warp.frames.first.value),
+                         laid.placements.size());
+        take.placements.push_back(placementAt(at, laid.placements));
+        for (std::size_t v = 0; v < vertices; ++v)
+            take.poses[f * vertices + v] = vertexAt(at, laid.poses, vertices, v);
     }
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/variation/playback.h"
 
+#include "model/variation/resampling.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -13,26 +15,11 @@ namespace quadrille {
 
 namespace {
 
-/// A position on the reference, between two of its frames.
-struct Between
-{
-    std::size_t before = 0;
-    std::size_t after = 0;
-    double share = 0;
-};
-
-Between betweenFrames(double position, std::size_t count)
-{
-    const double clamped = std::clamp(position, 0.0, static_cast<double>(count - 1));
-    const auto before = static_cast<std::size_t>(clamped);
-    return {before, std::min(before + 1, count - 1), clamped - static_cast<double>(before)};
-}
-
 /// Frame of a take, from 0, at a position on the reference.
 NodeIndex nearestFrame(const TakeWarp& warp, double position)
 {
-    const Between at = betweenFrames(position, warp.positions.size());
-    const double frame = (1 - at.share) * warp.positions[at.before] + at.share * warp.positions[at.after];
+    const FramesAround at = framesAround(position, warp.positions.size());
+    const double frame = (1 - at.share) * warp.positions[at.before()] + at.share * warp.positions[at.after()];
     return static_cast<NodeIndex>(std::lround(frame));
 }
 
@@ -84,16 +71,12 @@ std::vector<Vec3f> played(std::span<const Vec3f> poses, std::span<const RigidMot
     std::vector<Vec3f> frames(warp.playback.size() * vertices);
     tbb::parallel_for(std::size_t{0}, warp.playback.size(), [&](std::size_t k) {
         progress.report(static_cast<double>(k) / static_cast<double>(warp.playback.size()));
-        const Between at = betweenFrames(warp.playback[k], placements.size());
-        const RigidMotion place = interpolated(placements[at.before], placements[at.after], at.share);
+        const FramesAround at = framesAround(warp.playback[k], placements.size());
+        const RigidMotion place = placementAt(at, placements);
         const Eigen::Matrix3f turn = place.rotation.toRotationMatrix().cast<float>();
         const Vec3f shift = place.translation.cast<float>();
-        const auto share = static_cast<float>(at.share);
-        for (std::size_t v = 0; v < vertices; ++v) {
-            const Vec3f& before = poses[at.before * vertices + v];
-            const Vec3f& after = poses[at.after * vertices + v];
-            frames[k * vertices + v] = turn * (before + share * (after - before)) + shift;
-        }
+        for (std::size_t v = 0; v < vertices; ++v)
+            frames[k * vertices + v] = turn * vertexAt(at, poses, vertices, v) + shift;
     });
     return frames;
 }

@@ -39,7 +39,7 @@ std::vector<RigidMotion> pathOnGround(std::span<const Displacement> displacement
                                       std::span<const RigidMotion> guide, const PathSettings& settings = {});
 
 /// Poses of reference frames played in the timing of a take and put where they belong: one frame for each of
-/// the take's, linear between reference frames, placements by slerp.
+/// the take's (see FramesAround).
 /// \param poses  reference frames × vertices, in the template's place, metres.
 /// \param placements  of each reference frame.
 /// \return frames of the warp × vertices, metres. Parallel over the frames. \throws Error Cancelled.

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/variation/playback.h"
+#include "model/variation/resampling.h"
 #include "tests/model/codeof.h"
 #include "tests/model/variation/swayingtakes.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace quadrille {
@@ -83,11 +85,51 @@ TEST(Played, PutsReferenceFramesInTheTimingOfATake)
     const std::vector<RigidMotion> placements = {{half, {0, 0, 0}}, {half, {0, 1, 0}}, {half, {0, 3, 0}}};
     const std::vector<Vec3f> frames = played(poses, placements, warp);
     ASSERT_EQ(frames.size(), 5U);
+    // Between 0, 1 and 3 by Catmull–Rom, with −1 before and 5 after them.
+    const std::vector<double> heights{0, 0.4375, 1, 1.9375, 3};
     for (std::size_t k = 0; k < 5; ++k) {
-        const double height = k <= 2 ? 0.5 * static_cast<double>(k) : static_cast<double>(k) - 1;
-        const Vec3d expected = half * Vec3d(0.5 * static_cast<double>(k), 0, 0) + Vec3d(0, height, 0);
+        const Vec3d expected = half * Vec3d(0.5 * static_cast<double>(k), 0, 0) + Vec3d(0, heights[k], 0);
         EXPECT_LT((frames[k].cast<double>() - expected).norm(), 1e-6);
     }
+}
+
+// On a parabola at another speed, as of a jump, no frame is on a chord.
+TEST(Played, KeepsToTheWayOfFlight)
+{
+    TakeWarp warp{.frames = FrameRange::all(11), .positions = {}, .playback = {}};
+    std::vector<Vec3f> poses;
+    std::vector<RigidMotion> placements;
+    const auto heightAt = [](double t) { return 3 * t - 0.3 * t * t; };
+    for (int r = 0; r < 8; ++r) {
+        warp.positions.push_back(10.0 / 7 * r);
+        poses.emplace_back(0, 0.1 * r * r, 0);
+        placements.push_back({Eigen::Quaterniond::Identity(), {0, heightAt(r), 0}});
+    }
+    warp.playback = inverseWarp(warp.positions, 0, 11);
+    const std::vector<Vec3f> frames = played(poses, placements, warp);
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        const double r = 0.7 * static_cast<double>(k);
+        if (r >= 1 && r <= 6) { // where there are frames on both sides
+            EXPECT_NEAR(frames[k].y(), heightAt(r) + 0.1 * r * r, 1e-5) << k;
+        }
+    }
+}
+
+TEST(FramesAround, AreTheFramesThemselvesWhereTheyLie)
+{
+    for (const double frame : {0.0, 1.0, 4.0, -2.0, 9.0}) {
+        const FramesAround at = framesAround(frame, 5);
+        double own = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (static_cast<double>(at.frames[i]) == std::clamp(frame, 0.0, 4.0))
+                own += at.weights[i];
+            else
+                EXPECT_EQ(at.weights[i], 0) << frame;
+        }
+        EXPECT_EQ(own, 1) << frame;
+    }
+    const FramesAround only = framesAround(0, 1);
+    EXPECT_EQ(only.weights[0] + only.weights[1] + only.weights[2] + only.weights[3], 1);
 }
 
 TEST(Played, CanBeCancelled)
