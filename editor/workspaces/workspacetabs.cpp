@@ -7,6 +7,7 @@
 #include "editor/workspaces/view/viewactions.h"
 
 #include <QDockWidget>
+#include <QLayout>
 #include <QMainWindow>
 #include <QSignalBlocker>
 #include <QStackedWidget>
@@ -24,7 +25,7 @@ constexpr int lowHeight = 150;
 /// Of docks at the right that have others below them: parts of the window's width, but no less or more than
 /// these pixels.
 constexpr int wideShare = 5;
-constexpr int leastWide = 300;
+constexpr int leastWide = 385; // so that four tabs show
 constexpr int mostWide = 400;
 /// In windows below this height such docks wait in the menu until somebody wants them.
 constexpr int roomyHeight = 840;
@@ -109,7 +110,18 @@ void WorkspaceTabs::show(int index)
     }
     m_current = index;
     m_pages->setCurrentIndex(index);
+    const QSize size = m_window.size();
     arrangeDocks(index);
+    // Docks that come one after another may ask for more height than they need once they share their places.
+    const auto settle = [this, size] {
+        const bool hasGrown =
+            m_window.height() > size.height() && m_window.height() == m_window.minimumHeight();
+        m_window.layout()->invalidate();
+        m_window.layout()->activate();
+        if (hasGrown && !m_window.isMaximized() && !m_window.isFullScreen())
+            m_window.resize(size);
+    };
+    QMetaObject::invokeMethod(this, settle, Qt::QueuedConnection);
     m_viewActions->setView(&currentWorkspace()->view());
     currentWorkspace()->setActive(true);
     emit currentChanged(current());

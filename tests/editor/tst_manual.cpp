@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: MIT
 // The pictures of the manual: made here from the sample, and compared with those that the manual has, so that
 // they cannot go stale. With QUADRILLE_PICTURES set to a folder they are written there (./dev pictures).
-#include "animatedproject.h"
 #include "editor/playback/player.h"
 #include "editor/workspaces/animate/animateworkspace.h"
 #include "editor/workspaces/graph/graphexplorer.h"
 #include "editor/workspaces/graph/graphmap.h"
 #include "editor/workspaces/graph/graphworkspace.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
+#include "editor/workspaces/variations/bodysurface.h"
+#include "editor/workspaces/variations/partcurvetool.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "model/sample/sample.h"
+#include "variedproject.h"
 #include "widgets/graph/matrixview.h"
 #include "widgets/theme/theme.h"
 
@@ -155,6 +157,32 @@ private slots:
         showAnimation("walk, kick, jump");
         test::find<QDockWidget>("storyboardDock")->show();
         keep("storyboard");
+    }
+
+    void variations()
+    {
+        m_window->workspaces().select("variations");
+        context().selection.select({Section::Variations, "walking"});
+        QVERIFY(test::waitForState(context(), "walking", VariationMedia::State::NotLearned));
+        context().actions.action("variations.learn")->trigger();
+        QVERIFY(test::waitForVariations(context(), "walking"));
+        Workspace::showPanel(test::find<QWidget>("samplesPanel"));
+        VariationsWorkspace& workspace = m_window->variations();
+        QTRY_COMPARE(workspace.stage().shown().size(), 5);
+        workspace.player().pause();
+        workspace.player().goTo(workspace.stage().frameCount() / 2);
+        workspace.viewport().frameAll();
+        keep("variations");
+    }
+
+    void bodyParts()
+    {
+        m_window->workspaces().select("variations");
+        Workspace::showPanel(test::find<QWidget>("bodyPartsPanel"));
+        QTRY_VERIFY(m_window->variations().parts().editor().isActive());
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->variations().parts().surface().graph() != nullptr, 20000);
+        m_window->variations().viewport().frameAll();
+        keep("body-parts");
     }
 };
 

@@ -1,107 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-// Variations of a movement from the choice of takes to the data set.
-#include "editor/commands/projectedits.h"
+// Variations of a movement from the choice of takes to what is learned.
 #include "editor/docks/projecttreemodel.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/workspaces/variations/latentpanel.h"
-#include "model/project/opensequence.h"
-#include "model/project/rebuild.h"
-#include "variedproject.h"
+#include "variationsfixture.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/graph/linechart.h"
 #include "widgets/latent/latentview.h"
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDirIterator>
 #include <QDoubleSpinBox>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
-#include <QSlider>
-#include <QSpinBox>
 #include <QToolButton>
 #include <QTreeView>
 #include <QTreeWidget>
-#include <memory>
 
 namespace quadrille {
 
-class VariationsTest : public QObject
+class VariationsTest : public VariationsFixture
 {
     Q_OBJECT
 
-private:
-    using State = VariationMedia::State;
-
-    EditorContext& context() { return m_window->context(); }
-    ProjectDocument& document() { return context().document; }
-    CurrentVariation& variation() { return m_window->variations().variation(); }
-    const VariationEntry& entry() { return *document().variation("sways"); }
-    const VariationMedia::Medium& medium() { return *context().variations.medium("sways"); }
-    QAction* action(const char* id) { return context().actions.action(QLatin1String(id)); }
-    void show(const char* panel) { Workspace::showPanel(test::find<QWidget>(QLatin1String(panel))); }
-    QStringList stage() { return m_window->variations().stage().shown(); }
-
-    void open()
-    {
-        document().reset(test::variedProject(m_folder->path()));
-        m_window->workspaces().select("variations");
-        QVERIFY(test::waitForState(context(), "sways", State::NotLearned));
-    }
-    void learn()
-    {
-        open();
-        action("variations.learn")->trigger();
-        QVERIFY(test::waitForVariations(context(), "sways"));
-    }
-    /// All files under a folder with what they hold, but for the project's own.
-    static std::map<QString, QByteArray> contentsOf(const QString& folder)
-    {
-        std::map<QString, QByteArray> contents;
-        QDirIterator files(folder, QDir::Files, QDirIterator::Subdirectories);
-        while (files.hasNext()) {
-            QFile file(files.next());
-            if (file.open(QIODevice::ReadOnly))
-                contents[QDir(folder).relativeFilePath(file.fileName())] = file.readAll();
-        }
-        return contents;
-    }
-    QTreeWidgetItem* row(const char* tree, int index)
-    {
-        return test::find<QTreeWidget>(QLatin1String(tree))->topLevelItem(index);
-    }
-    void clickBox(const char* tree, int index)
-    {
-        auto* view = test::find<QTreeWidget>(QLatin1String(tree));
-        const QRect place = view->visualItemRect(view->topLevelItem(index));
-        QTest::mouseClick(view->viewport(), Qt::LeftButton, {},
-                          QPoint(place.left() + 10, place.center().y()));
-    }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<MainWindow> m_window;
-
 private slots:
-    void initTestCase() { test::isolate(); }
-
-    void init()
-    {
-        m_folder = std::make_unique<QTemporaryDir>();
-        test::writeSwayingTakes(m_folder->path());
-        m_window = std::make_unique<MainWindow>();
-        m_window->resize(1400, 900);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-    }
-
-    void cleanup()
-    {
-        m_window.reset();
-        m_folder.reset();
-    }
-
     void takesAreChosenByTheirBoxes()
     {
         document().reset(test::swayingProject(m_folder->path()));
@@ -121,6 +42,15 @@ private slots:
         document().undo();
         QCOMPARE(document().project().variations.front().samples.size(), 1U);
         QCOMPARE(row("trainingTakes", 0)->checkState(0), Qt::Checked);
+    }
+
+    void thePanelsFitASmallScreen()
+    {
+        constexpr QSize small(1280, 720);
+        m_window->resize(small);
+        open();
+        QTest::qWait(100);
+        QCOMPARE(m_window->size(), small);
     }
 
     void aPairIsBlendedBeforeLearning()
@@ -263,80 +193,6 @@ private slots:
         QCOMPARE(medium().parts[0].objective.back(), objective);
     }
 
-    void samplesFollowTheirSettingsAndOneIsThrownAway()
-    {
-        learn();
-        show("samplesPanel");
-        QTRY_COMPARE(stage().size(), 3);
-        test::find<QSpinBox>("sampleCount")->setValue(5);
-        QCOMPARE(entry().samples[0].count, 5);
-        QTRY_COMPARE_WITH_TIMEOUT(stage().size(), 5, 30000);
-        auto* drawn = test::find<QTreeWidget>("drawnVariations");
-        QCOMPARE(drawn->topLevelItemCount(), 5);
-        drawn->setCurrentItem(drawn->topLevelItem(1));
-        QTest::keyClick(drawn, Qt::Key_Delete);
-        QCOMPARE(entry().samples[0].discarded, std::vector<int>{2});
-        QTRY_COMPARE(stage().size(), 4);
-        QCOMPARE(medium().state, State::Ready);
-        clickBox("drawnVariations", 0);
-        QTRY_COMPARE(stage().size(), 3);
-        QTest::keyClick(drawn, Qt::Key_Insert);
-        QVERIFY(entry().samples[0].discarded.empty());
-        document().undo();
-        QCOMPARE(entry().samples[0].discarded, std::vector<int>{2});
-        const auto before = medium().drawn;
-        action("variations.again")->trigger();
-        QCOMPARE(entry().samples[0].seed, 2U);
-        QTRY_VERIFY(medium().drawn != before);
-        QVERIFY(test::waitForVariations(context(), "sways"));
-        QVERIFY(medium().drawn->at(0).variations[0].latents != before->at(0).variations[0].latents);
-    }
-
-    void standingFeetAreKeptStillUnlessTheEntrySaysOtherwise()
-    {
-        learn();
-        show("learningPanel");
-        auto* box = test::find<QCheckBox>("drawContacts");
-        QVERIFY(box->isChecked());
-        QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
-        QVERIFY(!entry().correctsContacts);
-        // What was learned stays; variations are drawn again.
-        QVERIFY(medium().state == State::Drawing || medium().state == State::Ready);
-        QVERIFY(test::waitForVariations(context(), "sways"));
-        document().undo();
-        QVERIFY(entry().correctsContacts && box->isChecked());
-    }
-
-    void whatIsShownIsWhatARebuildWrites()
-    {
-        learn();
-        const auto shown = loadFrames(*context().variations.clip("sways", 2));
-        const Project project = document().snapshot();
-        const auto file = document().workingFile();
-        rebuild(project, file, {.targets = {"variations/sways/2"}});
-        SequenceOpener opener(project, file.parent_path(), cacheFolder(file));
-        QVERIFY(loadFrames(opener.openClip("variations/sways/2")->sequence) == shown);
-    }
-
-    void aBlendIsDrawnAtTheWeightOfTheSlider()
-    {
-        learn();
-        show("samplesPanel");
-        const auto before = medium().drawn;
-        auto* towards = test::find<QComboBox>("sampleTo");
-        towards->setCurrentIndex(1);
-        emit towards->activated(1);
-        QCOMPARE(entry().samples[0].to, std::string("second"));
-        QCOMPARE(entry().samples[0].weight, 0.5);
-        auto* slider = test::find<QSlider>("sampleWeight");
-        slider->setFocus();
-        QTest::keyClick(slider, Qt::Key_Right);
-        QCOMPARE(entry().samples[0].weight, 0.51);
-        QTRY_VERIFY_WITH_TIMEOUT(medium().drawn != before, 30000);
-        QVERIFY(test::waitForVariations(context(), "sways"));
-        QCOMPARE(medium().drawn->at(0).variations.size(), 3U);
-    }
-
     void theLatentViewGoesToTheFrameThatIsClicked()
     {
         learn();
@@ -350,61 +206,6 @@ private slots:
         action("variations.confidence")->trigger();
         QTRY_VERIFY_WITH_TIMEOUT(view.paths()[0].values.size() == 20, 20000);
         action("variations.confidence")->trigger();
-    }
-
-    void aVariationBecomesASequence()
-    {
-        learn();
-        show("samplesPanel");
-        auto* drawn = test::find<QTreeWidget>("drawnVariations");
-        drawn->setCurrentItem(drawn->topLevelItem(2));
-        action("variations.addSequence")->trigger();
-        const SequenceEntry& added = document().project().sequences.back();
-        QCOMPARE(added.source, std::string("clip:variations/sways/3"));
-        const QString name = QString::fromStdString(added.name);
-        QVERIFY(QTest::qWaitFor([&] { return context().media.sequence(name) != nullptr; }, 60000));
-        const MeshSequence& sequence = *context().media.sequence(name);
-        const MeshSequence& shown = *context().variations.clip("sways", 3);
-        QCOMPARE(sequence.frameCount(), shown.frameCount());
-        for (const std::int64_t frame : {0, 10, 19}) {
-            const auto a = sequence.frame(FrameIndex(frame)).positions();
-            const auto b = shown.frame(FrameIndex(frame)).positions();
-            QVERIFY(std::ranges::equal(a, b));
-        }
-    }
-
-    void theDataSetIsWrittenAndRebuiltWithTheSameBytes()
-    {
-        document().reset(test::variedProject(m_folder->path()));
-        document().saveAs(toPath(m_folder->filePath("p.quadrille")));
-        m_window->workspaces().select("variations");
-        QVERIFY(test::waitForState(context(), "sways", State::NotLearned));
-        action("variations.learn")->trigger();
-        QVERIFY(test::waitForVariations(context(), "sways"));
-        variation().edit("discard", "discarded",
-                         [](VariationEntry& after) { after.samples[0].discarded = {1}; });
-        action("variations.export")->trigger();
-        auto* format = test::find<QComboBox>("exportFormat");
-        format->setCurrentIndex(format->findData("pc2"));
-        emit format->activated(format->currentIndex());
-        auto* place = test::find<QLineEdit>("exportPlace");
-        const QString folder = m_folder->filePath("out");
-        place->setText(folder + "/sways.pc2");
-        emit place->textEdited(place->text());
-        test::find<QPushButton>("exportAccept")->click();
-        QTRY_COMPARE_WITH_TIMEOUT(document().project().exports.size(), 1U, 60000);
-        QCOMPARE(document().project().exports[0].what, std::string("variations/sways"));
-        const auto written = contentsOf(folder);
-        QVERIFY(written.contains("sways_2.pc2"));
-        QVERIFY(!written.contains("sways_1.pc2"));
-        QVERIFY(written.contains("sways.json"));
-        document().save();
-        const Project project = loadProject(document().file());
-        QDir(folder).removeRecursively();
-        QDir(m_folder->filePath("p.quadrille.cache")).removeRecursively();
-        const RebuildReport report = rebuild(project, document().file(), {.jobs = 1});
-        QVERIFY(!report.hasFailures());
-        QVERIFY(contentsOf(folder) == written);
     }
 
     void whatCannotBeLearnedSaysWhy()

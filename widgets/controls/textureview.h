@@ -62,7 +62,7 @@ public:
     QPoint pixelAt(const QPointF& position) const;
 
     QSize sizeHint() const override { return {280, 280}; }
-    QSize minimumSizeHint() const override { return {160, 240}; }
+    QSize minimumSizeHint() const override { return {160, 60}; }
 
 signals:
     void zoomChanged(double zoom);

@@ -91,6 +91,7 @@ private:
     void paintPaths(QPainter& painter) const;
     void paintAxisNames(QPainter& painter) const;
     void paintTexts(QPainter& painter) const;
+    QRectF legendPlace(const QFont& font) const;
 
     std::unique_ptr<Private> d;
 };

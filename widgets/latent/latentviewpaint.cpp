@@ -151,6 +151,14 @@ void LatentView::paintAxisNames(QPainter& painter) const
     }
 }
 
+/// The plate of the legend, at the right: names of lines keep clear of it.
+QRectF LatentView::legendPlace(const QFont& font) const
+{
+    const QSizeF size = legendSize(font, d->range);
+    const QPointF leftTop(width() - 4 - size.width() - margin, 4 + margin);
+    return QRectF(leftTop, size).adjusted(-8, -8, 8, 8);
+}
+
 /// Starts as rings, current frames as dots, names beside the starts of those that were learned from.
 void LatentView::paintPaths(QPainter& painter) const
 {
@@ -173,6 +181,7 @@ void LatentView::paintPaths(QPainter& painter) const
             painter.drawEllipse(*now, radius, radius);
         }
     }
+    const double right = d->isConfidenceShown ? legendPlace(painter.font()).left() : width();
     std::vector<QRectF> taken;
     for (const LatentPath& path : d->paths) {
         if (path.isSample || !path.isNamed || path.points.empty())
@@ -183,7 +192,7 @@ void LatentView::paintPaths(QPainter& painter) const
         constexpr double mark = 14.0; // of the dot that has the line's colour
         QRectF plate(*start + QPointF(9, -metrics.height() - 4),
                      QSizeF(metrics.horizontalAdvance(path.name) + mark + 12, metrics.height() + 4));
-        plate.moveLeft(std::clamp(plate.left(), 2.0, std::max(width() - plate.width() - 2.0, 2.0)));
+        plate.moveLeft(std::clamp(plate.left(), 2.0, std::max(right - plate.width() - 2.0, 2.0)));
         const auto isTaken = [&plate](const QRectF& other) { return other.intersects(plate); };
         while (std::any_of(taken.begin(), taken.end(), isTaken))
             plate.translate(0, metrics.height() + 5);
@@ -207,12 +216,11 @@ void LatentView::paintTexts(QPainter& painter) const
         paintPlate(painter, {inside.left(), inside.bottom() - metrics.height()}, text, inside);
     }
     if (d->isConfidenceShown) {
-        const QSizeF size = legendSize(painter.font(), d->range);
-        const QRectF place({inside.right() - size.width() - margin, inside.top() + margin}, size);
+        const QRectF plate = legendPlace(painter.font());
         painter.setPen(Qt::NoPen);
         painter.setBrush(plateColor());
-        painter.drawRoundedRect(place.adjusted(-8, -8, 8, 8), 6, 6);
-        paintLegend(painter, place, d->range, Theme::color(ColorRole::Text));
+        painter.drawRoundedRect(plate, 6, 6);
+        paintLegend(painter, plate.adjusted(8, 8, -8, -8), d->range, Theme::color(ColorRole::Text));
     }
     if (!d->chosen)
         return;

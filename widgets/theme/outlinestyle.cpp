@@ -81,7 +81,7 @@ void OutlineStyle::drawComplexControl(ComplexControl control, const QStyleOption
 
 int OutlineStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const
 {
-    constexpr int narrowSpace = 14; // around the words of a tab; Fusion leaves 24
+    constexpr int narrowSpace = 10; // around the words of a tab; Fusion leaves 24
     return metric == PM_TabBarTabHSpace && qobject_cast<const QTabBar*>(widget) != nullptr &&
                    widget->inherits("QMainWindowTabBar")
                ? narrowSpace

@@ -113,8 +113,8 @@ void GraphWorkspace::makePanels()
     m_tabs->setElideMode(Qt::ElideRight);
     m_tabs->setMinimumWidth(smallestPanel);
     m_tabs->addTab(scrolled(m_transition), {});
-    m_tabs->addTab(m_charts, {});
-    m_tabs->addTab(m_gaps, {});
+    m_tabs->addTab(scrolled(m_charts), {});
+    m_tabs->addTab(scrolled(m_gaps), {});
     m_tabs->addTab(scrolled(m_settings), {});
     m_panels = {{"graphDock", [] { return tr("Transitions"); }, m_tabs, Qt::RightDockWidgetArea}};
 }

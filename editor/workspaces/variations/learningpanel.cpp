@@ -21,6 +21,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 namespace quadrille {
 
@@ -36,9 +37,16 @@ enum Column
 };
 
 constexpr double millimetres = 1000;
-constexpr int partsHeight = 170; // pixels, as proportions
-constexpr int chartHeight = 150;
-constexpr int settingsHeight = 150;
+constexpr int partsHeight = 180; // pixels, as proportions
+constexpr int chartHeight = 160;
+constexpr int settingsHeight = 130;
+
+/// Without the tenths of large ones, that leave no room for the names of parts.
+QString objectiveText(double objective)
+{
+    constexpr double large = 1e4;
+    return QLocale().toString(objective, 'f', std::abs(objective) < large ? 1 : 0);
+}
 
 QString millimetresText(std::optional<double> metres)
 {
@@ -166,8 +174,7 @@ void LearningPanel::showPart(QTreeWidgetItem& item, const PartProgress& part)
 {
     item.setText(PartColumn, QString::fromStdString(part.part));
     item.setToolTip(PartColumn, item.text(PartColumn));
-    item.setText(ObjectiveColumn,
-                 part.objective.empty() ? QString() : QLocale().toString(part.objective.back(), 'f', 1));
+    item.setText(ObjectiveColumn, part.objective.empty() ? QString() : objectiveText(part.objective.back()));
     item.setText(ErrorColumn, millimetresText(part.error));
     item.setText(PcaColumn, millimetresText(part.pcaError));
     for (const int column : {ObjectiveColumn, ErrorColumn, PcaColumn}) {

@@ -222,7 +222,7 @@ void SamplesPanel::showVariation(QTreeWidgetItem& item, const DrawnVariation& dr
                         : QStringLiteral("–"));
     item.setToolTip(2, tr("The take: %1 cm/s").arg(locale.toString(quality.takeSkate * centimetres, 'f', 1)));
     item.setText(3, locale.toString(static_cast<qlonglong>(quality.intersections)));
-    item.setToolTip(3, tr("The take: %1").arg(quality.takeIntersections));
+    item.setToolTip(3, tr("The takes: %1").arg(quality.takeIntersections));
     item.setText(
         4, quality.volumeChange
                ? tr("%1 %", "share in percent").arg(locale.toString(*quality.volumeChange * percent, 'f', 1))

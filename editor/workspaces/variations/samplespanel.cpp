@@ -187,8 +187,8 @@ QWidget* SamplesPanel::makeVariations()
     m_variations->setFrameShape(QFrame::NoFrame);
     m_variations->setColumnCount(5);
     m_variations->header()->setStretchLastSection(false);
-    m_variations->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_variations->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    m_variations->header()->setSectionResizeMode(QHeaderView::Stretch);
+    m_variations->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     m_variations->installEventFilter(this);
     auto* buttons = new QHBoxLayout;
     buttons->setContentsMargins(margin, 0, margin, 4);

@@ -230,9 +230,6 @@ void VariationsWorkspace::followResult()
         } else {
             m_view->show(names);
         }
-        // Variations are seen best in one place; who wants them side by side has the tool for it.
-        if (names.size() > 1 && !std::exchange(m_wasOverlaid, true))
-            m_context.actions.action(QStringLiteral("view.overlay"))->trigger();
     }
     showState();
 }

@@ -57,7 +57,6 @@ private:
     /// Curves are drawn on a take: it is what is shown with their panel. Where samples are to be seen beside
     /// it, the panel counts that was used last.
     bool m_isCutting = false;
-    bool m_wasOverlaid = false; ///< once several variations were shown
 };
 
 } // namespace quadrille
