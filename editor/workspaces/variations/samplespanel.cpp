@@ -19,6 +19,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QScopedValueRollback>
+#include <QScrollArea>
 #include <QSlider>
 #include <QSpinBox>
 #include <QStackedWidget>
@@ -30,7 +31,8 @@ namespace quadrille {
 
 namespace {
 
-constexpr int margin = 12; // pixels
+constexpr int margin = 12;       // pixels
+constexpr int leastHeight = 130; // of the variations, pixels: a few of them and the header
 constexpr int mostVariations = 10'000;
 constexpr int greatestSeed = 999'999;
 
@@ -90,7 +92,12 @@ SamplesPanel::SamplesPanel(CurrentVariation& variation, QWidget* parent)
     contentColumn->addWidget(makeSets());
     contentColumn->addWidget(makeVariations(), 1);
     m_pages->addWidget(m_empty);
-    m_pages->addWidget(content);
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(content);
+    m_pages->addWidget(scroll);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_pages);
@@ -186,6 +193,8 @@ QWidget* SamplesPanel::makeVariations()
     m_variations->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_variations->setFrameShape(QFrame::NoFrame);
     m_variations->setColumnCount(5);
+    m_variations->setMinimumHeight(leastHeight);
+    m_variations->header()->setTextElideMode(Qt::ElideRight);
     m_variations->header()->setStretchLastSection(false);
     m_variations->header()->setSectionResizeMode(QHeaderView::Stretch);
     m_variations->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
