@@ -6988,10 +6988,6 @@ maximal %2</translation>
         <translation>La prise : %1 cm/s</translation>
     </message>
     <message>
-        <source>The take: %1</source>
-        <translation>La prise : %1</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <comment>share in percent</comment>
         <translation>%1 %</translation>
@@ -7183,6 +7179,10 @@ maximal %2</translation>
     <message>
         <source>Across</source>
         <translation>En face</translation>
+    </message>
+    <message>
+        <source>The takes: %1</source>
+        <translation>Les prises : %1</translation>
     </message>
 </context>
 <context>
