@@ -66,8 +66,11 @@ public:
     void inspect(QWidget& top)
     {
         for (QWidget* widget : top.findChildren<QWidget*>()) {
-            // Qt names the buttons of its docks once and for all.
-            if (widget->isVisible() && !widget->objectName().startsWith("qt_dockwidget_"))
+            // Qt's own catalogue names the buttons of its docks and of tabs that do not fit.
+            const QString name = widget->objectName();
+            const bool isQts = name.startsWith("qt_dockwidget_") ||
+                               (name.startsWith("Scroll") && qobject_cast<QTabBar*>(widget->parentWidget()));
+            if (widget->isVisible() && !isQts)
                 visit(*widget);
         }
         visit(top);
