@@ -178,6 +178,7 @@ ResultStage clipStage(const CharacterWork& work, const AnimationEntry& animation
         const ClipPlan plan = animationPlan(animation, graph, walkOf(found, graph), placementOf(found));
         const CharacterFrames frames = work.open(progress.part(0, 0.05));
         std::vector<TakeVariation> variations;
+        variations.reserve(drawn.size());
         for (const std::string& clip : drawn)
             variations.push_back(takeVariation(clip, context.resultOf(clipStageOf(clip)), graph));
         const auto [processed, shown, spans] =

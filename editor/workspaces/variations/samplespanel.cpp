@@ -49,7 +49,7 @@ QString nameOf(const SamplesEntry& samples)
         return SamplesPanel::tr("%1 → %2, %3 %")
             .arg(first, QString::fromStdString(second), QLocale().toString(weight * percent, 'f', 0));
     };
-    const QString along = pair(of, samples.to, samples.weight);
+    QString along = pair(of, samples.to, samples.weight);
     if (!samples.across)
         return along;
     //: two pairs of takes at the corners of a square
