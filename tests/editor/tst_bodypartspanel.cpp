@@ -18,17 +18,26 @@ class BodyPartsPanelTest : public BodyPartsFixture
 {
     Q_OBJECT
 
-private slots:
-    void partsOfARealBodyAreProposed()
+    /// Of a person who was captured; nothing where there are no captures.
+    static std::optional<Project> capturedWalk()
     {
         const QDir data(QString::fromLocal8Bit(QUADRILLE_DATA_DIR "/characters/rb_m04"));
         if (!data.exists("mesh.obj"))
-            QSKIP("no captures here");
+            return std::nullopt;
         Project project;
         project.characters = {{.name = "rb", .mesh = data.filePath("mesh.obj").toStdString()}};
         project.sequences.push_back(
             {.name = "walk", .character = "rb", .source = data.filePath("walk_1.pc2").toStdString()});
-        document().reset(project);
+        return project;
+    }
+
+private slots:
+    void partsOfARealBodyAreProposed()
+    {
+        const std::optional<Project> project = capturedWalk();
+        if (!project)
+            QSKIP("no captures here");
+        document().reset(*project);
         QTRY_VERIFY_WITH_TIMEOUT(tool().surface().graph() != nullptr, 30000);
         const Project before = document().project();
         QTest::mouseClick(test::find<QPushButton>("proposeParts"), Qt::LeftButton);
@@ -237,14 +246,10 @@ private slots:
             const auto folder = toPath(m_folder->filePath("sample"));
             document().load(writeSample(folder, {.textureSize = 64, .takesPerKind = 1}));
         } else {
-            const QDir data(QString::fromLocal8Bit(QUADRILLE_DATA_DIR "/characters/rb_m04"));
-            if (!data.exists("mesh.obj"))
+            const std::optional<Project> project = capturedWalk();
+            if (!project)
                 QSKIP("no captures here");
-            Project project;
-            project.characters = {{.name = "rb", .mesh = data.filePath("mesh.obj").toStdString()}};
-            project.sequences.push_back(
-                {.name = "walk", .character = "rb", .source = data.filePath("walk_1.pc2").toStdString()});
-            document().reset(project);
+            document().reset(*project);
             test::find<QDockWidget>("bodyPartsDock")->raise();
             QTRY_VERIFY_WITH_TIMEOUT(tool().surface().graph() != nullptr, 30000);
             run("variations.parts.propose");
