@@ -188,9 +188,9 @@ VariationPoses VariationWork::poses(const VariationEntry& entry, const Progress&
 {
     const std::scoped_lock lock(m_mutex);
     const UpAxis up = project().settings.axes.up;
-    if (m_supports.empty()) {
+    if (!m_standing) {
         movement(progress.part(0, 0.7));
-        m_supports = findSupports(*m_frames, up, progress.part(0.7, 1));
+        m_standing.emplace(CapturedStanding{*m_frames, findSupports(*m_frames, up, progress.part(0.7, 1))});
     }
     if (!m_contacts && entry.correctsContacts) {
         const auto made = movement();
@@ -202,7 +202,7 @@ VariationPoses VariationWork::poses(const VariationEntry& entry, const Progress&
     }
     return {.draw = entry.draw,
             .up = up,
-            .supports = m_supports,
+            .standing = &*m_standing,
             .contacts = entry.correctsContacts ? &*m_contacts : nullptr};
 }
 

@@ -81,7 +81,7 @@ private:
     std::shared_ptr<const LearnedMovement> m_learned;
     std::optional<CharacterFrames> m_frames; ///< of the takes, metres
     std::optional<VariationMeter> m_meter;
-    std::vector<Support> m_supports; ///< of each frame of the takes
+    std::optional<CapturedStanding> m_standing;
     std::optional<VariationContacts> m_contacts;
 };
 

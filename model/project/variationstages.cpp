@@ -81,7 +81,7 @@ private:
     ResultStage alignment() const
     {
         ResultStage made = stage(alignmentStageOf(m_name), "variations/" + m_name);
-        made.version = 2;
+        made.version = 3;
         made.settings = m_work->movementSettings();
         made.files = [work = m_work](const Progress& progress) { return work->files(progress); };
         made.inputs = m_work->clipStages();
@@ -97,7 +97,7 @@ private:
             stage(modelStageOf(m_name, m_parts[part]), "variations/" + m_name + "/" + m_parts[part]);
         VariationEntry learned;
         learned.learning = m_work->entry().learning;
-        made.version = 2;
+        made.version = 3;
         made.settings = settingsText(learned);
         made.inputs = {alignmentStageOf(m_name)};
         made.compute = [work = m_work, name = m_parts[part]](const StageContext&, const Progress& progress) {
@@ -117,7 +117,7 @@ private:
         ResultStage made =
             stage(samplesStageOf(m_name, m_parts[part]), "variations/" + m_name + "/" + m_parts[part]);
         const std::string model = modelStageOf(m_name, m_parts[part]);
-        made.version = 3;
+        made.version = 4;
         made.settings = samplesSettings(m_work->entry());
         made.inputs = {model};
         made.compute = [work = m_work, name = m_parts[part], model](const StageContext& context,
@@ -143,7 +143,7 @@ private:
     ResultStage selection() const
     {
         ResultStage made = stage(selectionStageOf(m_name), "variations/" + m_name);
-        made.version = 4;
+        made.version = 5;
         made.settings = selectionSettings(m_work->entry());
         made.inputs = drawnStages();
         made.compute = [self = *this](const StageContext& context, const Progress& progress) {
@@ -197,7 +197,7 @@ private:
     {
         const std::string name = variationClip(m_name, number);
         ResultStage made = stage(clipStageOf(name), name);
-        made.version = 4;
+        made.version = 5;
         VariationEntry drawn;
         drawn.draw = m_work->entry().draw;
         drawn.correctsContacts = m_work->entry().correctsContacts;

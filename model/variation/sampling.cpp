@@ -136,27 +136,32 @@ void choose(const Candidates& candidates, const PoseSpread& poses, int count, co
     samples.report.spread = poses.reference() > 0 ? poses.between(given) / poses.reference() : 0;
 }
 
-void check(const RowMatrix& trajectory, const TrajectoryLimits& limits)
+void check(const LearnedTrajectory& trajectory, const TrajectoryLimits& limits)
 {
-    if (trajectory.rows() == 0)
+    if (trajectory.positions.rows() == 0)
         refuse("the trajectory has no positions", "choose a learned trajectory");
+    const std::vector<double>& times = trajectory.times;
+    if (!times.empty() &&
+        (std::ssize(times) != trajectory.positions.rows() || !std::ranges::is_sorted(times)))
+        refuse("the times of the trajectory are not one for each position, ascending",
+               "give those of its take's warp");
     if (!(limits.spread >= 0) || !std::isfinite(limits.spread) || !(limits.uncertainty >= 0))
         refuse("the limits of variations are negative or no numbers",
-               "choose numbers from 0 on, such as 0.5");
+               "choose numbers from 0 on, such as 0.7");
 }
 
 } // namespace
 
 TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const PoseSpread& poses,
-                                     const RowMatrix& trajectory, int count, std::uint64_t seed,
+                                     const LearnedTrajectory& trajectory, int count, std::uint64_t seed,
                                      const SamplingSettings& settings, const Progress& progress)
 {
     check(trajectory, settings.limits);
     TrajectorySamples samples;
     if (count <= 0)
         return samples;
-    if (trajectory.rows() == 1) {
-        samples.trajectories.assign(static_cast<std::size_t>(count), trajectory);
+    if (trajectory.positions.rows() == 1) {
+        samples.trajectories.assign(static_cast<std::size_t>(count), trajectory.positions);
         return samples;
     }
     const SmoothDeviations smooth(dynamics, trajectory);
@@ -166,8 +171,8 @@ TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const PoseSpr
     const int drawn = std::max(candidatesPerSample * count, static_cast<int>(trials));
     HmcChain chain = drawByHmc(energy, Eigen::VectorXd::Zero(smooth.size()), smooth.curvature(), drawn, seed,
                                settings.chain, progress.part(0, 0.8));
-    const Candidates candidates(poses, trajectory, smooth, chain.samples, settings.limits.uncertainty,
-                                progress.token());
+    const Candidates candidates(poses, trajectory.positions, smooth, chain.samples,
+                                settings.limits.uncertainty, progress.token());
     samples.report.chain = std::move(chain.report);
     samples.report.scale =
         scaleFor(candidates, settings.limits.spread * poses.reference(), progress.part(0.8, 0.95));

@@ -73,6 +73,15 @@ struct TrajectorySamples
 
 class PoseSpread;
 
+/// A learned latent trajectory that is varied.
+struct LearnedTrajectory
+{
+    RowMatrix positions; ///< frames × dimensions
+    /// When each frame is played, in any unit, ascending, the last one after the first: deviations are smooth
+    /// in it. Empty: one after the other.
+    std::vector<double> times = {};
+};
+
 /// Draws variations of a learned latent trajectory by Hybrid Monte Carlo (CVS §6). The chain's target is the
 /// joint conditional of the dynamics, given the first position, on trajectories that deviate smoothly from
 /// the learned one (see SmoothDeviations), where it starts. What it draws is centred, so that variations lie
@@ -82,7 +91,7 @@ class PoseSpread;
 /// \param poses  of the same model. \throws Error BadArgument (a trajectory without positions, limits that
 /// are negative or no numbers), Cancelled.
 TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const PoseSpread& poses,
-                                     const RowMatrix& trajectory, int count, std::uint64_t seed,
+                                     const LearnedTrajectory& trajectory, int count, std::uint64_t seed,
                                      const SamplingSettings& settings = {}, const Progress& progress = {});
 
 /// How a drawn pose deviates from the mean.

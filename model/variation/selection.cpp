@@ -21,8 +21,7 @@ struct Made
 
 int candidatesFor(int count)
 {
-    constexpr int least = 2;
-    return count == 0 ? 0 : count + std::max(least, count / 2);
+    return count == 0 ? 0 : 2 * count + 2;
 }
 
 VariationSelection selectVariations(const LearnedMovement& learned, const VariationSubject& subject,

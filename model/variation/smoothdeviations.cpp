@@ -3,6 +3,7 @@
 #include "model/variation/smoothdeviations.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,25 +19,48 @@ constexpr Eigen::Index leastWaves = 6;
 /// Of the largest curvature; flatter directions, and those in which the energy falls, count as so curved.
 constexpr double leastCurvature = 1e-4;
 
-RowMatrix sineWaves(Eigen::Index frames)
+/// Where each of so many frames is between the first one and the last, 0 … frames − 1.
+std::vector<double> placesIn(const std::vector<double>& times, Eigen::Index frames)
 {
-    RowMatrix waves(frames, frames - 1);
+    std::vector<double> places;
+    const double last = static_cast<double>(frames) - 1;
+    for (Eigen::Index f = 0; f < frames; ++f) {
+        const auto i = static_cast<std::size_t>(f);
+        places.push_back(times.empty() ? static_cast<double>(f)
+                                       : last * (times[i] - times.front()) / (times.back() - times.front()));
+    }
+    return places;
+}
+
+/// As many waves as can be told apart at these places, orthonormal, the longest first.
+/// \return frames × waves.
+Eigen::MatrixXd sineWaves(const std::vector<double>& places)
+{
+    const std::ptrdiff_t frames = std::ssize(places);
+    Eigen::MatrixXd waves(frames, frames - 1);
     const double span = static_cast<double>(frames) - 0.5;
     for (Eigen::Index f = 0; f < frames; ++f) {
         for (Eigen::Index w = 0; w < waves.cols(); ++w)
             waves(f, w) = std::sqrt(2 / span) * std::sin((static_cast<double>(w) + 0.5) * std::numbers::pi *
-                                                         static_cast<double>(f) / span);
+                                                         places[static_cast<std::size_t>(f)] / span);
     }
+    constexpr double leastOwn = 1e-6; // of a wave's length that the longer ones leave
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(waves);
+    Eigen::Index own = 0;
+    while (own < waves.cols() && std::abs(qr.matrixQR()(own, own)) > leastOwn)
+        ++own;
+    waves = qr.householderQ() * Eigen::MatrixXd::Identity(frames, own);
+    waves.row(0).setZero(); // but for rounding it is
     return waves;
 }
 
 } // namespace
 
-SmoothDeviations::SmoothDeviations(const GpdmDynamics& dynamics, const RowMatrix& trajectory)
-    : m_dynamics(dynamics), m_trajectory(trajectory)
+SmoothDeviations::SmoothDeviations(const GpdmDynamics& dynamics, const LearnedTrajectory& trajectory)
+    : m_dynamics(dynamics), m_trajectory(trajectory.positions)
 {
-    const RowMatrix all = sineWaves(trajectory.rows());
-    const RowMatrix own = all.transpose() * (trajectory.rowwise() - trajectory.row(0));
+    const Eigen::MatrixXd all = sineWaves(placesIn(trajectory.times, m_trajectory.rows()));
+    const RowMatrix own = all.transpose() * (m_trajectory.rowwise() - m_trajectory.row(0));
     const double squares = own.squaredNorm();
     Eigen::Index count = std::min(leastWaves, all.cols());
     while (count < all.cols() && own.topRows(count).squaredNorm() < shareOfTrajectory * squares)

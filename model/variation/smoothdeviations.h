@@ -7,14 +7,15 @@
 namespace quadrille {
 
 /// Trajectories that deviate smoothly from a learned one and begin where it does, and how probable they are:
-/// the joint conditional of the dynamics (GpdmDynamics::energy) on sums of sine waves, a quarter of a period
-/// over the whole, then odd multiples of that, as many as the learned trajectory itself consists of. Noise
-/// that goes anywhere from one frame to the next has no place in them. Refers to the dynamics.
+/// the joint conditional of the dynamics (GpdmDynamics::energy) on sums of sine waves in the time of the
+/// take, a quarter of a period over the whole, then odd multiples of that, as many as the learned trajectory
+/// itself consists of. Noise that goes anywhere from one frame to the next has no place in them, and what the
+/// take passes quickly on the reference it passes without a jerk. Refers to the dynamics.
 class SmoothDeviations
 {
 public:
-    /// \pre The trajectory has at least two positions.
-    SmoothDeviations(const GpdmDynamics& dynamics, const RowMatrix& trajectory);
+    /// \pre The trajectory has at least two positions; times as LearnedTrajectory has them.
+    SmoothDeviations(const GpdmDynamics& dynamics, const LearnedTrajectory& trajectory);
 
     /// How many numbers make a deviation.
     Eigen::Index size() const { return m_waves.cols() * m_trajectory.cols(); }

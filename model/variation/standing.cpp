@@ -3,6 +3,11 @@
 #include "model/variation/standing.h"
 
 #include "model/core/smoothing.h"
+#include "model/sequence/feet.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
 
 namespace quadrille {
 
@@ -12,51 +17,95 @@ namespace {
 /// within a frame.
 constexpr double evening = 0.1;
 
-/// Vertices that stand in both frames that a pose comes from.
-std::vector<std::uint32_t> standingIn(const FrameOrigin& origin, std::span<const Support> supports)
+/// What stands in a pose of a variation, and how far above the ground's zero it stood, metres.
+struct StandingPose
+{
+    std::vector<std::uint32_t> vertices; ///< those that stand in both frames that the pose comes from
+    double height = 0;
+};
+
+StandingPose standingIn(const FrameOrigin& origin, const CapturedStanding& captured, const Ground& ground)
 {
     const auto of = [&](NodeIndex node) -> const std::vector<std::uint32_t>& {
-        return supports[static_cast<std::size_t>(node)].vertices;
+        return captured.supports[static_cast<std::size_t>(node)].vertices;
     };
-    return common(of(origin.source), of(origin.destination));
+    StandingPose pose{.vertices = common(of(origin.source), of(origin.destination))};
+    if (pose.vertices.empty())
+        return pose;
+    const auto height = [&](NodeIndex node) {
+        return ground.heightOf(
+            meanOf(captured.character.frame(node).positions(), pose.vertices).cast<double>());
+    };
+    pose.height = height(origin.source);
+    if (origin.destination != origin.source)
+        pose.height += origin.lambda * (height(origin.destination) - pose.height);
+    return pose;
 }
 
-Vec2d meanPlace(Positions positions, std::span<const std::uint32_t> vertices, const Ground& ground)
+std::vector<StandingPose> standingPoses(const Clip& clip, const CapturedStanding& captured,
+                                        const Ground& ground)
 {
-    Vec2d sum = Vec2d::Zero();
-    for (const std::uint32_t vertex : vertices)
-        sum += ground.of(positions[vertex].cast<double>());
-    return sum / static_cast<double>(vertices.size());
+    std::vector<StandingPose> poses;
+    for (const FrameOrigin& origin : clip.origins)
+        poses.push_back(standingIn(origin, captured, ground));
+    return poses;
 }
 
 /// How far each frame is to be moved so that nothing slides that stands in it and in the one before.
-std::vector<Vec2d> shiftsOf(const Clip& clip, std::span<const Support> supports, const Ground& ground)
+std::vector<Vec2d> shiftsOf(const Clip& clip, std::span<const StandingPose> poses, const Ground& ground)
 {
-    std::vector<Vec2d> shifts;
-    std::vector<std::uint32_t> before;
-    Vec2d shift = Vec2d::Zero();
-    for (std::int64_t f = 0; f < clip.frameCount(); ++f) {
-        const std::vector<std::uint32_t> now =
-            standingIn(clip.origins[static_cast<std::size_t>(f)], supports);
-        const std::vector<std::uint32_t> standing = common(before, now);
-        if (!standing.empty())
-            shift +=
-                meanPlace(clip.frame(f - 1), standing, ground) - meanPlace(clip.frame(f), standing, ground);
+    std::vector<Vec2d> shifts{Vec2d::Zero()};
+    for (std::size_t f = 1; f < poses.size(); ++f) {
+        Vec2d shift = shifts.back();
+        const std::vector<std::uint32_t> standing = common(poses[f - 1].vertices, poses[f].vertices);
+        if (!standing.empty()) {
+            const auto frame = static_cast<std::int64_t>(f);
+            const Vec3f moved = meanOf(clip.frame(frame - 1), standing) - meanOf(clip.frame(frame), standing);
+            shift += ground.of(moved.cast<double>());
+        }
         shifts.push_back(shift);
-        before = now;
     }
     return shifts;
 }
 
+/// How far each frame is to be raised so that what stands is as high as it was; where nothing does, evenly
+/// from the frame before to the one after that stands.
+std::vector<double> risesOf(const Clip& clip, std::span<const StandingPose> poses, const Ground& ground)
+{
+    std::vector<double> rises(poses.size());
+    std::optional<std::size_t> before;
+    for (std::size_t f = 0; f < poses.size(); ++f) {
+        const StandingPose& pose = poses[f];
+        if (pose.vertices.empty())
+            continue;
+        const Positions frame = clip.frame(static_cast<std::int64_t>(f));
+        rises[f] = pose.height - ground.heightOf(meanOf(frame, pose.vertices).cast<double>());
+        const std::size_t first = before.value_or(0);
+        for (std::size_t between = before ? first + 1 : 0; between < f; ++between) {
+            const double share = static_cast<double>(between - first) / static_cast<double>(f - first);
+            rises[between] = before ? rises[first] + share * (rises[f] - rises[first]) : rises[f];
+        }
+        before = f;
+    }
+    if (before)
+        std::fill(rises.begin() + static_cast<std::ptrdiff_t>(*before), rises.end(), rises[*before]);
+    return rises;
+}
+
 } // namespace
 
-void keepStanding(Clip& clip, std::span<const Support> supports, UpAxis up)
+void keepStanding(Clip& clip, const CapturedStanding& captured, UpAxis up)
 {
+    if (clip.origins.empty())
+        return;
     const Ground ground(up);
-    const std::vector<Vec2d> shifts = evened(shiftsOf(clip, supports, ground), evening * clip.fps);
-    for (std::int64_t f = 0; f < clip.frameCount(); ++f) {
-        const Vec3f moved = ground.at(shifts[static_cast<std::size_t>(f)], 0).cast<float>();
-        for (Vec3f& position : clip.frame(f))
+    const std::vector<StandingPose> poses = standingPoses(clip, captured, ground);
+    const double deviation = evening * clip.fps;
+    const std::vector<Vec2d> shifts = evened(shiftsOf(clip, poses, ground), deviation);
+    const std::vector<double> rises = evened(risesOf(clip, poses, ground), deviation);
+    for (std::size_t f = 0; f < poses.size(); ++f) {
+        const Vec3f moved = ground.at(shifts[f], rises[f]).cast<float>();
+        for (Vec3f& position : clip.frame(static_cast<std::int64_t>(f)))
             position += moved;
     }
 }

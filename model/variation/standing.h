@@ -5,16 +5,24 @@
 #include "model/synthesis/clip.h"
 #include "model/synthesis/supports.h"
 
-#include <span>
+#include <vector>
 
 namespace quadrille {
 
-/// Moves the frames of a variation over the ground so that what stood in the captured frames that it follows
-/// stands still in it as well: its way comes from its steps, as a body's does, instead of from displacements
-/// that know nothing of the legs. Legs are drawn without knowing of each other, so the way is evened out from
-/// step to step; what little slides then is for the correction of contacts. Where nothing stands, the way
-/// stays as it is. Poses, heights and headings stay.
-/// \param supports  of each captured frame that origins count, of findSupports.
-void keepStanding(Clip& clip, std::span<const Support> supports, UpAxis up);
+/// What of captured frames stands.
+struct CapturedStanding
+{
+    CharacterFrames character;
+    std::vector<Support> supports; ///< of each of its frames, of findSupports
+};
+
+/// Moves the frames of a variation so that what stood in the captured frames that it follows stands still in
+/// it as well, and at the same height: its way comes from its steps, as a body's does, instead of from
+/// displacements that know nothing of the legs. Legs are drawn without knowing of each other, so the way is
+/// evened out from step to step; what little slides then is for the correction of contacts. Where nothing
+/// stands, the way over the ground stays as it is, and the height has an even share of what it was moved by
+/// before and after. Poses and headings stay.
+/// \param captured  the frames that origins count.
+void keepStanding(Clip& clip, const CapturedStanding& captured, UpAxis up);
 
 } // namespace quadrille

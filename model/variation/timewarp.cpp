@@ -203,6 +203,17 @@ std::vector<Vec2d> anchorsOf(const std::vector<WarpMatch>& path)
 
 } // namespace
 
+std::vector<double> takeSteps(const TakeWarp& warp, std::size_t referenceFrames)
+{
+    constexpr double leastStep = 0.05; // what hardly passes has no speed
+    std::vector<double> steps(referenceFrames, 1);
+    for (std::size_t r = 1; r < std::min(referenceFrames, warp.positions.size()); ++r)
+        steps[r] = std::max(warp.positions[r] - warp.positions[r - 1], leastStep);
+    if (referenceFrames > 1)
+        steps[0] = steps[1];
+    return steps;
+}
+
 WarpPathResult warpWhole(const Table<float>& costs, const WarpSteps& steps)
 {
     assert(costs.rows() > 0 && costs.cols() > 0);

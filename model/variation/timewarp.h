@@ -25,6 +25,10 @@ struct TakeWarp
     bool operator==(const TakeWarp&) const = default;
 };
 
+/// How many frames of the take pass from one reference frame to the next, at least a twentieth: of each one
+/// since the one before it, of the first as of the second; 1 each where the warp has no positions.
+std::vector<double> takeSteps(const TakeWarp& warp, std::size_t referenceFrames);
+
 /// A frame of the reference that is matched with a frame of a take.
 struct WarpMatch
 {

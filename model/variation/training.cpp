@@ -60,8 +60,12 @@ void checkShare(double share, const std::string& block)
 RowMatrix displacementRows(const AlignedTake& take)
 {
     const std::vector<Displacement> displacements = displacementsOf(take.placements);
-    return Eigen::Map<const RowMatrix>(displacements.front().data(),
-                                       static_cast<Eigen::Index>(displacements.size()), displacementCount);
+    const std::vector<double> steps = takeSteps(take.warp, displacements.size());
+    RowMatrix rows = Eigen::Map<const RowMatrix>(
+        displacements.front().data(), static_cast<Eigen::Index>(displacements.size()), displacementCount);
+    for (Eigen::Index f = 0; f < rows.rows(); ++f)
+        rows.row(f) /= steps[static_cast<std::size_t>(f)];
+    return rows;
 }
 
 /// The displacements, then the coefficients of each kind.
@@ -83,7 +87,9 @@ void scaleBlock(PartTraining& training, std::size_t index, Eigen::Index coordina
     const double poses = totalVariance(training.rows.leftCols(coordinates));
     const double values = totalVariance(columns);
     const double wanted = share * poses / static_cast<double>(coordinates);
-    block.scale = wanted > 0 && values > 0 ? std::sqrt(wanted / values) : 1;
+    // Of values of single precision that do not vary.
+    const double rounding = 1e-12 * columns.squaredNorm() / static_cast<double>(columns.rows());
+    block.scale = wanted > 0 && values > rounding ? std::sqrt(wanted / values) : 1;
     columns *= block.scale;
 }
 
@@ -181,14 +187,15 @@ void partPose(std::span<const double> poseVector, MutablePositions out)
 }
 
 std::vector<Displacement> partDisplacements(const Eigen::Ref<const RowMatrix>& poseVectors,
-                                            const PartTraining& training)
+                                            const PartTraining& training, const TakeWarp& warp)
 {
     assert(!training.blocks.empty() && training.blocks.front().count == displacementCount);
     const RowMatrix values = blockValues(poseVectors, training.blocks.front());
     std::vector<Displacement> displacements(static_cast<std::size_t>(values.rows()));
+    const std::vector<double> steps = takeSteps(warp, displacements.size());
     for (std::size_t f = 0; f < displacements.size(); ++f)
         Eigen::Map<Eigen::Matrix<double, 1, displacementCount>>(displacements[f].data()) =
-            values.row(static_cast<Eigen::Index>(f));
+            steps[f] * values.row(static_cast<Eigen::Index>(f));
     return displacements;
 }
 

@@ -70,11 +70,11 @@ struct PartTraining
 inline constexpr auto displacementBlock = "displacements";
 
 /// The training rows of one part (ALGORITHMS section 8): three coordinates of each of its vertices in their
-/// order, and the blocks of values for the root. A block that does not vary, or beside vertices that do not
-/// move, has the scale 1.
-/// \param displacementShare  total variance of the displacements, in mean variances of a coordinate.
-/// \param kinds  of the takes' coefficients.
-/// \pre All takes have as many frames, at least two, and as many coefficients of each kind.
+/// order, and the blocks of values for the root. Displacements are those of a frame of the take, not of the
+/// reference: a variation that is played quickly where others are slow would else go as much too far. A block
+/// that does not vary, or beside vertices that do not move, has the scale 1. \param displacementShare  total
+/// variance of the displacements, in mean variances of a coordinate. \param kinds  of the takes'
+/// coefficients. \pre All takes have as many frames, at least two, and as many coefficients of each kind.
 /// \throws Error BadArgument (no takes, a share that is not positive).
 PartTraining partTraining(std::span<const AlignedTake> takes, const BodyPart& part,
                           double displacementShare = 6, std::span<const CoefficientKind> kinds = {});
@@ -82,8 +82,9 @@ PartTraining partTraining(std::span<const AlignedTake> takes, const BodyPart& pa
 /// The vertices that a pose vector (mean added) means, in BodyPart::vertices' order, metres.
 /// \pre The vector has three coordinates of each.
 void partPose(std::span<const double> poseVector, MutablePositions out);
-/// The displacement of each pose vector of the root (mean added). \pre The training is of the root.
+/// The displacement from one reference frame to the next of each pose vector of the root (mean added).
+/// \param warp  of the take that is varied, or of the blend. \pre The training is of the root.
 std::vector<Displacement> partDisplacements(const Eigen::Ref<const RowMatrix>& poseVectors,
-                                            const PartTraining& training);
+                                            const PartTraining& training, const TakeWarp& warp);
 
 } // namespace quadrille

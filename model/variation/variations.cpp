@@ -8,7 +8,6 @@
 #include "model/variation/playback.h"
 #include "model/variation/posespread.h"
 #include "model/variation/preblend.h"
-#include "model/variation/standing.h"
 
 #include <algorithm>
 #include <atomic>
@@ -116,7 +115,9 @@ PartVariations drawPart(const Movement& movement, std::size_t part, const GpdmSt
         const RowSpan& span = spans.at(around[c].take);
         const double share = 1.0 / static_cast<double>(around.size());
         const auto at = static_cast<double>(c);
-        drawn.push_back(sampleTrajectories(dynamics, poses, state.latents.middleRows(span.first, span.count),
+        drawn.push_back(sampleTrajectories(dynamics, poses,
+                                           {.positions = state.latents.middleRows(span.first, span.count),
+                                            .times = movement.take(around[c].take).warp.positions},
                                            count, streamSeed(streamSeed(seed, part), around[c].take), own,
                                            progress.part(at * share, (at + 1) * share)));
         result.reports.push_back(drawn.back().report);
@@ -179,19 +180,20 @@ Clip makeVariation(const LearnedMovement& learned, const VariationSubject& subje
         warps.push_back({&take.warp, share});
         origins.push_back({warps.back(), layout.firstOf(static_cast<int>(index))});
     }
+    const TakeWarp warp = blendedWarp(warps);
     const std::vector<RigidMotion> guide = blendedPlacements(takes, settings.up);
     const RowMatrix& root = rows.front();
-    const std::vector<Displacement> displacements = partDisplacements(root, movement.training.front());
+    const std::vector<Displacement> displacements = partDisplacements(root, movement.training.front(), warp);
     const std::vector<RigidMotion> placements =
         pathOnGround(displacements, guide,
                      {.up = settings.up, .fps = movement.alignment.fps, .driftHalfLife = driftHalfLife});
     Clip clip;
     clip.topology = movement.topology;
     clip.fps = movement.alignment.fps;
-    clip.positions = played(poses, placements, blendedWarp(warps), progress.part(0.9, 1));
+    clip.positions = played(poses, placements, warp, progress.part(0.9, 1));
     clip.origins = variationOrigins(origins);
-    if (!settings.supports.empty())
-        keepStanding(clip, settings.supports, settings.up);
+    if (settings.standing)
+        keepStanding(clip, *settings.standing, settings.up);
     if (settings.contacts && !settings.contacts->legs.feet.empty()) {
         const std::vector<ContactSpan> contacts = contactsOf(clip, settings.contacts->character);
         clip = contactsCorrected(

@@ -4,9 +4,9 @@
 
 #include "model/sequence/feet.h"
 #include "model/synthesis/clip.h"
-#include "model/synthesis/supports.h"
 #include "model/variation/posedraw.h"
 #include "model/variation/sampling.h"
+#include "model/variation/standing.h"
 #include "model/variation/stitching.h"
 #include "model/variation/subject.h"
 
@@ -82,9 +82,9 @@ struct VariationPoses
     PoseDraw draw = PoseDraw::Mean;
     std::uint64_t seed = 1; ///< of draws
     UpAxis up = UpAxis::Y;
-    /// What of the captured frames stands, by the nodes of the layout: the way follows the steps then (see
-    /// keepStanding). Empty: it follows the displacements alone.
-    std::span<const Support> supports;
+    /// What of the captured frames stands: the way follows the steps then (see keepStanding). Null: it
+    /// follows the displacements alone.
+    const CapturedStanding* standing = nullptr;
     /// Null: feet slip as the poses and the way let them.
     const VariationContacts* contacts = nullptr;
 };

@@ -54,8 +54,9 @@ void twentyVariations(benchmark::State& run)
         arena.execute([&] {
             tbb::parallel_for(0, 5, [&](int part) {
                 const PoseSpread poses(posed.loops.state, posed.rows, posed.loops.spans, 600);
-                benchmark::DoNotOptimize(sampleTrajectories(posed.dynamics, poses, posed.loops.trajectory(1),
-                                                            20, static_cast<std::uint64_t>(part))
+                benchmark::DoNotOptimize(sampleTrajectories(posed.dynamics, poses,
+                                                            {posed.loops.trajectory(1)}, 20,
+                                                            static_cast<std::uint64_t>(part))
                                              .trajectories.data());
             });
         });

@@ -44,7 +44,7 @@ TEST_F(VariationStages, OfferTheDataOfEachPart)
     EXPECT_THAT(shape(base + "latents"), ElementsAre(36, 3));
     EXPECT_THAT(shape(base + "hyperparameters"), ElementsAre(7));
     // As many candidates as may be needed, on the frames of the reference.
-    EXPECT_THAT(shape(base + "samples"), ElementsAre(4, 18, 3));
+    EXPECT_THAT(shape(base + "samples"), ElementsAre(6, 18, 3));
     const auto spans =
         std::get<std::vector<std::int64_t>>(std::get<DataArray>(item(base + "spans").content).values);
     EXPECT_THAT(spans, ElementsAre(0, 17, 18, 35));
@@ -58,7 +58,7 @@ TEST_F(VariationStages, OfferTheDataOfEachPart)
 
 TEST_F(VariationStages, SayHowFarVariationsAreApart)
 {
-    sway().samples.front().count = 5;
+    sway().samples.front().count = 12;
     sway().extent.spread = 0.8;
     computed(run("variations"));
     EXPECT_THAT(column<std::string>("variations/sway/spread", "part"),
@@ -70,7 +70,7 @@ TEST_F(VariationStages, SayHowFarVariationsAreApart)
         EXPECT_GT(takes[p], 0.001);
         EXPECT_DOUBLE_EQ(ratios[p], variations[p] / takes[p]);
     }
-    // Five of the 24 that were scaled to 0.8; the base is measured after the tip was laid onto it.
+    // Twelve of those that were scaled to 0.8; the base is measured after the tip was laid onto it.
     const auto drawn = column<double>("variations/sway/tip/chains", "spread");
     EXPECT_NEAR(drawn[0], 0.8, 0.3);
     EXPECT_NEAR(ratios[1], drawn[0], 0.4);
@@ -228,7 +228,7 @@ TEST_F(VariationStages, RejectWhatIsBadAndSayWhichIsMissing)
     sway().limits.poseDistance = 1e-9;
     EXPECT_THAT(problem(), HasSubstr("There is no variation 1"));
     const auto faults = column<std::string>("variations/sway/report", "faults");
-    ASSERT_EQ(faults.size(), 4U);
+    ASSERT_EQ(faults.size(), 6U);
     EXPECT_THAT(faults, Contains(HasSubstr("pose-distance")));
 }
 

@@ -23,7 +23,7 @@ constexpr SamplingSettings anywhere{.chain = {.thinning = 1},
 TrajectorySamples sampled(const PosedLoops& posed, std::size_t sequence, int count, std::uint64_t seed,
                           const SamplingSettings& settings = {}, const Progress& progress = {})
 {
-    return sampleTrajectories(posed.dynamics, posed.poses, posed.loops.trajectory(sequence), count, seed,
+    return sampleTrajectories(posed.dynamics, posed.poses, {posed.loops.trajectory(sequence)}, count, seed,
                               settings, progress);
 }
 
@@ -101,7 +101,7 @@ TEST(TrajectorySamples, ofTwoFramesHaveTheVarianceOfThePrediction)
     const RowMatrix start = posed.loops.trajectory(0).topRows(2);
     constexpr int count = 2000;
     const TrajectorySamples samples =
-        sampleTrajectories(posed.dynamics, posed.poses, start, count, 3, anywhere);
+        sampleTrajectories(posed.dynamics, posed.poses, {start}, count, 3, anywhere);
     ASSERT_EQ(samples.trajectories.size(), static_cast<std::size_t>(count));
     const double scale = samples.report.scale;
     ASSERT_GT(scale, 0);
@@ -132,7 +132,7 @@ TEST(TrajectorySamples, haveTheVariancesOfAChainInPositions)
     SamplingSettings settings = anywhere;
     settings.chain.thinning = 4;
     const TrajectorySamples samples =
-        sampleTrajectories(posed.dynamics, posed.poses, trajectory, 1500, 6, settings);
+        sampleTrajectories(posed.dynamics, posed.poses, {trajectory}, 1500, 6, settings);
     EXPECT_GE(inPositions.report.effectiveSampleSize, 1000);
     std::vector<Eigen::VectorXd> later;
     for (const RowMatrix& sample : samples.trajectories)
@@ -237,7 +237,7 @@ TEST(TrajectorySamples, ofOneFrameAreThatFrame)
 {
     const PosedLoops posed(1, 5);
     const RowMatrix frame = posed.loops.state.latents.topRows(1);
-    const TrajectorySamples samples = sampleTrajectories(posed.dynamics, posed.poses, frame, 3, 1);
+    const TrajectorySamples samples = sampleTrajectories(posed.dynamics, posed.poses, {frame}, 3, 1);
     ASSERT_EQ(samples.trajectories.size(), 3u);
     for (const RowMatrix& trajectory : samples.trajectories)
         EXPECT_EQ(trajectory, frame);
@@ -246,7 +246,7 @@ TEST(TrajectorySamples, ofOneFrameAreThatFrame)
 TEST(TrajectorySamples, refuseWhatHasNoSense)
 {
     const PosedLoops posed(1, 5);
-    EXPECT_EQ(codeOf([&] { sampleTrajectories(posed.dynamics, posed.poses, RowMatrix(0, 3), 1, 1); }),
+    EXPECT_EQ(codeOf([&] { sampleTrajectories(posed.dynamics, posed.poses, {RowMatrix(0, 3)}, 1, 1); }),
               ErrorCode::BadArgument);
     const double infinity = std::numeric_limits<double>::infinity();
     for (const TrajectoryLimits& limits :

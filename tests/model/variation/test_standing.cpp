@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/variation/standing.h"
+#include "tests/model/transition/posedistancetest.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace quadrille;
+using namespace quadrille::testing;
 
 namespace {
 
@@ -34,17 +36,22 @@ Clip slidingSteps(double left, double right)
     return clip;
 }
 
-std::vector<Support> standing()
+/// The capture that the clip's frames come from: feet on the ground. \param flight  frames in which neither
+/// foot stands, before the step and after it.
+CapturedStanding standing(NodeIndex flight = 0)
 {
-    std::vector<Support> supports;
+    CapturedStanding captured{.character = characterOf(sequenceOf(
+                                  triangle(), std::vector<std::vector<Vec3f>>(
+                                                  frames, {Vec3f::Zero(), Vec3f::Zero(), Vec3f::UnitY()}))),
+                              .supports = {}};
     for (NodeIndex f = 0; f < frames; ++f) {
-        Support& support = supports.emplace_back();
-        if (f <= step)
+        Support& support = captured.supports.emplace_back();
+        if (f <= step - flight)
             support.vertices.push_back(0);
-        if (f >= step)
+        if (f >= step + flight)
             support.vertices.push_back(1);
     }
-    return supports;
+    return captured;
 }
 
 /// How far the body's way is from a straight one at an even speed, at most over three frames.
@@ -86,8 +93,43 @@ TEST(Standing, WhereNothingStandsTheWayStays)
 {
     Clip clip = slidingSteps(0.03, -0.03);
     const std::vector<Vec3f> before = clip.positions;
-    keepStanding(clip, std::vector<Support>(static_cast<std::size_t>(frames)), UpAxis::Y);
+    CapturedStanding nothing = standing();
+    for (Support& support : nothing.supports)
+        support.vertices.clear();
+    keepStanding(clip, nothing, UpAxis::Y);
     EXPECT_EQ(clip.positions, before);
+}
+
+TEST(Standing, WhatStandsIsAsHighAsItWas)
+{
+    Clip clip = slidingSteps(0, 0);
+    for (Vec3f& position : clip.positions)
+        position.y() += 0.25F;
+    keepStanding(clip, standing(), UpAxis::Y);
+    for (NodeIndex f = 0; f < frames; ++f) {
+        EXPECT_NEAR(clip.frame(f)[0].y(), 0, 1e-6) << f;
+        EXPECT_NEAR(clip.frame(f)[2].y(), 1, 1e-6) << f;
+    }
+}
+
+// A flight that is too low at its start and too high at its end keeps its curve: what it is moved by changes
+// evenly, as that of the frames around it does.
+TEST(Standing, AFlightKeepsItsCurve)
+{
+    Clip clip = slidingSteps(0, 0);
+    const auto arc = [](NodeIndex f) { return 0.1 * static_cast<double>(f) * (frames - f) / frames; };
+    const auto error = [](NodeIndex f) { return 0.02 * static_cast<double>(f) - 0.2; };
+    constexpr NodeIndex flight = 10;
+    for (NodeIndex f = 0; f < frames; ++f) {
+        const bool flies = step - flight < f && f < step + flight;
+        for (Vec3f& position : clip.frame(f))
+            position.y() += static_cast<float>(error(f) + (flies ? arc(f) : 0));
+    }
+    keepStanding(clip, standing(flight), UpAxis::Y);
+    for (NodeIndex f = 0; f < frames; ++f) {
+        const bool flies = step - flight < f && f < step + flight;
+        EXPECT_NEAR(clip.frame(f)[2].y(), 1 + (flies ? arc(f) : 0), 1e-5) << f;
+    }
 }
 
 } // namespace

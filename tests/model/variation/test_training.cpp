@@ -114,11 +114,35 @@ TEST(PartTraining, GivesDisplacementsTheShareThatWasAskedFor)
         ASSERT_EQ(training.rows.cols(), 21);
         EXPECT_NEAR(variance(training.rows.rightCols(6)), share * variance(training.rows.leftCols(15)) / 15,
                     1e-9);
-        const Displacement found = partDisplacements(training.rows.row(12) + training.mean, training).front();
+        const Displacement found =
+            partDisplacements(training.rows.row(12) + training.mean, training, {}).front();
         const Displacement expected = displacementsOf(takes[1].placements)[3];
         for (std::size_t k = 0; k < 6; ++k)
             EXPECT_NEAR(found[k], expected[k], 1e-12);
     }
+}
+
+// Two takes go the same way, the second as the reference does, the first in jerks: what is learned is how far
+// they go in a frame of their own.
+TEST(PartTraining, LearnsDisplacementsInTheTakesOwnTime)
+{
+    std::vector<AlignedTake> takes = {takeOf(9, 0), takeOf(9, 0)};
+    TakeWarp& warp = takes[0].warp;
+    for (const double position : {0.0, 0.25, 0.5, 2.5, 4.0, 4.125, 6.0, 7.0, 8.0})
+        warp.positions.push_back(position);
+    for (std::size_t t = 0; t < 2; ++t) {
+        for (std::size_t f = 0; f < 9; ++f) {
+            const double time = t == 0 ? warp.positions[f] : static_cast<double>(f);
+            takes[t].placements[f] = {Eigen::Quaterniond::Identity(), Vec3d(0.02 * time, 0, 0)};
+        }
+    }
+    const PartTraining training = partTraining(takes, partOf({0, 7, 20, 21, 40}, -1));
+    EXPECT_LT((training.rows.topRightCorner(9, 6) - training.rows.bottomRightCorner(9, 6)).norm(), 1e-9);
+    const RowMatrix vectors = training.rows.topRows(9).rowwise() + training.mean;
+    const std::vector<Displacement> found = partDisplacements(vectors, training, warp);
+    const std::vector<Displacement> expected = displacementsOf(takes[0].placements);
+    for (std::size_t f = 0; f < 9; ++f)
+        EXPECT_NEAR(found[f][0], expected[f][0], 1e-12) << f;
 }
 
 TEST(PartTraining, GivesEachKindOfCoefficientsItsShare)

@@ -20,14 +20,14 @@ struct LongStrides
     CharacterFrames character;
     LearnedMovement learned;
     LatentVariation latents;
-    std::vector<Support> supports;
+    CapturedStanding standing;
     VariationContacts contacts;
 
     LongStrides()
         : character(std::vector{walk()})
         , learned(movement(), states(*movement()))
         , latents{learned.trajectory(0, 0) * 1.2}
-        , supports(findSupports(character, UpAxis::Y))
+        , standing{character, findSupports(character, UpAxis::Y)}
         , contacts{character, legsOf(character, UpAxis::Y)}
     {
     }
@@ -35,14 +35,14 @@ struct LongStrides
     Clip clip(const VariationContacts* corrected) const
     {
         return makeVariation(learned, {}, latents, character.layout(),
-                             {.up = UpAxis::Y, .supports = supports, .contacts = corrected});
+                             {.up = UpAxis::Y, .standing = &standing, .contacts = corrected});
     }
     double skate(const Clip& clip) const
     {
         std::vector<double> speeds;
-        const std::vector<ContactSpan> standing = contactsOf(clip, character);
+        const std::vector<ContactSpan> spans = contactsOf(clip, character);
         for (const Foot& foot : contacts.legs.feet) {
-            const auto own = footSkate(clip, foot, standing);
+            const auto own = footSkate(clip, foot, spans);
             speeds.insert(speeds.end(), own.begin(), own.end());
         }
         return meanOf(speeds);
