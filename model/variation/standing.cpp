@@ -6,7 +6,7 @@
 #include "model/sequence/feet.h"
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 #include <span>
 
 namespace quadrille {
@@ -73,22 +73,25 @@ std::vector<Vec2d> shiftsOf(const Clip& clip, std::span<const StandingPose> pose
 std::vector<double> risesOf(const Clip& clip, std::span<const StandingPose> poses, const Ground& ground)
 {
     std::vector<double> rises(poses.size());
-    std::optional<std::size_t> before;
+    std::vector<std::size_t> known;
     for (std::size_t f = 0; f < poses.size(); ++f) {
-        const StandingPose& pose = poses[f];
-        if (pose.vertices.empty())
+        if (poses[f].vertices.empty())
             continue;
-        const Positions frame = clip.frame(static_cast<std::int64_t>(f));
-        rises[f] = pose.height - ground.heightOf(meanOf(frame, pose.vertices).cast<double>());
-        const std::size_t first = before.value_or(0);
-        for (std::size_t between = before ? first + 1 : 0; between < f; ++between) {
-            const double share = static_cast<double>(between - first) / static_cast<double>(f - first);
-            rises[between] = before ? rises[first] + share * (rises[f] - rises[first]) : rises[f];
-        }
-        before = f;
+        const Vec3f place = meanOf(clip.frame(static_cast<std::int64_t>(f)), poses[f].vertices);
+        rises[f] = poses[f].height - ground.heightOf(place.cast<double>());
+        known.push_back(f);
     }
-    if (before)
-        std::fill(rises.begin() + static_cast<std::ptrdiff_t>(*before), rises.end(), rises[*before]);
+    if (known.empty())
+        return rises;
+    for (std::size_t i = 1; i < known.size(); ++i) {
+        const std::size_t first = known[i - 1];
+        const std::size_t last = known[i];
+        for (std::size_t f = first + 1; f < last; ++f)
+            rises[f] = std::lerp(rises[first], rises[last],
+                                 static_cast<double>(f - first) / static_cast<double>(last - first));
+    }
+    std::fill_n(rises.begin(), known.front(), rises[known.front()]);
+    std::fill_n(rises.rbegin(), rises.size() - known.back(), rises[known.back()]);
     return rises;
 }
 

@@ -70,11 +70,12 @@ struct PartTraining
 inline constexpr auto displacementBlock = "displacements";
 
 /// The training rows of one part (ALGORITHMS section 8): three coordinates of each of its vertices in their
-/// order, and the blocks of values for the root. Displacements are those of a frame of the take, not of the
-/// reference: a variation that is played quickly where others are slow would else go as much too far. A block
-/// that does not vary, or beside vertices that do not move, has the scale 1. \param displacementShare  total
-/// variance of the displacements, in mean variances of a coordinate. \param kinds  of the takes'
-/// coefficients. \pre All takes have as many frames, at least two, and as many coefficients of each kind.
+/// order, and the blocks of values for the root. A block that does not vary, or beside vertices that do not
+/// move, has the scale 1. Displacements are those of a frame of the take, not of the reference: a variation
+/// that is played quickly where others are slow would else go as much too far.
+/// \param displacementShare  total variance of the displacements, in mean variances of a coordinate.
+/// \param kinds  of the takes' coefficients.
+/// \pre All takes have as many frames, at least two, and as many coefficients of each kind.
 /// \throws Error BadArgument (no takes, a share that is not positive).
 PartTraining partTraining(std::span<const AlignedTake> takes, const BodyPart& part,
                           double displacementShare = 6, std::span<const CoefficientKind> kinds = {});
