@@ -33,9 +33,9 @@ def flags_of(command):
     for word in words:
         if word == "-o":
             target = next(words)
-        elif word == "-c":
-            next(words)
-        else:
+        elif word in ("-c", "-include"):
+            next(words)  # precompiled headers are GCC's, and each source includes what it uses
+        elif word != "-Winvalid-pch":
             flags.append(word)
     return tuple(flags), target
 
