@@ -3,26 +3,21 @@
 // Blends of four takes: chosen, moved on the pad, learned, removed.
 #include "editor/commands/variationedits.h"
 #include "model/project/validate.h"
-#include "variedproject.h"
+#include "variationsfixture.h"
 #include "widgets/controls/weightspad.h"
 
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QTreeWidget>
-#include <memory>
 
 namespace quadrille {
 
-class VariationSquareTest : public QObject
+class VariationSquareTest : public VariationsFixture
 {
     Q_OBJECT
 
 private:
-    EditorContext& context() { return m_window->context(); }
-    ProjectDocument& document() { return context().document; }
-    const VariationEntry& entry() { return *document().variation("sways"); }
     const SamplesEntry& samples() { return entry().samples.front(); }
     QComboBox* box(const char* name) { return test::find<QComboBox>(QLatin1String(name)); }
     widgets::WeightsPad* pad() { return test::find<widgets::WeightsPad>(QStringLiteral("acrossPad")); }
@@ -48,20 +43,10 @@ private:
         QVERIFY(samples().across);
     }
 
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<MainWindow> m_window;
-
-private slots:
-    void initTestCase() { test::isolate(); }
-
+protected slots:
     void init()
     {
-        m_folder = std::make_unique<QTemporaryDir>();
-        test::writeSwayingTakes(m_folder->path());
-        m_window = std::make_unique<MainWindow>();
-        m_window->resize(1400, 1000);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        VariationsFixture::init();
         Project project = test::variedProject(m_folder->path());
         SequenceEntry fourth = project.sequences.front();
         fourth.name = "fourth";
@@ -73,15 +58,10 @@ private slots:
         }
         document().reset(project);
         m_window->workspaces().select("variations");
-        Workspace::showPanel(test::find<QWidget>(QStringLiteral("samplesPanel")));
+        show("samplesPanel");
     }
 
-    void cleanup()
-    {
-        m_window.reset();
-        m_folder.reset();
-    }
-
+private slots:
     void aSecondPairIsOfferedToABlendOnly()
     {
         QVERIFY(!box("acrossOf")->isVisible());

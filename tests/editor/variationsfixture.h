@@ -51,7 +51,7 @@ protected:
                           QPoint(place.left() + 10, place.center().y()));
     }
 
-private slots:
+protected slots:
     void initTestCase() { test::isolate(); }
 
     void init()
