@@ -5,12 +5,16 @@
 #include "model/core/units.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace quadrille::testing {
 
-/// The largest distance of a vertex between two frames.
+/// The largest distance of a vertex between two frames, or frames one after the other; infinite where they
+/// are not as many.
 inline double largestDistance(Positions a, Positions b)
 {
+    if (a.size() != b.size())
+        return std::numeric_limits<double>::infinity();
     double largest = 0;
     for (std::size_t v = 0; v < a.size(); ++v)
         largest = std::max(largest, static_cast<double>((a[v] - b[v]).norm()));
