@@ -60,6 +60,7 @@ void TestLineChart::ticksAreRound_data()
     QTest::addColumn<QList<double>>("ticks");
     QTest::newRow("tenths") << 0.0 << 1.0 << false << 5 << QList<double>{0, 0.2, 0.4, 0.6, 0.8, 1.0};
     QTest::newRow("not from zero") << 13.0 << 42.0 << false << 4 << QList<double>{20, 30, 40};
+    QTest::newRow("never one alone") << 31.0 << 49.0 << false << 2 << QList<double>{35, 40, 45};
     QTest::newRow("powers") << 1e-4 << 1.0 << true << 6 << QList<double>{1e-4, 1e-3, 1e-2, 0.1, 1};
     QTest::newRow("within powers") << 0.01 << 0.2 << true << 8 << QList<double>{0.01, 0.02, 0.05, 0.1, 0.2};
 }

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "widgets/viewport/viewport.h"
+#include "widgets/viewport/viewportoverlay.h"
 #include "widgets/viewport/vtkview.h"
 
 #include <QApplication>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QPainter>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -25,6 +27,7 @@ private slots:
     void measuresBetweenTwoClicks();
     void framesWhatIsThere();
     void canBeDeletedWithItsFigures();
+    void namesInOnePlaceAreAboveEachOther();
 
 private:
     std::unique_ptr<Viewport> m_viewport;
@@ -202,6 +205,27 @@ void TestViewport::canBeDeletedWithItsFigures()
     another.show();
     QVERIFY(QTest::qWaitForWindowExposed(&another));
     QVERIFY(another.isWorking());
+}
+
+void TestViewport::namesInOnePlaceAreAboveEachOther()
+{
+    QImage image(400, 300, QImage::Format_RGB32);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    const QVector3D head(0, 1, 0);
+    paintAnnotations(
+        painter, image.size(),
+        {.camera = m_viewport->camera(), .names = {{head, "one", Qt::red}, {head, "two", Qt::blue}}});
+    painter.end();
+    const auto lowest = [&image](const QColor& mark) {
+        for (int y = image.height() - 1; y >= 0; --y)
+            for (int x = 0; x < image.width(); ++x)
+                if (image.pixelColor(x, y) == mark)
+                    return y;
+        return -1;
+    };
+    QVERIFY(lowest(Qt::blue) > 0);
+    QVERIFY(lowest(Qt::red) > lowest(Qt::blue) + 12);
 }
 
 int main(int argc, char** argv)

@@ -23,10 +23,17 @@ std::vector<double> linearTicks(double minimum, double maximum, int most)
             step = factor * power;
             break;
         }
-    std::vector<double> ticks;
-    const double tolerance = step * 1e-6;
-    for (double i = std::ceil((minimum - tolerance) / step); i * step <= maximum + tolerance; ++i)
-        ticks.push_back(i * step);
+    const auto ticksAt = [minimum, maximum](double each) {
+        std::vector<double> ticks;
+        const double tolerance = each * 1e-6;
+        for (double i = std::ceil((minimum - tolerance) / each); i * each <= maximum + tolerance; ++i)
+            ticks.push_back(i * each);
+        return ticks;
+    };
+    std::vector<double> ticks = ticksAt(step);
+    // One alone says nothing of the scale.
+    while (most >= 2 && maximum > minimum && ticks.size() < 2)
+        ticks = ticksAt(step /= 2);
     return ticks;
 }
 

@@ -53,6 +53,25 @@ double paintListed(QPainter& painter, double top, const Annotations::Name& name)
     return top + size.height();
 }
 
+/// Above their figures, and above each other where they would overlap.
+void paintNames(QPainter& painter, const QSizeF& size, const Annotations& annotations)
+{
+    std::vector<QRectF> placed;
+    for (const Annotations::Name& name : annotations.names) {
+        QPointF pixel;
+        if (!annotations.camera.project(name.place, size, &pixel))
+            continue;
+        QRectF plate(QPointF(), plateSize(painter, name.text, name.color));
+        plate.moveCenter(pixel - QPointF(0.0, 16.0));
+        const auto isInTheWay = [&plate](const QRectF& other) { return plate.intersects(other); };
+        auto other = std::ranges::find_if(placed, isInTheWay);
+        for (; other != placed.end(); other = std::ranges::find_if(placed, isInTheWay))
+            plate.moveBottom(other->top() - 2.0);
+        placed.push_back(plate);
+        paintPlate(painter, plate.center(), name.text, name.color);
+    }
+}
+
 void paintMeasurement(QPainter& painter, const QSizeF& size, const Annotations& annotations)
 {
     std::vector<QPointF> pixels;
@@ -158,13 +177,12 @@ QString lengthText(double metres, const QLocale& locale)
 void paintAnnotations(QPainter& painter, const QSizeF& size, const Annotations& annotations)
 {
     painter.setRenderHint(QPainter::Antialiasing);
-    double row = 12.0;
-    for (const auto& name : annotations.names) {
-        QPointF pixel;
-        if (annotations.namesListed)
+    if (annotations.namesListed) {
+        double row = 12.0;
+        for (const Annotations::Name& name : annotations.names)
             row = paintListed(painter, row, name) + 4.0;
-        else if (annotations.camera.project(name.place, size, &pixel))
-            paintPlate(painter, pixel - QPointF(0.0, 16.0), name.text, name.color);
+    } else {
+        paintNames(painter, size, annotations);
     }
     for (const SceneLabel& label : annotations.labels) {
         QPointF pixel;
