@@ -8306,7 +8306,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Body parts</source>
-        <translation>Parties du corps</translation>
+        <translation>Parties</translation>
     </message>
     <message>
         <source>Learning</source>
