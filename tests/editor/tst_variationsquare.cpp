@@ -47,6 +47,7 @@ protected slots:
     void init()
     {
         VariationsFixture::init();
+        m_window->resize(1400, 1000); // the pad is to be seen as a whole
         Project project = test::variedProject(m_folder->path());
         SequenceEntry fourth = project.sequences.front();
         fourth.name = "fourth";
