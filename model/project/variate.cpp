@@ -156,8 +156,10 @@ std::shared_ptr<const Movement> VariationWork::movement(const Progress& progress
                      settings, pose, progress.part(opening, 1)));
     std::vector<MeshSequence> sequences;
     sequences.reserve(takes.size());
-    for (const TrainingTake& take : takes)
-        sequences.push_back(take.sequence);
+    for (std::size_t t = 0; t < takes.size(); ++t) {
+        sequences.push_back(takes[t].sequence);
+        sequences.back().contacts = m_movement->alignment.reports[t].contacts;
+    }
     m_frames.emplace(sequences);
     return m_movement;
 }
@@ -192,14 +194,8 @@ VariationPoses VariationWork::poses(const VariationEntry& entry, const Progress&
         movement(progress.part(0, 0.7));
         m_standing.emplace(CapturedStanding{*m_frames, findSupports(*m_frames, up, progress.part(0.7, 1))});
     }
-    if (!m_contacts && entry.correctsContacts) {
-        const auto made = movement();
-        std::vector<MeshSequence> takes(m_frames->sequences().begin(), m_frames->sequences().end());
-        for (std::size_t t = 0; t < takes.size(); ++t)
-            takes[t].contacts = made->alignment.reports[t].contacts;
-        const CharacterFrames character(takes);
-        m_contacts.emplace(VariationContacts{character, legsOf(character, up, Progress(progress.token()))});
-    }
+    if (!m_contacts && entry.correctsContacts)
+        m_contacts.emplace(VariationContacts{*m_frames, legsOf(*m_frames, up, Progress(progress.token()))});
     return {.draw = entry.draw,
             .up = up,
             .standing = &*m_standing,

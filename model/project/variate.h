@@ -79,7 +79,7 @@ private:
     std::recursive_mutex m_mutex; ///< of all that is prepared at the first use
     std::shared_ptr<const Movement> m_movement;
     std::shared_ptr<const LearnedMovement> m_learned;
-    std::optional<CharacterFrames> m_frames; ///< of the takes, metres
+    std::optional<CharacterFrames> m_frames; ///< of the takes, metres, with their contacts
     std::optional<VariationMeter> m_meter;
     std::optional<CapturedStanding> m_standing;
     std::optional<VariationContacts> m_contacts;
