@@ -3,6 +3,7 @@
 #include "editor/properties/propertiespanel.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/fields/verticalscroll.h"
 #include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/properties/animationpage.h"
@@ -48,12 +49,7 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
     m_several->setAlignment(Qt::AlignTop | Qt::AlignLeading);
     for (QWidget* page : std::initializer_list<QWidget*>{m_project, m_character, m_sequence, m_export,
                                                          m_animation, m_variation}) {
-        auto* scroll = new QScrollArea;
-        scroll->setWidgetResizable(true);
-        scroll->setFrameShape(QFrame::NoFrame);
-        scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        scroll->setWidget(page);
-        m_pages->addWidget(scroll);
+        m_pages->addWidget(verticalScroll(page));
     }
     m_pages->addWidget(m_several);
     auto* column = new QVBoxLayout(this);

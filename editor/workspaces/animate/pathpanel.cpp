@@ -5,6 +5,7 @@
 #include "editor/application/editorcontext.h"
 #include "editor/fields/actionbutton.h"
 #include "editor/fields/partlist.h"
+#include "editor/fields/verticalscroll.h"
 #include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
@@ -149,12 +150,7 @@ QWidget* PathPanel::makeContent()
     column->addLayout(inset(m_obstacles));
     column->addWidget(m_obstacle);
     column->addStretch(1);
-    auto* scroll = new QScrollArea;
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(content);
-    return scroll;
+    return verticalScroll(content);
 }
 
 void PathPanel::connectLists()

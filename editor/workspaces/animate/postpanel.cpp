@@ -5,6 +5,7 @@
 #include "editor/application/editorcontext.h"
 #include "editor/documents/animationresult.h"
 #include "editor/errors/errortext.h"
+#include "editor/fields/verticalscroll.h"
 #include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
@@ -25,16 +26,12 @@ PostPanel::PostPanel(CurrentAnimation& animation, QWidget* parent)
     : QWidget(parent)
     , m_animation(animation)
     , m_form(new SettingForm)
-    , m_scroll(new QScrollArea)
+    , m_scroll(verticalScroll(m_form))
     , m_empty(new QWidget)
     , m_emptyText(new QLabel)
 {
     setObjectName(QStringLiteral("postPanel"));
     setHelpPage(this, QStringLiteral("animate-finish"));
-    m_scroll->setWidgetResizable(true);
-    m_scroll->setFrameShape(QFrame::NoFrame);
-    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll->setWidget(m_form);
     makeEmpty();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

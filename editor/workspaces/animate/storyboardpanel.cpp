@@ -3,6 +3,7 @@
 #include "editor/workspaces/animate/storyboardpanel.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/fields/verticalscroll.h"
 #include "editor/language/retranslate.h"
 #include "editor/pictures/framepictures.h"
 #include "editor/workspaces/animate/actionform.h"
@@ -52,11 +53,7 @@ StoryboardPanel::StoryboardPanel(CurrentAnimation& animation, FramePictures& pic
     addTakes->setEnabled(addAction->isEnabled());
     m_board->setEmptyAction(addTakes);
     m_labels->setFixedWidth(labelsWidth);
-    auto* values = new QScrollArea;
-    values->setWidget(m_form);
-    values->setWidgetResizable(true);
-    values->setFrameShape(QFrame::NoFrame);
-    values->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    QScrollArea* values = verticalScroll(m_form);
     values->setFixedWidth(formWidth);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);

@@ -4,6 +4,7 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/fields/settingform.h"
+#include "editor/fields/verticalscroll.h"
 #include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/blendlist.h"
@@ -112,11 +113,7 @@ MovementPanel::MovementPanel(CurrentVariation& variation, QWidget* parent)
     blends->addWidget(m_blends);
     lowerColumn->addLayout(blends);
     lowerColumn->addStretch(1);
-    auto* scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(lower);
+    QScrollArea* scroll = verticalScroll(lower);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

@@ -6,6 +6,7 @@
 #include "editor/documents/variationresult.h"
 #include "editor/fields/actionbutton.h"
 #include "editor/fields/partlist.h"
+#include "editor/fields/verticalscroll.h"
 #include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/acrossfields.h"
@@ -92,12 +93,7 @@ SamplesPanel::SamplesPanel(CurrentVariation& variation, QWidget* parent)
     contentColumn->addWidget(makeSets());
     contentColumn->addWidget(makeVariations(), 1);
     m_pages->addWidget(m_empty);
-    auto* scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(content);
-    m_pages->addWidget(scroll);
+    m_pages->addWidget(verticalScroll(content));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_pages);

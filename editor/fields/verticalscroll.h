@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+class QScrollArea;
+class QWidget;
+
+namespace quadrille {
+
+/// A frameless area, as wide as its place, in which a form scrolls up and down where it is higher than that.
+/// \param content  becomes the area's.
+QScrollArea* verticalScroll(QWidget* content);
+
+} // namespace quadrille
