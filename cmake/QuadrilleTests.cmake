@@ -6,19 +6,23 @@ include(GoogleTest)
 # Where tests find the real captures; tests that need them say "skipped" when the folder is not there.
 set(QUADRILLE_DATA_DIR "${CMAKE_SOURCE_DIR}/../shared/data" CACHE PATH "Folder of real captures for tests")
 
+# The sources of tests take longest to compile and shortest to run: what they test is optimized, they are a little.
+set(QUADRILLE_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
+
 # quadrille_model_test(NAME source.cpp … [LIBRARIES target …]): one GoogleTest program, each of its tests known to ctest.
 function(quadrille_model_test name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES")
     add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
     target_link_libraries(${name} PRIVATE Quadrille::Model GTest::gmock GTest::gtest_main ${arg_LIBRARIES})
+    target_compile_options(${name} PRIVATE ${QUADRILLE_TEST_OPTIONS})
     target_compile_definitions(${name} PRIVATE
         QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}"
         QUADRILLE_TEST_DATA_DIR="${CMAKE_SOURCE_DIR}/tests/data")
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()
 
-# quadrille_qt_test(NAME source.cpp … [LIBRARIES target …]): one QtTest program, run on a private X display.
-function(quadrille_qt_test name)
+# quadrille_qt_program(NAME source.cpp … [LIBRARIES target …]): one QtTest program, for the functions below.
+function(quadrille_qt_program name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES")
     find_package(Qt6 REQUIRED COMPONENTS Test)
     add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
@@ -27,9 +31,23 @@ function(quadrille_qt_test name)
         target_sources(${name} PRIVATE "${CMAKE_SOURCE_DIR}/tests/keeplibraries.cpp")
     endif()
     target_link_libraries(${name} PRIVATE Qt6::Test ${arg_LIBRARIES})
+    target_compile_options(${name} PRIVATE ${QUADRILLE_TEST_OPTIONS})
     target_compile_definitions(${name} PRIVATE
         QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}"
         QUADRILLE_TEST_DATA_DIR="${CMAKE_SOURCE_DIR}/tests/data")
+endfunction()
+
+# quadrille_qt_test(NAME source.cpp … [LIBRARIES target …]): one QtTest program, run on a private X display.
+function(quadrille_qt_test name)
+    quadrille_qt_program(${ARGV})
     add_test(NAME ${name} COMMAND xvfb-run -a -s "-screen 0 1600x1000x24" $<TARGET_FILE:${name}>)
     set_tests_properties(${name} PROPERTIES TIMEOUT 300)
+endfunction()
+
+# quadrille_desktop_test(NAME source.cpp … [LIBRARIES target …]): the same on a larger display that has a window
+# manager, as users have one.
+function(quadrille_desktop_test name)
+    quadrille_qt_program(${ARGV})
+    add_test(NAME ${name} COMMAND "${CMAKE_SOURCE_DIR}/tests/desktop/run.sh" $<TARGET_FILE:${name}>)
+    set_tests_properties(${name} PROPERTIES TIMEOUT 900 SKIP_RETURN_CODE 77)
 endfunction()

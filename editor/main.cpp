@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "editor/application/defaultsettings.h"
 #include "editor/application/memory.h"
 #include "editor/application/settings.h"
+#include "editor/application/startguard.h"
 #include "editor/mainwindow.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
@@ -24,7 +26,6 @@ int main(int argc, char** argv)
     QApplication::setApplicationVersion(QStringLiteral(QUADRILLE_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("quadrille"));
     widgets::Theme::instance().install();
-    widgets::Theme::instance().setMode(Settings().theme());
     QApplication::setWindowIcon(widgets::icons::application());
 
     QCommandLineParser parser;
@@ -38,11 +39,19 @@ int main(int argc, char** argv)
                                  QStringLiteral("[PROJECT | SEQUENCE…]"));
     parser.process(application);
 
+    StartGuard guard(settingsFolder());
+    QString aside = checkSettings();
+    if (guard.failedStarts() >= StartGuard::patience && askForDefaultSettings(guard.failedStarts()))
+        aside = takeDefaultSettings();
+    widgets::Theme::instance().setMode(Settings().theme());
     MainWindow window;
     if (const QString language = qEnvironmentVariable("QUADRILLE_LANGUAGE"); !language.isEmpty())
         window.context().languages.setLanguage(
             language); // for this run; "x-pseudo" shows what is not translated
     window.show();
+    guard.watch(window);
+    if (!aside.isEmpty())
+        window.tellPutAside(aside);
     window.offerRecovery();
     if (parser.isSet(sample))
         window.openSample();

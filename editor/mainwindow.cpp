@@ -3,24 +3,21 @@
 #include "editor/mainwindow.h"
 
 #include "editor/application/focuskeys.h"
-#include "editor/application/menus.h"
 #include "editor/application/projectfiles.h"
-#include "editor/application/recoveryflow.h"
+#include "editor/application/projectstrips.h"
 #include "editor/application/sessionkeeper.h"
-#include "editor/docks/cardspanel.h"
-#include "editor/docks/projectpanel.h"
 #include "editor/docks/statusjobs.h"
-#include "editor/docks/texturepanel.h"
 #include "editor/errors/errortext.h"
-#include "editor/errors/issuespanel.h"
 #include "editor/exporting/exportflow.h"
 #include "editor/exporting/pictureflow.h"
-#include "editor/help/helpviewer.h"
+#include "editor/fields/fieldundo.h"
+#include "editor/fields/wheelfocus.h"
 #include "editor/importing/importflow.h"
 #include "editor/language/retranslate.h"
 #include "editor/playback/player.h"
-#include "editor/properties/propertiespanel.h"
 #include "editor/relinking/relinkflow.h"
+#include "editor/results/resultsflow.h"
+#include "editor/welcome/sampleflow.h"
 #include "editor/welcome/welcomepage.h"
 #include "editor/workspaces/animate/animateworkspace.h"
 #include "editor/workspaces/animate/keysandstoryboard.h"
@@ -30,36 +27,39 @@
 #include "editor/workspaces/workspacetabs.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/icons.h"
+#include "widgets/viewport/viewport.h"
 
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QHash>
 #include <QLabel>
 #include <QLocale>
 #include <QMimeData>
-#include <QScreen>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QUndoView>
 #include <QVBoxLayout>
 
 namespace quadrille {
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent)
-    , m_autosave(m_context.document, m_context.jobs)
+    , m_autosave(m_context.document)
     , m_files(
           new ProjectFiles(m_context.document, m_context.jobs, m_context.issues, m_context.settings, this))
     , m_import(new ImportFlow(m_context, this))
-    , m_export(new ExportFlow(m_context, this))
+    , m_export(new ExportFlow(
+          m_context, [this] { return m_workspaces ? &m_workspaces->currentWorkspace()->view() : nullptr; },
+          this))
     , m_relink(new RelinkFlow(m_context, this))
+    , m_results(new ResultsFlow(m_context, this))
 {
     setObjectName(QStringLiteral("mainWindow"));
     setWindowIcon(widgets::icons::application());
     setAcceptDrops(true);
     new FocusKeys(this);
-    resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
+    new FieldUndo(this);
+    new WheelFocus(this);
+    resize(1280, 800);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     makeCentre();
@@ -69,12 +69,12 @@ MainWindow::MainWindow(QWidget* parent)
     makeThemeActions();
     makeMenus();
     connectAll();
-    m_autosave.setInterval(m_context.settings.autosaveSeconds());
-    restoreWindow(*this, m_context.settings.windowGeometry());
-    m_workspaces->setStates(m_context.settings.docks());
+    m_session = new SessionKeeper(m_context, *m_workspaces, *m_sequences, *this);
+    connect(m_session, &SessionKeeper::putAside, this, &MainWindow::tellPutAside, Qt::QueuedConnection);
+    m_autosave.setDelay(m_context.settings.autosaveSeconds());
+    m_session->restoreWindow();
     m_workspaces->begin();
     followDocument(ChangeEvent::reset());
-    m_session = new SessionKeeper(m_context, *m_workspaces, *m_sequences, *this);
 }
 
 MainWindow::~MainWindow()
@@ -98,11 +98,6 @@ void MainWindow::open(const QStringList& files)
         m_import->open(sequences);
 }
 
-void MainWindow::offerRecovery()
-{
-    (new RecoveryFlow(m_context, m_autosave, this))->offer();
-}
-
 /// Opens the projects among some files and takes them out.
 void MainWindow::openProjects(QStringList& files)
 {
@@ -115,14 +110,14 @@ void MainWindow::openProjects(QStringList& files)
 
 void MainWindow::openSample()
 {
-    m_sequences->view().playWhenReady();
-    m_files->openSample();
+    m_sample->open(SampleGoal::Play);
 }
 
 void MainWindow::makeCentre()
 {
     m_welcome = new WelcomePage(m_context.settings);
     m_workspaces = new WorkspaceTabs(m_context, *this);
+    m_sample = new SampleFlow(m_context, *m_files, *m_workspaces, this);
     m_pictures = new PictureFlow(
         m_context, [this] { return &m_workspaces->currentWorkspace()->viewport(); }, this);
     m_sequences = new SequencesWorkspace(m_context);
@@ -131,6 +126,7 @@ void MainWindow::makeCentre()
     m_variations = new VariationsWorkspace(m_context);
     m_animate->keysAndStoryboard().setShownPose(
         [this] { return m_workspaces->currentWorkspace()->shownPose(); });
+    m_strips = new ProjectStrips(m_context, *m_files);
     m_pages = new QStackedWidget;
     m_pages->addWidget(m_welcome);
     m_pages->addWidget(m_workspaces);
@@ -139,6 +135,8 @@ void MainWindow::makeCentre()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_relink->strip());
+    column->addWidget(m_strips);
+    column->addWidget(m_results->strip());
     column->addWidget(m_pages, 1);
     setCentralWidget(centre);
 
@@ -149,102 +147,9 @@ void MainWindow::makeCentre()
     statusBar()->addPermanentWidget(m_jobs);
 }
 
-QDockWidget* MainWindow::addDock(const char* name, std::function<QString()> title, QWidget* content,
-                                 Qt::DockWidgetArea area)
-{
-    auto* dock = new QDockWidget(this);
-    dock->setObjectName(QLatin1String(name));
-    dock->setWidget(content);
-    addDockWidget(area, dock);
-    retranslates(dock, [dock, title = std::move(title)] { dock->setWindowTitle(title()); });
-    m_docks += dock;
-    return dock;
-}
-
-void MainWindow::makeDocks()
-{
-    auto* project = addDock(
-        "projectDock", [] { return tr("Project"); }, new ProjectPanel(m_context), Qt::LeftDockWidgetArea);
-    m_propertiesDock = addDock(
-        "propertiesDock", [] { return tr("Properties"); }, new PropertiesPanel(m_context),
-        Qt::RightDockWidgetArea);
-    auto* cards = addDock(
-        "cardsDock", [] { return tr("Cards"); }, new CardsPanel(m_context), Qt::LeftDockWidgetArea);
-    tabifyDockWidget(project, cards);
-    project->raise();
-    auto* history = addDock(
-        "historyDock", [] { return tr("History"); }, new QUndoView(m_context.document.undoStack()),
-        Qt::RightDockWidgetArea);
-    m_issuesDock = addDock(
-        "issuesDock", [] { return tr("Issues"); }, new IssuesPanel(m_context.issues),
-        Qt::BottomDockWidgetArea);
-    auto* texture = addDock(
-        "textureDock", [] { return tr("Texture"); }, new TexturePanel(m_context, m_sequences->stage()),
-        Qt::RightDockWidgetArea);
-    splitDockWidget(m_propertiesDock, texture, Qt::Vertical);
-    tabifyDockWidget(m_propertiesDock, history);
-    m_propertiesDock->raise();
-    history->hide();
-    texture->hide();
-    m_issuesDock->hide();
-    resizeDocks({project, m_propertiesDock}, {240, 280}, Qt::Horizontal);
-}
-
-void MainWindow::makeWorkspaces()
-{
-    const auto add = [this](const char* id, ActionRegistry::Text title, Workspace* workspace) {
-        QList<QDockWidget*> docks;
-        QHash<Qt::DockWidgetArea, QDockWidget*> firstOf;
-        QDockWidget* lower = nullptr;
-        for (const Workspace::Panel& panel : workspace->panels()) {
-            docks += addDock(panel.name, panel.title, panel.content, panel.area);
-            docks.back()->setProperty("isShownFirst", panel.isShown);
-            if (panel.isLower) {
-                // Docks that share a place cannot be split: the one below them can be shared.
-                docks.back()->setProperty("isLower", true);
-                tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("textureDock")), docks.back());
-                if (lower == nullptr)
-                    lower = docks.back();
-                continue;
-            }
-            // Side by side they would be too low to be of use.
-            if (panel.area == Qt::RightDockWidgetArea)
-                tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("propertiesDock")), docks.back());
-            QDockWidget*& first = firstOf[panel.area];
-            if (first != nullptr)
-                tabifyDockWidget(first, docks.back());
-            else
-                first = docks.back();
-        }
-        for (QDockWidget* first : std::as_const(firstOf))
-            first->raise();
-        if (lower != nullptr)
-            lower->raise();
-        // Its own panels take the place of the properties.
-        m_workspaces->add({QLatin1String(id), std::move(title), workspace, docks,
-                           firstOf.contains(Qt::RightDockWidgetArea)});
-    };
-    m_workspaces->setPropertiesDock(m_propertiesDock);
-    add(
-        "sequences", [] { return tr("&Sequences"); }, m_sequences);
-    add(
-        "graph", [] { return tr("&Graph"); }, m_graph);
-    add(
-        "animate", [] { return tr("&Animate"); }, m_animate);
-    add(
-        "variations", [] { return tr("&Variations"); }, m_variations);
-}
-
-void MainWindow::makeMenus()
-{
-    QList<QAction*> toggles;
-    for (QDockWidget* dock : m_docks)
-        toggles += dock->toggleViewAction();
-    new Menus(m_context, toggles, *this);
-}
-
 void MainWindow::connectAll()
 {
+    connectFiles();
     retranslates(this, [this] {
         setLocale(QLocale()); // numbers as the language writes them
         showTitle();
@@ -272,19 +177,8 @@ void MainWindow::connectAll()
         m_context.issues.add(error);
         showProblem(describe(error).oneLine());
     });
-    connect(m_files, &ProjectFiles::aboutToLeave, this, [this] { m_session->keep(); });
-    connect(m_files, &ProjectFiles::saved, this, [this] {
-        m_session->keep();
-        m_relink->noteContents();
-    });
     connect(m_relink, &RelinkFlow::relinked, this,
             [this](int media) { m_message->setText(tr("%n file(s) were relinked", nullptr, media)); });
-    connect(&m_context.settings, &Settings::changed, this, [this] {
-        m_autosave.setInterval(m_context.settings.autosaveSeconds());
-        m_context.document.setHistoryBytes(static_cast<std::size_t>(m_context.settings.historyMegabytes())
-                                           << 20U);
-    });
-    connect(m_files, &ProjectFiles::failed, this, &MainWindow::showProblem);
     connect(&m_context.jobs, &JobRunner::failed, this, [this](Job*, const Error& error) {
         m_context.issues.add(error);
         showProblem(describe(error).oneLine());
@@ -292,11 +186,10 @@ void MainWindow::connectAll()
     connect(m_welcome, &WelcomePage::actionAsked, this,
             [this](const QString& id) { m_context.actions.action(id)->trigger(); });
     connect(m_welcome, &WelcomePage::projectAsked, this, [this](const QString& file) { open({file}); });
-}
-
-void MainWindow::showTitle()
-{
-    setWindowTitle(m_context.document.title() + QStringLiteral("[*] – Quadrille"));
+    connect(m_welcome, &WelcomePage::sampleAsked, m_sample, &SampleFlow::open);
+    connect(m_welcome, &WelcomePage::sampleCancelled, m_sample, &SampleFlow::cancel);
+    connect(m_sample, &SampleFlow::progressed, m_welcome, &WelcomePage::showSampleProgress);
+    connect(m_sample, &SampleFlow::ended, m_welcome, &WelcomePage::endSampleProgress);
 }
 
 void MainWindow::followDocument(const ChangeEvent& event)
@@ -308,8 +201,11 @@ void MainWindow::followDocument(const ChangeEvent& event)
     m_context.actions.action("edit.redo")->setEnabled(document.undoStack()->canRedo());
     const auto& sequences = document.project().sequences;
     const bool isWelcoming = sequences.empty() && document.isUntitled();
+    const bool beginsWork = !isWelcoming && m_pages->currentIndex() == 0;
     m_pages->setCurrentIndex(isWelcoming ? 0 : 1);
-    m_workspaces->showStrip(!isWelcoming);
+    m_workspaces->setShown(!isWelcoming);
+    if (beginsWork)
+        m_workspaces->currentWorkspace()->viewport().setFocus();
     if (event.kind == ChangeEvent::Kind::Reset) {
         m_message->clear();
         if (!sequences.empty())
@@ -317,20 +213,17 @@ void MainWindow::followDocument(const ChangeEvent& event)
     }
 }
 
-void MainWindow::showHelp()
-{
-    auto* viewer = findChild<HelpViewer*>();
-    if (!viewer)
-        viewer = new HelpViewer(this);
-    viewer->showPage(helpPageOf(focusWidget()));
-    viewer->show();
-    viewer->raise();
-}
-
 void MainWindow::showMessage(const QString& message, const QStringList& files)
 {
     m_message->setText(message);
     m_message->setToolTip(files.mid(0, 20).join(QLatin1Char('\n')));
+}
+
+void MainWindow::tellPutAside(const QString& file)
+{
+    showMessage(
+        tr("Settings that could not be used were put aside as %1: here are the usual ones.").arg(file),
+        {file});
 }
 
 void MainWindow::showProblem(const QString& message)
@@ -347,9 +240,16 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     m_session->keep();
-    m_context.settings.setWindow(saveGeometry(), m_workspaces->states());
+    m_session->keepWindow();
     m_context.jobs.cancelAll();
     event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::WindowStateChange)
+        m_context.actions.action("view.fullScreen")->setChecked(isFullScreen());
+    QMainWindow::changeEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)

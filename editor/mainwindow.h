@@ -8,6 +8,7 @@
 #include <QMainWindow>
 
 class QLabel;
+class QMenu;
 class QStackedWidget;
 
 namespace quadrille {
@@ -15,10 +16,15 @@ namespace quadrille {
 class AnimateWorkspace;
 class ExportFlow;
 class GraphWorkspace;
+class HelpFlow;
 class ImportFlow;
 class PictureFlow;
 class ProjectFiles;
+class ProjectStrips;
+class RecoveryFlow;
 class RelinkFlow;
+class ResultsFlow;
+class SampleFlow;
 class SequencesWorkspace;
 class SessionKeeper;
 class StatusJobs;
@@ -42,6 +48,8 @@ public:
     /// Opens what the command line names: a project, or sequences.
     void open(const QStringList& files);
     void openSample();
+    /// Says that settings or a session could not be used, and where they are now.
+    void tellPutAside(const QString& file);
     /// Offers edits that a crash left unsaved.
     void offerRecovery();
 
@@ -52,8 +60,13 @@ public:
     AnimateWorkspace& animate() { return *m_animate; }
     VariationsWorkspace& variations() { return *m_variations; }
     PictureFlow& pictures() { return *m_pictures; }
+    ProjectFiles& files() { return *m_files; }
+    ProjectStrips& strips() { return *m_strips; }
+
+    QMenu* createPopupMenu() override;
 
 protected:
+    void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -65,12 +78,13 @@ private:
     QDockWidget* addDock(const char* name, std::function<QString()> title, QWidget* content,
                          Qt::DockWidgetArea area);
     void makeActions();
+    void makeWindowActions();
     void makeThemeActions();
     void makeMenus();
     void connectAll();
+    void connectFiles();
     void showTitle();
     void followDocument(const ChangeEvent& event);
-    void showHelp();
     void showPalette();
     void openProjects(QStringList& files);
     void showMessage(const QString& message, const QStringList& files);
@@ -82,8 +96,12 @@ private:
     ImportFlow* m_import;
     ExportFlow* m_export;
     RelinkFlow* m_relink;
+    ResultsFlow* m_results;
+    RecoveryFlow* m_recovery = nullptr;
+    ProjectStrips* m_strips = nullptr;
     QStackedWidget* m_pages = nullptr;
     WelcomePage* m_welcome = nullptr;
+    SampleFlow* m_sample = nullptr;
     WorkspaceTabs* m_workspaces = nullptr;
     SequencesWorkspace* m_sequences = nullptr;
     GraphWorkspace* m_graph = nullptr;
@@ -96,6 +114,8 @@ private:
     QLabel* m_message = nullptr;
     StatusJobs* m_jobs = nullptr;
     SessionKeeper* m_session = nullptr;
+    HelpFlow* m_help = nullptr;
+    QMenu* m_panelMenu = nullptr;
     widgets::ActionPalette* m_palette = nullptr;
 };
 

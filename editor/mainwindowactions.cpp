@@ -3,26 +3,38 @@
 // The actions of the window.
 #include "editor/application/projectfiles.h"
 #include "editor/application/recentmenu.h"
+#include "editor/application/standardkeys.h"
 #include "editor/docks/statusjobs.h"
+#include "editor/help/helpflow.h"
 #include "editor/mainwindow.h"
 #include "editor/preferences/aboutdialog.h"
 #include "editor/preferences/preferencesdialog.h"
+#include "editor/workspaces/workspace.h"
+#include "editor/workspaces/workspacetabs.h"
 #include "widgets/controls/actionpalette.h"
 #include "widgets/theme/theme.h"
+#include "widgets/viewport/viewport.h"
 
 #include <QActionGroup>
-#include <QDockWidget>
+#include <QMenu>
 
 namespace quadrille {
+
+namespace {
+
+constexpr float zoomStep = 0.8F; ///< of the distance
+
+} // namespace
 
 void MainWindow::makeActions()
 {
     ActionRegistry& actions = m_context.actions;
     const auto file = [] { return tr("File"); };
-    actions.add({"file.new", file, [] { return tr("&New"); }, {}, "new", {QKeySequence::New}},
+    actions.add({"file.new", file, [] { return tr("&New"); }, {}, "new", standardKeys(QKeySequence::New)},
                 [this] { m_files->newProject(); });
-    actions.add({"file.open", file, [] { return tr("&Open…"); }, {}, "open", {QKeySequence::Open}},
-                [this] { m_files->askOpen(); });
+    actions.add(
+        {"file.open", file, [] { return tr("&Open…"); }, {}, "open", standardKeys(QKeySequence::Open)},
+        [this] { m_files->askOpen(); });
     auto* recent = new RecentMenu(m_context.settings, this);
     connect(recent, &RecentMenu::projectAsked, this,
             [this](const QString& chosen) { m_files->open(chosen); });
@@ -30,28 +42,29 @@ void MainWindow::makeActions()
         ->setMenu(recent);
     actions.add({"file.sample", file, [] { return tr("Open the &sample"); }, {}, "character", {}},
                 [this] { openSample(); });
-    actions.add({"file.save", file, [] { return tr("&Save"); }, {}, "save", {QKeySequence::Save}},
+    actions.add({"file.save", file, [] { return tr("&Save"); }, {}, "save", standardKeys(QKeySequence::Save)},
                 [this] { m_files->save(); });
-    actions.add({"file.saveAs", file, [] { return tr("Save &as…"); }, {}, "save", {QKeySequence::SaveAs}},
-                [this] { m_files->saveAs(); });
-    actions.add({"file.quit", file, [] { return tr("&Quit"); }, {}, "close", {QKeySequence::Quit}},
-                [this] { close(); });
-    const auto edit = [] { return tr("Edit"); };
-    actions.add({"edit.undo", edit, [] { return tr("&Undo"); }, {}, "undo", {QKeySequence::Undo}},
-                [this] { m_context.document.undo(); });
-    actions.add({"edit.redo",
-                 edit,
-                 [] { return tr("&Redo"); },
+    actions.add(
+        {"file.saveAs", file, [] { return tr("Save &as…"); }, {}, "save", standardKeys(QKeySequence::SaveAs)},
+        [this] { m_files->saveAs(); });
+    actions.add({"file.close",
+                 file,
+                 [] { return tr("&Close the project"); },
+                 [] { return tr("Close the project and go back to the beginning"); },
                  {},
-                 "redo",
-                 {QKeySequence::Redo, QKeySequence(Qt::CTRL | Qt::Key_Y)}},
+                 standardKeys(QKeySequence::Close)},
+                [this] { m_files->newProject(); });
+    actions.add(
+        {"file.quit", file, [] { return tr("&Quit"); }, {}, "close", standardKeys(QKeySequence::Quit)},
+        [this] { close(); });
+    const auto edit = [] { return tr("Edit"); };
+    actions.add({"edit.undo", edit, [] { return tr("&Undo"); }, {}, "undo", standardKeys(QKeySequence::Undo)},
+                [this] { m_context.document.undo(); });
+    actions.add({"edit.redo", edit, [] { return tr("&Redo"); }, {}, "redo", standardKeys(QKeySequence::Redo)},
                 [this] { m_context.document.redo(); });
-    actions.add({"edit.preferences",
-                 edit,
-                 [] { return tr("&Preferences…"); },
-                 [] { return tr("Theme, language, copies, shortcuts"); },
-                 "settings",
-                 {QKeySequence(Qt::CTRL | Qt::Key_Comma)}},
+    actions.add({"edit.preferences", edit, [] { return tr("&Preferences…"); },
+                 [] { return tr("Theme, language, copies, shortcuts"); }, "settings",
+                 standardKeys(QKeySequence::Preferences)},
                 [this] { (new PreferencesDialog(m_context, this))->open(); });
     actions.add({"view.jobs",
                  [] { return tr("View"); },
@@ -70,13 +83,42 @@ void MainWindow::makeActions()
                 [this] { showPalette(); });
     actions.add({"help.about", help, [] { return tr("&About Quadrille"); }, {}, "info", {}},
                 [this] { (new AboutDialog(this))->open(); });
-    actions.add({"help.manual",
-                 [] { return tr("Help"); },
-                 [] { return tr("&Manual"); },
+    m_help = new HelpFlow(actions, *this);
+    makeWindowActions();
+}
+
+void MainWindow::makeWindowActions()
+{
+    ActionRegistry& actions = m_context.actions;
+    const auto view = [] { return tr("View"); };
+    actions.addToggle({"view.fullScreen",
+                       view,
+                       [] { return tr("F&ull screen"); },
+                       [] { return tr("Fill the screen with the window, and back"); },
+                       {},
+                       standardKeys(QKeySequence::FullScreen)},
+                      false,
+                      [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
+    const auto zoom = [this](float factor) {
+        widgets::Viewport& viewport = m_workspaces->currentWorkspace()->viewport();
+        widgets::Turntable camera = viewport.camera();
+        camera.zoom(factor, QRectF(viewport.rect()).center(), viewport.size());
+        viewport.setCamera(camera);
+    };
+    actions.add({"view.zoomIn",
+                 view,
+                 [] { return tr("Come &closer"); },
+                 [] { return tr("Move the camera towards what it looks at"); },
                  {},
-                 "help",
-                 {QKeySequence::HelpContents}},
-                [this] { showHelp(); });
+                 standardKeys(QKeySequence::ZoomIn)},
+                [zoom] { zoom(zoomStep); });
+    actions.add({"view.zoomOut",
+                 view,
+                 [] { return tr("Go f&arther"); },
+                 [] { return tr("Move the camera away from what it looks at"); },
+                 {},
+                 standardKeys(QKeySequence::ZoomOut)},
+                [zoom] { zoom(1 / zoomStep); });
 }
 
 void MainWindow::showPalette()
@@ -88,8 +130,10 @@ void MainWindow::showPalette()
         if (action->menu() == nullptr)
             entries.push_back({action, m_context.actions.group(action)});
     }
-    for (const QDockWidget* dock : m_docks)
-        entries.push_back({dock->toggleViewAction(), tr("View")});
+    for (QAction* panel : m_panelMenu->actions()) {
+        if (panel->isVisible())
+            entries.push_back({panel, tr("Panel")});
+    }
     m_palette->ask(entries);
 }
 

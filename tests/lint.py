@@ -18,7 +18,7 @@ import sys
 from pathlib import Path
 
 CLANG_TIDY = "clang-tidy-14"
-BATCH = 8
+BATCH = 24
 ROOT = Path(__file__).resolve().parent.parent
 FOLDERS = ("model/", "widgets/", "editor/")
 

@@ -50,6 +50,16 @@
     </message>
 </context>
 <context>
+    <name>quadrille::BrokenEdits</name>
+    <message numerus="yes">
+        <source>Remove %n unreadable parts</source>
+        <translation>
+            <numerusform>Remove %n unreadable part</numerusform>
+            <numerusform>Remove %n unreadable parts</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::CharacterPage</name>
     <message numerus="yes">
         <source>%n sequences</source>
@@ -95,6 +105,16 @@
     </message>
 </context>
 <context>
+    <name>quadrille::DefaultSettings</name>
+    <message numerus="yes">
+        <source>The last %n start(s) of Quadrille failed. Start with default settings?</source>
+        <translation>
+            <numerusform>The last start of Quadrille failed. Start with default settings?</numerusform>
+            <numerusform>The last %n starts of Quadrille failed. Start with default settings?</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::ExportDialog</name>
     <message numerus="yes">
         <source>%1, and %n more</source>
@@ -116,6 +136,20 @@
         <translation>
             <numerusform>“%1” and %n more are there already.</numerusform>
             <numerusform>“%1” and %n more are there already.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>glTF holds one texture: of %n only that of the first frame is written.</source>
+        <translation>
+            <numerusform>glTF holds one texture: only that of the first frame is written.</numerusform>
+            <numerusform>glTF holds one texture: of %n only that of the first frame is written.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) written, “%1” the first.</source>
+        <translation>
+            <numerusform>%n file written, “%1” the first.</numerusform>
+            <numerusform>%n files written, “%1” the first.</numerusform>
         </translation>
     </message>
 </context>
@@ -163,6 +197,20 @@
         <translation>
             <numerusform>Import %n take</numerusform>
             <numerusform>Import %n takes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The rate of %n take(s) is not known.</source>
+        <translation>
+            <numerusform>The rate of %n take is not known.</numerusform>
+            <numerusform>The rate of %n takes is not known.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n take(s) at %1 fps</source>
+        <translation>
+            <numerusform>Import %n take at %1 fps</numerusform>
+            <numerusform>Import %n takes at %1 fps</numerusform>
         </translation>
     </message>
 </context>
@@ -239,6 +287,16 @@
     </message>
 </context>
 <context>
+    <name>quadrille::LabelTakes</name>
+    <message numerus="yes">
+        <source>Label %n take(s)</source>
+        <translation>
+            <numerusform>Label %n take</numerusform>
+            <numerusform>Label %n takes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::LearningPanel</name>
     <message numerus="yes">
         <source>%n iterations, %1</source>
@@ -265,6 +323,26 @@
         <translation>
             <numerusform>%n file was relinked</numerusform>
             <numerusform>%n files were relinked</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::MarkEdits</name>
+    <message numerus="yes">
+        <source>Label %n sequences</source>
+        <translation>
+            <numerusform>Label %n sequence</numerusform>
+            <numerusform>Label %n sequences</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::MovementPanel</name>
+    <message numerus="yes">
+        <source>Learn from %n takes</source>
+        <translation>
+            <numerusform>Learn from %n take</numerusform>
+            <numerusform>Learn from %n takes</numerusform>
         </translation>
     </message>
 </context>
@@ -348,6 +426,23 @@
     </message>
 </context>
 <context>
+    <name>quadrille::ProjectStrips</name>
+    <message numerus="yes">
+        <source>%n part(s) of the project cannot be read. They stay in its file as they are.</source>
+        <translation>
+            <numerusform>%n part of the project cannot be read. It stays in its file as it is.</numerusform>
+            <numerusform>%n parts of the project cannot be read. They stay in its file as they are.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) of the project changed on disk.</source>
+        <translation>
+            <numerusform>%n file of the project changed on disk.</numerusform>
+            <numerusform>%n files of the project changed on disk.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::PropertiesPanel</name>
     <message numerus="yes">
         <source>%n sequences</source>
@@ -361,6 +456,16 @@
         <translation>
             <numerusform>%n frame, %1 s</numerusform>
             <numerusform>%n frames, %1 s</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::RecoveryNotice</name>
+    <message numerus="yes">
+        <source>Unsaved work: “%1”, %2, %n entries</source>
+        <translation>
+            <numerusform>Unsaved work: “%1”, %2, %n entry</numerusform>
+            <numerusform>Unsaved work: “%1”, %2, %n entries</numerusform>
         </translation>
     </message>
 </context>
@@ -402,6 +507,16 @@
         <translation>
             <numerusform>%n file of the project is missing. It may have been moved or renamed.</numerusform>
             <numerusform>%n files of the project are missing. They may have been moved or renamed.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ResultsFlow</name>
+    <message numerus="yes">
+        <source>%n result(s) cannot be stored anywhere and are in memory only.</source>
+        <translation>
+            <numerusform>%n result cannot be stored anywhere and is in memory only.</numerusform>
+            <numerusform>%n results cannot be stored anywhere and are in memory only.</numerusform>
         </translation>
     </message>
 </context>
@@ -551,6 +666,17 @@
         <translation>
             <numerusform>The first three of %n dimensions</numerusform>
             <numerusform>The first three of %n dimensions</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::TakeGraphView</name>
+    <message numerus="yes">
+        <source>%1 → %2: %n transition(s)</source>
+        <extracomment>two takes; how many transitions lead from the first to the second</extracomment>
+        <translation>
+            <numerusform>%1 → %2: %n transition</numerusform>
+            <numerusform>%1 → %2: %n transitions</numerusform>
         </translation>
     </message>
 </context>

@@ -2,6 +2,21 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr_FR" sourcelanguage="en">
 <context>
+    <name>FrameKind</name>
+    <message>
+        <source>captured</source>
+        <translation>captée</translation>
+    </message>
+    <message>
+        <source>varied</source>
+        <translation>variée</translation>
+    </message>
+    <message>
+        <source>transition</source>
+        <translation>transition</translation>
+    </message>
+</context>
+<context>
     <name>LegendBar</name>
     <message>
         <source>%1 (%2)</source>
@@ -285,10 +300,6 @@
     <message>
         <source>Choose a shorter range, or close other programs.</source>
         <translation>Choisissez une plage plus courte, ou fermez d’autres programmes.</translation>
-    </message>
-    <message>
-        <source>Something unexpected happened: {reason}.</source>
-        <translation>Un événement inattendu s’est produit&#xa0;: {reason}.</translation>
     </message>
     <message>
         <source>Save your work and try again; if it happens again, report it.</source>
@@ -1350,6 +1361,162 @@
         <source>Draw with another seed, or allow more in the limits.</source>
         <translation>Tirez avec une autre graine, ou élargissez les limites.</translation>
     </message>
+    <message>
+        <source>“{name}” is an input ({what}): inputs are never written over</source>
+        <translation>« {name} » est une entrée ({what}) : les entrées ne sont jamais écrasées</translation>
+    </message>
+    <message>
+        <source>Write to another file.</source>
+        <translation>Écrivez dans un autre fichier.</translation>
+    </message>
+    <message>
+        <source>“{name}” would lie outside of the project&apos;s folder, {what}</source>
+        <translation>« {name} » serait hors du dossier du projet, {what}</translation>
+    </message>
+    <message>
+        <source>Choose a place inside, or allow this one (--allow-outside on the command line).</source>
+        <translation>Choisissez un endroit à l’intérieur, ou permettez celui-ci (--allow-outside en ligne de commande).</translation>
+    </message>
+    <message>
+        <source>“{name}” is written by {what}, too</source>
+        <translation>« {name} » est aussi écrit par {what}</translation>
+    </message>
+    <message>
+        <source>Give one of them another path.</source>
+        <translation>Donnez un autre chemin à l’un des deux.</translation>
+    </message>
+    <message>
+        <source>“{name}” is there already, and the program did not write it as it is</source>
+        <translation>« {name} » existe déjà, et le programme ne l’a pas écrit tel qu’il est</translation>
+    </message>
+    <message>
+        <source>Move it away, or allow to replace it (--overwrite on the command line).</source>
+        <translation>Déplacez-le, ou permettez de le remplacer (--overwrite en ligne de commande).</translation>
+    </message>
+    <message>
+        <source>Close it there first, or write all the same with --force.</source>
+        <translation>Fermez-le d’abord là-bas, ou écrivez quand même avec --force.</translation>
+    </message>
+    <message>
+        <source>“{name}” has a place for the number of a frame, but {format} is one file for all frames</source>
+        <translation>« {name} » a une place pour le numéro d’une image, mais {format} est un seul fichier pour toutes les images</translation>
+    </message>
+    <message>
+        <source>Leave the # out of the name.</source>
+        <translation>Retirez les # du nom.</translation>
+    </message>
+    <message>
+        <source>This is a device, not a file</source>
+        <translation>C’est un périphérique, pas un fichier</translation>
+    </message>
+    <message>
+        <source>This is a folder, not a file</source>
+        <translation>C’est un dossier, pas un fichier</translation>
+    </message>
+    <message>
+        <source>This is a pipe, not a file</source>
+        <translation>C’est un tube, pas un fichier</translation>
+    </message>
+    <message>
+        <source>This is a socket, not a file</source>
+        <translation>C’est une socket, pas un fichier</translation>
+    </message>
+    <message>
+        <source>Choose a file on a disk.</source>
+        <translation>Choisissez un fichier sur un disque.</translation>
+    </message>
+    <message>
+        <source>it is no HDF5 file, or a damaged one</source>
+        <translation>ce n’est pas un fichier HDF5, ou il est endommagé</translation>
+    </message>
+    <message>
+        <source>Something unexpected happened inside the program ({detail}).</source>
+        <translation>Un imprévu s’est produit dans le programme ({detail}).</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>le disque est plein</translation>
+    </message>
+    <message>
+        <source>the file would be larger than this disk allows</source>
+        <translation>le fichier serait plus grand que ce disque ne le permet</translation>
+    </message>
+    <message>
+        <source>the disk reports an error</source>
+        <translation>le disque signale une erreur</translation>
+    </message>
+    <message>
+        <source>the folder is not there any more</source>
+        <translation>le dossier n’existe plus</translation>
+    </message>
+    <message>
+        <source>a file stands where a folder should be</source>
+        <translation>un fichier occupe la place d’un dossier</translation>
+    </message>
+    <message>
+        <source>a folder stands where the file should be</source>
+        <translation>un dossier occupe la place du fichier</translation>
+    </message>
+    <message>
+        <source>the folder is not empty</source>
+        <translation>le dossier n’est pas vide</translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation>trop de fichiers sont ouverts</translation>
+    </message>
+    <message>
+        <source>its links lead round in a circle</source>
+        <translation>ses liens tournent en rond</translation>
+    </message>
+    <message>
+        <source>another program is using it</source>
+        <translation>un autre programme l’utilise</translation>
+    </message>
+    <message>
+        <source>the system is out of memory</source>
+        <translation>le système n’a plus de mémoire</translation>
+    </message>
+    <message>
+        <source>the network drive does not answer</source>
+        <translation>le lecteur réseau ne répond pas</translation>
+    </message>
+    <message>
+        <source>The name of this file, or of a folder on the way to it, is longer than the disk allows</source>
+        <translation>Le nom de ce fichier, ou d’un dossier qui y mène, est plus long que le disque ne le permet</translation>
+    </message>
+    <message>
+        <source>Choose a shorter name.</source>
+        <translation>Choisissez un nom plus court.</translation>
+    </message>
+    <message>
+        <source>This result cannot be stored anywhere and is kept in memory, until the program ends. Free some space, or choose another folder for results.</source>
+        <translation>Ce résultat ne peut être enregistré nulle part et reste en mémoire jusqu’à la fin du programme. Libérez de la place, ou choisissez un autre dossier pour les résultats.</translation>
+    </message>
+    <message>
+        <source>it could not be written to its end</source>
+        <translation>il n’a pas pu être écrit jusqu’au bout</translation>
+    </message>
+    <message>
+        <source>Free some space, or choose another folder for results.</source>
+        <translation>Libérez de la place, ou choisissez un autre dossier pour les résultats.</translation>
+    </message>
+    <message>
+        <source>Add the takes of its character under “sequences”.</source>
+        <translation>Ajoutez les prises de son personnage sous « sequences ».</translation>
+    </message>
+    <message>
+        <source>a part of the file is damaged</source>
+        <translation>une partie du fichier est endommagée</translation>
+    </message>
+    <message>
+        <source>Ask for a shorter one, or lower the rate of the project.</source>
+        <translation>Demandez plus court, ou baissez la cadence du projet.</translation>
+    </message>
+    <message>
+        <source>Leave some takes or parts of them out, or lower the rate of the project.</source>
+        <translation>Laissez de côté des prises ou des parties de prises, ou baissez la cadence du projet.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AboutDialog</name>
@@ -1538,6 +1705,47 @@
     </message>
 </context>
 <context>
+    <name>quadrille::AlternativesList</name>
+    <message>
+        <source>Transition</source>
+        <translation>Transition</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Poids</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Slide</source>
+        <comment>of feet, a speed</comment>
+        <translation>Gliss.</translation>
+    </message>
+    <message>
+        <source>Jump</source>
+        <comment>of the speed</comment>
+        <translation>Saut</translation>
+    </message>
+    <message>
+        <source>Deformation and duration together</source>
+        <translation>Déformation et durée ensemble</translation>
+    </message>
+    <message>
+        <source>How many frames it lasts</source>
+        <translation>Combien d’images elle dure</translation>
+    </message>
+    <message>
+        <source>How fast standing feet slide meanwhile, in metres a second</source>
+        <translation>À quelle vitesse les pieds posés glissent pendant ce temps, en mètres par seconde</translation>
+    </message>
+    <message>
+        <source>How much the body’s velocity over the ground changes from before to behind it, in metres a second</source>
+        <translation>De combien la vitesse du corps au-dessus du sol change entre avant et après, en mètres par seconde</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::AnimateWorkspace</name>
     <message>
         <source>Path</source>
@@ -1576,16 +1784,16 @@
         <translation>Recherche d’un parcours…</translation>
     </message>
     <message>
-        <source>Try Again</source>
-        <translation>Réessayer</translation>
-    </message>
-    <message>
         <source>This is what another transition would be like.</source>
         <translation>Voici ce que serait une autre transition.</translation>
     </message>
     <message>
         <source>Return takes it; Shift+E goes back to the clip.</source>
         <translation>Entrée la prend ; Maj+E revient au clip.</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Réessayer</translation>
     </message>
 </context>
 <context>
@@ -2030,24 +2238,28 @@
         <translation>Déplacer une clé</translation>
     </message>
     <message>
-        <source>Go to Key</source>
-        <translation>Aller à la clé</translation>
+        <source>Go to key</source>
+        <translation>Aller à la pose</translation>
     </message>
     <message>
-        <source>Edit Key</source>
-        <translation>Modifier la clé</translation>
+        <source>Edit key</source>
+        <translation>Modifier la pose</translation>
     </message>
     <message>
-        <source>Remove Key</source>
-        <translation>Retirer la clé</translation>
-    </message>
-    <message>
-        <source>Inspect Transition</source>
+        <source>Inspect transition</source>
         <translation>Examiner la transition</translation>
     </message>
     <message>
-        <source>Add the Shown Pose as Key Here</source>
-        <translation>Mettre ici la pose montrée comme clé</translation>
+        <source>Edit note</source>
+        <translation>Modifier la note</translation>
+    </message>
+    <message>
+        <source>Remove note</source>
+        <translation>Retirer la note</translation>
+    </message>
+    <message>
+        <source>Add the shown pose as key here</source>
+        <translation>Ajouter ici la pose affichée comme pose clé</translation>
     </message>
 </context>
 <context>
@@ -2063,10 +2275,6 @@
     <message>
         <source>Made afterwards</source>
         <translation>Fait après coup</translation>
-    </message>
-    <message>
-        <source>%1 → %2, cost %3</source>
-        <translation>%1 → %2, coût %3</translation>
     </message>
     <message>
         <source>Clip</source>
@@ -2089,16 +2297,10 @@
         <comment>frames, a variation</comment>
         <translation>%1, tiré de %2</translation>
     </message>
-</context>
-<context>
-    <name>quadrille::Autosave</name>
     <message>
-        <source>Untitled</source>
-        <translation>Sans titre</translation>
-    </message>
-    <message>
-        <source>Keeping a copy of “%1”</source>
-        <translation>Copie de sauvegarde de «&#xa0;%1&#xa0;»</translation>
+        <source>%1, cost %2</source>
+        <comment>a transition</comment>
+        <translation>%1, coût %2</translation>
     </message>
 </context>
 <context>
@@ -2203,14 +2405,6 @@
         <translation>Parties du corps</translation>
     </message>
     <message>
-        <source>Propose Parts</source>
-        <translation>Proposer des parties</translation>
-    </message>
-    <message>
-        <source>Draw a Curve</source>
-        <translation>Tracer une courbe</translation>
-    </message>
-    <message>
         <source>Cut the body into torso, arms and legs</source>
         <translation>Coupe le corps en tronc, bras et jambes</translation>
     </message>
@@ -2291,7 +2485,15 @@
         <translation>Les courbes « %1 » et « %2 » ne bornent encore aucune partie.</translation>
     </message>
     <message>
-        <source>Add a Part</source>
+        <source>Propose parts</source>
+        <translation>Proposer des parties</translation>
+    </message>
+    <message>
+        <source>Draw a curve</source>
+        <translation>Tracer une courbe</translation>
+    </message>
+    <message>
+        <source>Add a part</source>
         <translation>Ajouter une partie</translation>
     </message>
 </context>
@@ -2326,6 +2528,63 @@
     </message>
 </context>
 <context>
+    <name>quadrille::BrokenEdits</name>
+    <message>
+        <source>Remove “%1”</source>
+        <translation>Supprimer «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n unreadable parts</source>
+        <translation>
+            <numerusform>Retirer %n partie illisible</numerusform>
+            <numerusform>Retirer %n parties illisibles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Correct “%1”</source>
+        <translation>Corriger « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::BrokenPage</name>
+    <message>
+        <source>Problem</source>
+        <translation>Problème</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Emplacement</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>sentence and remedy</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Text in the file</source>
+        <translation>Texte dans le fichier</translation>
+    </message>
+    <message>
+        <source>Read again</source>
+        <translation>Relire</translation>
+    </message>
+    <message>
+        <source>Takes the corrected text over; until then the entry stays as it is in the file</source>
+        <translation>Reprend le texte corrigé ; jusque-là, l’entrée reste telle quelle dans le fichier</translation>
+    </message>
+    <message>
+        <source>Remove from the project</source>
+        <translation>Retirer du projet</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::CardPictures</name>
+    <message>
+        <source>Pictures of “%1”</source>
+        <translation>Images de « %1 »</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::CardsPanel</name>
     <message>
         <source>Name or label</source>
@@ -2344,16 +2603,56 @@
         <translation>Renommer</translation>
     </message>
     <message>
-        <source>Duplicate</source>
-        <translation>Dupliquer</translation>
+        <source>Order of the cards</source>
+        <translation>Ordre des cartes</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
+        <source>As in the project</source>
+        <translation>Comme dans le projet</translation>
     </message>
     <message>
-        <source>Try Again</source>
+        <source>By name</source>
+        <translation>Par nom</translation>
+    </message>
+    <message>
+        <source>By length</source>
+        <translation>Par durée</translation>
+    </message>
+    <message>
+        <source>By label</source>
+        <translation>Par étiquette</translation>
+    </message>
+    <message>
+        <source>No sequences yet. Drop files or folders anywhere in this window.</source>
+        <translation>Pas encore de séquences. Déposez des fichiers ou des dossiers n’importe où dans cette fenêtre.</translation>
+    </message>
+    <message>
+        <source>No name or label has “%1” in it.</source>
+        <translation>Aucun nom, aucune étiquette ne contient « %1 ».</translation>
+    </message>
+    <message>
+        <source>Add a label</source>
+        <translation>Ajouter une étiquette</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Comparer avec</translation>
+    </message>
+    <message>
+        <source>Try again</source>
         <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>Show in its folder</source>
+        <translation>Montrer dans son dossier</translation>
     </message>
 </context>
 <context>
@@ -2462,6 +2761,21 @@
     </message>
 </context>
 <context>
+    <name>quadrille::ClipChoice</name>
+    <message>
+        <source>Takes</source>
+        <translation>Prises</translation>
+    </message>
+    <message>
+        <source>Animations</source>
+        <translation>Animations</translation>
+    </message>
+    <message>
+        <source>Variations</source>
+        <translation>Variations</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::ContactProposal</name>
     <message>
         <source>Edit</source>
@@ -2532,6 +2846,32 @@
     <message>
         <source>Learning was stopped.</source>
         <translation>L’apprentissage a été arrêté.</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::DefaultSettings</name>
+    <message>
+        <source>Default settings (%1)</source>
+        <translation>Réglages par défaut (%1)</translation>
+    </message>
+    <message>
+        <source>Quadrille did not start</source>
+        <translation>Quadrille n’a pas démarré</translation>
+    </message>
+    <message numerus="yes">
+        <source>The last %n start(s) of Quadrille failed. Start with default settings?</source>
+        <translation>
+            <numerusform>Le dernier démarrage de Quadrille a échoué. Démarrer avec les réglages par défaut ?</numerusform>
+            <numerusform>Les %n derniers démarrages de Quadrille ont échoué. Démarrer avec les réglages par défaut ?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Shortcuts, theme and the arrangement of windows are as they were at first then. Yours are put aside as %1.</source>
+        <translation>Les raccourcis, le thème et la disposition des fenêtres sont alors ceux du début. Les vôtres sont mis de côté sous le nom %1.</translation>
+    </message>
+    <message>
+        <source>Start as before</source>
+        <translation>Démarrer comme avant</translation>
     </message>
 </context>
 <context>
@@ -2624,10 +2964,6 @@
         <translation>Remplacer les fichiers&#x202f;?</translation>
     </message>
     <message>
-        <source>Exporting writes over them.</source>
-        <translation>L’export les remplacera.</translation>
-    </message>
-    <message>
         <source>Write over</source>
         <translation>Remplacer</translation>
     </message>
@@ -2711,6 +3047,88 @@
         <source>%1 … · all variations that are kept, their latents, and a description</source>
         <translation>%1 … · toutes les variations gardées, leurs latentes et une description</translation>
     </message>
+    <message numerus="yes">
+        <source>glTF holds one texture: of %n only that of the first frame is written.</source>
+        <translation>
+            <numerusform>glTF contient une texture : seule celle de la première image est écrite.</numerusform>
+            <numerusform>glTF contient une texture : sur %n, seule celle de la première image est écrite.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>USD, OBJ and PLY keep all of them.</source>
+        <translation>USD, OBJ et PLY les gardent toutes.</translation>
+    </message>
+    <message>
+        <source>How far the export is</source>
+        <translation>Avancement de l’export</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>The export “%1” of this project writes there.</source>
+        <translation>L’export « %1 » de ce projet écrit là.</translation>
+    </message>
+    <message>
+        <source>Choose another file.</source>
+        <translation>Choisissez un autre fichier.</translation>
+    </message>
+    <message>
+        <source>Replace an export?</source>
+        <translation>Remplacer un export ?</translation>
+    </message>
+    <message>
+        <source>The export “%1” of this project writes there already.</source>
+        <translation>L’export « %1 » de ce projet écrit déjà là.</translation>
+    </message>
+    <message>
+        <source>This one takes its place in the project.</source>
+        <translation>Celui-ci prend sa place dans le projet.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>An earlier export wrote it.</source>
+        <translation>Un export précédent l’a écrit.</translation>
+    </message>
+    <message>
+        <source>It was not written by this project, or was changed since. What is replaced is lost.</source>
+        <translation>Il n’a pas été écrit par ce projet, ou a été modifié depuis. Ce qui est remplacé est perdu.</translation>
+    </message>
+    <message>
+        <source>Write outside of the project?</source>
+        <translation>Écrire hors du projet ?</translation>
+    </message>
+    <message>
+        <source>This export writes into %1.</source>
+        <translation>Cet export écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>That is outside of the project&apos;s folder. If the project is not your own, make sure that you want it to write there. You are not asked again about this folder.</source>
+        <translation>C’est hors du dossier du projet. Si le projet n’est pas de vous, assurez-vous de vouloir qu’il écrive là. La question n’est pas posée à nouveau pour ce dossier.</translation>
+    </message>
+    <message>
+        <source>Write there</source>
+        <translation>Écrire là</translation>
+    </message>
+    <message>
+        <source>Preparing the export</source>
+        <translation>Préparation de l’export</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) written, “%1” the first.</source>
+        <translation>
+            <numerusform>%n fichier écrit : « %1 ».</numerusform>
+            <numerusform>%n fichiers écrits, le premier est « %1 ».</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Montrer dans le dossier</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ExportFlow</name>
@@ -2764,6 +3182,25 @@
     <message>
         <source>Change or write again…</source>
         <translation>Modifier ou réécrire…</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::FrameNotes</name>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Double-click to write something about a frame</source>
+        <translation>Double-cliquez pour écrire quelque chose au sujet d’une image</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>Note on this frame</source>
+        <translation>Note sur cette image</translation>
     </message>
 </context>
 <context>
@@ -2857,6 +3294,21 @@
     </message>
 </context>
 <context>
+    <name>quadrille::GiveResults</name>
+    <message>
+        <source>Copying the results to the new place…</source>
+        <translation>Copie des résultats au nouvel endroit…</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Passer</translation>
+    </message>
+    <message>
+        <source>Copying results</source>
+        <translation>Copie des résultats</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::GraphBar</name>
     <message>
         <source>Set α to %1</source>
@@ -2884,10 +3336,6 @@
     <message>
         <source>&amp;α</source>
         <translation>&amp;α</translation>
-    </message>
-    <message>
-        <source>Weight of a frame of duration against deformation: higher values prefer short ways</source>
-        <translation>Poids d’une image de durée face à la déformation : de plus grandes valeurs préfèrent les chemins courts</translation>
     </message>
     <message>
         <source>α</source>
@@ -2924,6 +3372,19 @@
     <message>
         <source>Motion graph</source>
         <translation>Graphe de mouvement</translation>
+    </message>
+    <message>
+        <source>sparse: smooth ways</source>
+        <extracomment>ends of the slider for α: few edges in the graph, many edges in it</extracomment>
+        <translation>épars : trajets doux</translation>
+    </message>
+    <message>
+        <source>dense: short ways</source>
+        <translation>dense : trajets courts</translation>
+    </message>
+    <message>
+        <source>Weight of a frame of duration against deformation: higher values prefer short ways. The curve is the density of the Essential graph.</source>
+        <translation>Poids d’une image de durée face à la déformation : des valeurs plus hautes préfèrent les trajets courts. La courbe est la densité du graphe essentiel.</translation>
     </message>
 </context>
 <context>
@@ -2978,6 +3439,16 @@
     <message>
         <source>Graphs against α</source>
         <translation>Graphes selon α</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>a sequence and one of its frames</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 › %2</source>
+        <extracomment>two frames: a transition from the first to the second</extracomment>
+        <translation>%1 › %2</translation>
     </message>
 </context>
 <context>
@@ -3057,6 +3528,22 @@
     <message>
         <source>Greatest length shown</source>
         <translation>Plus grande durée montrée</translation>
+    </message>
+    <message>
+        <source>Takes and the transitions between them</source>
+        <translation>Les prises et les transitions entre elles</translation>
+    </message>
+    <message>
+        <source>Takes with their pictures, and how many transitions lead from one to another.</source>
+        <translation>Les prises avec leurs images, et combien de transitions mènent de l’une à l’autre.</translation>
+    </message>
+    <message>
+        <source>Only %1</source>
+        <translation>Seulement %1</translation>
+    </message>
+    <message>
+        <source>%1. Click to look at all takes</source>
+        <translation>%1. Cliquez pour voir toutes les prises</translation>
     </message>
 </context>
 <context>
@@ -3221,20 +3708,12 @@
         <translation>Le graphe contient chaque transition d’une image à une autre. Il est calculé à partir de toutes les séquences du personnage.</translation>
     </message>
     <message>
-        <source>&amp;Compute the Graph</source>
-        <translation>&amp;Calculer le graphe</translation>
-    </message>
-    <message>
         <source>No sequences yet</source>
         <translation>Pas encore de séquences</translation>
     </message>
     <message>
         <source>Transitions lead from one sequence to another: import some first.</source>
         <translation>Les transitions mènent d’une séquence à une autre : importez-en d’abord.</translation>
-    </message>
-    <message>
-        <source>&amp;Import Sequences…</source>
-        <translation>&amp;Importer des séquences…</translation>
     </message>
     <message>
         <source>Computing the graph</source>
@@ -3253,7 +3732,15 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>&amp;Try Again</source>
+        <source>&amp;Compute the graph</source>
+        <translation>&amp;Calculer le graphe</translation>
+    </message>
+    <message>
+        <source>&amp;Import sequences…</source>
+        <translation>&amp;Importer des séquences…</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
         <translation>&amp;Réessayer</translation>
     </message>
 </context>
@@ -3400,10 +3887,6 @@
         <translation>Comment les poses sont comparées et quelles transitions sont cherchées</translation>
     </message>
     <message>
-        <source>Folder for the Tables</source>
-        <translation>Dossier des tableaux</translation>
-    </message>
-    <message>
         <source>Saving tables</source>
         <translation>Enregistrement des tableaux</translation>
     </message>
@@ -3443,10 +3926,6 @@
         <translation>Pointez la carte pour voir deux images ; cliquez pour jouer la transition.</translation>
     </message>
     <message>
-        <source>Try Again</source>
-        <translation>Réessayer</translation>
-    </message>
-    <message>
         <source>The graph is computed anew; this is the one before.</source>
         <translation>Le graphe est recalculé ; voici le précédent.</translation>
     </message>
@@ -3479,6 +3958,74 @@
         <source>Point at the map to read costs</source>
         <translation>Pointez la carte pour lire les coûts</translation>
     </message>
+    <message>
+        <source>Folder for the tables</source>
+        <translation>Dossier des tableaux</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>Show ta&amp;kes and their transitions</source>
+        <translation>Montrer les prises et leurs &amp;transitions</translation>
+    </message>
+    <message>
+        <source>Each take is a node; arrows count the transitions from one to another</source>
+        <translation>Chaque prise est un nœud ; les flèches comptent les transitions de l’une à l’autre</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y the frames</source>
+        <translation>Co&amp;pier les images</translation>
+    </message>
+    <message>
+        <source>Puts the names of both frames onto the clipboard</source>
+        <translation>Met les noms des deux images dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>&amp;Only these takes</source>
+        <translation>&amp;Seulement ces prises</translation>
+    </message>
+    <message>
+        <source>&amp;All takes</source>
+        <translation>&amp;Toutes les prises</translation>
+    </message>
+    <message>
+        <source>&amp;Ban it in “%1”</source>
+        <extracomment>an animation</extracomment>
+        <translation>L’&amp;interdire dans « %1 »</translation>
+    </message>
+    <message>
+        <source>Allow a transition</source>
+        <translation>Permettre une transition</translation>
+    </message>
+    <message>
+        <source>Ban a transition</source>
+        <translation>Bannir une transition</translation>
+    </message>
+    <message>
+        <source>Of what the transition is made</source>
+        <translation>De quoi la transition est faite</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::HelpFlow</name>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manuel</translation>
+    </message>
+    <message>
+        <source>&amp;Help on this</source>
+        <translation>&amp;Aide sur ceci</translation>
+    </message>
+    <message>
+        <source>Opens the manual at what the mouse points at or has the focus</source>
+        <translation>Ouvre le manuel à l’endroit qui traite de ce que montre la souris ou de ce qui a le focus</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::HelpViewer</name>
@@ -3497,6 +4044,18 @@
     <message>
         <source>Help page</source>
         <translation>Page d’aide</translation>
+    </message>
+    <message>
+        <source>The help does not have these words together.</source>
+        <translation>Aucune page de l’aide ne réunit ces mots.</translation>
+    </message>
+    <message>
+        <source>Places found</source>
+        <translation>Passages trouvés</translation>
+    </message>
+    <message>
+        <source>Find in the help</source>
+        <translation>Chercher dans l’aide</translation>
     </message>
 </context>
 <context>
@@ -3519,10 +4078,6 @@
     <message>
         <source>The file names its rate itself</source>
         <translation>Le fichier indique lui-même sa cadence</translation>
-    </message>
-    <message>
-        <source>Frames a second of the takes whose files name no rate</source>
-        <translation>Images par seconde des prises dont les fichiers n’indiquent aucune cadence</translation>
     </message>
     <message>
         <source>%1 m high</source>
@@ -3618,6 +4173,57 @@
     <message>
         <source>as found</source>
         <translation>comme trouvé</translation>
+    </message>
+    <message>
+        <source>Frames a second of this take and of those with the same rate</source>
+        <translation>Images par seconde de cette prise et de celles qui ont la même cadence</translation>
+    </message>
+    <message numerus="yes">
+        <source>The rate of %n take(s) is not known.</source>
+        <translation>
+            <numerusform>La cadence de %n prise n’est pas connue.</numerusform>
+            <numerusform>La cadence de %n prises n’est pas connue.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Set the rate at which they were captured.</source>
+        <translation>Indiquez la cadence de leur capture.</translation>
+    </message>
+    <message>
+        <source>%1 fps is right</source>
+        <translation>%1 i/s est juste</translation>
+    </message>
+    <message>
+        <source>The file says so.</source>
+        <translation>Le fichier l’indique.</translation>
+    </message>
+    <message>
+        <source>As you set it.</source>
+        <translation>Comme vous l’avez indiquée.</translation>
+    </message>
+    <message>
+        <source>As in %1 beside it.</source>
+        <translation>Comme dans %1, à côté.</translation>
+    </message>
+    <message>
+        <source>As the other takes of the character.</source>
+        <translation>Comme les autres prises du personnage.</translation>
+    </message>
+    <message>
+        <source>A guess: nothing beside the take names its rate.</source>
+        <translation>Une supposition : rien à côté de la prise n’indique sa cadence.</translation>
+    </message>
+    <message>
+        <source>%1 fps are taken for it. %2</source>
+        <comment>a rate, and a sentence with the reason</comment>
+        <translation>%1 i/s sont retenues pour elle. %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n take(s) at %1 fps</source>
+        <translation>
+            <numerusform>Importer %n prise à %1 i/s</numerusform>
+            <numerusform>Importer %n prises à %1 i/s</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3729,6 +4335,14 @@
         <source>%1 · %2</source>
         <comment>numbers of errors and of warnings</comment>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Show what it is about</source>
+        <translation>Montrer ce dont il s’agit</translation>
+    </message>
+    <message>
+        <source>Copy the text</source>
+        <translation>Copier le texte</translation>
     </message>
 </context>
 <context>
@@ -3973,10 +4587,6 @@
         <translation>Ce parcours a été accepté : il reste tel quel, et rien n’est cherché.</translation>
     </message>
     <message>
-        <source>Seek Again</source>
-        <translation>Chercher à nouveau</translation>
-    </message>
-    <message>
         <source>At</source>
         <translation>À</translation>
     </message>
@@ -4102,6 +4712,14 @@
             <numerusform>%n prises ajoutées au scénario de « %1 »</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Change the notes of “%1”</source>
+        <translation>Changer les notes de « %1 »</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::KeysModel</name>
@@ -4189,10 +4807,6 @@
         <translation>Des poses à des moments : glissez l’image d’une carte sur la ligne de temps, ou mettez la pose montrée à la tête de lecture.</translation>
     </message>
     <message>
-        <source>Add the Shown Pose</source>
-        <translation>Ajouter la pose montrée</translation>
-    </message>
-    <message>
         <source>Remove the key</source>
         <translation>Retirer la clé</translation>
     </message>
@@ -4208,6 +4822,26 @@
         <source>At most %1 s off</source>
         <translation>Au plus %1 s d’écart</translation>
     </message>
+    <message>
+        <source>Add the shown pose</source>
+        <translation>Ajouter la pose affichée</translation>
+    </message>
+    <message>
+        <source>Go to key</source>
+        <translation>Aller à la pose</translation>
+    </message>
+    <message>
+        <source>Edit the time</source>
+        <translation>Modifier le temps</translation>
+    </message>
+    <message>
+        <source>Edit the tolerance</source>
+        <translation>Modifier la tolérance</translation>
+    </message>
+    <message>
+        <source>Remove key</source>
+        <translation>Retirer une clé</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::LabelList</name>
@@ -4218,6 +4852,48 @@
     <message>
         <source>Drag a label between the cards, or press Return: any take that has it may be played</source>
         <translation>Glissez une étiquette entre les cartes, ou appuyez sur Entrée : toute prise qui la porte peut être jouée</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::LabelTakes</name>
+    <message numerus="yes">
+        <source>Label %n take(s)</source>
+        <translation>
+            <numerusform>Étiqueter %n prise</numerusform>
+            <numerusform>Étiqueter %n prises</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>as below</source>
+        <translation>comme ci-dessous</translation>
+    </message>
+    <message>
+        <source>One label for all of these takes</source>
+        <translation>Une étiquette pour toutes ces prises</translation>
+    </message>
+    <message>
+        <source>Labels of the takes</source>
+        <translation>Étiquettes des prises</translation>
+    </message>
+    <message>
+        <source>&amp;Label for all:</source>
+        <translation>É&amp;tiquette pour toutes :</translation>
+    </message>
+    <message>
+        <source>Each label covers its whole take. A take without one is left as it is.</source>
+        <translation>Chaque étiquette couvre toute sa prise. Une prise sans étiquette reste telle quelle.</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Étiquette</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Prise</translation>
+    </message>
+    <message>
+        <source>This take is not open.</source>
+        <translation>Cette prise n’est pas ouverte.</translation>
     </message>
 </context>
 <context>
@@ -4269,6 +4945,41 @@
     <message>
         <source>Brings all lines into the view; in the view itself, F does so</source>
         <translation>Ramène toutes les lignes dans la vue ; dans la vue même, F le fait</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::LayoutMenu</name>
+    <message>
+        <source>View</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>&amp;Save the layout…</source>
+        <translation>&amp;Enregistrer la disposition…</translation>
+    </message>
+    <message>
+        <source>Give the arrangement of the panels a name, to come back to it</source>
+        <translation>Donner un nom à la disposition des panneaux, pour y revenir</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the layout</source>
+        <translation>&amp;Rétablir la disposition</translation>
+    </message>
+    <message>
+        <source>Put the panels of this workspace where they were at first</source>
+        <translation>Remettre les panneaux de cet espace à leur place d’origine</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Save the layout</source>
+        <translation>Enregistrer la disposition</translation>
+    </message>
+    <message>
+        <source>Name of the layout; one that is there already is replaced:</source>
+        <translation>Nom de la disposition ; une disposition du même nom est remplacée :</translation>
     </message>
 </context>
 <context>
@@ -4378,14 +5089,6 @@
     <message>
         <source>Drawing</source>
         <translation>Tirage</translation>
-    </message>
-    <message>
-        <source>Spread</source>
-        <translation>Écart</translation>
-    </message>
-    <message>
-        <source>How far variations are apart, as a share of how far the takes are</source>
-        <translation>L’écart entre les variations, en part de l’écart entre les prises</translation>
     </message>
     <message>
         <source>Advanced: learning</source>
@@ -4746,10 +5449,6 @@
         <translation>Aide</translation>
     </message>
     <message>
-        <source>&amp;Manual</source>
-        <translation>&amp;Manuel</translation>
-    </message>
-    <message>
         <source>View</source>
         <translation>Affichage</translation>
     </message>
@@ -4836,6 +5535,76 @@
         <source>&amp;Variations</source>
         <translation>&amp;Variations</translation>
     </message>
+    <message>
+        <source>Settings that could not be used were put aside as %1: here are the usual ones.</source>
+        <translation>Des réglages inutilisables ont été mis de côté sous le nom %1 : voici les réglages habituels.</translation>
+    </message>
+    <message>
+        <source>&amp;Close the project</source>
+        <translation>&amp;Fermer le projet</translation>
+    </message>
+    <message>
+        <source>Close the project and go back to the beginning</source>
+        <translation>Fermer le projet et revenir à l’accueil</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>Plein é&amp;cran</translation>
+    </message>
+    <message>
+        <source>Fill the screen with the window, and back</source>
+        <translation>Étendre la fenêtre à tout l’écran, et revenir</translation>
+    </message>
+    <message>
+        <source>Come &amp;closer</source>
+        <translation>&amp;Se rapprocher</translation>
+    </message>
+    <message>
+        <source>Move the camera towards what it looks at</source>
+        <translation>Approcher la caméra de ce qu’elle regarde</translation>
+    </message>
+    <message>
+        <source>Go f&amp;arther</source>
+        <translation>S’é&amp;loigner</translation>
+    </message>
+    <message>
+        <source>Move the camera away from what it looks at</source>
+        <translation>Éloigner la caméra de ce qu’elle regarde</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panneau</translation>
+    </message>
+    <message>
+        <source>Pa&amp;nels</source>
+        <translation>Pa&amp;nneaux</translation>
+    </message>
+    <message>
+        <source>La&amp;yout</source>
+        <translation>Disposi&amp;tion</translation>
+    </message>
+    <message>
+        <source>Help on “%1”</source>
+        <translation>Aide sur « %1 »</translation>
+    </message>
+    <message>
+        <source>%1 (read only)</source>
+        <translation>%1 (lecture seule)</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::MarkEdits</name>
+    <message numerus="yes">
+        <source>Label %n sequences</source>
+        <translation>
+            <numerusform>Étiqueter %n séquence</numerusform>
+            <numerusform>Étiqueter %n séquences</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change the notes of “%1”</source>
+        <translation>Changer les notes de « %1 »</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::Menus</name>
@@ -4875,13 +5644,69 @@
         <source>Va&amp;riations</source>
         <translation>Va&amp;riations</translation>
     </message>
+    <message>
+        <source>&amp;Take</source>
+        <translation>&amp;Prise</translation>
+    </message>
+    <message>
+        <source>&amp;Shading</source>
+        <translation>&amp;Rendu</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>A&amp;fficher</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Caméra</translation>
+    </message>
+    <message>
+        <source>Com&amp;pare</source>
+        <translation>Com&amp;parer</translation>
+    </message>
+    <message>
+        <source>P&amp;icture</source>
+        <translation>I&amp;mage</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Thème</translation>
+    </message>
+    <message>
+        <source>&amp;Path</source>
+        <translation>&amp;Trajet</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and storyboard</source>
+        <translation>&amp;Poses et scénarimage</translation>
+    </message>
+    <message>
+        <source>&amp;Sound</source>
+        <translation>&amp;Son</translation>
+    </message>
+    <message>
+        <source>&amp;Transitions</source>
+        <translation>T&amp;ransitions</translation>
+    </message>
+    <message>
+        <source>&amp;Report</source>
+        <translation>&amp;Bilan</translation>
+    </message>
+    <message>
+        <source>&amp;Parts of the body</source>
+        <translation>&amp;Parties du corps</translation>
+    </message>
+    <message>
+        <source>&amp;Samples</source>
+        <translation>&amp;Échantillons</translation>
+    </message>
+    <message>
+        <source>&amp;Latent space</source>
+        <translation>Espace &amp;latent</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::MovementPanel</name>
-    <message>
-        <source>Check the takes of one kind of movement: they are learned from.</source>
-        <translation>Cochez les prises d’un genre de mouvement : elles sont apprises.</translation>
-    </message>
     <message>
         <source>Take</source>
         <translation>Prise</translation>
@@ -4966,6 +5791,52 @@
         <source>Do not learn from “%1”</source>
         <translation>Ne pas apprendre de « %1 »</translation>
     </message>
+    <message>
+        <source>Check the takes of one kind of movement, or drag their cards here: they are learned from.</source>
+        <translation>Cochez les prises d’un même genre de mouvement, ou glissez leurs cartes ici : on apprend d’elles.</translation>
+    </message>
+    <message>
+        <source>“%1” is of another character.</source>
+        <translation>« %1 » est d’un autre personnage.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Learn from %n takes</source>
+        <translation>
+            <numerusform>Apprendre de %n prise</numerusform>
+            <numerusform>Apprendre de %n prises</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::NotesPanel</name>
+    <message>
+        <source>Frame</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Edit the note</source>
+        <translation>Modifier la note</translation>
+    </message>
+    <message>
+        <source>Remove the note</source>
+        <translation>Retirer la note</translation>
+    </message>
+    <message>
+        <source>No notes. Shift+N writes one on the frame that is shown.</source>
+        <translation>Pas de notes. Maj+N en écrit une sur l’image affichée.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ObstacleForm</name>
@@ -5015,6 +5886,21 @@
     <message>
         <source>Blending a transition</source>
         <translation>Fondu d’une transition</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PanelActions</name>
+    <message>
+        <source>Put back into the window</source>
+        <translation>Remettre dans la fenêtre</translation>
+    </message>
+    <message>
+        <source>Take out of the window</source>
+        <translation>Détacher de la fenêtre</translation>
+    </message>
+    <message>
+        <source>Hide “%1”</source>
+        <translation>Masquer « %1 »</translation>
     </message>
 </context>
 <context>
@@ -5375,10 +6261,6 @@ maximal %2</translation>
         <translation>Un trajet dit où va le corps. Cliquez des points sur le sol, ou tracez-y une ligne ; la courbe peut ensuite être déplacée, étiquetée et minutée.</translation>
     </message>
     <message>
-        <source>Draw a Path</source>
-        <translation>Dessiner un trajet</translation>
-    </message>
-    <message>
         <source>Click points on the ground, or drag a line over it (P)</source>
         <translation>Cliquer des points sur le sol, ou y tracer une ligne (P)</translation>
     </message>
@@ -5429,6 +6311,10 @@ maximal %2</translation>
             <numerusform>%1 · polygone, %n coins</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Draw a path</source>
+        <translation>Dessiner un trajet</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::PathPoints</name>
@@ -5443,6 +6329,14 @@ maximal %2</translation>
     <message>
         <source>Move a point of the path</source>
         <translation>Déplacer un point du trajet</translation>
+    </message>
+    <message>
+        <source>Edit the coordinate</source>
+        <translation>Modifier la coordonnée</translation>
+    </message>
+    <message>
+        <source>Delete the point</source>
+        <translation>Supprimer le point</translation>
     </message>
 </context>
 <context>
@@ -5736,6 +6630,14 @@ maximal %2</translation>
     <message>
         <source>Goes along its keys</source>
         <translation>Suit ses clés</translation>
+    </message>
+    <message>
+        <source>From where the view looks</source>
+        <translation>D’où regarde la vue</translation>
+    </message>
+    <message>
+        <source>The frame that the view shows looks the same in the film; otherwise the camera steps back until the figure fills the picture</source>
+        <translation>L’image que montre la vue est la même dans le film ; sinon, la caméra recule jusqu’à ce que la figure remplisse l’image</translation>
     </message>
 </context>
 <context>
@@ -6233,10 +7135,6 @@ maximal %2</translation>
         <translation>Langue</translation>
     </message>
     <message>
-        <source>Copy unsaved edits every</source>
-        <translation>Copier les modifications toutes les</translation>
-    </message>
-    <message>
         <source>Undo history</source>
         <translation>Historique d’annulation</translation>
     </message>
@@ -6251,6 +7149,18 @@ maximal %2</translation>
     <message>
         <source>Oldest edits beyond this can no longer be undone</source>
         <translation>Au-delà, les modifications les plus anciennes ne peuvent plus être annulées</translation>
+    </message>
+    <message>
+        <source>Copy unsaved edits within</source>
+        <translation>Copier les modifications non enregistrées sous</translation>
+    </message>
+    <message>
+        <source>Mouse in the view</source>
+        <translation>Souris dans la vue</translation>
+    </message>
+    <message>
+        <source>Which buttons and keys turn, move and near the view</source>
+        <translation>Boutons et touches qui tournent, déplacent et rapprochent la vue</translation>
     </message>
 </context>
 <context>
@@ -6376,6 +7286,14 @@ maximal %2</translation>
             <numerusform>Retirer %n variations</numerusform>
         </translation>
     </message>
+    <message>
+        <source>“%1” is taken</source>
+        <translation>« %1 » est déjà pris</translation>
+    </message>
+    <message>
+        <source>Choose another name.</source>
+        <translation>Choisissez un autre nom.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ProjectFiles</name>
@@ -6388,10 +7306,6 @@ maximal %2</translation>
         <translation>Enregistrer les modifications de «&#xa0;%1&#xa0;»&#x202f;?</translation>
     </message>
     <message>
-        <source>Making the sample character</source>
-        <translation>Création du personnage d’exemple</translation>
-    </message>
-    <message>
         <source>Open project</source>
         <translation>Ouvrir un projet</translation>
     </message>
@@ -6402,6 +7316,37 @@ maximal %2</translation>
     <message>
         <source>Save project</source>
         <translation>Enregistrer le projet</translation>
+    </message>
+    <message>
+        <source>“%1” is open read only.</source>
+        <translation>« %1 » est ouvert en lecture seule.</translation>
+    </message>
+    <message>
+        <source>The folder of “%1” cannot be written to.</source>
+        <translation>Le dossier de « %1 » n’est pas accessible en écriture.</translation>
+    </message>
+    <message>
+        <source>“%1” was taken over: %2.</source>
+        <translation>« %1 » a été repris : %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is open elsewhere: %2. Choose another name.</source>
+        <translation>« %1 » est ouvert ailleurs : %2. Choisissez un autre nom.</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ProjectGuard</name>
+    <message>
+        <source>somebody, since %1</source>
+        <translation>quelqu’un, depuis %1</translation>
+    </message>
+    <message>
+        <source>%1 on %2, not heard of since %3</source>
+        <translation>%1 sur %2, sans nouvelles depuis %3</translation>
+    </message>
+    <message>
+        <source>%1 on %2, since %3</source>
+        <translation>%1 sur %2, depuis %3</translation>
     </message>
 </context>
 <context>
@@ -6503,14 +7448,6 @@ maximal %2</translation>
         <translation>Retirer les éléments sélectionnés ; leurs fichiers restent</translation>
     </message>
     <message>
-        <source>A name is needed.</source>
-        <translation>Il faut un nom.</translation>
-    </message>
-    <message>
-        <source>“%1” is taken.</source>
-        <translation>« %1 » est déjà pris.</translation>
-    </message>
-    <message>
         <source>Try again</source>
         <translation>Réessayer</translation>
     </message>
@@ -6521,6 +7458,135 @@ maximal %2</translation>
     <message>
         <source>Add a copy of the selected sequence, animation or variations, to change it</source>
         <translation>Ajouter une copie de la séquence, de l’animation ou des variations sélectionnées, pour la modifier</translation>
+    </message>
+    <message>
+        <source>Unfold all</source>
+        <translation>Tout déplier</translation>
+    </message>
+    <message>
+        <source>Fold all</source>
+        <translation>Tout replier</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ProjectQuestions</name>
+    <message>
+        <source>“%1” is open elsewhere: %2.</source>
+        <translation>« %1 » est ouvert ailleurs : %2.</translation>
+    </message>
+    <message>
+        <source>Two who save the same project write over each other&apos;s work. Taken over, it cannot be saved there any more without being asked.</source>
+        <translation>Deux personnes qui enregistrent le même projet écrasent le travail l’une de l’autre. Une fois repris, il ne peut plus être enregistré là-bas sans question.</translation>
+    </message>
+    <message>
+        <source>Open a copy</source>
+        <translation>Ouvrir une copie</translation>
+    </message>
+    <message>
+        <source>Read only</source>
+        <translation>Lecture seule</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>Take over and save</source>
+        <translation>Reprendre et enregistrer</translation>
+    </message>
+    <message>
+        <source>Save it under another name to keep your edits.</source>
+        <translation>Enregistrez-le sous un autre nom pour garder vos modifications.</translation>
+    </message>
+    <message>
+        <source>The file of “%1” was changed by somebody else since it was opened.</source>
+        <translation>Le fichier de « %1 » a été modifié par quelqu’un d’autre depuis son ouverture.</translation>
+    </message>
+    <message>
+        <source>Overwriting it loses their edits; reloading it loses yours.</source>
+        <translation>L’écraser perd leurs modifications ; le recharger perd les vôtres.</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Écraser</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recharger</translation>
+    </message>
+    <message>
+        <source>Reload “%1”?</source>
+        <translation>Recharger « %1 » ?</translation>
+    </message>
+    <message>
+        <source>Your unsaved edits are lost then.</source>
+        <translation>Vos modifications non enregistrées seront alors perdues.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be opened. %2</source>
+        <comment>project and problem</comment>
+        <translation>« %1 » ne peut pas être ouvert. %2</translation>
+    </message>
+    <message>
+        <source>The backup beside it, of %1, can. It takes the project&apos;s place when you save.</source>
+        <translation>La copie de sauvegarde à côté, du %1, peut l’être. Elle prend la place du projet quand vous enregistrez.</translation>
+    </message>
+    <message>
+        <source>Open the backup</source>
+        <translation>Ouvrir la sauvegarde</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ProjectStrips</name>
+    <message>
+        <source>Edits can be saved under another name.</source>
+        <translation>Les modifications peuvent être enregistrées sous un autre nom.</translation>
+    </message>
+    <message>
+        <source>“%1” is open read only; it is open elsewhere: %2. %3</source>
+        <translation>« %1 » est ouvert en lecture seule ; il est ouvert ailleurs : %2. %3</translation>
+    </message>
+    <message>
+        <source>“%1” is open read only: its folder cannot be written to. %2</source>
+        <translation>« %1 » est ouvert en lecture seule : son dossier n’est pas accessible en écriture. %2</translation>
+    </message>
+    <message>
+        <source>“%1” was taken over: %2. %3</source>
+        <translation>« %1 » a été repris : %2. %3</translation>
+    </message>
+    <message>
+        <source>The file of “%1” was changed by another program.</source>
+        <translation>Le fichier de « %1 » a été modifié par un autre programme.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s) of the project cannot be read. They stay in its file as they are.</source>
+        <translation>
+            <numerusform>%n partie du projet est illisible. Elle reste telle quelle dans le fichier.</numerusform>
+            <numerusform>%n parties du projet sont illisibles. Elles restent telles quelles dans le fichier.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) of the project changed on disk.</source>
+        <translation>
+            <numerusform>%n fichier du projet a changé sur le disque.</numerusform>
+            <numerusform>%n fichiers du projet ont changé sur le disque.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recharger</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Montrer</translation>
     </message>
 </context>
 <context>
@@ -6562,6 +7628,10 @@ maximal %2</translation>
         <source>being made</source>
         <translation>en cours</translation>
     </message>
+    <message>
+        <source>Cannot be read (%1)</source>
+        <translation>Illisible (%1)</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::PropertiesPanel</name>
@@ -6596,6 +7666,40 @@ maximal %2</translation>
     </message>
 </context>
 <context>
+    <name>quadrille::RecentProjects</name>
+    <message>
+        <source>Not there any more</source>
+        <translation>N’existe plus</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Projets récents</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more. Del forgets it.</source>
+        <translation>%1 n’existe plus. Suppr l’oublie.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Show in its folder</source>
+        <translation>Montrer dans son dossier</translation>
+    </message>
+    <message>
+        <source>Remove from this list</source>
+        <translation>Retirer de cette liste</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::Recovery</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Sans titre</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::RecoveryFlow</name>
     <message>
         <source>Unsaved edits were kept</source>
@@ -6620,6 +7724,39 @@ maximal %2</translation>
     <message>
         <source>Ask again later</source>
         <translation>Demander plus tard</translation>
+    </message>
+    <message>
+        <source>A copy of unsaved edits cannot be read. It was kept, and lies at %1 now.</source>
+        <translation>Une copie de modifications non enregistrées est illisible. Elle a été gardée et se trouve maintenant ici : %1.</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::RecoveryNotice</name>
+    <message numerus="yes">
+        <source>Unsaved work: “%1”, %2, %n entries</source>
+        <translation>
+            <numerusform>Travail non enregistré : « %1 », %2, %n entrée</numerusform>
+            <numerusform>Travail non enregistré : « %1 », %2, %n entrées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Récupérer</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>Deletes this copy for good</source>
+        <translation>Supprime cette copie définitivement</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::RefusalNotes</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -6889,6 +8026,51 @@ maximal %2</translation>
     <message>
         <source>Deviation from the path over time</source>
         <translation>Écart au trajet au cours du temps</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ResultsFlow</name>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Fo&amp;lder of results…</source>
+        <translation>Dossier des résu&amp;ltats…</translation>
+    </message>
+    <message>
+        <source>Choose where the results of this project are stored</source>
+        <translation>Choisir où les résultats de ce projet sont enregistrés</translation>
+    </message>
+    <message>
+        <source>Choose a folder…</source>
+        <translation>Choisir un dossier…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) cannot be stored anywhere and are in memory only.</source>
+        <translation>
+            <numerusform>%n résultat ne peut être enregistré nulle part et n’est qu’en mémoire.</numerusform>
+            <numerusform>%n résultats ne peuvent être enregistrés nulle part et ne sont qu’en mémoire.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Free some space, or choose another folder.</source>
+        <translation>Libérez de la place, ou choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>The results of this project cannot be stored in their folder. They go to %1 until they can.</source>
+        <translation>Les résultats de ce projet ne peuvent être enregistrés dans leur dossier. En attendant, ils vont dans %1.</translation>
+    </message>
+    <message>
+        <source>Folder of results</source>
+        <translation>Dossier des résultats</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::SampleFlow</name>
+    <message>
+        <source>Making the sample character</source>
+        <translation>Création du personnage d’exemple</translation>
     </message>
 </context>
 <context>
@@ -7184,6 +8366,18 @@ maximal %2</translation>
         <source>The takes: %1</source>
         <translation>Les prises : %1</translation>
     </message>
+    <message>
+        <source>Spread</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>Change how far variations are apart</source>
+        <translation>Changer l’écart entre les variations</translation>
+    </message>
+    <message>
+        <source>How far variations are apart, as a share of how far the takes are; of all sets alike. Usually %1</source>
+        <translation>L’écart entre les variations, en part de l’écart entre les prises ; le même pour tous les ensembles. D’ordinaire %1</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::SequenceCards</name>
@@ -7204,10 +8398,6 @@ maximal %2</translation>
             <numerusform>%1 s · %2 i/s
 %n images</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Pictures of “%1”</source>
-        <translation>Images de «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -7385,10 +8575,6 @@ maximal %2</translation>
         <source>Reading the path of “%1”</source>
         <translation>Lecture du trajet de «&#xa0;%1&#xa0;»</translation>
     </message>
-    <message>
-        <source>Ghosts of “%1”</source>
-        <translation>Fantômes de «&#xa0;%1&#xa0;»</translation>
-    </message>
 </context>
 <context>
     <name>quadrille::SequenceTimeline</name>
@@ -7405,39 +8591,39 @@ maximal %2</translation>
         <translation>Pied droit</translation>
     </message>
     <message>
-        <source>label</source>
-        <translation>étiquette</translation>
-    </message>
-    <message>
         <source>Name of the label</source>
         <translation>Nom de l’étiquette</translation>
-    </message>
-    <message>
-        <source>Rename Label</source>
-        <translation>Renommer l’étiquette</translation>
     </message>
     <message>
         <source>Remove</source>
         <translation>Supprimer</translation>
     </message>
     <message>
-        <source>Add Label Here</source>
+        <source>Rename label</source>
+        <translation>Renommer l’étiquette</translation>
+    </message>
+    <message>
+        <source>Edit note</source>
+        <translation>Modifier la note</translation>
+    </message>
+    <message>
+        <source>Add label here</source>
         <translation>Ajouter une étiquette ici</translation>
     </message>
     <message>
-        <source>Add Contact Here</source>
+        <source>Add contact here</source>
         <translation>Ajouter un contact ici</translation>
     </message>
     <message>
-        <source>Trim Start to Frame %1</source>
-        <translation>Faire commencer à l’image %1</translation>
+        <source>Trim start to frame %1</source>
+        <translation>Commencer à l’image %1</translation>
     </message>
     <message>
-        <source>Trim End to Frame %1</source>
-        <translation>Faire finir à l’image %1</translation>
+        <source>Trim end to frame %1</source>
+        <translation>Finir à l’image %1</translation>
     </message>
     <message>
-        <source>Use All Frames</source>
+        <source>Use all frames</source>
         <translation>Utiliser toutes les images</translation>
     </message>
 </context>
@@ -7488,7 +8674,19 @@ maximal %2</translation>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Try Again</source>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Label the ta&amp;kes…</source>
+        <translation>Éti&amp;queter les prises…</translation>
+    </message>
+    <message>
+        <source>Give each of the selected takes a label over all of its frames</source>
+        <translation>Donner à chaque prise sélectionnée une étiquette sur toutes ses images</translation>
+    </message>
+    <message>
+        <source>Try again</source>
         <translation>Réessayer</translation>
     </message>
 </context>
@@ -7642,6 +8840,13 @@ maximal %2</translation>
     </message>
 </context>
 <context>
+    <name>quadrille::StageGhosts</name>
+    <message>
+        <source>Ghosts of “%1”</source>
+        <translation>Fantômes de «&#xa0;%1&#xa0;»</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::StageView</name>
     <message>
         <source>Timeline</source>
@@ -7684,10 +8889,6 @@ maximal %2</translation>
 </context>
 <context>
     <name>quadrille::StoryboardPanel</name>
-    <message>
-        <source>Add the Selected Takes</source>
-        <translation>Ajouter les prises sélectionnées</translation>
-    </message>
     <message>
         <source>What happens one after the other: drag takes or labels here. The joins are found for them.</source>
         <translation>Ce qui se passe l’un après l’autre : glissez ici des prises ou des étiquettes. Ce qui les joint est trouvé.</translation>
@@ -7741,10 +8942,6 @@ maximal %2</translation>
         <translation>Retirer du scénario</translation>
     </message>
     <message>
-        <source>Go to Where It Is Performed</source>
-        <translation>Aller où elle est jouée</translation>
-    </message>
-    <message>
         <source>Edit</source>
         <translation>Modifier</translation>
     </message>
@@ -7755,6 +8952,14 @@ maximal %2</translation>
     <message>
         <source>Remove</source>
         <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Add the selected takes</source>
+        <translation>Ajouter les prises sélectionnées</translation>
+    </message>
+    <message>
+        <source>Go to where it is performed</source>
+        <translation>Aller là où cela est joué</translation>
     </message>
 </context>
 <context>
@@ -7828,10 +9033,6 @@ maximal %2</translation>
         <source>%1 fps</source>
         <translation>%1 i/s</translation>
     </message>
-    <message>
-        <source>not named</source>
-        <translation>non indiquée</translation>
-    </message>
     <message numerus="yes">
         <source>%n vertices</source>
         <translation>
@@ -7842,6 +9043,10 @@ maximal %2</translation>
     <message>
         <source>Drawing “%1”</source>
         <translation>Dessin de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnue</translation>
     </message>
 </context>
 <context>
@@ -8025,17 +9230,110 @@ maximal %2</translation>
     </message>
 </context>
 <context>
+    <name>quadrille::TimelineActions</name>
+    <message>
+        <source>Play from here and &amp;return</source>
+        <translation>Lire d’ici et re&amp;venir</translation>
+    </message>
+    <message>
+        <source>Plays from the playhead, which goes back there when it stops</source>
+        <translation>Lit depuis la tête de lecture, qui y revient à l’arrêt</translation>
+    </message>
+    <message>
+        <source>Loop from &amp;here</source>
+        <translation>Boucle à partir d’&amp;ici</translation>
+    </message>
+    <message>
+        <source>Lets the part that plays again and again begin at the playhead</source>
+        <translation>Fait commencer à la tête de lecture la partie lue en boucle</translation>
+    </message>
+    <message>
+        <source>Loop &amp;up to here</source>
+        <translation>Boucle &amp;jusqu’ici</translation>
+    </message>
+    <message>
+        <source>Lets the part that plays again and again end at the playhead</source>
+        <translation>Fait finir à la tête de lecture la partie lue en boucle</translation>
+    </message>
+    <message>
+        <source>Play &amp;everything again</source>
+        <translation>&amp;Tout relire</translation>
+    </message>
+    <message>
+        <source>Takes the loop off the ruler</source>
+        <translation>Retire la boucle de la règle</translation>
+    </message>
+    <message>
+        <source>&amp;Write a note</source>
+        <translation>Écrire une &amp;note</translation>
+    </message>
+    <message>
+        <source>Writes something about the frame that is shown</source>
+        <translation>Écrit quelque chose au sujet de l’image affichée</translation>
+    </message>
+    <message>
+        <source>Previous n&amp;ote</source>
+        <translation>Note &amp;précédente</translation>
+    </message>
+    <message>
+        <source>Goes to the note before the playhead</source>
+        <translation>Va à la note avant la tête de lecture</translation>
+    </message>
+    <message>
+        <source>Next no&amp;te</source>
+        <translation>Note &amp;suivante</translation>
+    </message>
+    <message>
+        <source>Goes to the note behind the playhead</source>
+        <translation>Va à la note après la tête de lecture</translation>
+    </message>
+    <message>
+        <source>Playback</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>Back an&amp;d forth</source>
+        <translation>&amp;Aller et retour</translation>
+    </message>
+    <message>
+        <source>What loops turns round at its ends instead of starting over</source>
+        <translation>La boucle rebrousse chemin à ses bouts au lieu de recommencer</translation>
+    </message>
+    <message>
+        <source>&amp;Seconds on the ruler</source>
+        <translation>Se&amp;condes sur la règle</translation>
+    </message>
+    <message>
+        <source>Counts seconds on the ruler instead of frames</source>
+        <translation>Compte des secondes sur la règle au lieu d’images</translation>
+    </message>
+    <message>
+        <source>Loop from here</source>
+        <translation>Boucle à partir d’ici</translation>
+    </message>
+    <message>
+        <source>Loop up to here</source>
+        <translation>Boucle jusqu’ici</translation>
+    </message>
+    <message>
+        <source>Write a note here</source>
+        <translation>Écrire une note ici</translation>
+    </message>
+    <message>
+        <source>Show all frames</source>
+        <translation>Montrer toutes les images</translation>
+    </message>
+    <message>
+        <source>Unfold the row</source>
+        <translation>Déplier la ligne</translation>
+    </message>
+    <message>
+        <source>Fold the row</source>
+        <translation>Replier la ligne</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::TransitionPanel</name>
-    <message>
-        <source>%1 %2</source>
-        <extracomment>a sequence and one of its frames</extracomment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1 → %2</source>
-        <extracomment>two frames: a transition from the first to the second</extracomment>
-        <translation>%1 → %2</translation>
-    </message>
     <message>
         <source>a frame is no transition to itself</source>
         <translation>une image n’est pas une transition vers elle-même</translation>
@@ -8160,16 +9458,25 @@ maximal %2</translation>
         <translation>Les meilleures suivantes, de là à peu près</translation>
     </message>
     <message>
-        <source>From</source>
-        <translation>De</translation>
+        <source>%1 m/s</source>
+        <extracomment>a speed</extracomment>
+        <translation>%1 m/s</translation>
     </message>
     <message>
-        <source>To</source>
-        <translation>À</translation>
+        <source>Foot slide</source>
+        <translation>Glissement des pieds</translation>
     </message>
     <message>
-        <source>Frames</source>
-        <translation>Images</translation>
+        <source>How fast the feet that stand in both takes slide, on average</source>
+        <translation>À quelle vitesse glissent, en moyenne, les pieds posés dans les deux prises</translation>
+    </message>
+    <message>
+        <source>Speed jump</source>
+        <translation>Saut de vitesse</translation>
+    </message>
+    <message>
+        <source>How much the body’s velocity over the ground changes, from the frames before the transition to those behind it</source>
+        <translation>De combien la vitesse du corps au-dessus du sol change, des images avant la transition à celles d’après</translation>
     </message>
 </context>
 <context>
@@ -8177,6 +9484,13 @@ maximal %2</translation>
     <message>
         <source>Preview of a transition</source>
         <translation>Aperçu d’une transition</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TransitionSpeeds</name>
+    <message>
+        <source>Measuring a transition</source>
+        <translation>Mesure d’une transition</translation>
     </message>
 </context>
 <context>
@@ -8251,6 +9565,10 @@ maximal %2</translation>
         <source>Drawing “%1”</source>
         <translation>Tirage de « %1 »</translation>
     </message>
+    <message>
+        <source>Keeping “%1”</source>
+        <translation>Conservation de « %1 »</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::VariationPage</name>
@@ -8297,10 +9615,6 @@ maximal %2</translation>
         <translation>Montrer aussi la &amp;prise</translation>
     </message>
     <message>
-        <source>Shows the take that is varied among its variations</source>
-        <translation>Montre la prise variée parmi ses variations</translation>
-    </message>
-    <message>
         <source>Movement</source>
         <translation>Mouvement</translation>
     </message>
@@ -8333,10 +9647,6 @@ maximal %2</translation>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Try Again</source>
-        <translation>Réessayer</translation>
-    </message>
-    <message>
         <source>Learning was stopped: these variations are drawn from the best so far.</source>
         <translation>L’apprentissage a été arrêté : ces variations sont tirées du meilleur trouvé.</translation>
     </message>
@@ -8345,8 +9655,16 @@ maximal %2</translation>
         <translation>Ce qui est exporté ou ajouté comme séquences est d’abord appris jusqu’au bout, pour que le projet en fasse toujours la même chose.</translation>
     </message>
     <message>
-        <source>Learn to the End</source>
+        <source>Try again</source>
+        <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>Learn to the end</source>
         <translation>Apprendre jusqu’au bout</translation>
+    </message>
+    <message>
+        <source>Shows what was captured, the takes that are varied, among the variations</source>
+        <translation>Montre ce qui a été capté, les prises variées, parmi les variations</translation>
     </message>
 </context>
 <context>
@@ -8467,6 +9785,37 @@ maximal %2</translation>
         <source>Overlaid, each in a colour of its own</source>
         <translation>Superposées, chacune dans sa couleur</translation>
     </message>
+    <message>
+        <source>Sha&amp;dow</source>
+        <translation>&amp;Ombre</translation>
+    </message>
+    <message>
+        <source>&amp;Pin this frame as a ghost</source>
+        <translation>É&amp;pingler cette image comme fantôme</translation>
+    </message>
+    <message>
+        <source>Keep the pose that is shown in the view, with its frame number</source>
+        <translation>Garder dans la vue la pose affichée, avec son numéro d’image</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all pinned ghosts</source>
+        <translation>&amp;Retirer tous les fantômes épinglés</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ViewMenu</name>
+    <message>
+        <source>Look &amp;from</source>
+        <translation>Regarder &amp;depuis</translation>
+    </message>
+    <message>
+        <source>&amp;Shading</source>
+        <translation>&amp;Rendu</translation>
+    </message>
+    <message>
+        <source>&amp;Help on the view</source>
+        <translation>&amp;Aide sur la vue</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ViewTools</name>
@@ -8528,28 +9877,84 @@ maximal %2</translation>
 <context>
     <name>quadrille::WelcomePage</name>
     <message>
-        <source>Bring in captured performances: drop files or folders anywhere in this window, or begin here.</source>
-        <translation>Importez des performances captées&#xa0;: déposez des fichiers ou des dossiers n’importe où dans cette fenêtre, ou commencez ici.</translation>
-    </message>
-    <message>
-        <source>Open the sample</source>
-        <translation>Ouvrir l’exemple</translation>
-    </message>
-    <message>
         <source>Open a project…</source>
         <translation>Ouvrir un projet…</translation>
-    </message>
-    <message>
-        <source>Import sequences…</source>
-        <translation>Importer des séquences…</translation>
     </message>
     <message>
         <source>Recent projects</source>
         <translation>Projets récents</translation>
     </message>
     <message>
-        <source>%1 is not there any more. Del forgets it.</source>
-        <translation>%1 n’existe plus. Suppr l’oublie.</translation>
+        <source>Making the character: %1 %. Click again to cancel.</source>
+        <translation>Création du personnage : %1 %. Cliquez encore pour annuler.</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more.</source>
+        <translation>%1 n’existe plus.</translation>
+    </message>
+    <message>
+        <source>Open it from where it is now, or take it out of this list.</source>
+        <translation>Ouvrez-le de là où il est maintenant, ou retirez-le de cette liste.</translation>
+    </message>
+    <message>
+        <source>Remove from this list</source>
+        <translation>Retirer de cette liste</translation>
+    </message>
+    <message>
+        <source>New performances from captured ones. Drop files or folders anywhere in this window, or begin here.</source>
+        <translation>De nouvelles performances à partir de performances captées. Déposez des fichiers ou des dossiers n’importe où dans cette fenêtre, ou commencez ici.</translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation>Vos prises</translation>
+    </message>
+    <message>
+        <source>Try it with the sample character</source>
+        <translation>Essayer avec le personnage d’exemple</translation>
+    </message>
+    <message>
+        <source>Open your takes…</source>
+        <translation>Ouvrir vos prises…</translation>
+    </message>
+    <message>
+        <source>Mesh sequences as files: OBJ, PLY, PC2, MDD, GLB, FBX and more.</source>
+        <translation>Séquences de maillages en fichiers : OBJ, PLY, PC2, MDD, GLB, FBX et d’autres.</translation>
+    </message>
+    <message>
+        <source>Open a folder of takes…</source>
+        <translation>Ouvrir un dossier de prises…</translation>
+    </message>
+    <message>
+        <source>Everything in it, with the mesh that it shares.</source>
+        <translation>Tout ce qu’il contient, avec le maillage commun.</translation>
+    </message>
+    <message>
+        <source>What you saved before, as you left it.</source>
+        <translation>Ce que vous avez enregistré, comme vous l’avez laissé.</translation>
+    </message>
+    <message>
+        <source>Play a take</source>
+        <translation>Jouer une prise</translation>
+    </message>
+    <message>
+        <source>Look at a captured walk from all sides.</source>
+        <translation>Regarder de tous côtés une marche captée.</translation>
+    </message>
+    <message>
+        <source>See transitions</source>
+        <translation>Voir les transitions</translation>
+    </message>
+    <message>
+        <source>Where every frame goes over into every other.</source>
+        <translation>Où chaque image passe à chaque autre.</translation>
+    </message>
+    <message>
+        <source>Draw a path</source>
+        <translation>Dessiner un trajet</translation>
+    </message>
+    <message>
+        <source>A new performance that follows a line; change the line.</source>
+        <translation>Une nouvelle performance qui suit une ligne ; changez la ligne.</translation>
     </message>
 </context>
 <context>
@@ -8603,6 +10008,24 @@ maximal %2</translation>
         <source>%1: %2 of %3 transitions, the cheapest</source>
         <extracomment>name of a graph; how many edges show; how many there are</extracomment>
         <translation>%1 : %2 transitions sur %3, les moins chères</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::AxesGizmo</name>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <source>Click an axis to look from its end (keys 1, 3, 7)</source>
+        <translation>Cliquez sur un axe pour regarder depuis son bout (touches 1, 3, 7)</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::ClipLegend</name>
+    <message>
+        <source>Frames of the clip: %1</source>
+        <translation>Images du clip : %1</translation>
     </message>
 </context>
 <context>
@@ -8821,6 +10244,27 @@ maximal %2</translation>
     </message>
 </context>
 <context>
+    <name>quadrille::widgets::TakeGraphView</name>
+    <message numerus="yes">
+        <source>%1 → %2: %n transition(s)</source>
+        <extracomment>two takes; how many transitions lead from the first to the second</extracomment>
+        <translation>
+            <numerusform>%1 → %2 : %n transition</numerusform>
+            <numerusform>%1 → %2 : %n transitions</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: transitions between takes</source>
+        <extracomment>what is counted in the overview of takes: the transitions of a graph</extracomment>
+        <translation>%1 : transitions entre les prises</translation>
+    </message>
+    <message>
+        <source>↻ %1</source>
+        <extracomment>how many transitions lead from frames of a take to others of the same take</extracomment>
+        <translation>↻ %1</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::widgets::Timeline</name>
     <message>
         <source>Frame %1 of %2, %3</source>
@@ -8833,10 +10277,6 @@ maximal %2</translation>
     <message>
         <source>Timeline</source>
         <translation>Frise chronologique</translation>
-    </message>
-    <message>
-        <source>Scroll timeline</source>
-        <translation>Faire défiler la frise</translation>
     </message>
     <message>
         <source>Nothing to play yet</source>
@@ -8853,6 +10293,28 @@ maximal %2</translation>
     <message>
         <source>May be off by %1 s</source>
         <translation>Écart permis : %1 s</translation>
+    </message>
+    <message>
+        <source>%1
+Frame %2, %3 s</source>
+        <translation>%1
+Image %2, %3 s</translation>
+    </message>
+    <message>
+        <source>Drag to size the row; a double click makes it as usual</source>
+        <translation>Glissez pour changer la hauteur de la ligne ; un double clic lui rend la hauteur habituelle</translation>
+    </message>
+    <message>
+        <source>%1: a click folds the row, another unfolds it</source>
+        <translation>%1 : un clic replie la ligne, un autre la déplie</translation>
+    </message>
+    <message>
+        <source>Part of the frames that shows</source>
+        <translation>Partie des images affichée</translation>
+    </message>
+    <message>
+        <source>Drag the part to scroll and its ends to zoom; a double click shows all</source>
+        <translation>Glissez la partie pour défiler, ses bouts pour zoomer ; un double clic montre tout</translation>
     </message>
 </context>
 <context>

@@ -2,71 +2,24 @@
 // SPDX-License-Identifier: MIT
 #include "editor/application/autosave.h"
 
+#include "editor/application/recoveries.h"
 #include "editor/documents/projectpaths.h"
-#include "editor/jobs/jobrunner.h"
 
-#include <QDir>
-#include <QFileInfo>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QSaveFile>
-#include <QStandardPaths>
 #include <QUuid>
 #include <utility>
 
 namespace quadrille {
 
-namespace {
-
-QDir recoveryFolder()
-{
-    QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
-    folder.mkpath(QStringLiteral("recovery"));
-    folder.cd(QStringLiteral("recovery"));
-    return folder;
-}
-
-QString pathOf(const QString& id, const char* ending)
-{
-    return recoveryFolder().filePath(id + QLatin1Char('.') + QLatin1String(ending));
-}
-
-void removeFiles(const QString& id)
-{
-    if (id.isEmpty())
-        return;
-    QFile::remove(pathOf(id, "json"));
-    QFile::remove(pathOf(id, "quadrille"));
-}
-
-/// Copies keep absolute paths: they lie in another folder than the project.
-void writeCopy(const Project& project, const QString& id, const QString& projectFile)
-{
-    saveProject(project, toPath(pathOf(id, "quadrille")));
-    QFile::remove(pathOf(id, "quadrille.bak"));
-    QSaveFile info(pathOf(id, "json"));
-    if (info.open(QIODevice::WriteOnly)) {
-        info.write(QJsonDocument(QJsonObject{{"project", projectFile}}).toJson());
-        info.commit();
-    }
-}
-
-} // namespace
-
-QString Recovery::title() const
-{
-    return projectFile.isEmpty() ? Autosave::tr("Untitled") : QFileInfo(projectFile).completeBaseName();
-}
-
-Autosave::Autosave(ProjectDocument& document, JobRunner& jobs, QObject* parent)
+Autosave::Autosave(ProjectDocument& document, QObject* parent)
     : QObject(parent)
     , m_document(document)
-    , m_jobs(jobs)
     , m_id(QUuid::createUuid().toString(QUuid::WithoutBraces))
-    , m_lock(std::make_unique<QLockFile>(pathOf(m_id, "lock")))
+    , m_lock(recoveryLockFile(m_id))
 {
-    m_lock->setStaleLockTime(0);
-    m_lock->tryLock(0);
+    m_writer.setMaxThreadCount(1);
+    m_lock.setStaleLockTime(0);
+    m_lock.tryLock(0);
+    m_timer.setSingleShot(true);
     connect(&document, &ProjectDocument::changed, this, &Autosave::follow);
     connect(&m_timer, &QTimer::timeout, this, &Autosave::copyNow);
 }
@@ -74,83 +27,71 @@ Autosave::Autosave(ProjectDocument& document, JobRunner& jobs, QObject* parent)
 Autosave::~Autosave()
 {
     removeCopy();
+    m_writer.waitForDone();
 }
 
-void Autosave::setInterval(int seconds)
+void Autosave::setDelay(int seconds)
 {
-    if (seconds > 0)
-        m_timer.start(seconds * 1000);
-    else
+    m_delay = seconds * 500; // so that the copy is whole in time
+    if (m_delay == 0)
         m_timer.stop();
+    else if (m_isDirty)
+        m_timer.start(m_delay);
 }
 
-void Autosave::follow(const ChangeEvent& /*event*/)
+void Autosave::follow()
 {
-    ++m_revision;
     m_isDirty = m_document.isModified();
-    if (!m_isDirty)
+    if (!m_isDirty) {
+        m_timer.stop();
         removeCopy();
+    } else if (m_delay > 0 && !m_timer.isActive()) {
+        m_timer.start(m_delay); // not anew by each edit: the first of them waits no longer
+    }
 }
 
 void Autosave::copyNow()
 {
-    if (!m_isDirty)
+    if (!std::exchange(m_isDirty, false))
         return;
-    m_isDirty = false;
+    m_hasCopy = true;
     const QString file = m_document.isUntitled() ? QString() : toQString(m_document.file());
-    m_jobs.start(
-        {.name = tr("Keeping a copy of “%1”").arg(m_document.title()), .receiver = this, .background = true},
-        [project = m_document.project(), id = m_id, file](const Progress&) { writeCopy(project, id, file); },
-        [this] {
-            removeFiles(std::exchange(m_adopted, {}));
-            if (!m_document.isModified())
-                removeCopy();
-        });
+    m_writer.start([this, project = m_document.project(), file, adopted = std::exchange(m_adopted, {})] {
+        write(project, file, adopted);
+    });
 }
 
-void Autosave::adopt(const Recovery& recovery)
+/// On the writer's thread.
+void Autosave::write(const Project& project, const QString& file, const QString& adopted)
 {
-    m_adopted = recovery.id;
+    try {
+        writeRecovery(project, m_id, file);
+        discardRecovery(adopted);
+    } catch (const Error& error) {
+        QMetaObject::invokeMethod(
+            this,
+            [this, error, adopted] {
+                m_adopted = adopted;
+                emit failed(error);
+            },
+            Qt::QueuedConnection);
+    }
+}
+
+void Autosave::adopt(const QString& recovery)
+{
+    m_adopted = recovery;
     copyNow();
 }
 
 void Autosave::removeCopy()
 {
-    removeFiles(m_id);
-    removeFiles(std::exchange(m_adopted, {}));
-}
-
-std::optional<Recovery> Autosave::findRecovery()
-{
-    const QDir folder = recoveryFolder();
-    const QFileInfoList copies = folder.entryInfoList({QStringLiteral("*.json")}, QDir::Files, QDir::Time);
-    for (const QFileInfo& info : copies) {
-        const QString id = info.completeBaseName();
-        QLockFile lock(pathOf(id, "lock"));
-        lock.setStaleLockTime(0);
-        if (!lock.tryLock(0))
-            continue;
-        QFile file(info.filePath());
-        if (!file.open(QIODevice::ReadOnly))
-            continue;
-        Recovery recovery;
-        recovery.id = id;
-        recovery.projectFile = QJsonDocument::fromJson(file.readAll())["project"].toString();
-        recovery.saved = info.lastModified();
-        try {
-            const auto copy = toPath(pathOf(id, "quadrille"));
-            recovery.project = withAbsolutePaths(loadProject(copy), copy.parent_path());
-            return recovery;
-        } catch (const Error&) {
-            removeFiles(id); // a copy that cannot be read is of no use to anybody
-        }
-    }
-    return std::nullopt;
-}
-
-void Autosave::discard(const Recovery& recovery)
-{
-    removeFiles(recovery.id);
+    if (!std::exchange(m_hasCopy, false) && m_adopted.isEmpty())
+        return;
+    m_writer.start([own = m_id, adopted = std::exchange(m_adopted, {})] {
+        discardRecovery(own);
+        discardRecovery(adopted);
+    });
 }
 
 } // namespace quadrille

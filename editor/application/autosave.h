@@ -4,62 +4,50 @@
 
 #include "editor/documents/projectdocument.h"
 
-#include <QDateTime>
 #include <QLockFile>
 #include <QObject>
+#include <QThreadPool>
 #include <QTimer>
-#include <memory>
-#include <optional>
 
 namespace quadrille {
 
-class JobRunner;
-
-/// Edits that were never saved, kept from a run of the program that did not end well.
-struct Recovery
-{
-    QString id;
-    QString projectFile; ///< empty when the project was untitled
-    QDateTime saved;
-    Project project;
-
-    QString title() const;
-};
-
-/// Keeps a copy of what is not saved, and finds the copies that a crash left behind.
+/// Keeps a copy of what is not saved, for the case that the program does not end well: written some seconds
+/// after an edit, beside the interface and beside all jobs.
 class Autosave : public QObject
 {
     Q_OBJECT
 
 public:
-    Autosave(ProjectDocument& document, JobRunner& jobs, QObject* parent = nullptr);
+    explicit Autosave(ProjectDocument& document, QObject* parent = nullptr);
     /// Ends well: takes the copy away.
     ~Autosave() override;
 
-    /// \param seconds between two copies; 0 for none.
-    void setInterval(int seconds);
+    /// \param seconds that an edit is without a copy at most; 0 for no copies.
+    void setDelay(int seconds);
     /// Copies now if there are unsaved edits since the last copy.
     void copyNow();
 
     /// Takes a recovered copy over: it goes once this program has one of its own, or nothing is unsaved.
-    void adopt(const Recovery& recovery);
+    void adopt(const QString& recovery);
 
-    /// The newest copy that no running program holds.
-    static std::optional<Recovery> findRecovery();
-    static void discard(const Recovery& recovery);
+signals:
+    /// A copy could not be written.
+    void failed(const quadrille::Error& error);
 
 private:
-    void follow(const ChangeEvent& event);
+    void follow();
+    void write(const Project& project, const QString& file, const QString& adopted);
     void removeCopy();
 
     ProjectDocument& m_document;
-    JobRunner& m_jobs;
     QString m_id;
     QString m_adopted; ///< id of the recovered copy; empty without one
-    std::unique_ptr<QLockFile> m_lock;
+    QLockFile m_lock;
     QTimer m_timer;
-    quint64 m_revision = 0; ///< counts edits, so that a copy that comes too late is taken away again
+    int m_delay = 0; ///< milliseconds
     bool m_isDirty = false;
+    bool m_hasCopy = false;
+    QThreadPool m_writer; ///< one thread, so that one thing is done after the other
 };
 
 } // namespace quadrille

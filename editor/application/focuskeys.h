@@ -4,10 +4,15 @@
 
 #include <QObject>
 
+class QKeyEvent;
+class QWidget;
+
 namespace quadrille {
 
-/// Gives a control that has the focus the keys that it is used with, before the window takes them for
-/// shortcuts: Space presses a button there and does not play.
+/// Shares the keys between playing and the control that has the focus. Space, J, K, L and the like play
+/// wherever no text is edited, so that nobody has to think of where the focus is; buttons, boxes to check and
+/// choices are pressed by Return instead. Only controls that are moved along with arrows (sliders, tabs) keep
+/// these. In dialogs and open menus everything is as usual.
 class FocusKeys : public QObject
 {
     Q_OBJECT
@@ -18,6 +23,9 @@ public:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    static bool press(QObject* control, const QKeyEvent& event);
 };
 
 } // namespace quadrille

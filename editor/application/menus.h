@@ -16,22 +16,35 @@ namespace quadrille {
 
 struct EditorContext;
 
-/// The menus of the window: which action of the registry stands where.
+/// The menus of the window: which action of the registry stands where. A menu has what is used together; what
+/// there is more of lies one step deeper.
 class Menus : public QObject
 {
     Q_OBJECT
 
 public:
-    /// \param docks what shows and hides the docks, for the View menu.
-    Menus(EditorContext& context, const QList<QAction*>& docks, QMainWindow& window);
+    Menus(EditorContext& context, QMainWindow& window);
+
+    /// Panels and layouts of the workspace are put in here by who knows them.
+    QMenu& view() { return *m_view; }
+    /// The texts of a menu's entries begin with one capital letter; so does this.
+    QMenu* addSubmenu(QMenu& menu, const char* name, std::function<QString()> title,
+                      const QStringList& actions = {});
 
 private:
-    QMenu* addMenu(std::function<QString()> title, const QStringList& actions);
+    QMenu* addMenu(const char* name, std::function<QString()> title, const QStringList& actions);
+    void fill(QMenu& menu, const QStringList& actions);
+    void addFile();
+    void addView();
+    void addGraph();
+    void addAnimate();
+    void addVariations();
     void addLanguages();
     void retranslate();
 
     EditorContext& m_context;
     QMainWindow& m_window;
+    QMenu* m_view = nullptr;
     std::vector<std::pair<QMenu*, std::function<QString()>>> m_titles;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "editor/documents/projectdocument.h"
+#include "editor/documents/projectguard.h"
 
 #include <QObject>
 #include <QStringList>
@@ -16,9 +17,10 @@ namespace quadrille {
 class IssueLog;
 class JobRunner;
 class Settings;
+struct Recovery;
 
-/// What the File menu does: new, open, save, and the sample. What fails is told and leaves the open project
-/// as it was.
+/// What the File menu does: new, open and save. What fails is told and leaves the open project as it was.
+/// Nothing that somebody else wrote is overwritten without being asked.
 class ProjectFiles : public QObject
 {
     Q_OBJECT
@@ -32,18 +34,28 @@ public:
     static bool isProject(const QString& file);
     /// Asks whether unsaved edits shall be saved. \return false when the user rather goes on as it is.
     bool mayClose();
-    /// Opens a project file without asking anything. \return whether it is open now.
+    /// Opens a project file without asking about the open one. One that is open elsewhere is asked about.
+    /// \return whether it is open now.
     bool load(const QString& file);
     /// Opens a project file in the place of the one that is open, after asking whether to save that.
     void open(const QString& file);
-    /// Opens the built-in sample; makes it first where it is not there yet.
-    void openSample();
+    /// Opens what a crash left unsaved, after asking whether to save what is open. \return whether it is
+    /// open.
+    bool recover(const Recovery& recovery);
+
+    /// Whether the open project may be saved, and who wrote its file meanwhile.
+    ProjectGuard& guard() { return m_guard; }
+
+    /// Writes the project to another file, unless that is open elsewhere. Its results go along.
+    bool saveTo(const std::filesystem::path& file);
 
 public slots:
     void newProject();
     void askOpen();
     bool save();
     bool saveAs();
+    /// Opens the file of the project again, after asking whether unsaved edits may go.
+    void reload();
 
 signals:
     /// Another project takes the place of the open one.
@@ -53,14 +65,22 @@ signals:
     void failed(const QString& message);
 
 private:
+    using Show = std::function<void()>;
+
     bool run(const std::function<void()>& action);
     void report(const Error& error);
+    bool openWith(const std::filesystem::path& file, const Show& show, const std::function<Project()>& copy);
+    bool openBackup(const std::filesystem::path& file, const Error& error);
+    void readAgain();
+    QString whyUnwritable() const;
+    void follow(const ChangeEvent& event);
 
     ProjectDocument& m_document;
     JobRunner& m_jobs;
     IssueLog& m_issues;
     Settings& m_settings;
     QWidget* m_window;
+    ProjectGuard m_guard;
 };
 
 } // namespace quadrille

@@ -4,7 +4,8 @@
 
 #include "editor/application/autosave.h"
 #include "editor/application/editorcontext.h"
-#include "editor/documents/projectpaths.h"
+#include "editor/application/projectfiles.h"
+#include "editor/application/recoveries.h"
 
 #include <QLocale>
 #include <QMessageBox>
@@ -12,40 +13,51 @@
 
 namespace quadrille {
 
-RecoveryFlow::RecoveryFlow(EditorContext& context, Autosave& autosave, QWidget* window)
-    : QObject(window), m_context(context), m_autosave(autosave), m_window(window)
+RecoveryFlow::RecoveryFlow(EditorContext& context, Autosave& autosave, ProjectFiles& files, QWidget* window)
+    : QObject(window), m_context(context), m_autosave(autosave), m_files(files), m_window(window)
 {
 }
 
 void RecoveryFlow::offer()
 {
-    const std::optional<Recovery> found = Autosave::findRecovery();
-    if (!found)
+    const Recoveries found = findRecoveries();
+    for (const QString& file : found.unreadable) {
+        const QString text =
+            tr("A copy of unsaved edits cannot be read. It was kept, and lies at %1 now.").arg(file);
+        Issue issue;
+        issue.context.values = {{"text", text.toStdString()}};
+        m_context.issues.add(issue);
+        emit told(text);
+    }
+    if (found.works.empty())
         return;
+    const Recovery& newest = found.works.front();
     auto* box =
         new QMessageBox(QMessageBox::Question, tr("Unsaved edits were kept"),
                         tr("Quadrille ended unexpectedly. Edits of “%1” from %2 were never saved.")
-                            .arg(found->title(), QLocale().toString(found->saved, QLocale::ShortFormat)),
+                            .arg(newest.title(), QLocale().toString(newest.saved, QLocale::ShortFormat)),
                         QMessageBox::NoButton, m_window);
     box->setObjectName(QStringLiteral("recovery"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setInformativeText(tr("Recover them, or discard them for good."));
-    QPushButton* recover = box->addButton(tr("Recover"), QMessageBox::AcceptRole);
+    QPushButton* recoverButton = box->addButton(tr("Recover"), QMessageBox::AcceptRole);
     QPushButton* discard = box->addButton(tr("Discard"), QMessageBox::DestructiveRole);
     QPushButton* later = box->addButton(tr("Ask again later"), QMessageBox::RejectRole);
-    recover->setObjectName(QStringLiteral("recoveryAccept"));
+    recoverButton->setObjectName(QStringLiteral("recoveryAccept"));
     discard->setObjectName(QStringLiteral("recoveryDiscard"));
-    box->setDefaultButton(recover);
+    box->setDefaultButton(recoverButton);
     box->setEscapeButton(later);
-    connect(recover, &QPushButton::clicked, this, [this, recovery = *found] {
-        if (recovery.projectFile.isEmpty())
-            m_context.document.reset(recovery.project, true);
-        else
-            m_context.document.recover(recovery.project, toPath(recovery.projectFile));
-        m_autosave.adopt(recovery);
-    });
-    connect(discard, &QPushButton::clicked, this, [recovery = *found] { Autosave::discard(recovery); });
+    connect(recoverButton, &QPushButton::clicked, this, [this, newest] { recover(newest); });
+    connect(discard, &QPushButton::clicked, this, [id = newest.id] { discardRecovery(id); });
+    connect(box, &QMessageBox::finished, this, &RecoveryFlow::answered);
     box->open();
+}
+
+void RecoveryFlow::recover(const Recovery& recovery)
+{
+    if (m_files.recover(recovery))
+        m_autosave.adopt(recovery.id);
+    emit answered();
 }
 
 } // namespace quadrille

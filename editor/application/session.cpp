@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: MIT
 #include "editor/application/session.h"
 
+#include "editor/application/sealedfile.h"
 #include "editor/documents/projectpaths.h"
 
 #include <QCryptographicHash>
 #include <QDir>
-#include <QFile>
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QSaveFile>
 #include <QStandardPaths>
 
 namespace quadrille {
 
 namespace {
+
+constexpr int sessionFormat = 2;
 
 /// A file name that stands for a project file.
 QString keyOf(const QString& project)
@@ -23,11 +23,11 @@ QString keyOf(const QString& project)
     return QString::fromLatin1(hash.toHex().left(20));
 }
 
-QString dataFile(const QString& folder, const QString& project, const QString& ending)
+QString dataFile(const QString& folder, const QString& key, const QString& ending)
 {
     const QDir base(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
     base.mkpath(folder);
-    return base.filePath(QStringLiteral("%1/%2.%3").arg(folder, keyOf(project), ending));
+    return base.filePath(QStringLiteral("%1/%2.%3").arg(folder, key, ending));
 }
 
 QByteArray bytes(const QJsonValue& value)
@@ -40,14 +40,8 @@ QString text(const QByteArray& bytes)
     return QString::fromLatin1(bytes.toBase64());
 }
 
-} // namespace
-
-Session loadSession(const std::filesystem::path& project)
+Session sessionFrom(const QJsonObject& stored)
 {
-    QFile file(dataFile(QStringLiteral("sessions"), toQString(project), QStringLiteral("json")));
-    if (!file.open(QIODevice::ReadOnly))
-        return {};
-    const QJsonObject stored = QJsonDocument::fromJson(file.readAll()).object();
     Session session;
     session.windowGeometry = bytes(stored["windowGeometry"]);
     session.docks = stored["docks"].toObject();
@@ -61,11 +55,23 @@ Session loadSession(const std::filesystem::path& project)
     return session;
 }
 
+} // namespace
+
+QString sessionFile(const std::filesystem::path& project)
+{
+    return dataFile(QStringLiteral("sessions"),
+                    project.empty() ? QStringLiteral("window") : keyOf(toQString(project)),
+                    QStringLiteral("json"));
+}
+
+KeptSession loadSession(const std::filesystem::path& project)
+{
+    const SealedContents stored = readSealed(sessionFile(project), sessionFormat);
+    return {sessionFrom(stored.values), stored.asideFile};
+}
+
 void saveSession(const Session& session, const std::filesystem::path& project)
 {
-    QSaveFile file(dataFile(QStringLiteral("sessions"), toQString(project), QStringLiteral("json")));
-    if (!file.open(QIODevice::WriteOnly))
-        return;
     const QJsonObject stored{
         {"windowGeometry", text(session.windowGeometry)},
         {"docks", session.docks},
@@ -75,13 +81,12 @@ void saveSession(const Session& session, const std::filesystem::path& project)
         {"frame", session.frame},
         {"view", session.view},
     };
-    file.write(QJsonDocument(stored).toJson());
-    file.commit();
+    writeSealed(sessionFile(project), stored, sessionFormat);
 }
 
 QString thumbnailFile(const QString& project)
 {
-    return dataFile(QStringLiteral("thumbnails"), project, QStringLiteral("png"));
+    return dataFile(QStringLiteral("thumbnails"), keyOf(project), QStringLiteral("png"));
 }
 
 } // namespace quadrille

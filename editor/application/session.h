@@ -10,7 +10,7 @@
 namespace quadrille {
 
 /// How a project was last looked at: comes back when it is opened again. Kept per project beside the user's
-/// settings, not in the project file.
+/// settings, not in the project file; the window keeps one of its own for when no project is open.
 struct Session
 {
     QByteArray windowGeometry;
@@ -24,10 +24,21 @@ struct Session
     bool operator==(const Session&) const = default;
 };
 
-/// The session of a project file; an empty one where there is none or it cannot be read.
-Session loadSession(const std::filesystem::path& project);
+/// A session as it was found.
+struct KeptSession
+{
+    Session session; ///< empty where there is none, or none that can be used
+    /// Where one was put that is damaged or from a newer version of the program; empty otherwise.
+    QString asideFile;
+};
+
+/// The session of a project file, or of the window itself when `project` is empty. Qt believes what it is
+/// given as geometry and docks, so only what the program wrote itself gets there (see sealedfile.h).
+KeptSession loadSession(const std::filesystem::path& project);
 /// Sessions are a convenience: that one could not be written is not told.
 void saveSession(const Session& session, const std::filesystem::path& project);
+/// Where the session of a project file, or of the window itself, lies, whether or not it is there.
+QString sessionFile(const std::filesystem::path& project);
 
 /// Where the picture of a recent project lies, whether or not it is there.
 QString thumbnailFile(const QString& project);

@@ -3,6 +3,7 @@
 #include "editor/application/sessionkeeper.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/application/windowplace.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/playback/player.h"
 #include "editor/playback/sequencestage.h"
@@ -11,7 +12,6 @@
 
 #include <QJsonArray>
 #include <QMainWindow>
-#include <QScreen>
 #include <array>
 #include <utility>
 
@@ -48,18 +48,35 @@ widgets::Turntable cameraFrom(const QJsonObject& json, widgets::Turntable camera
 
 } // namespace
 
-void restoreWindow(QMainWindow& window, const QByteArray& geometry)
-{
-    window.restoreGeometry(geometry);
-    window.resize(window.size().boundedTo(window.screen()->availableSize()));
-}
-
 SessionKeeper::SessionKeeper(EditorContext& context, WorkspaceTabs& workspaces, Workspace& sequences,
                              QMainWindow& window)
     : QObject(&window), m_context(context), m_workspaces(workspaces), m_sequences(sequences), m_window(window)
 {
     connect(&context.document, &ProjectDocument::changed, this, &SessionKeeper::follow);
     connect(&sequences.stage(), &SequenceStage::frameShown, this, &SessionKeeper::showView);
+}
+
+Session SessionKeeper::load(const std::filesystem::path& project)
+{
+    const KeptSession kept = loadSession(project);
+    if (!kept.asideFile.isEmpty())
+        emit putAside(kept.asideFile);
+    return kept.session;
+}
+
+void SessionKeeper::restoreWindow()
+{
+    const Session session = load({});
+    placeWindow(m_window, session.windowGeometry);
+    m_workspaces.setStates(session.docks);
+}
+
+void SessionKeeper::keepWindow()
+{
+    Session session;
+    session.windowGeometry = m_window.saveGeometry();
+    session.docks = m_workspaces.states();
+    saveSession(session, {});
 }
 
 void SessionKeeper::keep()
@@ -76,7 +93,10 @@ void SessionKeeper::keep()
     session.frame = m_sequences.player().frame().value;
     session.view = {{"camera", toJson(viewport.camera())}, {"shading", static_cast<int>(viewport.shading())}};
     saveSession(session, m_context.document.file());
-    const QImage picture = m_sequences.viewport().snapshot({.size = thumbnailSize, .annotations = false});
+    // What was looked at last; a workspace that shows nothing says nothing about the project.
+    Workspace* front = m_workspaces.currentWorkspace();
+    Workspace& shown = front != nullptr && front->stage().frameCount() > 0 ? *front : m_sequences;
+    const QImage picture = shown.viewport().snapshot({.size = thumbnailSize, .annotations = false});
     if (!picture.isNull())
         picture.save(thumbnailFile(toQString(m_context.document.file())));
 }
@@ -88,10 +108,10 @@ void SessionKeeper::follow(const ChangeEvent& event)
     m_pending.reset();
     if (m_context.document.isUntitled())
         return;
-    Session session = loadSession(m_context.document.file());
+    Session session = load(m_context.document.file());
     if (session == Session{})
         return;
-    restoreWindow(m_window, session.windowGeometry);
+    placeWindow(m_window, session.windowGeometry);
     m_workspaces.setStates(session.docks);
     m_workspaces.select(session.workspace);
     session.selected.removeIf(

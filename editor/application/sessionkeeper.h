@@ -16,10 +16,8 @@ class WorkspaceTabs;
 struct ChangeEvent;
 struct EditorContext;
 
-/// Gives a window the place and size that it had, as far as the screen of now has room.
-void restoreWindow(QMainWindow& window, const QByteArray& geometry);
-
-/// Remembers how a project was last looked at, and brings it back when it is opened again.
+/// Remembers how a project was last looked at, and brings it back when it is opened again; the same for the
+/// window without a project.
 class SessionKeeper : public QObject
 {
     Q_OBJECT
@@ -29,10 +27,20 @@ public:
     SessionKeeper(EditorContext& context, WorkspaceTabs& workspaces, Workspace& sequences,
                   QMainWindow& window);
 
+    /// Gives the window the place, size and docks that it had when the program was last ended.
+    /// \pre It was not shown yet.
+    void restoreWindow();
     /// Remembers the open project, if it has a file, with a picture of it.
     void keep();
+    /// Remembers the window itself.
+    void keepWindow();
+
+signals:
+    /// What was kept cannot be used; it lies in this file now.
+    void putAside(const QString& file);
 
 private:
+    Session load(const std::filesystem::path& project);
     void follow(const ChangeEvent& event);
     void showView();
 

@@ -3,7 +3,8 @@
 #include "editor/application/settings.h"
 
 #include <QFileInfo>
-#include <QJsonDocument>
+#include <algorithm>
+#include <array>
 
 namespace quadrille {
 
@@ -16,12 +17,13 @@ constexpr auto languageKey = "language";
 constexpr auto autosaveKey = "autosaveSeconds";
 constexpr auto historyKey = "historyMegabytes";
 constexpr auto loopKey = "loopPlayback";
+constexpr auto mouseKey = "mousePreset";
+/// As they are stored, in the order of widgets::MousePreset.
+constexpr std::array mousePresets{"quadrille", "blender", "maya", "paraview"};
 constexpr auto snapsKey = "curves/snaps";
 constexpr auto snapRadiusKey = "curves/snapRadius";
 constexpr auto overlapKey = "curves/overlap";
 constexpr auto recentKey = "recentProjects";
-constexpr auto geometryKey = "window/geometry";
-constexpr auto docksKey = "window/docks";
 
 QString shortcutKey(const QString& action)
 {
@@ -74,7 +76,9 @@ void Settings::setLanguage(const QString& code)
 
 int Settings::autosaveSeconds() const
 {
-    return m_store.value(autosaveKey, defaultAutosaveSeconds).toInt();
+    // Edits older than this are never without a copy, unless there shall be none at all.
+    constexpr int longest = 10;
+    return std::clamp(m_store.value(autosaveKey, longest).toInt(), 0, longest);
 }
 
 void Settings::setAutosaveSeconds(int seconds)
@@ -100,6 +104,20 @@ bool Settings::loopsPlayback() const
 void Settings::setLoopsPlayback(bool loops)
 {
     set(loopKey, loops);
+}
+
+widgets::MousePreset Settings::mousePreset() const
+{
+    const QString name = m_store.value(mouseKey).toString();
+    const auto* found =
+        std::ranges::find_if(mousePresets, [&name](const char* each) { return name == QLatin1String(each); });
+    return found == mousePresets.end() ? widgets::MousePreset::Quadrille
+                                       : static_cast<widgets::MousePreset>(found - mousePresets.begin());
+}
+
+void Settings::setMousePreset(widgets::MousePreset preset)
+{
+    set(mouseKey, QString::fromLatin1(mousePresets.at(static_cast<std::size_t>(preset))));
 }
 
 Settings::CurveDrawing Settings::curveDrawing() const
@@ -157,22 +175,6 @@ void Settings::setShortcuts(const QString& action, const QList<QKeySequence>& sh
     else
         m_store.setValue(shortcutKey(action),
                          QKeySequence::listToString(shortcuts, QKeySequence::PortableText));
-}
-
-QByteArray Settings::windowGeometry() const
-{
-    return m_store.value(geometryKey).toByteArray();
-}
-
-QJsonObject Settings::docks() const
-{
-    return QJsonDocument::fromJson(m_store.value(docksKey).toByteArray()).object();
-}
-
-void Settings::setWindow(const QByteArray& geometry, const QJsonObject& docks)
-{
-    m_store.setValue(geometryKey, geometry);
-    m_store.setValue(docksKey, QJsonDocument(docks).toJson(QJsonDocument::Compact));
 }
 
 } // namespace quadrille

@@ -3,9 +3,8 @@
 #pragma once
 
 #include "widgets/theme/theme.h"
+#include "widgets/viewport/mousegestures.h"
 
-#include <QByteArray>
-#include <QJsonObject>
 #include <QKeySequence>
 #include <QObject>
 #include <QSettings>
@@ -37,6 +36,9 @@ public:
     void setHistoryMegabytes(int megabytes);
     bool loopsPlayback() const;
     void setLoopsPlayback(bool loops);
+    /// Which drags of the mouse move the camera of views.
+    widgets::MousePreset mousePreset() const;
+    void setMousePreset(widgets::MousePreset preset);
     /// How curves are drawn on bodies.
     struct CurveDrawing
     {
@@ -57,11 +59,6 @@ public:
     /// \param own the action's own shortcuts: equal ones are not stored.
     void setShortcuts(const QString& action, const QList<QKeySequence>& shortcuts,
                       const QList<QKeySequence>& own);
-
-    /// Size, place and docks of the window of a project without a session of its own.
-    QByteArray windowGeometry() const;
-    QJsonObject docks() const; ///< see WorkspaceTabs::states
-    void setWindow(const QByteArray& geometry, const QJsonObject& docks);
 
 signals:
     /// One of the values above the shortcuts is another now.

@@ -20,6 +20,8 @@ std::size_t memoryOfAll(const Project& project)
     add(project.animations);
     add(project.variations);
     add(project.exports);
+    if (!project.unknown.is_null())
+        bytes += project.unknown.dump(-1, ' ', false, UnknownKeys::error_handler_t::replace).size() * 2;
     return bytes + project.evaluations.size() * sizeof(EvaluationEntry);
 }
 
@@ -72,6 +74,7 @@ void ChangeProject::show(const Project& project, std::vector<ChangeEvent> events
     tell(Section::BodyParts, m_before.bodyParts == m_after.bodyParts);
     tell(Section::Variations, m_before.variations == m_after.variations);
     tell(Section::Exports, m_before.exports == m_after.exports);
+    tell(Section::Project, m_before.settings == m_after.settings && m_before.unknown == m_after.unknown);
     apply([&](Project& shown) { shown = project; }, events);
 }
 

@@ -5,6 +5,7 @@
 #include "editor/commands/changeentry.h"
 #include "editor/commands/insertpart.h"
 #include "editor/commands/projectedits.h"
+#include "editor/documents/editcheck.h"
 
 namespace quadrille {
 
@@ -23,24 +24,26 @@ PlacedEntries<Entry>& placedIn(ProjectPart& part)
 }
 
 template <typename Entry>
-void insertEntry(ProjectDocument& document, const QString& text, std::size_t place, Entry entry)
+bool insertEntry(ProjectDocument& document, const QString& text, std::size_t place, Entry entry)
 {
     ProjectPart part;
     placedIn<Entry>(part).emplace_back(place, std::move(entry));
-    document.push(std::make_unique<InsertPart>(document, text, std::move(part)));
+    return wasTaken(document, std::make_unique<InsertPart>(document, text, std::move(part)));
 }
 
-/// Adds an entry behind the others. \param text  has “%1” for its name. \return the name that it got.
+/// Adds an entry behind the others. \param text  has “%1” for its name. \return the name that it got; empty
+/// where it is refused.
 template <typename Entry>
 QString addEntry(ProjectDocument& document, const QString& text, Entry entry)
 {
     QString name = freeName(document.project(), sectionOf<Entry>(), QString::fromStdString(entry.name));
     entry.name = name.toStdString();
-    insertEntry(document, text.arg(name), entriesOf<Entry>(document.project()).size(), std::move(entry));
-    return name;
+    const std::size_t place = entriesOf<Entry>(document.project()).size();
+    return insertEntry(document, text.arg(name), place, std::move(entry)) ? name : QString();
 }
 
-/// Adds a copy behind the original. \return the copy's name. \pre The original is there.
+/// Adds a copy behind the original. \return the copy's name; empty where it is refused. \pre The original is
+/// there.
 template <typename Entry>
 QString duplicateEntry(ProjectDocument& document, const QString& text, const QString& name)
 {
@@ -51,8 +54,7 @@ QString duplicateEntry(ProjectDocument& document, const QString& text, const QSt
     Entry copy = *original;
     QString copyName = freeName(document.project(), sectionOf<Entry>(), name);
     copy.name = copyName.toStdString();
-    insertEntry(document, text, place, std::move(copy));
-    return copyName;
+    return insertEntry(document, text, place, std::move(copy)) ? copyName : QString();
 }
 
 /// Exchanges the values of an entry; its name stays.

@@ -4,8 +4,13 @@
 
 #include "editor/commands/changeproject.h"
 #include "editor/commands/entryedits.h"
+#include "editor/commands/entrynames.h"
 #include "editor/commands/relinkmedia.h"
+#include "editor/documents/editcheck.h"
+#include "model/project/brokenentry.h"
+#include "model/project/framenote.h"
 #include "model/project/references.h"
+#include "model/project/validateevaluations.h"
 
 #include <QCoreApplication>
 #include <cmath>
@@ -18,55 +23,6 @@ struct Texts
 {
     Q_DECLARE_TR_FUNCTIONS(quadrille::ProjectEdits)
 };
-
-template <typename Entry>
-bool hasName(const Project& project, const QString& name)
-{
-    return std::ranges::find(entriesOf<Entry>(project), name.toStdString(), &Entry::name) !=
-           entriesOf<Entry>(project).end();
-}
-
-bool isTaken(const Project& project, Section section, const QString& name)
-{
-    switch (section) {
-    case Section::Project:
-    case Section::Graphs:
-    case Section::BodyParts:
-        return true;
-    case Section::Characters:
-        return hasName<CharacterEntry>(project, name);
-    case Section::Sequences:
-        return hasName<SequenceEntry>(project, name);
-    case Section::Animations:
-        return hasName<AnimationEntry>(project, name);
-    case Section::Variations:
-        return hasName<VariationEntry>(project, name);
-    case Section::Exports:
-        return hasName<ExportEntry>(project, name);
-    }
-    return false;
-}
-
-/// The kind of the entries of a section; nothing where nobody refers to them.
-std::optional<NamedKind> kindOf(Section section)
-{
-    switch (section) {
-    case Section::Characters:
-        return NamedKind::Character;
-    case Section::Sequences:
-        return NamedKind::Sequence;
-    case Section::Animations:
-        return NamedKind::Animation;
-    case Section::Variations:
-        return NamedKind::Variation;
-    case Section::Project:
-    case Section::Graphs:
-    case Section::BodyParts:
-    case Section::Exports:
-        break;
-    }
-    return std::nullopt;
-}
 
 /// Moves spans and cuts them to 0 … last; those outside go.
 template <typename Span>
@@ -83,6 +39,16 @@ void shiftSpans(std::vector<Span>& spans, std::int64_t shift, std::optional<std:
             kept.push_back(std::move(span));
     }
     spans = std::move(kept);
+}
+
+/// Whether a table cannot be computed of a project.
+bool hasProblems(const Project& project, const EvaluationEntry& evaluation)
+{
+    Project alone = project;
+    alone.evaluations = {evaluation};
+    ProjectProblems problems;
+    validateEvaluations(alone, problems);
+    return hasErrors(problems);
 }
 
 QString removalText(Section section, const QStringList& names)
@@ -106,18 +72,14 @@ QString removalText(Section section, const QStringList& names)
 
 } // namespace
 
-QString freeName(const Project& project, Section section, const QString& wanted)
-{
-    QString name = wanted;
-    for (int i = 2; isTaken(project, section, name); ++i)
-        name = QStringLiteral("%1 %2").arg(wanted).arg(i);
-    return name;
-}
-
 QStringList addSequences(ProjectDocument& document, std::vector<SequenceEntry> sequences,
                          std::vector<CharacterEntry> characters, std::optional<double> fps)
 {
     Project preview = document.project();
+    // What left its character out still means the one that was alone.
+    const bool namesCharacter = preview.characters.size() == 1 && !characters.empty();
+    if (namesCharacter)
+        nameOnlyCharacter(preview);
     ProjectPart part;
     if (fps && *fps != preview.settings.fps)
         part.fps = fps;
@@ -142,8 +104,14 @@ QStringList addSequences(ProjectDocument& document, std::vector<SequenceEntry> s
     const QString text = names.size() == 1
                              ? Texts::tr("Add “%1”").arg(names.front())
                              : Texts::tr("Add %n sequences", nullptr, static_cast<int>(names.size()));
-    document.push(std::make_unique<InsertPart>(document, text, std::move(part)));
-    return names;
+    std::unique_ptr<ProjectCommand> command;
+    if (namesCharacter) {
+        preview.settings.fps = part.fps.value_or(preview.settings.fps);
+        command = std::make_unique<ChangeProject>(document, text, std::move(preview));
+    } else {
+        command = std::make_unique<InsertPart>(document, text, std::move(part));
+    }
+    return wasTaken(document, std::move(command)) ? names : QStringList();
 }
 
 void removeEntries(ProjectDocument& document, Section section, const QStringList& names)
@@ -151,12 +119,17 @@ void removeEntries(ProjectDocument& document, Section section, const QStringList
     std::vector<std::string> gone;
     for (const QString& name : names)
         gone.push_back(name.toStdString());
-    Project after = document.project();
+    const Project& before = document.project();
+    Project after = before;
     if (const auto kind = kindOf(section))
         removeEntries(after, *kind, gone);
     else
         std::erase_if(after.exports,
                       [&](const ExportEntry& e) { return std::ranges::count(gone, e.name) > 0; });
+    // Tables of results that were of what is gone.
+    std::erase_if(after.evaluations, [&](const EvaluationEntry& evaluation) {
+        return hasProblems(after, evaluation) && !hasProblems(before, evaluation);
+    });
     document.push(std::make_unique<ChangeProject>(document, removalText(section, names), std::move(after)));
 }
 
@@ -169,9 +142,9 @@ QString duplicateSequence(ProjectDocument& document, const QString& name)
     const auto original = std::ranges::find(project.sequences, name.toStdString(), &SequenceEntry::name);
     ProjectPart part;
     part.sequences.emplace_back(original - project.sequences.begin() + 1, std::move(copy));
-    document.push(
-        std::make_unique<InsertPart>(document, Texts::tr("Duplicate “%1”").arg(name), std::move(part)));
-    return copyName;
+    auto command =
+        std::make_unique<InsertPart>(document, Texts::tr("Duplicate “%1”").arg(name), std::move(part));
+    return wasTaken(document, std::move(command)) ? copyName : QString();
 }
 
 bool renameEntry(ProjectDocument& document, const EntryRef& entry, const QString& after)
@@ -179,17 +152,19 @@ bool renameEntry(ProjectDocument& document, const EntryRef& entry, const QString
     const QString name = after.trimmed();
     if (name == entry.name)
         return true;
-    if (name.isEmpty() || isTaken(document.project(), entry.section, name))
+    if (const auto problem = problemWithRename(document.project(), entry, name)) {
+        EditRefusals::of(document).refuse(*problem);
         return false;
+    }
     Project changed = document.project();
     if (const auto kind = kindOf(entry.section))
         renameEntry(changed, *kind, entry.name.toStdString(), name.toStdString());
     else
         entryOf<ExportEntry>(changed, entry.name).name = name.toStdString();
-    document.push(std::make_unique<ChangeProject>(
+    auto command = std::make_unique<ChangeProject>(
         document, Texts::tr("Rename “%1” to “%2”").arg(entry.name, name), std::move(changed),
-        std::pair(EntryRef{entry.section, name}, entry.name)));
-    return true;
+        std::pair(EntryRef{entry.section, name}, entry.name));
+    return wasTaken(document, std::move(command));
 }
 
 void setSequenceRange(ProjectDocument& document, const QString& name, std::optional<FrameRange> range,
@@ -205,6 +180,13 @@ void setSequenceRange(ProjectDocument& document, const QString& name, std::optio
         last = std::llround(static_cast<double>(range->count() - 1) * rate);
     shiftSpans(after.labels, shift, last);
     shiftSpans(after.contacts, shift, last);
+    std::vector<FrameNote> notes = notesOf(after.unknown);
+    for (FrameNote& note : notes)
+        note.frame.value += shift;
+    std::erase_if(notes, [&](const FrameNote& note) {
+        return note.frame.value < 0 || (last && note.frame.value > *last);
+    });
+    setNotes(after.unknown, std::move(notes));
     after.range = range;
     document.push(std::make_unique<ChangeEntry<SequenceEntry>>(
         document, Texts::tr("Trim “%1”").arg(name), name, QStringLiteral("range"), std::move(after), phase));
@@ -285,8 +267,20 @@ void setCharacterMesh(ProjectDocument& document, const QString& name, const std:
 
 void setSettings(ProjectDocument& document, const ProjectSettings& settings, EditPhase phase)
 {
-    document.push(std::make_unique<ChangeEntry<ProjectSettings>>(
-        document, Texts::tr("Change the project settings"), QString(), QString(), settings, phase));
+    const QString text = Texts::tr("Change the project settings");
+    std::vector<BrokenEntry> broken = brokenEntries(document.project());
+    const auto count =
+        std::erase_if(broken, [](const BrokenEntry& entry) { return entry.section == "settings"; });
+    if (count == 0) {
+        document.push(std::make_unique<ChangeEntry<ProjectSettings>>(document, text, QString(), QString(),
+                                                                     settings, phase));
+        return;
+    }
+    // They take the place of those that cannot be read.
+    Project after = document.project();
+    after.settings = settings;
+    setBrokenEntries(after, broken);
+    document.push(std::make_unique<ChangeProject>(document, text, std::move(after)));
 }
 
 QString addExport(ProjectDocument& document, ExportEntry entry)

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "editor/docks/carddelegate.h"
 
+#include "editor/docks/cardpictures.h"
 #include "editor/docks/sequencecards.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
 
 #include <QPainter>
+#include <algorithm>
 
 namespace quadrille {
 
@@ -15,20 +17,22 @@ namespace {
 using widgets::ColorRole;
 using widgets::Theme;
 
-constexpr int margin = 8;
+constexpr int margin = 6;
 constexpr int gap = 8;
-constexpr int stripHeight = 6;
+constexpr int colorWidth = 3; ///< of the sequence's own colour at the left edge
+constexpr int leastStripHeight = 6;
 constexpr int signSize = 16;
+constexpr int textLines = 3;
 
 QRect pictureRect(const QRect& card)
 {
-    return {card.left() + margin, card.top() + (card.height() - SequenceCards::pictureSize) / 2,
-            SequenceCards::pictureSize, SequenceCards::pictureSize};
+    return {card.left() + margin, card.top() + (card.height() - CardPictures::side) / 2, CardPictures::side,
+            CardPictures::side};
 }
 
 QRect textRect(const QRect& card)
 {
-    return card.adjusted(margin + SequenceCards::pictureSize + gap, margin, -margin, -margin);
+    return card.adjusted(margin + CardPictures::side + gap, margin, -margin, -margin);
 }
 
 void paintPicture(QPainter& painter, const QRect& place, const QModelIndex& index, int phase)
@@ -52,16 +56,46 @@ void paintPicture(QPainter& painter, const QRect& place, const QModelIndex& inde
                                      painter.device()->devicePixelRatioF()));
 }
 
+/// Labels are named where there is room for some letters.
+QFont stripFont(const QFont& base)
+{
+    constexpr double smaller = 0.85;
+    QFont font = base;
+    if (font.pointSizeF() > 0)
+        font.setPointSizeF(font.pointSizeF() * smaller);
+    return font;
+}
+
+int lineHeight(const QStyleOptionViewItem& option)
+{
+    return option.fontMetrics.height() + 2;
+}
+
+int stripHeight(const QStyleOptionViewItem& option)
+{
+    return std::max(leastStripHeight, QFontMetrics(stripFont(option.font)).height());
+}
+
 void paintLabels(QPainter& painter, const QRect& place, const QModelIndex& index)
 {
+    constexpr int leastLetters = 3;
+    constexpr int padding = 3;
     painter.setPen(Qt::NoPen);
     painter.setBrush(Theme::color(ColorRole::Divider));
     painter.drawRoundedRect(place, 2, 2);
+    const QFontMetrics metrics(painter.font());
     for (const CardLabel& label : index.data(SequenceCards::LabelsRole).value<QList<CardLabel>>()) {
         const QRectF part(place.left() + label.first * place.width(), place.top(),
                           (label.last - label.first) * place.width(), place.height());
+        painter.setPen(Qt::NoPen);
         painter.setBrush(label.color);
         painter.drawRoundedRect(part, 2, 2);
+        const QRectF inner = part.adjusted(padding, 0, -padding, 0);
+        const QString text = metrics.elidedText(label.text, Qt::ElideRight, static_cast<int>(inner.width()));
+        if (text != label.text && text.size() <= leastLetters)
+            continue;
+        painter.setPen(Theme::textOn(label.color));
+        painter.drawText(inner, Qt::AlignLeft | Qt::AlignVCenter, text);
     }
 }
 
@@ -81,6 +115,8 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     const bool selected = option.state.testFlag(QStyle::State_Selected);
     if (selected || option.state.testFlag(QStyle::State_MouseOver))
         painter->fillRect(option.rect, Theme::color(selected ? ColorRole::Selection : ColorRole::Hover));
+    painter->fillRect(QRect(option.rect.left(), option.rect.top() + 1, colorWidth, option.rect.height() - 2),
+                      index.data(SequenceCards::ColorRole).value<QColor>());
     paintPicture(*painter, pictureRect(option.rect), index, m_moving == index ? m_phase : 0);
 
     const QRect text = textRect(option.rect);
@@ -88,16 +124,16 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     heading.setWeight(QFont::DemiBold);
     painter->setFont(heading);
     painter->setPen(Theme::color(selected ? ColorRole::OnSelection : ColorRole::Text));
-    const int line = option.fontMetrics.height() + 2;
     painter->drawText(
         text, Qt::AlignLeft | Qt::AlignTop,
         QFontMetrics(heading).elidedText(index.data().toString(), Qt::ElideRight, text.width()));
     painter->setFont(Theme::tabularFont(option.font));
     painter->setPen(Theme::color(selected ? ColorRole::OnSelection : ColorRole::TextMuted));
-    painter->drawText(text.adjusted(0, line, 0, 0), Qt::AlignLeft | Qt::AlignTop,
+    painter->drawText(text.adjusted(0, lineHeight(option), 0, 0), Qt::AlignLeft | Qt::AlignTop,
                       index.data(SequenceCards::LengthRole).toString());
-    paintLabels(*painter, QRect(text.left(), text.bottom() - stripHeight + 1, text.width(), stripHeight),
-                index);
+    painter->setFont(stripFont(option.font));
+    const int strip = stripHeight(option);
+    paintLabels(*painter, QRect(text.left(), text.bottom() - strip + 1, text.width(), strip), index);
     if (option.state.testFlag(QStyle::State_HasFocus)) {
         painter->setPen(Theme::color(ColorRole::AccentText));
         painter->setBrush(Qt::NoBrush);
@@ -106,10 +142,11 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     painter->restore();
 }
 
-QSize CardDelegate::sizeHint(const QStyleOptionViewItem& /*option*/, const QModelIndex& /*index*/) const
+QSize CardDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& /*index*/) const
 {
     constexpr int narrowest = 180;
-    return {narrowest, SequenceCards::pictureSize + margin};
+    const int text = textLines * lineHeight(option) + stripHeight(option) + 2 * margin;
+    return {narrowest, std::max(CardPictures::side + margin, text)};
 }
 
 void CardDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,

@@ -7,7 +7,7 @@
 
 namespace quadrille {
 
-/// Paints a row of SequenceCards: picture, name, length and the strip of labels.
+/// Paints a row of SequenceCards: the sequence's colour, picture, name, length and the strip of labels.
 class CardDelegate : public QStyledItemDelegate
 {
     Q_OBJECT

@@ -4,19 +4,25 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/commands/animationedits.h"
+#include "editor/commands/brokenedits.h"
+#include "editor/commands/entrynames.h"
 #include "editor/commands/projectedits.h"
 #include "editor/commands/variationedits.h"
 #include "editor/docks/projecttreemodel.h"
 #include "editor/errors/errortext.h"
+#include "editor/fields/namedelegate.h"
 #include "editor/language/retranslate.h"
+#include "editor/workspaces/workspace.h"
+#include "model/project/brokenentry.h"
 
 #include <QDesktopServices>
 #include <QFileInfo>
 #include <QMenu>
-#include <QToolTip>
 #include <QTreeView>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <array>
+#include <utility>
 
 namespace quadrille {
 
@@ -62,6 +68,13 @@ ProjectTreeModel::EntryStatus statusOf(const EditorContext& context, const Entry
         const QString problem = context.bodies.problemOf(entry.name);
         return {.state = problem.isEmpty() ? EntryState::Fresh : EntryState::Failed, .problem = problem};
     }
+    if (entry.section == Section::Project) {
+        const auto broken = findBroken(context.document.project(), entry.name.toStdString());
+        if (!broken)
+            return {};
+        const Error error(broken->problem.code, broken->problem.context);
+        return {.state = EntryState::Failed, .problem = describe(error).oneLine()};
+    }
     const SequenceMedia& media = context.media;
     ProjectTreeModel::EntryStatus status;
     const auto* medium = entry.section == Section::Sequences ? media.medium(entry.name) : nullptr;
@@ -97,6 +110,8 @@ ProjectPanel::ProjectPanel(EditorContext& context, QWidget* parent)
     connect(&context.document, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
         if (event.kind == ChangeEvent::Kind::Reset)
             m_tree->expandAll();
+        if (event.touches(Section::Project))
+            hideEmpty();
     });
     connect(&context.media, &SequenceMedia::changed, this, [this](const QString& name) {
         m_model->updateStatus({Section::Sequences, name});
@@ -115,8 +130,13 @@ ProjectPanel::ProjectPanel(EditorContext& context, QWidget* parent)
     connect(&context.selection, &Selection::changed, this, &ProjectPanel::showSelection);
     connect(m_tree, &QTreeView::activated, this, &ProjectPanel::activate);
     connect(m_tree, &QTreeView::customContextMenuRequested, this, &ProjectPanel::showMenu);
-    connect(m_model, &ProjectTreeModel::nameRefused, this, &ProjectPanel::refuseName);
+    m_tree->setItemDelegate(new NameDelegate(
+        [this](const QModelIndex& index, const QString& name) {
+            return problemWithRename(m_context.document.project(), m_model->entry(index), name);
+        },
+        this));
     makeActions();
+    hideEmpty();
     retranslates(this, [this] { m_tree->setAccessibleName(tr("Project")); });
 }
 
@@ -130,7 +150,10 @@ void ProjectPanel::makeActions()
                                    [] { return tr("Give the selected entry of the project another name"); },
                                    "label",
                                    {Qt::Key_F2}},
-                                  [this] { m_tree->edit(m_tree->currentIndex()); });
+                                  [this] {
+                                      Workspace::showPanel(this);
+                                      m_tree->edit(m_tree->currentIndex());
+                                  });
     QAction* duplicate = actions.add(
         {"edit.duplicate",
          edit,
@@ -158,7 +181,7 @@ void ProjectPanel::updateActions()
 {
     const EntryRef& current = m_context.selection.current();
     const bool isEntry = !current.name.isEmpty() && current.section != Section::BodyParts;
-    m_context.actions.action("edit.rename")->setEnabled(isEntry);
+    m_context.actions.action("edit.rename")->setEnabled(isEntry && current.section != Section::Project);
     m_context.actions.action("edit.remove")->setEnabled(isEntry);
     m_context.actions.action("edit.duplicate")
         ->setEnabled(isEntry &&
@@ -217,7 +240,10 @@ void ProjectPanel::removeSelected()
     QStringList names = selectedNames(current.section);
     if (names.isEmpty())
         names = {current.name};
-    removeEntries(m_context.document, current.section, names);
+    if (current.section == Section::Project)
+        removeBroken(m_context.document, names);
+    else
+        removeEntries(m_context.document, current.section, names);
 }
 
 void ProjectPanel::duplicateSelected()
@@ -247,24 +273,52 @@ void ProjectPanel::activate(const QModelIndex& index)
         m_context.actions.action("file.export")->trigger();
 }
 
-void ProjectPanel::refuseName(const EntryRef& entry, const QString& name)
+void ProjectPanel::hideEmpty()
 {
-    const QRect row = m_tree->visualRect(m_model->indexOf(entry));
-    const QString text = name.trimmed().isEmpty() ? tr("A name is needed.") : tr("“%1” is taken.").arg(name);
-    QToolTip::showText(m_tree->viewport()->mapToGlobal(row.bottomLeft()), text, m_tree);
+    const int row = m_model->indexOf({Section::Project, {}}).row();
+    const bool isEmpty = brokenEntries(m_context.document.project()).empty();
+    m_tree->setRowHidden(row, {}, isEmpty);
+    if (!isEmpty)
+        m_tree->expand(m_model->index(row, 0));
 }
 
 void ProjectPanel::showMenu(const QPoint& position)
 {
     const QModelIndex index = m_tree->indexAt(position);
-    if (!index.isValid() || m_model->entry(index).name.isEmpty())
-        return;
-    const EntryRef entry = m_model->entry(index);
     QMenu menu(m_tree);
+    menu.setObjectName(QStringLiteral("projectMenu"));
+    if (!index.isValid() || m_model->entry(index).name.isEmpty())
+        fillSectionMenu(menu, index);
+    else
+        fillEntryMenu(menu, m_model->entry(index));
+    if (!menu.isEmpty())
+        menu.exec(m_tree->viewport()->mapToGlobal(position));
+}
+
+/// What can be added: to a section, or beside all of them.
+void ProjectPanel::fillSectionMenu(QMenu& menu, const QModelIndex& section)
+{
+    const std::array additions{
+        std::pair{Section::Sequences, "file.import"}, std::pair{Section::Sequences, "file.importFolder"},
+        std::pair{Section::Animations, "animate.new"}, std::pair{Section::Variations, "variations.new"},
+        std::pair{Section::Exports, "file.export"}};
+    for (const auto& [where, action] : additions) {
+        if (!section.isValid() || m_model->entry(section).section == where)
+            menu.addAction(m_context.actions.action(QLatin1String(action)));
+    }
+    menu.addSeparator();
+    menu.addAction(tr("Unfold all"), m_tree, &QTreeView::expandAll);
+    menu.addAction(tr("Fold all"), m_tree, &QTreeView::collapseAll);
+}
+
+void ProjectPanel::fillEntryMenu(QMenu& menu, const EntryRef& entry)
+{
     for (const char* id : {"edit.rename", "edit.duplicate", "edit.remove", "file.export"}) {
         if (QAction* action = m_context.actions.action(QLatin1String(id)); action->isEnabled())
             menu.addAction(action);
     }
+    if (entry.section == Section::Sequences)
+        menu.addAction(m_context.actions.action("edit.labelTakes"));
     const auto* medium = entry.section == Section::Sequences ? m_context.media.medium(entry.name) : nullptr;
     if (medium != nullptr && medium->state == SequenceMedia::State::Failed) {
         menu.addAction(tr("Try again"), m_tree, [this, name = entry.name] { m_context.media.retry(name); });
@@ -276,7 +330,6 @@ void ProjectPanel::showMenu(const QPoint& position)
         menu.addAction(tr("Show in its folder"), m_tree,
                        [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
     }
-    menu.exec(m_tree->viewport()->mapToGlobal(position));
 }
 
 } // namespace quadrille

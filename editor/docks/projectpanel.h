@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+class QMenu;
 class QModelIndex;
 class QTreeView;
 
@@ -30,8 +31,11 @@ private:
     void removeSelected();
     void duplicateSelected();
     void activate(const QModelIndex& index);
-    void refuseName(const EntryRef& entry, const QString& name);
+    /// Hides the section of what cannot be read while there is nothing in it.
+    void hideEmpty();
     void showMenu(const QPoint& position);
+    void fillSectionMenu(QMenu& menu, const QModelIndex& section);
+    void fillEntryMenu(QMenu& menu, const EntryRef& entry);
     /// Names of the selected entries of the section that is selected.
     QStringList selectedNames(Section section) const;
 

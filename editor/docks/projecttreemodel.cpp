@@ -3,6 +3,7 @@
 #include "editor/docks/projecttreemodel.h"
 
 #include "editor/commands/projectedits.h"
+#include "model/project/brokenentry.h"
 #include "widgets/theme/icons.h"
 
 #include <array>
@@ -12,7 +13,8 @@ namespace quadrille {
 namespace {
 
 constexpr std::array sections{Section::Characters, Section::Sequences,  Section::Animations,
-                              Section::BodyParts,  Section::Variations, Section::Exports};
+                              Section::BodyParts,  Section::Variations, Section::Exports,
+                              Section::Project};
 /// Marks the index of a section; entries carry their section's row.
 constexpr quintptr sectionId = ~quintptr{0};
 
@@ -74,6 +76,8 @@ QString iconOf(Section section)
         return QStringLiteral("parts");
     case Section::Variations:
         return QStringLiteral("variation");
+    case Section::Project: // what cannot be read
+        return QStringLiteral("error");
     default:
         return QStringLiteral("export");
     }
@@ -86,6 +90,7 @@ ProjectTreeModel::ProjectTreeModel(ProjectDocument& document, StatusOf statusOf,
 {
     for (int i = 0; i < static_cast<int>(sections.size()); ++i)
         m_names.push_back(namesOf(i));
+    connect(&document, &ProjectDocument::renamed, this, &ProjectTreeModel::rename);
     connect(&document, &ProjectDocument::changed, this, &ProjectTreeModel::follow);
 }
 
@@ -158,6 +163,8 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const
             return tr("Body parts (%1)").arg(count);
         case Section::Variations:
             return tr("Variations (%1)").arg(count);
+        case Section::Project:
+            return tr("Cannot be read (%1)").arg(count);
         default:
             return tr("Exports (%1)").arg(count);
         }
@@ -202,10 +209,7 @@ bool ProjectTreeModel::setData(const QModelIndex& index, const QVariant& value, 
     const EntryRef ref = entry(index);
     if (role != Qt::EditRole || ref.name.isEmpty())
         return false;
-    if (renameEntry(m_document, ref, value.toString()))
-        return true;
-    emit nameRefused(ref, value.toString().trimmed());
-    return false;
+    return renameEntry(m_document, ref, value.toString());
 }
 
 Qt::ItemFlags ProjectTreeModel::flags(const QModelIndex& index) const
@@ -216,7 +220,8 @@ Qt::ItemFlags ProjectTreeModel::flags(const QModelIndex& index) const
     if (index.internalId() == sectionId)
         return flags;
     flags |= Qt::ItemNeverHasChildren;
-    flags.setFlag(Qt::ItemIsEditable, entry(index).section != Section::BodyParts);
+    const Section section = entry(index).section;
+    flags.setFlag(Qt::ItemIsEditable, section != Section::BodyParts && section != Section::Project);
     return flags;
 }
 
@@ -241,6 +246,12 @@ QStringList ProjectTreeModel::namesOf(int section) const
         return namesOfBodies(project);
     case Section::Variations:
         return names(project.variations);
+    case Section::Project: {
+        QStringList titles;
+        for (const std::string& title : titlesOf(brokenEntries(project)))
+            titles += QString::fromStdString(title);
+        return titles;
+    }
     default:
         return names(project.exports);
     }
@@ -275,6 +286,18 @@ void ProjectTreeModel::reload(int section)
     emit dataChanged(parent, parent);
 }
 
+/// At once, so that whoever selects the new name finds it.
+void ProjectTreeModel::rename(const ChangeEvent& event)
+{
+    if (event.entry.section == Section::Characters)
+        reload(rowOf(Section::BodyParts));
+    const QModelIndex index = indexOf({event.entry.section, event.before});
+    if (index.isValid()) {
+        m_names[static_cast<std::size_t>(index.internalId())][index.row()] = event.entry.name;
+        emit dataChanged(index, index);
+    }
+}
+
 void ProjectTreeModel::follow(const ChangeEvent& event)
 {
     switch (event.kind) {
@@ -288,16 +311,8 @@ void ProjectTreeModel::follow(const ChangeEvent& event)
         if (const int section = rowOf(event.entry.section); section >= 0)
             reload(section);
         break;
-    case ChangeEvent::Kind::Renamed: {
-        if (event.entry.section == Section::Characters)
-            reload(rowOf(Section::BodyParts));
-        const QModelIndex index = indexOf({event.entry.section, event.before});
-        if (index.isValid()) {
-            m_names[static_cast<std::size_t>(index.internalId())][index.row()] = event.entry.name;
-            emit dataChanged(index, index);
-        }
+    case ChangeEvent::Kind::Renamed: // see rename
         break;
-    }
     case ChangeEvent::Kind::Entry:
         if (event.entry.section == Section::BodyParts) // one value for all characters
             reload(rowOf(Section::BodyParts));

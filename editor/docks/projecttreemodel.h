@@ -19,7 +19,8 @@ enum class EntryState
     Failed,
 };
 
-/// The project as a tree: its sections, and their entries by name. Names can be edited in place.
+/// The project as a tree: its sections, and their entries by name. Names can be edited in place. What cannot
+/// be read of the project is the section Project, by titles.
 class ProjectTreeModel : public QAbstractItemModel
 {
     Q_OBJECT
@@ -53,12 +54,9 @@ public:
     /// Says that the status of an entry is another now.
     void updateStatus(const EntryRef& entry);
 
-signals:
-    /// The user typed a name that another entry has.
-    void nameRefused(const quadrille::EntryRef& entry, const QString& name);
-
 private:
     static QString stateText(EntryState state);
+    void rename(const ChangeEvent& event);
     void follow(const ChangeEvent& event);
     void reload(int section);
     QStringList namesOf(int section) const;

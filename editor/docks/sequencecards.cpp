@@ -4,33 +4,43 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/commands/projectedits.h"
+#include "editor/docks/cardpictures.h"
+#include "editor/documents/labelcolors.h"
 #include "editor/errors/errortext.h"
-#include "editor/pictures/pictures.h"
-#include "model/render/thumbnail.h"
 #include "widgets/theme/theme.h"
 #include "widgets/timeline/draggedframes.h"
 
 #include <QLocale>
 #include <QMimeData>
-#include <set>
 
 namespace quadrille {
 
 namespace {
 
-constexpr int picturesPerCard = 12;
-constexpr int settleMilliseconds = 300;
+/// The labels of a sequence, each once, in the order of time.
+QStringList labelNames(const SequenceEntry& entry)
+{
+    std::vector<LabelSpan> spans = entry.labels;
+    std::ranges::stable_sort(spans, {}, [](const LabelSpan& span) { return span.frames.first; });
+    QStringList names;
+    for (const LabelSpan& span : spans)
+        names += QString::fromStdString(span.label);
+    names.removeDuplicates();
+    return names;
+}
 
 } // namespace
 
 SequenceCards::SequenceCards(EditorContext& context, QObject* parent)
-    : QAbstractListModel(parent), m_context(context)
+    : QAbstractListModel(parent), m_context(context), m_pictures(new CardPictures(context, this))
 {
-    m_soon.setSingleShot(true);
-    m_soon.setInterval(settleMilliseconds);
-    connect(&m_soon, &QTimer::timeout, this, &SequenceCards::drawNext);
     connect(&context.document, &ProjectDocument::changed, this, &SequenceCards::follow);
     connect(&context.media, &SequenceMedia::changed, this, &SequenceCards::changed);
+    connect(m_pictures, &CardPictures::drawn, this, [this](const QString& name) {
+        const QModelIndex index = indexOf(name);
+        if (index.isValid())
+            emit dataChanged(index, index, {PicturesRole});
+    });
 }
 
 const std::vector<SequenceEntry>& SequenceCards::entries() const
@@ -51,14 +61,6 @@ QModelIndex SequenceCards::indexOf(const QString& name) const
     return found == entries().end() ? QModelIndex() : index(static_cast<int>(found - entries().begin()));
 }
 
-void SequenceCards::setActive(bool active, double devicePixelRatio)
-{
-    m_isActive = active;
-    m_pixels = qRound(pictureSize * devicePixelRatio);
-    if (active)
-        m_soon.start();
-}
-
 int SequenceCards::rowCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : static_cast<int>(entries().size());
@@ -77,8 +79,7 @@ void SequenceCards::setMoving(const QModelIndex& index, int phase)
 
 int SequenceCards::shownPicture(const QModelIndex& index) const
 {
-    const auto found = m_pictures.find(name(index));
-    const int count = found == m_pictures.end() ? 0 : static_cast<int>(found->second.images.size());
+    const auto count = static_cast<int>(m_pictures->countOf(name(index)));
     const int phase = name(index) == m_moving ? m_phase : 0;
     return count == 0 ? 0 : (count / 3 + phase) % count;
 }
@@ -86,12 +87,10 @@ int SequenceCards::shownPicture(const QModelIndex& index) const
 FrameIndex SequenceCards::shownFrame(const QModelIndex& index) const
 {
     const MeshSequence* sequence = m_context.media.sequence(name(index));
-    const auto found = m_pictures.find(name(index));
     if (sequence == nullptr)
         return FrameIndex(0);
     const std::int64_t frames = sequence->frameCount();
-    const std::int64_t count =
-        found == m_pictures.end() ? 0 : static_cast<std::int64_t>(found->second.images.size());
+    const std::int64_t count = m_pictures->countOf(name(index));
     return FrameIndex(count == 0 ? frames / 3 : shownPicture(index) * frames / count);
 }
 
@@ -120,24 +119,26 @@ QVariant SequenceCards::data(const QModelIndex& index, int role) const
     case Qt::EditRole:
         return shown;
     case Qt::ToolTipRole:
-        return medium != nullptr && medium->error ? describe(*medium->error).oneLine() : QVariant();
+        return tip(shown, entry);
     case Qt::AccessibleDescriptionRole:
     case LengthRole:
         return length(shown);
-    case PicturesRole: {
-        const auto found = m_pictures.find(shown);
-        return QVariant::fromValue(found == m_pictures.end() ? QList<QImage>() : found->second.images);
+    case PicturesRole:
+        return QVariant::fromValue(m_pictures->pictures(shown));
+    case ColorRole:
+        return colorOf(entry);
+    case SecondsRole: {
+        const MeshSequence* sequence = m_context.media.sequence(shown);
+        return sequence == nullptr ? 0.0 : sequence->duration().value;
     }
+    case LabelNamesRole:
+        return labelNames(entry);
     case LabelsRole:
         return QVariant::fromValue(labels(entry));
     case StateRole:
         return static_cast<int>(medium == nullptr ? SequenceMedia::State::Loading : medium->state);
-    case SearchRole: {
-        QString text = shown;
-        for (const LabelSpan& label : entry.labels)
-            text += QLatin1Char('\n') + QString::fromStdString(label.label);
-        return text;
-    }
+    case SearchRole:
+        return shown + QLatin1Char('\n') + labelNames(entry).join(QLatin1Char('\n'));
     default:
         return {};
     }
@@ -164,22 +165,40 @@ QString SequenceCards::length(const QString& name) const
         .arg(locale.toString(sequence->duration().value, 'f', 2), locale.toString(sequence->fps));
 }
 
+/// What is wrong with it, or what there is no room for on the card.
+QString SequenceCards::tip(const QString& name, const SequenceEntry& entry) const
+{
+    const auto* medium = m_context.media.medium(name);
+    if (medium != nullptr && medium->error)
+        return describe(*medium->error).oneLine();
+    const QStringList labels = labelNames(entry);
+    return labels.isEmpty() ? name : name + QLatin1Char('\n') + labels.join(QStringLiteral(" · "));
+}
+
+QColor SequenceCards::colorOf(const SequenceEntry& entry) const
+{
+    int place = 0;
+    for (const SequenceEntry& each : entries()) {
+        if (&each == &entry)
+            break;
+        if (m_context.document.characterOf(each) == m_context.document.characterOf(entry))
+            ++place;
+    }
+    return widgets::Theme::categorical(place);
+}
+
 QList<CardLabel> SequenceCards::labels(const SequenceEntry& entry) const
 {
-    std::set<std::string> all;
-    for (const SequenceEntry& each : entries())
-        for (const LabelSpan& span : each.labels)
-            all.insert(span.label);
     const MeshSequence* sequence = m_context.media.sequence(QString::fromStdString(entry.name));
     QList<CardLabel> result;
     if (sequence == nullptr)
         return result;
     const auto frames = static_cast<double>(sequence->frameCount());
     for (const LabelSpan& span : entry.labels) {
-        const auto order = std::distance(all.begin(), all.find(span.label));
         result.push_back({static_cast<double>(span.frames.first.value) / frames,
                           static_cast<double>(span.frames.last.value + 1) / frames,
-                          widgets::Theme::categorical(static_cast<int>(order))});
+                          QString::fromStdString(span.label),
+                          LabelColors::of(m_context.document).color(span.label)});
     }
     return result;
 }
@@ -188,23 +207,12 @@ void SequenceCards::follow(const ChangeEvent& event)
 {
     if (!event.touches(Section::Sequences))
         return;
-    if (event.kind == ChangeEvent::Kind::Renamed) {
-        auto node = m_pictures.extract(event.before);
-        if (!node.empty()) {
-            node.key() = event.entry.name;
-            m_pictures.insert(std::move(node));
-        }
+    if (event.kind == ChangeEvent::Kind::Renamed || event.kind == ChangeEvent::Kind::Entry) {
         changed(event.entry.name);
-    } else if (event.kind == ChangeEvent::Kind::Entry) {
-        changed(event.entry.name);
-    } else {
-        beginResetModel();
-        std::erase_if(m_pictures, [this](const auto& each) {
-            return m_context.document.sequence(each.first) == nullptr;
-        });
-        endResetModel();
-        m_soon.start();
+        return;
     }
+    beginResetModel();
+    endResetModel();
 }
 
 void SequenceCards::changed(const QString& name)
@@ -212,59 +220,6 @@ void SequenceCards::changed(const QString& name)
     const QModelIndex index = indexOf(name);
     if (index.isValid())
         emit dataChanged(index, index);
-    m_soon.start();
-}
-
-void SequenceCards::drawNext()
-{
-    if (!m_isActive || m_job)
-        return;
-    for (const SequenceEntry& entry : entries()) {
-        const QString name = QString::fromStdString(entry.name);
-        const MeshSequence* sequence = m_context.media.sequence(name);
-        if (sequence == nullptr)
-            continue;
-        const Pictures& drawn = m_pictures[name];
-        if (drawn.source != sequence->source || drawn.range != sequence->range) {
-            draw(name, *sequence);
-            return;
-        }
-    }
-}
-
-void SequenceCards::draw(const QString& name, const MeshSequence& sequence)
-{
-    Pictures& pictures = m_pictures[name];
-    pictures.source = sequence.source;
-    pictures.range = sequence.range;
-    const RenderOptions look = thumbnailLook(m_pixels, m_pixels, RenderOptions::Background::Transparent,
-                                             m_context.document.project().settings.axes);
-    const auto goOn = [this] {
-        m_job = nullptr;
-        drawNext();
-    };
-    m_job = m_context.jobs.start(
-        {.name = tr("Pictures of “%1”").arg(name),
-         .receiver = this,
-         .failed =
-             [goOn](const Error&) {
-                 goOn(); /* told where the sequence is shown */
-             },
-         .background = true},
-        [sequence, look](const Progress& progress) {
-            return thumbnailStrip(sequence, picturesPerCard, look, progress);
-        },
-        [this, name, source = sequence.source, goOn](std::vector<Image> strip) {
-            const auto found = m_pictures.find(name);
-            if (found != m_pictures.end() && found->second.source == source) {
-                found->second.images.clear();
-                for (Image& image : strip)
-                    found->second.images.push_back(toQImage(std::move(image)));
-                const QModelIndex index = indexOf(name);
-                emit dataChanged(index, index, {PicturesRole});
-            }
-            goOn();
-        });
 }
 
 } // namespace quadrille

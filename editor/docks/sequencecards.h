@@ -6,14 +6,11 @@
 
 #include <QAbstractListModel>
 #include <QColor>
-#include <QImage>
-#include <QPointer>
-#include <QTimer>
-#include <map>
+#include <QStringList>
 
 namespace quadrille {
 
-class Job;
+class CardPictures;
 struct EditorContext;
 
 /// A label on a card: where it begins and ends, as shares of the sequence, 0 … 1.
@@ -21,11 +18,12 @@ struct CardLabel
 {
     double first = 0;
     double last = 0;
+    QString text;
     QColor color;
 };
 
-/// The sequences of the project as cards: name, length, labels, state, and pictures of the movement, which
-/// are drawn in jobs, one sequence after the other, while somebody looks.
+/// The sequences of the project as cards: name, colour, length, labels, state, and pictures of the movement,
+/// which are drawn for the cards that somebody looks at.
 class SequenceCards : public QAbstractListModel
 {
     Q_OBJECT
@@ -38,9 +36,10 @@ public:
         LabelsRole,                ///< QList<CardLabel>
         StateRole,                 ///< SequenceMedia::State as int
         SearchRole,                ///< QString: name and labels
+        ColorRole,                 ///< QColor: of the sequence, as in the graph of its character
+        SecondsRole,               ///< double: its length; 0 until it is open
+        LabelNamesRole,            ///< QStringList: its labels, each once, in the order of time
     };
-    /// Logical pixels, square.
-    static constexpr int pictureSize = 64;
 
     explicit SequenceCards(EditorContext& context, QObject* parent = nullptr);
 
@@ -50,8 +49,7 @@ public:
     void setMoving(const QModelIndex& index, int phase);
     /// The frame of the sequence that the picture shows which is looked at.
     FrameIndex shownFrame(const QModelIndex& index) const;
-    /// Draws pictures only while true.
-    void setActive(bool active, double devicePixelRatio);
+    CardPictures& pictures() const { return *m_pictures; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -64,31 +62,20 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
 private:
-    struct Pictures
-    {
-        std::shared_ptr<const FrameSource> source; ///< of what they show
-        FrameRange range;
-        QList<QImage> images;
-    };
-
     /// The place of the picture that is looked at among a card's; 0 while there are none.
     int shownPicture(const QModelIndex& index) const;
     void follow(const ChangeEvent& event);
     void changed(const QString& name);
-    void drawNext();
-    void draw(const QString& name, const MeshSequence& sequence);
     QString length(const QString& name) const;
+    QString tip(const QString& name, const SequenceEntry& entry) const;
+    QColor colorOf(const SequenceEntry& entry) const;
     QList<CardLabel> labels(const SequenceEntry& entry) const;
     const std::vector<SequenceEntry>& entries() const;
 
     EditorContext& m_context;
-    std::map<QString, Pictures> m_pictures;
-    QPointer<Job> m_job;
-    QTimer m_soon;
+    CardPictures* m_pictures;
     QString m_moving;
     int m_phase = 0;
-    bool m_isActive = false;
-    int m_pixels = pictureSize;
 };
 
 } // namespace quadrille

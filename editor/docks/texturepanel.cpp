@@ -7,7 +7,6 @@
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/texturefield.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/pictures/uvedges.h"
 #include "editor/playback/sequencestage.h"
@@ -92,7 +91,6 @@ TexturePanel::~TexturePanel() = default;
 void TexturePanel::arrangeWidgets()
 {
     setObjectName(QStringLiteral("texturePanel"));
-    setHelpPage(this, QStringLiteral("textures"));
     m_materials->setObjectName(QStringLiteral("textureMaterial"));
     m_materials->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_edgesShown->setObjectName(QStringLiteral("textureEdges"));

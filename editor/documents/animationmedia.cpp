@@ -5,6 +5,7 @@
 #include "editor/documents/animationresult.h"
 #include "editor/jobs/jobrunner.h"
 #include "model/project/clipparts.h"
+#include "model/project/framenote.h"
 #include "model/project/variedrepeats.h"
 #include "model/project/walkrequest.h"
 
@@ -37,6 +38,7 @@ bool haveSameWalk(const AnimationResult& before, const AnimationEntry& entry)
 /// Sound and camera make no other frames.
 AnimationEntry withoutSoundAndCamera(AnimationEntry entry)
 {
+    setNotes(entry.unknown, {});
     entry.audio.reset();
     entry.camera.clear();
     return entry;
@@ -125,6 +127,7 @@ AnimationMedia::AnimationMedia(ProjectDocument& document, GraphMedia& graphs, Jo
     m_delay.setSingleShot(true);
     m_delay.setInterval(delayMilliseconds);
     connect(&m_delay, &QTimer::timeout, this, qOverload<>(&AnimationMedia::update));
+    connect(&document, &ProjectDocument::renamed, this, &AnimationMedia::rename);
     connect(&document, &ProjectDocument::changed, this, &AnimationMedia::follow);
     connect(&graphs, &GraphMedia::changed, this, [this] { m_delay.start(); });
 }
@@ -188,26 +191,27 @@ void AnimationMedia::follow(const ChangeEvent& event)
         m_wanted.clear();
         update();
     } else if (event.kind == ChangeEvent::Kind::Renamed && event.entry.section == Section::Animations) {
-        rename(event.before, event.entry.name);
+        update();
     } else if (event.touches(Section::Animations) || event.touches(Section::Variations) ||
                event.touches(Section::BodyParts)) {
         m_delay.start();
     }
 }
 
-void AnimationMedia::rename(const QString& before, const QString& after)
+void AnimationMedia::rename(const ChangeEvent& event)
 {
-    std::ranges::replace(m_wanted, before, after);
-    auto node = m_items.extract(before);
+    if (event.entry.section != Section::Animations)
+        return;
+    std::ranges::replace(m_wanted, event.before, event.entry.name);
+    auto node = m_items.extract(event.before);
     if (node.empty())
         return;
+    // A search answers to the old name: another one makes the clip under the new one.
     if (node.mapped().medium.job)
         node.mapped().medium.job->cancel();
     node.mapped().character.reset();
-    node.key() = after;
+    node.key() = event.entry.name;
     m_items.insert(std::move(node));
-    emit changed(before);
-    update();
 }
 
 void AnimationMedia::update()

@@ -73,7 +73,7 @@ private:
     };
 
     void follow(const ChangeEvent& event);
-    void rename(const QString& before, const QString& after);
+    void rename(const ChangeEvent& event);
     void update();
     void update(const QString& name, Item& item);
     void solve(const QString& name, Item& item, const AnimationEntry& entry);

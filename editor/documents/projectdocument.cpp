@@ -3,7 +3,10 @@
 #include "editor/documents/projectdocument.h"
 
 #include "editor/commands/projectcommand.h"
+#include "editor/documents/editcheck.h"
 #include "editor/documents/projectpaths.h"
+#include "model/core/file.h"
+#include "model/project/usableproject.h"
 
 #include <algorithm>
 
@@ -107,6 +110,18 @@ void ProjectDocument::push(std::unique_ptr<ProjectCommand> command)
     const bool endsDrag = last != nullptr && last->isOpen();
     if (command->changesNothing() && !endsDrag)
         return;
+    // Tried on the quiet first: what the file could not hold is not taken.
+    const auto tried = [&] {
+        const QSignalBlocker quiet(this);
+        command->redo();
+        Project result = m_project;
+        command->undo();
+        return result;
+    };
+    if (const auto refusal = refusalOf(m_project, tried())) {
+        EditRefusals::of(*this).refuse(*refusal);
+        return;
+    }
     m_undoStack.push(command.release());
     expireOldCommands();
 }
@@ -136,7 +151,8 @@ void ProjectDocument::reset(Project project, bool recovered)
 void ProjectDocument::load(const std::filesystem::path& file)
 {
     const auto absolute = std::filesystem::absolute(file).lexically_normal();
-    show(withAbsolutePaths(loadProject(absolute), absolute.parent_path()), absolute, false);
+    ProjectReading reading = readUsableProject(readFile(absolute).text(), absolute);
+    show(withAbsolutePaths(std::move(reading.project), absolute.parent_path()), absolute, false);
 }
 
 void ProjectDocument::recover(Project project, const std::filesystem::path& file)
@@ -165,6 +181,10 @@ void ProjectDocument::saveAs(const std::filesystem::path& file)
 void ProjectDocument::apply(const std::function<void(Project&)>& edit, const std::vector<ChangeEvent>& events)
 {
     edit(m_project);
+    for (const ChangeEvent& event : events) {
+        if (event.kind == ChangeEvent::Kind::Renamed)
+            emit renamed(event);
+    }
     for (const ChangeEvent& event : events)
         emit changed(event);
 }

@@ -74,6 +74,9 @@ public:
     void saveAs(const std::filesystem::path& file);
 
 signals:
+    /// An entry has another name, before `changed` says so: whoever keeps something under a name keeps it
+    /// under the new one from now on. Nothing is shown anew yet.
+    void renamed(const quadrille::ChangeEvent& event);
     void changed(const quadrille::ChangeEvent& event);
 
 private:

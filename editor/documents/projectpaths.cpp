@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/projectpaths.h"
 
+#include "model/project/paths.h"
+
 #include <functional>
 
 namespace quadrille {
@@ -67,7 +69,8 @@ Project withRelativePaths(Project project, const std::filesystem::path& folder)
         if (!isPath(text))
             return text;
         const auto relative = std::filesystem::path(text).lexically_relative(folder.lexically_normal());
-        return relative.empty() ? text : relative.generic_string();
+        const std::string stored = relative.empty() ? text : relative.generic_string();
+        return clipOfSource(stored) ? "./" + stored : stored;
     });
 }
 

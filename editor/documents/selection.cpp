@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/selection.h"
 
+#include "model/project/brokenentry.h"
+
 #include <algorithm>
 
 namespace quadrille {
 
 Selection::Selection(ProjectDocument& document, QObject* parent) : QObject(parent), m_document(document)
 {
+    connect(&document, &ProjectDocument::renamed, this, &Selection::rename);
     connect(&document, &ProjectDocument::changed, this, &Selection::follow);
 }
 
@@ -63,6 +66,7 @@ bool Selection::exists(const EntryRef& entry) const
         return true;
     switch (entry.section) {
     case Section::Project:
+        return findBroken(m_document.project(), entry.name.toStdString()).has_value();
     case Section::Graphs:
     case Section::BodyParts:
         return true;
@@ -97,23 +101,27 @@ void Selection::showExisting()
         m_animations = {m_shownAnimation};
 }
 
+void Selection::rename(const ChangeEvent& event)
+{
+    if (m_current == EntryRef{event.entry.section, event.before})
+        m_current.name = event.entry.name;
+    if (event.entry.section == Section::Sequences) {
+        std::ranges::replace(m_sequences, event.before, event.entry.name);
+        if (m_shown == event.before)
+            m_shown = event.entry.name;
+    }
+    if (event.entry.section == Section::Animations) {
+        std::ranges::replace(m_animations, event.before, event.entry.name);
+        if (m_shownAnimation == event.before)
+            m_shownAnimation = event.entry.name;
+    }
+    if (event.entry.section == Section::Variations && m_shownVariation == event.before)
+        m_shownVariation = event.entry.name;
+}
+
 void Selection::follow(const ChangeEvent& event)
 {
     if (event.kind == ChangeEvent::Kind::Renamed) {
-        if (m_current == EntryRef{event.entry.section, event.before})
-            m_current.name = event.entry.name;
-        if (event.entry.section == Section::Sequences) {
-            std::ranges::replace(m_sequences, event.before, event.entry.name);
-            if (m_shown == event.before)
-                m_shown = event.entry.name;
-        }
-        if (event.entry.section == Section::Animations) {
-            std::ranges::replace(m_animations, event.before, event.entry.name);
-            if (m_shownAnimation == event.before)
-                m_shownAnimation = event.entry.name;
-        }
-        if (event.entry.section == Section::Variations && m_shownVariation == event.before)
-            m_shownVariation = event.entry.name;
         emit changed();
     } else if (event.kind == ChangeEvent::Kind::List || event.kind == ChangeEvent::Kind::Reset) {
         const QString shownBefore = m_shown;

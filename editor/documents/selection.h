@@ -41,6 +41,7 @@ signals:
     void changed();
 
 private:
+    void rename(const ChangeEvent& event);
     void follow(const ChangeEvent& event);
     bool exists(const EntryRef& entry) const;
     void showExisting();

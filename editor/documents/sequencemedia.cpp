@@ -17,6 +17,7 @@ namespace quadrille {
 SequenceMedia::SequenceMedia(ProjectDocument& document, JobRunner& jobs, QObject* parent)
     : QObject(parent), m_document(document), m_jobs(jobs)
 {
+    connect(&document, &ProjectDocument::renamed, this, &SequenceMedia::rename);
     connect(&document, &ProjectDocument::changed, this, &SequenceMedia::follow);
     update();
 }
@@ -84,6 +85,17 @@ void SequenceMedia::retry(const QString& name)
         open(name, found->second);
 }
 
+void SequenceMedia::rename(const ChangeEvent& event)
+{
+    if (event.entry.section != Section::Sequences)
+        return;
+    auto node = m_items.extract(event.before);
+    if (node.empty())
+        return;
+    node.key() = event.entry.name;
+    m_items.insert(std::move(node));
+}
+
 void SequenceMedia::follow(const ChangeEvent& event)
 {
     if (event.touches(Section::Project))
@@ -94,13 +106,6 @@ void SequenceMedia::follow(const ChangeEvent& event)
                 item.job->cancel();
         }
         m_items.clear();
-        update();
-    } else if (event.kind == ChangeEvent::Kind::Renamed && event.entry.section == Section::Sequences) {
-        auto node = m_items.extract(event.before);
-        if (!node.empty()) {
-            node.key() = event.entry.name;
-            m_items.insert(std::move(node));
-        }
         update();
     } else if (event.entry.section != Section::Exports) {
         update();

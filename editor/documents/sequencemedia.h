@@ -88,6 +88,7 @@ private:
         QPointer<Job> job;
     };
 
+    void rename(const ChangeEvent& event);
     void follow(const ChangeEvent& event);
     void update();
     static OpenedSequence openWhole(const Source& source, const Progress& progress);

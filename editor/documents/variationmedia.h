@@ -23,8 +23,8 @@ struct VariationBasis;
 struct VariationJob;
 
 /// The variations of a document. The takes of those that are wanted are aligned by themselves, and what was
-/// learned before is read; models are learned when somebody asks; variations are drawn by themselves, and
-/// again whenever what they depend on changes. The last results stay until others are there.
+/// learned or drawn before is read; models are learned when somebody asks; variations are drawn by
+/// themselves, and again whenever what they depend on changes. Results stay a while when nobody wants them.
 class VariationMedia : public QObject
 {
     Q_OBJECT
@@ -56,7 +56,7 @@ public:
 
     /// The variations that somebody looks at.
     void want(const QStringList& names);
-    /// Null where the project has none of this name, or nobody wants them.
+    /// Null where the project has none of this name, or nobody wanted them lately.
     const Medium* medium(const QString& name) const;
     /// A variation by its number among all of an entry's, from 1; null until it is drawn.
     const MeshSequence* clip(const QString& name, int number) const;
@@ -77,6 +77,7 @@ private:
     struct Mailbox;
     struct Item;
 
+    void rename(const ChangeEvent& event);
     void follow(const ChangeEvent& event);
     void update();
     void update(const QString& name, Item& item);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/variationwork.h"
 
+#include "editor/documents/drawnresults.h"
 #include "model/project/madeclips.h"
 #include "model/project/paths.h"
 #include "model/project/rebuild.h"
@@ -133,6 +134,9 @@ OpenedVariation openVariation(const VariationJob& job, const Progress& progress)
     Models models = readModels(job, opener, progress.part(aligning, reading));
     if (!models.empty())
         opened.learned = learnedOf(opened, std::move(models), progress.part(reading, 1));
+    opened.drawing = drawingOf(entry);
+    if (opened.learned != nullptr)
+        opened.drawn = readDrawn(job, opened, Progress(progress.token()));
     return opened;
 }
 
@@ -151,15 +155,16 @@ std::shared_ptr<const LearnedVariation> learnVariation(const VariationJob& job, 
     return learnedOf(opened, std::move(models), Progress());
 }
 
-std::vector<DrawnSet> drawVariations(const VariationJob& job, const OpenedVariation& opened,
-                                     const LearnedVariation& learned, const Progress& progress)
+Drawing drawVariations(const VariationJob& job, const OpenedVariation& opened,
+                       const LearnedVariation& learned, const Progress& progress)
 {
     constexpr double preparing = 0.1;
     const VariationEntry& entry = entryOf(job);
     const VariationMeter& meter = opened.work->meter(progress.part(0, preparing / 2));
     const VariationPoses poses = opened.work->poses(entry, progress.part(preparing / 2, preparing));
     const CharacterFrames takes(opened.takes);
-    std::vector<DrawnSet> sets;
+    auto sets = std::make_shared<std::vector<DrawnSet>>();
+    auto draft = std::make_shared<DrawnDraft>();
     int before = 0;
     for (std::size_t s = 0; s < entry.samples.size(); ++s) {
         const double share = (1 - preparing) / static_cast<double>(entry.samples.size());
@@ -168,30 +173,28 @@ std::vector<DrawnSet> drawVariations(const VariationJob& job, const OpenedVariat
         const SamplesEntry& samples = entry.samples[s];
         const VariationSubject subject = opened.work->subject(samples);
         constexpr double drawing = 0.4;
-        const LatentVariations latents =
+        LatentVariations latents =
             drawLatents(*learned.movement, subject, candidatesFor(samples.count), samples.seed,
                         {entry.chain, entry.extent}, own.part(0, drawing));
         VariationSelection selection =
             selectVariations(*learned.movement, subject, latents.variations, samples.count, samples.seed,
                              poses, meter, takes.layout(), entry.limits, own.part(drawing, 1));
-        DrawnSet& set = sets.emplace_back();
-        set.rejected = selection.rejectedCount();
-        for (const Candidate& candidate : selection.candidates)
-            for (const VariationFault fault : candidate.faults)
-                set.faults.at(static_cast<std::size_t>(fault)) += candidate.isAccepted() ? 0 : 1;
+        DrawnSet& set = sets->emplace_back(drawnSetOf(selection));
         for (std::size_t i = 0; i < selection.accepted.size(); ++i) {
             const auto candidate = static_cast<std::size_t>(selection.accepted[i]);
             DrawnVariation drawn{.number = before + static_cast<int>(i) + 1,
                                  .inSet = static_cast<int>(i) + 1};
             drawn.sequence = toSequence(variationClip(entry.name, drawn.number),
-                                        opened.work->inProjectUnit(std::move(selection.clips[i])), takes);
+                                        opened.work->inProjectUnit(selection.clips[i]), takes);
             drawn.latents = latents.variations[candidate];
-            drawn.quality = std::move(selection.candidates[candidate].quality);
+            drawn.quality = selection.candidates[candidate].quality;
             set.variations.push_back(std::move(drawn));
         }
         before += samples.count;
+        draft->latents.push_back(std::move(latents));
+        draft->selections.push_back(std::move(selection));
     }
-    return sets;
+    return {sets, draft};
 }
 
 } // namespace quadrille

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "editor/documents/variationbasis.h"
 #include "editor/documents/variationresult.h"
 #include "model/project/variate.h"
 
@@ -10,6 +11,8 @@
 #include <vector>
 
 namespace quadrille {
+
+struct DrawnDraft;
 
 /// Variations as jobs see them: the project as it was, and the file that results lie beside.
 struct VariationJob
@@ -35,6 +38,16 @@ struct OpenedVariation
     std::vector<MeshSequence> takes; ///< that variations take their textures and contacts from
     /// Null where they are not learned as the project says.
     std::shared_ptr<const LearnedVariation> learned;
+    /// Null where they are not drawn of these models as the project says.
+    std::shared_ptr<const std::vector<DrawnSet>> drawn;
+    VariationDrawing drawing; ///< what the project said
+};
+
+/// Variations as they are shown, and what of them is kept beside the project.
+struct Drawing
+{
+    std::shared_ptr<const std::vector<DrawnSet>> sets;
+    std::shared_ptr<const DrawnDraft> draft;
 };
 
 /// \throws Error as VariationWork::movement, of reading results, Cancelled.
@@ -46,7 +59,7 @@ std::shared_ptr<const LearnedVariation> learnVariation(const VariationJob& job, 
                                                        const Progress& progress, const PartWatch& watch);
 
 /// Draws all variations of the entry as the project says now. \throws Error Cancelled.
-std::vector<DrawnSet> drawVariations(const VariationJob& job, const OpenedVariation& opened,
-                                     const LearnedVariation& learned, const Progress& progress);
+Drawing drawVariations(const VariationJob& job, const OpenedVariation& opened,
+                       const LearnedVariation& learned, const Progress& progress);
 
 } // namespace quadrille

@@ -6,9 +6,11 @@
 #include "editor/language/retranslate.h"
 
 #include <QApplication>
+#include <QClipboard>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QStackedWidget>
 #include <QStyle>
 #include <QStyledItemDelegate>
@@ -98,6 +100,8 @@ IssuesPanel::IssuesPanel(IssueLog& log, QWidget* parent)
     column->addLayout(row);
     column->addWidget(m_pages, 1);
 
+    m_list->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_list, &QTreeView::customContextMenuRequested, this, &IssuesPanel::showMenu);
     connect(m_list, &QTreeView::activated, &log, &IssueLog::jump);
     connect(m_show, &QToolButton::clicked, this, [this] { m_log.jump(m_list->currentIndex()); });
     connect(m_clear, &QToolButton::clicked, this, [this] { m_log.clear(); });
@@ -106,6 +110,22 @@ IssuesPanel::IssuesPanel(IssueLog& log, QWidget* parent)
     connect(&log, &QAbstractItemModel::rowsRemoved, this, &IssuesPanel::updateState);
     connect(&log, &QAbstractItemModel::modelReset, this, &IssuesPanel::updateState);
     retranslates(this, [this] { retranslate(); });
+}
+
+void IssuesPanel::showMenu(const QPoint& position)
+{
+    const QModelIndex issue = m_list->indexAt(position);
+    QMenu menu(m_list);
+    if (issue.isValid()) {
+        QAction* show = menu.addAction(tr("Show what it is about"), &m_log, [&] { m_log.jump(issue); });
+        show->setEnabled(issue.data(IssueLog::CanJumpRole).toBool());
+        menu.addAction(tr("Copy the text"), &m_log, [&] {
+            QApplication::clipboard()->setText(
+                issue.siblingAtColumn(IssueLog::MessageColumn).data().toString());
+        });
+    }
+    menu.addAction(tr("Forget all issues"), &m_log, [this] { m_log.clear(); });
+    menu.exec(m_list->viewport()->mapToGlobal(position));
 }
 
 void IssuesPanel::retranslate()

@@ -24,6 +24,7 @@ public:
 private:
     void retranslate();
     void updateState();
+    void showMenu(const QPoint& position);
 
     IssueLog& m_log;
     QTreeView* m_list;

@@ -3,11 +3,10 @@
 #include "editor/exporting/exportdialog.h"
 
 #include "editor/application/editorcontext.h"
-#include "editor/documents/animationresult.h"
 #include "editor/documents/projectpaths.h"
+#include "editor/exporting/clipchoice.h"
 #include "editor/exporting/picturefields.h"
 #include "editor/fields/axesfields.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/pictures/takepreview.h"
 #include "model/project/exportentry.h"
@@ -23,6 +22,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -42,12 +42,15 @@ QHBoxLayout* pairOf(QWidget* first, QWidget* second, int secondStretch = 1)
 
 } // namespace
 
-ExportDialog::ExportDialog(EditorContext& context, ExportPlan plan, QWidget* parent)
+ExportDialog::ExportDialog(EditorContext& context, ExportPlan plan, Seen seen, QWidget* parent)
     : QDialog(parent)
     , m_context(context)
     , m_plan(std::move(plan))
+    , m_seen(std::move(seen))
+    , m_ownPath(m_plan.edited.isEmpty() ? std::string() : m_plan.entry.path)
     , m_strip(new widgets::MessageStrip)
     , m_preview(new TakePreview(context.jobs))
+    , m_fields(new QWidget)
     , m_form(new QFormLayout)
     , m_clip(new QComboBox)
     , m_format(new QComboBox)
@@ -61,16 +64,20 @@ ExportDialog::ExportDialog(EditorContext& context, ExportPlan plan, QWidget* par
     , m_textures(new QCheckBox)
     , m_picture(new PictureFields)
     , m_keep(new QCheckBox)
+    , m_progress(new QProgressBar)
     , m_export(new QPushButton)
     , m_cancel(new QPushButton)
 {
     setObjectName(QStringLiteral("exportDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
-    setHelpPage(this, QStringLiteral("exporting"));
     resize(820, 560);
     makeControls();
     connectAll();
     retranslates(this, [this] { retranslate(); });
+    if (m_plan.isPicture() && m_plan.edited.isEmpty()) {
+        takeView();
+        m_plan.entry.picture = picture();
+    }
     showPlan();
 }
 
@@ -88,6 +95,8 @@ void ExportDialog::makeControls()
     name(m_axes, "exportAxes");
     name(m_textures, "exportTextures");
     name(m_keep, "exportKeep");
+    name(m_progress, "exportProgress");
+    name(m_strip, "exportMessage");
     name(m_export, "exportAccept");
     name(m_cancel, "exportCancel");
     for (const auto& exporter : exporters()) {
@@ -95,16 +104,7 @@ void ExportDialog::makeControls()
         m_format->addItem(QString::fromStdString(info.name + " (" + info.extensions.front() + ")"),
                           QString::fromStdString(info.id));
     }
-    const auto addClips = [&](const auto& entries, const char* section) {
-        for (const auto& entry : entries) {
-            const QString clip = QString::fromStdString(section + entry.name);
-            if (m_plan.clips.size() == 1 || m_plan.clips.front() == clip)
-                m_clip->addItem(QString::fromStdString(entry.name), clip);
-        }
-    };
-    addClips(m_context.document.project().sequences, "sequences/");
-    addClips(m_context.document.project().animations, "animations/");
-    addClips(m_context.document.project().variations, "variations/");
+    listClips(*m_clip, m_context.document.project(), m_plan.clips);
     m_clip->setEnabled(m_plan.clips.size() == 1);
     m_choosePlace->setIcon(widgets::icons::icon(QStringLiteral("folder")));
     m_files->setWordWrap(true);
@@ -114,6 +114,8 @@ void ExportDialog::makeControls()
     m_keep->setChecked(m_plan.isKept);
     m_keep->setVisible(m_plan.edited.isEmpty());
     m_export->setDefault(true);
+    m_progress->setRange(0, 1000);
+    m_progress->hide();
 
     m_form->setSpacing(8);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
@@ -135,7 +137,8 @@ void ExportDialog::makeControls()
     right->addWidget(m_preview);
     right->addWidget(m_picture);
     right->addStretch();
-    auto* middle = new QHBoxLayout;
+    auto* middle = new QHBoxLayout(m_fields);
+    middle->setContentsMargins(0, 0, 0, 0);
     middle->setSpacing(24);
     middle->addLayout(left, 1);
     middle->addLayout(right);
@@ -146,8 +149,9 @@ void ExportDialog::makeControls()
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 16);
     column->setSpacing(16);
-    column->addLayout(middle, 1);
+    column->addWidget(m_fields, 1);
     column->addWidget(m_strip);
+    column->addWidget(m_progress);
     column->addLayout(buttons);
 }
 
@@ -155,6 +159,7 @@ void ExportDialog::connectAll()
 {
     const auto edited = [this] {
         readControls();
+        setBusy(false);
         showFacts();
     };
     connect(m_clip, &QComboBox::activated, this, &ExportDialog::chooseClip);
@@ -166,35 +171,22 @@ void ExportDialog::connectAll()
     connect(m_fps, &QDoubleSpinBox::valueChanged, this, edited);
     connect(m_axes, &AxesFields::edited, this, edited);
     connect(m_textures, &QCheckBox::toggled, this, edited);
+    connect(m_picture, &PictureFields::viewAsked, this, &ExportDialog::takeView);
+    connect(m_strip, &widgets::MessageStrip::actionTriggered, this, &ExportDialog::showInFolder);
     connect(m_picture, &PictureFields::edited, this, edited);
     connect(m_keep, &QCheckBox::toggled, this, [this](bool kept) { m_plan.isKept = kept; });
-    connect(m_cancel, &QPushButton::clicked, this, &QDialog::reject);
-    connect(m_export, &QPushButton::clicked, this, &ExportDialog::start);
-}
-
-bool ExportDialog::isDataSet() const
-{
-    return m_plan.clips.front().startsWith(QLatin1String("variations/"));
-}
-
-const MeshSequence* ExportDialog::sequence() const
-{
-    const QString& clip = m_plan.clips.front();
-    if (clip.startsWith(QLatin1String("sequences/")))
-        return m_context.media.sequence(nameOfClip(clip));
-    if (isDataSet())
-        return m_context.variations.clip(nameOfClip(clip), 1);
-    const auto result = m_context.animations.result(nameOfClip(clip));
-    return result && result->isFinal ? &result->sequence : nullptr;
-}
-
-std::optional<std::int64_t> ExportDialog::framesWritten() const
-{
-    const MeshSequence* shown = sequence();
-    if (shown == nullptr)
-        return std::nullopt;
-    const MeshSequence cut = m_plan.entry.range ? shown->cutTo(*m_plan.entry.range) : *shown;
-    return m_plan.entry.fps ? resampled(cut, *m_plan.entry.fps).frameCount() : cut.frameCount();
+    connect(m_cancel, &QPushButton::clicked, this, [this] {
+        if (m_job)
+            m_job->cancel();
+        else
+            reject();
+    });
+    connect(m_export, &QPushButton::clicked, this, [this] {
+        if (m_isDone)
+            accept();
+        else
+            start();
+    });
 }
 
 void ExportDialog::readControls()
@@ -256,38 +248,9 @@ void ExportDialog::showPlan()
     const bool hasKeys = animation != nullptr && !animation->camera.empty() &&
                          m_plan.clips.front().startsWith(QLatin1String("animations/"));
     m_picture->setKeysPossible(hasKeys, hasKeys && !entry.picture.contains("camera"));
+    const bool isSeen = sequence() != nullptr && m_seen(nameOfClip(m_plan.clips.front()), *sequence());
+    m_picture->setViewPossible(isSeen || m_picture->settings().view, m_picture->settings().view.has_value());
     showFacts();
-}
-
-void ExportDialog::showFacts()
-{
-    const ProjectSettings& settings = m_context.document.project().settings;
-    const bool isPicture = m_plan.isPicture();
-    m_picture->setVisible(isPicture);
-    m_picture->setTransparencyPossible(m_plan.format().id == "png");
-    m_axes->setEnabled(!isPicture);
-    m_textures->setEnabled(!isPicture && !m_plan.format().needsMesh);
-    const auto frames = framesWritten();
-    QString text = m_plan.filesText(m_plan.entries().front(), frames.value_or(1));
-    if (m_plan.clips.size() > 1)
-        text = tr("%1, and %n more", nullptr, static_cast<int>(m_plan.clips.size() - 1)).arg(text);
-    if (isDataSet()) {
-        text = tr("%1 … · all variations that are kept, their latents, and a description").arg(text);
-    } else if (frames) {
-        const double seconds = static_cast<double>(*frames) / m_plan.entry.fps.value_or(settings.fps);
-        text = tr("%1 · %n frame(s), %2 s", "files · frames, seconds", static_cast<int>(*frames))
-                   .arg(text, QLocale().toString(seconds, 'f', 2));
-    }
-    m_files->setText(text);
-    m_export->setEnabled(!m_plan.entry.path.empty());
-    if (const MeshSequence* shown = sequence()) {
-        RenderOptions look = m_picture->settings().look;
-        look.axes = settings.axes;
-        if (isPicture)
-            m_preview->draw(*shown, look);
-        else
-            m_preview->draw(shown, settings.axes);
-    }
 }
 
 void ExportDialog::chooseFormat()
@@ -299,6 +262,8 @@ void ExportDialog::chooseFormat()
     m_plan.entry.path = withEndingOf(m_plan.entry.path, m_plan.format());
     const ExportPlan fresh = planExport(m_plan.clips, m_plan.entry.format, {});
     m_plan.entry.name = hasOwnName ? before : fresh.entry.name;
+    if (m_plan.isPicture() && m_plan.entry.picture.is_null() && m_plan.edited.isEmpty())
+        takeView();
     m_plan.entry.picture = m_plan.isPicture() ? picture() : UnknownKeys();
     showPlan();
 }
@@ -308,13 +273,34 @@ void ExportDialog::chooseClip()
     readControls();
     m_plan.clips = {m_clip->currentData().toString()};
     m_plan.entry.range.reset();
+    m_view.reset();
     if (m_plan.edited.isEmpty()) {
         const auto folder = toQString(std::filesystem::path(m_plan.entry.path).parent_path());
         const ExportPlan fresh = planExport(m_plan.clips, m_plan.format().id, folder);
         m_plan.entry.name = fresh.entry.name;
         m_plan.entry.path = fresh.entry.path;
     }
+    if (m_plan.isPicture()) {
+        RenderSettings settings = m_picture->settings();
+        settings.view.reset();
+        m_picture->setSettings(settings);
+        takeView();
+        m_plan.entry.picture = picture();
+    }
     showPlan();
+}
+
+void ExportDialog::takeView()
+{
+    const MeshSequence* clip = m_plan.clips.size() == 1 ? sequence() : nullptr;
+    m_view = clip == nullptr ? std::nullopt : m_seen(nameOfClip(m_plan.clips.front()), *clip);
+    if (!m_view)
+        return;
+    RenderSettings settings = m_picture->settings();
+    settings.view = m_view->camera;
+    if (m_plan.entry.picture.is_null())
+        settings.camera = m_view->follows ? CameraMode::Follow : CameraMode::Fixed;
+    m_picture->setSettings(settings);
 }
 
 void ExportDialog::choosePlace()
@@ -330,40 +316,6 @@ void ExportDialog::choosePlace()
         file += ending;
     m_place->setText(file);
     readControls();
-    showFacts();
-}
-
-void ExportDialog::setBusy(bool busy)
-{
-    m_strip->clear();
-    m_export->setEnabled(!busy);
-    m_export->setText(busy ? tr("Exporting…") : tr("Export"));
-}
-
-void ExportDialog::retranslate()
-{
-    setWindowTitle(m_plan.edited.isEmpty() ? tr("Export") : tr("Export “%1”").arg(m_plan.edited));
-    const QStringList labels{tr("Clip"),   tr("Format"), tr("File"), {},
-                             tr("Frames"), tr("Rate"),   tr("Axes"), tr("Textures")};
-    const QList<QWidget*> fields{m_clip, m_format, m_place, m_files, m_first, m_fps, m_axes, m_textures};
-    for (int row = 0; row < labels.size(); ++row) {
-        auto* item = m_form->itemAt(row, QFormLayout::LabelRole);
-        auto* label = item == nullptr ? nullptr : qobject_cast<QLabel*>(item->widget());
-        if (label == nullptr || labels[row].isEmpty())
-            continue;
-        label->setText(labels[row]);
-        label->setBuddy(fields[row]);
-        fields[row]->setAccessibleName(labels[row]);
-    }
-    m_last->setAccessibleName(tr("Last frame"));
-    m_choosePlace->setToolTip(tr("Choose the file"));
-    m_choosePlace->setAccessibleName(tr("Choose the file"));
-    m_fps->setSuffix(tr(" fps"));
-    m_fps->setToolTip(tr("Another rate than the project's is resampled"));
-    m_textures->setText(tr("Write the pictures beside"));
-    m_keep->setText(tr("Keep in the project, so that a rebuild repeats it"));
-    m_cancel->setText(tr("Cancel"));
-    setBusy(false);
     showFacts();
 }
 

@@ -3,8 +3,12 @@
 #pragma once
 
 #include "editor/exporting/exportplan.h"
+#include "editor/exporting/seencamera.h"
+#include "model/project/runexports.h"
 
 #include <QDialog>
+#include <QPointer>
+#include <functional>
 
 class QCheckBox;
 class QComboBox;
@@ -12,6 +16,7 @@ class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
+class QProgressBar;
 class QPushButton;
 class QSpinBox;
 class QToolButton;
@@ -19,6 +24,7 @@ class QToolButton;
 namespace quadrille {
 
 class AxesFields;
+class Job;
 class PictureFields;
 class TakePreview;
 struct EditorContext;
@@ -28,21 +34,35 @@ class MessageStrip;
 } // namespace widgets
 
 /// How sequences and animations go out: format, place, frames, rate, axes, textures, and the look of
-/// pictures. Stays open until everything is written, and shows what went wrong.
+/// pictures. Asks before anything is replaced that matters to somebody. While files are written it shows how
+/// far they are and keeps nobody from working; then it says where they are, or what went wrong.
 class ExportDialog : public QDialog
 {
     Q_OBJECT
 
 public:
-    ExportDialog(EditorContext& context, ExportPlan plan, QWidget* parent = nullptr);
+    /// What a view shows of a clip; nothing where it does not show it.
+    using Seen = std::function<std::optional<SeenCamera>(const QString& name, const MeshSequence& clip)>;
+
+    ExportDialog(EditorContext& context, ExportPlan plan, Seen seen, QWidget* parent = nullptr);
 
     const ExportPlan& plan() const { return m_plan; }
+
+    /// While files are written the dialog only steps aside: it comes back if something went wrong.
+    void reject() override;
 
 signals:
     /// All files of all entries are written.
     void exported(const QStringList& files);
 
 private:
+    /// What is known before files are written.
+    struct Preparation
+    {
+        std::vector<ExportEntry> entries;
+        OutputQuestions questions;
+    };
+
     void makeControls();
     void connectAll();
     void readControls();
@@ -52,10 +72,23 @@ private:
     UnknownKeys picture() const;
     void choosePlace();
     void chooseFormat();
-    bool mayWriteOver();
+    /// Looks what is in the way, then asks, then writes.
     void start();
-    void finish(const std::vector<ExportResult>& results);
+    /// The export of the project that writes where an entry would; asks whether it may be replaced.
+    /// \return false when nothing shall be written.
+    bool mayTakePlaces();
+    bool mayReplace(const OutputQuestions& questions);
+    bool mayWriteOutside(const OutputQuestions& questions);
+    void write(const Preparation& prepared);
+    void finish(const std::vector<ExportEntry>& entries, const std::vector<ExportResult>& results);
+    void keep(const std::vector<ExportEntry>& entries);
+    void fail(const Error& error);
+    void follow(Job* job);
     void setBusy(bool busy);
+    /// The fields, the place of files excepted, are about a clip that is seen.
+    void takeView();
+    void warnOfTextures();
+    void showInFolder();
     void retranslate();
     void chooseClip();
     /// Whether all variations of an entry go out together.
@@ -67,8 +100,16 @@ private:
 
     EditorContext& m_context;
     ExportPlan m_plan;
+    Seen m_seen;
+    std::optional<SeenCamera> m_view; ///< where the picture's camera is to begin, taken in this dialog
+    std::string m_ownPath;            ///< of the entry that is edited: what the user did not choose here
+    QStringList m_replaced;           ///< exports of the project whose places are taken, one for each entry
+    QPointer<Job> m_job;
+    QString m_folder; ///< of the files that were written last
+    bool m_isDone = false;
     widgets::MessageStrip* m_strip;
     TakePreview* m_preview;
+    QWidget* m_fields;
     QFormLayout* m_form;
     QComboBox* m_clip;
     QComboBox* m_format;
@@ -82,6 +123,7 @@ private:
     QCheckBox* m_textures;
     PictureFields* m_picture;
     QCheckBox* m_keep;
+    QProgressBar* m_progress;
     QPushButton* m_export;
     QPushButton* m_cancel;
 };

@@ -11,8 +11,8 @@
 
 namespace quadrille {
 
-ExportFlow::ExportFlow(EditorContext& context, QWidget* window)
-    : QObject(window), m_context(context), m_window(window)
+ExportFlow::ExportFlow(EditorContext& context, std::function<StageView*()> view, QWidget* window)
+    : QObject(window), m_context(context), m_view(std::move(view)), m_window(window)
 {
     context.actions.add({"file.export",
                          [] { return tr("File"); },
@@ -27,6 +27,12 @@ ExportFlow::ExportFlow(EditorContext& context, QWidget* window)
     connect(&context.selection, &Selection::changed, this, &ExportFlow::updateAction);
     connect(&context.document, &ProjectDocument::changed, this, &ExportFlow::updateAction);
     updateAction();
+}
+
+std::optional<SeenCamera> ExportFlow::seen(const QString& name, const MeshSequence& clip) const
+{
+    StageView* view = m_view();
+    return view == nullptr ? std::nullopt : seenCamera(*view, name, clip);
 }
 
 void ExportFlow::updateAction()
@@ -72,7 +78,9 @@ void ExportFlow::exportClips(const QStringList& clips)
                      ? QDir::homePath()
                      : toQString(m_context.document.file().parent_path() / "exports");
     }
-    auto* dialog = new ExportDialog(m_context, planExport(clips, m_format.toStdString(), folder), m_window);
+    auto* dialog = new ExportDialog(
+        m_context, planExport(clips, m_format.toStdString(), folder),
+        [this](const QString& name, const MeshSequence& clip) { return seen(name, clip); }, m_window);
     connect(dialog, &ExportDialog::exported, this, [this, dialog](const QStringList& files) {
         m_format = QString::fromStdString(dialog->plan().format().id);
         m_folder = QFileInfo(QString::fromStdString(dialog->plan().entry.path)).path();
@@ -87,7 +95,9 @@ void ExportFlow::editExport(const QString& name)
     plan.entry = *m_context.document.exportEntry(name);
     plan.edited = name;
     plan.clips = {QString::fromStdString(plan.entry.what)};
-    auto* dialog = new ExportDialog(m_context, std::move(plan), m_window);
+    auto* dialog = new ExportDialog(
+        m_context, std::move(plan),
+        [this](const QString& shown, const MeshSequence& clip) { return seen(shown, clip); }, m_window);
     connect(dialog, &ExportDialog::exported, this, &ExportFlow::exported);
     dialog->open();
 }

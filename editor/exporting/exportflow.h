@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "editor/exporting/seencamera.h"
+
 #include <QObject>
 #include <QStringList>
+#include <functional>
 
 class QWidget;
 
 namespace quadrille {
 
+class StageView;
 struct EditorContext;
 
 /// Lets sequences, animations, variations and the project's exports go out.
@@ -18,7 +22,8 @@ class ExportFlow : public QObject
 
 public:
     /// \param window what dialogs belong to.
-    ExportFlow(EditorContext& context, QWidget* window);
+    /// \param view    the view in front, whose camera films begin with; null when there is none.
+    ExportFlow(EditorContext& context, std::function<StageView*()> view, QWidget* window);
 
     /// Asks how some clips shall go out, each "sequences/NAME" or "animations/NAME", or "variations/NAME".
     void exportClips(const QStringList& clips);
@@ -34,7 +39,11 @@ private:
     QStringList selectedClips() const;
     void updateAction();
 
+    /// What the view in front shows of a clip.
+    std::optional<SeenCamera> seen(const QString& name, const MeshSequence& clip) const;
+
     EditorContext& m_context;
+    std::function<StageView*()> m_view;
     QWidget* m_window;
     QString m_format = QStringLiteral("gltf"); ///< that was chosen last
     QString m_folder;

@@ -3,7 +3,7 @@
 #include "editor/exporting/exportplan.h"
 
 #include "editor/documents/projectpaths.h"
-#include "model/core/stagedfiles.h"
+#include "model/core/seriesname.h"
 #include "model/project/exportentry.h"
 
 #include <QDir>
@@ -68,18 +68,6 @@ QString ExportPlan::filesText(const ExportEntry& each, std::int64_t frames) cons
     if (frames == 1)
         return first;
     return first + QStringLiteral(" … ") + QString::fromStdString(numberedName(path, frames - 1, frames));
-}
-
-QStringList ExportPlan::filesInTheWay(std::int64_t frames) const
-{
-    QStringList files;
-    for (const ExportEntry& each : entries()) {
-        const std::filesystem::path path = each.path;
-        const auto file = format().onePerFrame ? path.parent_path() / numberedName(path, 0, frames) : path;
-        if (QFileInfo::exists(toQString(file)))
-            files += toQString(file.filename());
-    }
-    return files;
 }
 
 QString nameOfClip(const QString& clip)

@@ -27,8 +27,6 @@ struct ExportPlan
     std::vector<ExportEntry> entries() const;
     /// Files that an entry will write, for people: one, or first and last of a series.
     QString filesText(const ExportEntry& entry, std::int64_t frames) const;
-    /// Files that are there and would be written over.
-    QStringList filesInTheWay(std::int64_t frames) const;
 };
 
 /// A new export of some clips in a format, beside the project or in a folder.

@@ -4,6 +4,7 @@
 
 #include "editor/language/retranslate.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
@@ -29,6 +30,7 @@ PictureFields::PictureFields(QWidget* parent)
     , m_shading(new QComboBox)
     , m_camera(new QComboBox)
     , m_turns(new QDoubleSpinBox)
+    , m_view(new QCheckBox)
 {
     for (QSpinBox* side : {m_width, m_height}) {
         side->setRange(16, largestSide);
@@ -55,12 +57,22 @@ PictureFields::PictureFields(QWidget* parent)
     m_form->setSpacing(8);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_form->addRow(new QLabel, size);
-    for (QWidget* field : std::initializer_list<QWidget*>{m_background, m_shading, m_camera, m_turns})
+    m_view->setObjectName(QStringLiteral("pictureView"));
+    for (QWidget* field : std::initializer_list<QWidget*>{m_background, m_shading, m_camera, m_view, m_turns})
         m_form->addRow(new QLabel, field);
     for (QComboBox* box : {m_background, m_shading, m_camera})
         connect(box, &QComboBox::activated, this, &PictureFields::edited);
-    connect(m_camera, &QComboBox::currentIndexChanged, this,
-            [this](int mode) { m_turns->setEnabled(mode == static_cast<int>(CameraMode::Turntable)); });
+    connect(m_camera, &QComboBox::currentIndexChanged, this, [this](int mode) {
+        m_turns->setEnabled(mode == static_cast<int>(CameraMode::Turntable));
+        m_view->setVisible(mode != keysIndex);
+    });
+    connect(m_view, &QCheckBox::toggled, this, [this](bool taken) {
+        if (taken)
+            emit viewAsked();
+        else
+            m_settings.view.reset();
+        emit edited();
+    });
     connect(m_turns, &QDoubleSpinBox::valueChanged, this, &PictureFields::edited);
     setSettings({});
     retranslates(this, [this] { retranslate(); });
@@ -90,6 +102,19 @@ void PictureFields::setSettings(const RenderSettings& settings)
     if (!takesKeys())
         m_camera->setCurrentIndex(static_cast<int>(settings.camera));
     m_turns->setValue(settings.revolutions);
+    setViewPossible(m_view->isEnabled() || settings.view, settings.view.has_value());
+}
+
+void PictureFields::setViewPossible(bool possible, bool taken)
+{
+    const QSignalBlocker blocker(m_view);
+    m_view->setEnabled(possible);
+    m_view->setChecked(possible && taken);
+}
+
+bool PictureFields::takesView() const
+{
+    return m_view->isChecked() && !takesKeys();
 }
 
 void PictureFields::setKeysPossible(bool possible, bool taken)
@@ -121,9 +146,11 @@ void PictureFields::setTransparencyPossible(bool possible)
 
 void PictureFields::retranslate()
 {
-    const QStringList labels{tr("Size"), tr("Background"), tr("Shading"), tr("Camera"), tr("Turns")};
-    const QList<QWidget*> fields{m_width, m_background, m_shading, m_camera, m_turns};
+    const QStringList labels{tr("Size"), tr("Background"), tr("Shading"), tr("Camera"), {}, tr("Turns")};
+    const QList<QWidget*> fields{m_width, m_background, m_shading, m_camera, m_view, m_turns};
     for (int row = 0; row < labels.size(); ++row) {
+        if (labels[row].isEmpty())
+            continue;
         auto* label = qobject_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());
         label->setText(labels[row]);
         label->setBuddy(fields[row]);
@@ -141,6 +168,9 @@ void PictureFields::retranslate()
     name(*m_camera, {tr("Turns around the figure"), tr("Stands still"), tr("Follows the figure")});
     if (m_camera->count() > keysIndex)
         m_camera->setItemText(keysIndex, tr("Goes along its keys"));
+    m_view->setText(tr("From where the view looks"));
+    m_view->setToolTip(tr("The frame that the view shows looks the same in the film; otherwise the camera "
+                          "steps back until the figure fills the picture"));
     m_turns->setToolTip(tr("Full turns of the camera over the clip; negative ones go the other way round"));
 }
 

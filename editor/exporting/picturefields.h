@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
@@ -27,11 +28,18 @@ public:
     void setKeysPossible(bool possible, bool taken);
     /// The camera is that of the animation's keys.
     bool takesKeys() const;
+    /// Offers to look from where the view looks, or from where it looked when it was taken.
+    /// \param possible the view shows the clip, or a place is known already.
+    void setViewPossible(bool possible, bool taken);
+    /// The camera begins where the view looks, instead of where it frames the figure.
+    bool takesView() const;
     /// Video holds no transparency.
     void setTransparencyPossible(bool possible);
 
 signals:
     void edited();
+    /// The user wants the place where the view looks now.
+    void viewAsked();
 
 private:
     void retranslate();
@@ -44,6 +52,7 @@ private:
     QComboBox* m_shading;
     QComboBox* m_camera;
     QDoubleSpinBox* m_turns;
+    QCheckBox* m_view;
 };
 
 } // namespace quadrille

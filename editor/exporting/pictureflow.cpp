@@ -5,6 +5,8 @@
 #include "editor/application/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/pictures/pictures.h"
+#include "model/core/stagedfiles.h"
+#include "model/project/projectguard.h"
 #include "widgets/viewport/viewport.h"
 
 #include <QClipboard>
@@ -66,7 +68,14 @@ void PictureFlow::save(const QString& file)
 {
     m_context.jobs.start(
         {.name = tr("Saving %1").arg(QFileInfo(file).fileName()), .receiver = this},
-        [picture = picture(), path = toPath(file)](const Progress&) { writeImage(toImage(picture), path); },
+        [picture = picture(), path = toPath(file), project = m_context.document.snapshot(),
+         projectFile = m_context.document.workingFile()](const Progress&) {
+            // Whether a file may be replaced was asked where its name was chosen.
+            const auto guard = projectGuard(project, projectFile, {.overwrite = true, .outside = true});
+            const WrittenNote note(*guard, projectFile);
+            const auto write = [&](const std::filesystem::path& to) { writeImage(toImage(picture), to); };
+            writeGuarded(path, write, guard.get());
+        },
         [this, file] { emit saved({file}); });
 }
 

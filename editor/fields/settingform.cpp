@@ -5,7 +5,6 @@
 #include "editor/language/retranslate.h"
 #include "widgets/theme/icons.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -90,10 +89,11 @@ void SettingForm::add(const char* name, Text label, Text tip, QWidget* field, st
             .fold = m_fold};
     field->setObjectName(QLatin1String(name));
     field->setMinimumHeight(rowHeight);
-    field->installEventFilter(this);
     if (row.text) {
         row.label = new QLabel;
         row.label->setBuddy(field);
+        // Long words give way before the buttons at the end do.
+        row.label->setWordWrap(true);
         m_grid->addWidget(row.label, place, LabelColumn);
         m_grid->addWidget(field, place, FieldColumn);
     } else {
@@ -115,15 +115,6 @@ void SettingForm::add(const char* name, Text label, Text tip, QWidget* field, st
     showRow(row);
     m_rows.push_back(std::move(row));
     retranslate();
-}
-
-bool SettingForm::eventFilter(QObject* watched, QEvent* event)
-{
-    if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
-        event->ignore();
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 SettingForm::Row& SettingForm::rowOf(const QWidget* field)

@@ -37,9 +37,6 @@ public:
     void setProblem(const QWidget* field, const QString& sentence);
     void setRowVisible(const QWidget* field, bool visible);
 
-    /// The wheel scrolls the form and turns only the field that has the keyboard.
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     struct Row
     {

@@ -29,9 +29,13 @@ void HelpBrowser::resizeEvent(QResizeEvent* event)
     if (m_pictureWidth == 0 || m_pictureWidth == textWidth())
         return;
     m_pictureWidth = 0;
-    const int place = verticalScrollBar()->value();
-    reload();
-    verticalScrollBar()->setValue(place);
+    // Not at once: a scroll bar that comes while a page is read resizes it in the middle of that.
+    const auto again = [this] {
+        const int place = verticalScrollBar()->value();
+        reload();
+        verticalScrollBar()->setValue(place);
+    };
+    QMetaObject::invokeMethod(this, again, Qt::QueuedConnection);
 }
 
 int HelpBrowser::textWidth() const

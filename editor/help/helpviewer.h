@@ -2,19 +2,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "editor/help/helptopics.h"
+
 #include <QDialog>
 
+class QLineEdit;
+class QListWidget;
+class QListWidgetItem;
+class QStackedWidget;
 class QTextBrowser;
 class QToolButton;
 
 namespace quadrille {
 
-/// The page of a widget: that of the nearest widget above it that was given one; "index" without any.
-QString helpPageOf(const QWidget* widget);
-/// Gives a widget, and what is in it, a page of resources/help for F1.
-void setHelpPage(QWidget* widget, const QString& page);
-
-/// Shows the help pages in the language of the interface, English where a page has no translation.
+/// Shows the help pages in the language of the interface, English where a page has no translation, and finds
+/// words in them.
 class HelpViewer : public QDialog
 {
     Q_OBJECT
@@ -23,16 +25,27 @@ public:
 
     /// \param page file name without ending, e.g. "importing".
     void showPage(const QString& page);
+    /// Shows a page from one of its headings on.
+    void showTopic(const HelpTopic& topic);
     /// The page that is shown.
     QString page() const;
+    /// The heading that is uppermost.
+    QString shownHeading() const;
 
-    /// Folder and file of a page in a language, or in English; empty when there is no such page.
-    static QString pageFile(const QString& page, const QString& language);
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    QWidget* makeBar();
+    void scrollTo(int heading);
+    void search(const QString& words);
+    void open(const QListWidgetItem* hit);
     void retranslate();
 
     QTextBrowser* m_browser;
+    QListWidget* m_hits;
+    QStackedWidget* m_pages;
+    QLineEdit* m_search;
     QToolButton* m_contents;
     QToolButton* m_back;
 };

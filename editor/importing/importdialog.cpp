@@ -3,15 +3,16 @@
 #include "editor/importing/importdialog.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/commands/entrynames.h"
+#include "editor/documents/editcheck.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/axesfields.h"
 #include "editor/fields/texturefield.h"
-#include "editor/help/helpviewer.h"
 #include "editor/importing/taketable.h"
 #include "editor/language/retranslate.h"
 #include "editor/pictures/takepreview.h"
-#include "widgets/controls/messagestrip.h"
+#include "widgets/controls/fieldnote.h"
 #include "widgets/theme/icons.h"
 
 #include <QComboBox>
@@ -41,6 +42,7 @@ ImportDialog::ImportDialog(EditorContext& context, FoundSources found, QWidget* 
     , m_chooseMesh(new QToolButton)
     , m_axes(new AxesFields)
     , m_fps(new QDoubleSpinBox)
+    , m_rateReason(new QLabel)
     , m_first(new QSpinBox)
     , m_last(new QSpinBox)
     , m_texture(new TextureField)
@@ -49,12 +51,10 @@ ImportDialog::ImportDialog(EditorContext& context, FoundSources found, QWidget* 
 {
     setObjectName(QStringLiteral("importDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
-    setHelpPage(this, QStringLiteral("importing"));
     resize(1000, 640);
     makeControls();
     connectAll();
     retranslates(this, [this] { retranslate(); });
-    m_plan.fps = context.document.project().settings.fps;
     survey();
 }
 
@@ -103,6 +103,9 @@ QWidget* ImportDialog::makeSettings()
     m_fps->setObjectName(QStringLiteral("importFps"));
     m_fps->setRange(1, 1000);
     m_fps->setDecimals(3);
+    m_rateReason->setObjectName(QStringLiteral("importRateReason"));
+    m_rateReason->setWordWrap(true);
+    m_rateReason->setForegroundRole(QPalette::PlaceholderText);
     m_first->setObjectName(QStringLiteral("importFirst"));
     m_last->setObjectName(QStringLiteral("importLast"));
     m_texture->setObjectName(QStringLiteral("importTexture"));
@@ -128,7 +131,11 @@ QWidget* ImportDialog::makeSettings()
     m_form->addRow(new QLabel, m_character);
     m_form->addRow(new QLabel, row(m_mesh, m_chooseMesh));
     m_form->addRow(new QLabel, m_axes);
-    m_form->addRow(new QLabel, m_fps);
+    auto* rate = new QVBoxLayout;
+    rate->setSpacing(4);
+    rate->addWidget(m_fps);
+    rate->addWidget(m_rateReason);
+    m_form->addRow(new QLabel, rate);
     m_form->addRow(new QLabel, row(m_first, m_last));
     m_form->addRow(new QLabel, m_texture);
     column->addLayout(m_form);
@@ -149,12 +156,12 @@ void ImportDialog::connectAll()
     connect(m_takes, &QTreeWidget::currentItemChanged, this, &ImportDialog::showTake);
     connect(m_character, &QComboBox::editTextChanged, this, [this] { readControls(); });
     connect(m_axes, &AxesFields::edited, this, changed);
-    connect(m_fps, &QDoubleSpinBox::valueChanged, this, [this] { readControls(); });
+    connect(m_fps, &QDoubleSpinBox::valueChanged, this, &ImportDialog::setRate);
     connect(m_first, &QSpinBox::valueChanged, this, [this] { readControls(); });
     connect(m_last, &QSpinBox::valueChanged, this, [this] { readControls(); });
     connect(m_texture, &TextureField::chosen, this, &ImportDialog::setTexture);
     connect(m_chooseMesh, &QToolButton::clicked, this, &ImportDialog::chooseMesh);
-    connect(m_strip, &widgets::MessageStrip::actionTriggered, this, &ImportDialog::chooseMesh);
+    connect(m_strip, &widgets::MessageStrip::actionTriggered, this, &ImportDialog::triggerStrip);
     connect(m_cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_import, &QPushButton::clicked, this, &ImportDialog::import);
 }
@@ -164,7 +171,7 @@ void ImportDialog::survey()
     m_isSurveyed = false;
     m_import->setEnabled(false);
     m_notes->setText(tr("Looking at what is there…"));
-    const SurveyOptions options{m_found.mesh, m_plan.fps};
+    const SurveyOptions options{m_found.mesh, m_context.document.project().settings.fps};
     m_context.jobs.start(
         {.name = tr("Looking at %n source(s)", nullptr, static_cast<int>(m_found.sources.size())),
          .receiver = this,
@@ -188,6 +195,10 @@ void ImportDialog::takeSurvey(std::vector<SurveyedTake> takes)
         m_character->addItem(QString::fromStdString(character.name));
     m_character->setCurrentText(QString::fromStdString(m_plan.character));
     showPlan();
+    if (!m_plan.withUnknownRate().empty()) {
+        m_fps->setFocus();
+        m_fps->selectAll();
+    }
 }
 
 PlannedTake* ImportDialog::current()
@@ -203,7 +214,6 @@ void ImportDialog::readControls()
         return;
     m_plan.character = m_character->currentText().trimmed().toStdString();
     m_plan.axes = m_axes->axes();
-    m_plan.fps = m_fps->value();
     for (std::size_t i = 0; i < m_plan.takes.size(); ++i) {
         m_plan.takes[i].isWanted = m_takes->isWanted(static_cast<int>(i));
         m_plan.takes[i].name = m_takes->nameOf(static_cast<int>(i)).trimmed().toStdString();
@@ -219,9 +229,7 @@ void ImportDialog::readControls()
 
 void ImportDialog::showPlan()
 {
-    const QSignalBlocker block(m_fps);
     m_axes->setAxes(m_plan.axes);
-    m_fps->setValue(m_plan.fps);
     m_mesh->setText(toQString(m_plan.mesh.filename()));
     m_mesh->setToolTip(toQString(m_plan.mesh));
     m_takes->setPlan(m_plan);
@@ -236,9 +244,14 @@ void ImportDialog::showTake()
     const bool namesRate = isOpen && planned->take.hasOwnFps;
     m_axes->setEnabled(!namesAxes);
     m_axes->setToolTip(namesAxes ? tr("The file names its axes and unit itself") : QString());
-    m_fps->setEnabled(!namesRate);
+    m_fps->setEnabled(isOpen && !namesRate);
     m_fps->setToolTip(namesRate ? tr("The file names its rate itself")
-                                : tr("Frames a second of the takes whose files name no rate"));
+                                : tr("Frames a second of this take and of those with the same rate"));
+    m_rateReason->setText(isOpen ? rateReason(*planned) : QString());
+    if (isOpen) {
+        const QSignalBlocker block(m_fps);
+        m_fps->setValue(namesRate ? planned->take.sequence->fps : planned->rate.fps);
+    }
     for (QWidget* widget :
          {static_cast<QWidget*>(m_first), static_cast<QWidget*>(m_last), static_cast<QWidget*>(m_texture)})
         widget->setEnabled(isOpen);
@@ -262,41 +275,44 @@ void ImportDialog::showTake()
 
 void ImportDialog::showProblems()
 {
-    using Kind = widgets::MessageStrip::Kind;
     const PlannedTake* planned = current();
-    const auto wanted = m_plan.wanted();
-    m_import->setEnabled(m_isSurveyed && !wanted.empty() && !m_plan.character.empty());
-    m_import->setText(wanted.empty() ? tr("Import")
-                                     : tr("Import %n take(s)", nullptr, static_cast<int>(wanted.size())));
-    m_notes->clear();
+    const bool isOpen = planned != nullptr && !planned->take.error;
+    const ImportMessage message = importMessage(m_plan, planned);
+    m_import->setEnabled(m_isSurveyed && !m_plan.wanted().empty() && !m_plan.character.empty() &&
+                         !message.forbidsImport);
+    m_import->setText(importText(m_plan));
+    m_notes->setText(isOpen ? importNotes(*planned) : QString());
+    m_help = message.help;
     m_strip->clear();
-    m_strip->setAction({});
-    if (planned == nullptr)
+    m_strip->setAction(message.button);
+    if (!message.sentence.isEmpty())
+        m_strip->show(message.kind, message.sentence, message.remedy);
+}
+
+void ImportDialog::setRate(double fps)
+{
+    readControls();
+    const PlannedTake* planned = current();
+    if (planned == nullptr || planned->take.hasOwnFps)
         return;
-    if (planned->take.error) {
-        const ErrorText text = describe(*planned->take.error);
-        const QString sentence =
-            text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where);
-        m_strip->show(Kind::Error, sentence, text.remedy);
-        if (planned->take.error->code() == ErrorCode::FormatNeedsMesh)
-            m_strip->setAction(tr("Choose the mesh…"));
+    m_plan.setRate(*planned, fps);
+    m_takes->showValues(m_plan);
+    m_rateReason->setText(rateReason(*planned));
+    showProblems();
+}
+
+void ImportDialog::triggerStrip()
+{
+    if (m_help == ImportMessage::Help::ChooseMesh) {
+        chooseMesh();
         return;
     }
-    const double height = m_plan.heightOf(planned->take);
-    if (height < 0.3 || height > 3.5) {
-        m_strip->show(Kind::Warning,
-                      tr("The figure would be %1 m high.").arg(QLocale().toString(height, 'g', 3)),
-                      tr("Choose the unit and the up axis of the file."));
+    while (!m_plan.withUnknownRate().empty()) {
+        const PlannedTake& first = *m_plan.withUnknownRate().front();
+        m_plan.setRate(first, first.rate.fps);
     }
-    QStringList notes;
-    for (const Issue& issue : planned->take.issues) {
-        if (issue.code != Issue::Code::FpsAssumed) // stands beside, to be set
-            notes += QStringLiteral("• ") + describe(issue).oneLine();
-    }
-    if (!planned->take.jointAngles.empty())
-        notes += QStringLiteral("• ") +
-                 tr("Reference joint angles: %1").arg(toQString(planned->take.jointAngles.filename()));
-    m_notes->setText(notes.join(QLatin1Char('\n')));
+    m_takes->showValues(m_plan);
+    showTake();
 }
 
 void ImportDialog::chooseMesh()
@@ -320,10 +336,26 @@ void ImportDialog::setTexture(const TextureReference& texture)
 void ImportDialog::import()
 {
     readControls();
+    if (const auto problem = problemWithText(m_character->currentText())) {
+        const ErrorText text = describe(*problem);
+        widgets::FieldNote::show(*m_character, text.sentence, text.remedy);
+        return;
+    }
+    std::optional<Error> refusal;
+    const auto listening = connect(&EditRefusals::of(m_context.document), &EditRefusals::refused, this,
+                                   [&refusal](const Error& error) { refusal = error; });
     const QStringList names = carryOut(m_plan, m_context.document);
+    disconnect(listening);
+    if (refusal) {
+        const ErrorText text = describe(*refusal);
+        m_strip->show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
+        return;
+    }
     for (const PlannedTake* planned : m_plan.wanted()) {
-        for (const Issue& issue : planned->take.issues)
-            m_context.issues.add(issue, QString::fromStdString(planned->name));
+        for (const Issue& issue : planned->take.issues) {
+            if (issue.code != Issue::Code::FpsAssumed)
+                m_context.issues.add(issue, QString::fromStdString(planned->name));
+        }
     }
     emit imported(names);
     accept();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "editor/importing/importmessages.h"
 #include "editor/importing/importplan.h"
 
 #include <QDialog>
@@ -22,10 +23,6 @@ class TakePreview;
 class TakeTable;
 class TextureField;
 struct EditorContext;
-
-namespace widgets {
-class MessageStrip;
-} // namespace widgets
 
 /// The import preview: what was found, how it will look, and what can be decided about it before anything is
 /// in the project.
@@ -53,6 +50,8 @@ private:
     void showPlan();
     void showTake();
     void showProblems();
+    void setRate(double fps);
+    void triggerStrip();
     void chooseMesh();
     void setTexture(const TextureReference& texture);
     void import();
@@ -63,6 +62,7 @@ private:
     FoundSources m_found;
     ImportPlan m_plan;
     bool m_isSurveyed = false;
+    ImportMessage::Help m_help = ImportMessage::Help::None; ///< what the strip's button does
 
     TakeTable* m_takes;
     widgets::MessageStrip* m_strip;
@@ -75,6 +75,7 @@ private:
     QToolButton* m_chooseMesh;
     AxesFields* m_axes;
     QDoubleSpinBox* m_fps;
+    QLabel* m_rateReason;
     QSpinBox* m_first;
     QSpinBox* m_last;
     TextureField* m_texture;

@@ -5,6 +5,7 @@
 #include "editor/application/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/importing/importdialog.h"
+#include "editor/importing/importmessages.h"
 #include "model/sequence/io/registry.h"
 
 #include <QFileDialog>
@@ -106,8 +107,13 @@ void ImportFlow::open(const QStringList& paths)
             for (const PlannedTake& planned : plan.takes) {
                 if (planned.take.error)
                     emit failed(*planned.take.error);
-                for (const Issue& issue : planned.take.issues)
-                    m_context.issues.add(issue, QString::fromStdString(planned.name));
+                const QString name = QString::fromStdString(planned.name);
+                for (const Issue& issue : planned.take.issues) {
+                    if (issue.code != Issue::Code::FpsAssumed)
+                        m_context.issues.add(issue, name);
+                }
+                if (const auto rate = rateIssue(planned))
+                    m_context.issues.add(*rate, name);
             }
             if (!plan.wanted().empty())
                 emit imported(carryOut(plan, m_context.document));

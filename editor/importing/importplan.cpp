@@ -39,6 +39,30 @@ std::vector<const PlannedTake*> ImportPlan::wanted() const
     return result;
 }
 
+bool ImportPlan::isRateUnknown(const PlannedTake& planned)
+{
+    return planned.canBeImported() && !planned.take.hasOwnFps && !planned.isRateChosen &&
+           planned.rate.isGuess() && planned.take.sequence->frameCount() > 1;
+}
+
+std::vector<const PlannedTake*> ImportPlan::withUnknownRate() const
+{
+    std::vector<const PlannedTake*> result = wanted();
+    std::erase_if(result, [](const PlannedTake* planned) { return !isRateUnknown(*planned); });
+    return result;
+}
+
+void ImportPlan::setRate(const PlannedTake& planned, double fps)
+{
+    const double before = planned.rate.fps;
+    for (PlannedTake& each : takes) {
+        if (each.take.hasOwnFps || each.rate.fps != before)
+            continue;
+        each.rate.fps = fps;
+        each.isRateChosen = true;
+    }
+}
+
 double ImportPlan::heightOf(const SurveyedTake& take) const
 {
     const CoordinateSystem system = take.coordinates ? CoordinateSystem{} : axes;
@@ -50,7 +74,6 @@ ImportPlan planFor(std::vector<SurveyedTake> takes, const std::filesystem::path&
 {
     ImportPlan plan;
     plan.axes = project.settings.axes;
-    plan.fps = project.settings.fps;
     plan.mesh = mesh;
     for (SurveyedTake& take : takes) {
         if (plan.mesh.empty())
@@ -71,6 +94,8 @@ ImportPlan planFor(std::vector<SurveyedTake> takes, const std::filesystem::path&
         plan.character = known->name;
     else if (!plan.takes.empty())
         plan.character = nameAfter(plan.mesh.empty() ? plan.takes.front().take.source : plan.mesh);
+    for (PlannedTake& planned : plan.takes)
+        planned.rate = takenRate(planned.take.rate, project, plan.character);
     return plan;
 }
 
@@ -80,7 +105,7 @@ QStringList carryOut(const ImportPlan& plan, ProjectDocument& document)
     const auto wanted = plan.wanted();
     double fps = project.settings.fps;
     if (project.sequences.empty() && !wanted.empty())
-        fps = wanted.front()->take.hasOwnFps ? wanted.front()->take.sequence->fps : plan.fps;
+        fps = wanted.front()->take.hasOwnFps ? wanted.front()->take.sequence->fps : wanted.front()->rate.fps;
     std::vector<SequenceEntry> entries;
     for (const PlannedTake* planned : wanted) {
         SequenceEntry entry;
@@ -91,8 +116,8 @@ QStringList carryOut(const ImportPlan& plan, ProjectDocument& document)
         entry.range = planned->range;
         entry.texture = planned->texture;
         entry.jointAngles = planned->take.jointAngles.string();
-        if (!planned->take.hasOwnFps && plan.fps != fps)
-            entry.sourceFps = plan.fps;
+        if (!planned->take.hasOwnFps && planned->rate.fps != fps)
+            entry.sourceFps = planned->rate.fps;
         if (!planned->take.coordinates && plan.axes != CoordinateSystem{})
             entry.sourceAxes = plan.axes;
         entries.push_back(std::move(entry));

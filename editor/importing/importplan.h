@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/project/importsequences.h"
 #include "model/project/importsurvey.h"
 #include "model/project/project.h"
 
@@ -20,6 +21,8 @@ struct PlannedTake
     bool isWanted = true;
     std::optional<FrameRange> range; ///< in source frames; everything when empty
     TextureReference texture;        ///< none: as found beside the take
+    TakenRate rate{};                ///< where the file names none
+    bool isRateChosen = false;       ///< by the user
 
     bool canBeImported() const { return take.sequence.has_value(); }
 };
@@ -31,10 +34,15 @@ struct ImportPlan
     std::string character;      ///< of the project, or a new one's name
     std::filesystem::path mesh; ///< of a new character
     CoordinateSystem axes;      ///< of the takes whose files name none
-    double fps = 25;            ///< of the takes whose files name none
 
     /// Takes that will be added.
     std::vector<const PlannedTake*> wanted() const;
+    /// Whether the rate of a take that moves is a guess that the user did not look at.
+    static bool isRateUnknown(const PlannedTake& planned);
+    /// Takes that will be added at a rate that is a guess.
+    std::vector<const PlannedTake*> withUnknownRate() const;
+    /// Gives a rate to a take whose file names none, and to those that had the same one.
+    void setRate(const PlannedTake& planned, double fps);
     /// How high the figure of a take will stand in the first frame, metres.
     double heightOf(const SurveyedTake& take) const;
 };

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "editor/importing/taketable.h"
 
+#include "editor/commands/entrynames.h"
 #include "editor/errors/errortext.h"
+#include "editor/fields/namedelegate.h"
 #include "editor/jobs/jobrunner.h"
 #include "editor/pictures/pictures.h"
 #include "model/render/thumbnail.h"
@@ -63,6 +65,9 @@ TakeTable::TakeTable(JobRunner& jobs, QWidget* parent) : QTreeWidget(parent), m_
     setAllColumnsShowFocus(true);
     setIconSize({thumbnailSize, thumbnailSize});
     setEditTriggers(DoubleClicked | EditKeyPressed);
+    setItemDelegateForColumn(
+        NameColumn, new NameDelegate(
+                        [](const QModelIndex&, const QString& name) { return problemWithText(name); }, this));
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     header()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
@@ -126,12 +131,24 @@ void TakeTable::fill(QTreeWidgetItem& item, const PlannedTake& planned) const
     item.setText(FramesColumn, locale.toString(static_cast<qlonglong>(sequence.frameCount())));
     item.setData(FramesColumn, Qt::DecorationRole,
                  hasWarning ? sign("warning", widgets::ColorRole::WarningText) : QVariant());
-    item.setText(RateColumn, planned.take.hasOwnFps ? tr("%1 fps").arg(locale.toString(sequence.fps, 'g', 5))
-                                                    : tr("not named"));
+    const double fps = planned.take.hasOwnFps ? sequence.fps : planned.rate.fps;
+    item.setText(RateColumn, ImportPlan::isRateUnknown(planned)
+                                 ? tr("unknown")
+                                 : tr("%1 fps").arg(locale.toString(fps, 'g', 5)));
+    item.setData(RateColumn, Qt::DecorationRole,
+                 ImportPlan::isRateUnknown(planned) ? sign("warning", widgets::ColorRole::WarningText)
+                                                    : QVariant());
     item.setText(MeshColumn, tr("%n vertices", nullptr, static_cast<int>(sequence.topology->vertexCount())));
     item.setText(TextureColumn, textureText(planned));
     for (const int column : {FramesColumn, RateColumn, MeshColumn})
         item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+}
+
+void TakeTable::showValues(const ImportPlan& plan)
+{
+    const QSignalBlocker blocker(this);
+    for (int row = 0; row < topLevelItemCount(); ++row)
+        fill(*topLevelItem(row), plan.takes.at(static_cast<std::size_t>(row)));
 }
 
 bool TakeTable::isWanted(int take) const

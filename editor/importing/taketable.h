@@ -21,6 +21,8 @@ public:
 
     /// Shows the takes of a plan; those that were shown before with the same source keep name and tick.
     void setPlan(const ImportPlan& plan);
+    /// Shows what changed in the plan of the same takes; their pictures stay.
+    void showValues(const ImportPlan& plan);
     /// The row's place in the plan; −1 without one.
     int currentTake() const { return indexOfTopLevelItem(currentItem()); }
     bool isWanted(int take) const;

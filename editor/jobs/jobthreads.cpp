@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "editor/jobs/jobthreads.h"
 
+#include "model/core/caughterror.h"
+
 #include <algorithm>
 #include <chrono>
-#include <new>
 #include <utility>
 #ifdef __linux__
 #include <sys/resource.h>
@@ -111,12 +112,8 @@ void JobThreads::run(JobTask& task)
     try {
         progress.report(0);
         task.result = task.work(progress);
-    } catch (const Error& error) {
-        task.error = error;
-    } catch (const std::bad_alloc&) {
-        task.error = Error(ErrorCode::OutOfMemory);
-    } catch (const std::exception& error) {
-        task.error = Error(ErrorCode::Unexpected, {.values = {{"reason", error.what()}}});
+    } catch (...) {
+        task.error = caughtError();
     }
     finish(task);
 }

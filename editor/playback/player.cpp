@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace quadrille {
 
@@ -20,11 +21,11 @@ Player::Player(SequenceStage& stage, QObject* parent) : QObject(parent), m_stage
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &Player::tick);
     connect(&m_stage, &SequenceStage::frameShown, this, [this](FrameIndex frame) {
-        if (!isPlaying())
-            return;
-        m_clock.shown(frame.value, now());
-        emit fpsReached(m_clock.fpsReached());
+        if (isPlaying())
+            setFrame(frame);
     });
+    // Not in the middle of painting: what listens changes its own texts.
+    connect(&m_stage, &SequenceStage::framePainted, this, &Player::measure, Qt::QueuedConnection);
 }
 
 void Player::setFps(double fps)
@@ -75,7 +76,24 @@ void Player::pause()
         return;
     m_clock.stop();
     m_timer.stop();
-    m_stage.showFrame(m_frame);
+    stopAt(m_stage.comingFrame());
+}
+
+void Player::playAndReturn()
+{
+    if (isPlaying()) {
+        pause();
+        return;
+    }
+    const FrameIndex here = m_frame;
+    play();
+    if (isPlaying())
+        m_returnsTo = here;
+}
+
+void Player::stopAt(FrameIndex frame)
+{
+    show(std::exchange(m_returnsTo, std::nullopt).value_or(frame), 0);
     emit playingChanged(false);
 }
 
@@ -106,24 +124,43 @@ void Player::tick()
     const double time = now();
     const FrameIndex frame(m_clock.frameAt(time));
     if (!isPlaying()) {
-        show(frame, 0);
-        emit playingChanged(false);
+        stopAt(frame);
         return;
     }
     const double speed = m_clock.speed();
-    show(frame, speed > 0 ? std::max(1, static_cast<int>(std::lround(speed)))
-                          : std::min(-1, static_cast<int>(std::lround(speed))));
+    if (frame != m_stage.comingFrame())
+        show(frame, speed > 0 ? std::max(1, static_cast<int>(std::lround(speed)))
+                              : std::min(-1, static_cast<int>(std::lround(speed))));
     m_timer.start(static_cast<int>(std::ceil(m_clock.untilNext(time) * 1000)));
 }
 
+/// While it plays, the playhead is where the picture is; otherwise the picture follows the playhead.
 void Player::show(FrameIndex frame, int step)
 {
-    if (frame != m_frame || step == 0)
-        m_stage.showFrame(frame, step);
+    m_stage.showFrame(frame, step);
+    if (!isPlaying())
+        setFrame(frame);
+}
+
+void Player::setFrame(FrameIndex frame)
+{
     if (frame == m_frame)
         return;
     m_frame = frame;
     emit frameChanged(frame.value);
+}
+
+void Player::measure(FrameIndex frame)
+{
+    if (!isPlaying())
+        return;
+    const double time = now();
+    m_clock.painted(frame.value, time);
+    constexpr double secondsBetweenReports = 0.5; // a number that changes with every frame cannot be read
+    if (time - m_reported < secondsBetweenReports)
+        return;
+    m_reported = time;
+    emit fpsReached(m_clock.fpsReached().value_or(0));
 }
 
 } // namespace quadrille

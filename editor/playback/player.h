@@ -11,8 +11,8 @@
 
 namespace quadrille {
 
-/// Plays what the stage shows: holds the rate by leaving frames out and tells which frame it is at. Frames
-/// are those of the stage, from 0.
+/// Plays what the stage shows: holds the rate by leaving frames out and tells which frame it is at, while it
+/// plays the one that is seen. Frames are those of the stage, from 0.
 class Player : public QObject
 {
     Q_OBJECT
@@ -24,6 +24,7 @@ public:
     /// Frames that play, both included. \pre 0 ≤ first ≤ last < the stage's frameCount().
     void setRange(FrameIndex first, FrameIndex last);
     void setLooping(bool looping);
+    void setBackAndForth(bool backAndForth) { m_clock.setBackAndForth(backAndForth); }
     bool isPlaying() const { return m_clock.isPlaying(); }
     /// Times the true rate, of what plays now or played last.
     double speed() const { return m_clock.speed(); }
@@ -34,6 +35,8 @@ public slots:
     /// \param speed times the true rate; negative plays backwards.
     void play(double speed = 1.0);
     void pause();
+    /// Plays, and goes back to where it is now when it stops. While it plays, that is to stop.
+    void playAndReturn();
     void step(int frames);
     void goTo(qint64 frame);
     void goToStart() { goTo(m_first.value); }
@@ -44,11 +47,15 @@ public slots:
 signals:
     void frameChanged(qint64 frame);
     void playingChanged(bool playing);
+    /// Frames painted a second while it plays, about twice a second; 0 when that is not known yet.
     void fpsReached(double fps);
 
 private:
     void tick();
+    void stopAt(FrameIndex frame);
     void show(FrameIndex frame, int step);
+    void setFrame(FrameIndex frame);
+    void measure(FrameIndex frame);
     double now() const { return static_cast<double>(m_time.nsecsElapsed()) * 1e-9; }
 
     SequenceStage& m_stage;
@@ -58,6 +65,8 @@ private:
     FrameIndex m_first{0};
     FrameIndex m_last{0};
     FrameIndex m_frame{0};
+    double m_reported = 0;                 ///< when the rate was told last
+    std::optional<FrameIndex> m_returnsTo; ///< when it stops
 };
 
 } // namespace quadrille

@@ -3,9 +3,11 @@
 #include "editor/playback/sequencestage.h"
 
 #include "editor/jobs/jobrunner.h"
+#include "editor/playback/figureshadow.h"
 #include "editor/playback/survey.h"
 #include "widgets/theme/theme.h"
 
+#include <QPointer>
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -18,8 +20,6 @@ using widgets::Theme;
 using widgets::Viewport;
 
 constexpr int surveyedFrames = 120;
-constexpr std::int64_t maximalGhosts = 24;
-constexpr int ghostAlpha = 70;
 
 widgets::FigureMesh toFigureMesh(const Topology& topology)
 {
@@ -47,27 +47,29 @@ QVector3D toVector(const Vec3f& v)
     return {v.x(), v.y(), v.z()};
 }
 
-/// Positions of every `interval`-th frame.
-std::vector<widgets::Ghost> makeGhosts(const MeshSequence& sequence, std::int64_t interval,
-                                       const Progress& progress)
-{
-    std::vector<widgets::Ghost> ghosts;
-    for (std::int64_t frame = 0; frame < sequence.frameCount(); frame += interval) {
-        progress.report(frame, sequence.frameCount());
-        const Frame loaded = sequence.frame(FrameIndex(frame));
-        const auto floats = toFloats(loaded.positions());
-        ghosts.push_back({{floats.begin(), floats.end()}, QColor()});
-    }
-    return ghosts;
-}
-
 } // namespace
 
 SequenceStage::SequenceStage(Viewport& viewport, Source source, JobRunner& jobs, QObject* parent)
-    : QObject(parent), m_viewport(viewport), m_source(std::move(source)), m_jobs(jobs)
+    : QObject(parent)
+    , m_viewport(viewport)
+    , m_source(std::move(source))
+    , m_jobs(jobs)
+    , m_ghosts(viewport, jobs, [this](const QString& clip, std::int64_t frame) {
+        return m_source.ghostColor ? m_source.ghostColor(clip, frame)
+                                   : Theme::color(widgets::ColorRole::Original);
+    })
 {
-    connect(&m_loader, &FrameLoader::loaded, this, &SequenceStage::applyFrame);
+    connect(&m_loader, &FrameLoader::loaded, this, &SequenceStage::take);
+    connect(&m_viewport, &Viewport::rendered, this, [this] {
+        if (!std::exchange(m_isPainted, true))
+            emit framePainted(m_frame);
+    });
     connect(&Theme::instance(), &Theme::changed, this, &SequenceStage::colorFigures);
+    m_viewport.setShadowMaker([stage = QPointer(this)](const widgets::ShadowWish& wish) {
+        const Actor* actor = stage ? stage->actorOfFigure(wish.figure) : nullptr;
+        return actor == nullptr ? widgets::GroundShadow()
+                                : figureShadow(wish, *actor->sequence.topology, actor->height);
+    });
 }
 
 SequenceStage::~SequenceStage() = default;
@@ -86,6 +88,16 @@ void SequenceStage::show(const QStringList& names)
         update(name);
     colorFigures();
     emit changed();
+}
+
+void SequenceStage::rename(const QString& before, const QString& after)
+{
+    std::ranges::replace(m_names, before, after);
+    m_ghosts.rename(before, after);
+    if (Actor* actor = actorOf(before)) {
+        actor->name = after;
+        m_viewport.setFigureName(actor->figure, after);
+    }
 }
 
 void SequenceStage::update(const QString& name)
@@ -115,10 +127,10 @@ void SequenceStage::update(const QString& name)
         if (!sameFrames)
             survey(*actor);
     }
+    m_ghosts.show(name, actorOf(name)->figure, *sequence);
     colorFigures();
     emit changed();
-    showFrame(m_frame, m_step);
-    updateGhosts();
+    load();
 }
 
 void SequenceStage::addActor(const QString& name, const MeshSequence& sequence)
@@ -128,6 +140,10 @@ void SequenceStage::addActor(const QString& name, const MeshSequence& sequence)
     actor.stream = m_loader.addStream(sequence);
     m_actors.push_back(std::move(actor));
     std::ranges::sort(m_actors, {}, [this](const Actor& each) { return m_names.indexOf(each.name); });
+    std::vector<int> order;
+    for (const Actor& each : m_actors)
+        order.push_back(each.figure);
+    m_viewport.setFigureOrder(order);
     survey(*actorOf(name));
 }
 
@@ -136,9 +152,13 @@ void SequenceStage::removeActor(const QString& name)
     const auto found = std::ranges::find(m_actors, name, &Actor::name);
     if (found == m_actors.end())
         return;
+    const bool wasAwaited = found->isAwaited;
     m_loader.removeStream(found->stream);
     m_viewport.removeFigure(found->figure);
+    m_ghosts.remove(name);
     m_actors.erase(found);
+    if (wasAwaited)
+        load();
 }
 
 SequenceStage::Actor* SequenceStage::actorOf(const QString& name)
@@ -192,31 +212,89 @@ std::int64_t SequenceStage::frameCount() const
     return count;
 }
 
+FrameIndex SequenceStage::frameOf(const Actor& actor, FrameIndex frame) const
+{
+    return FrameIndex(std::clamp<std::int64_t>(frame.value, 0, actor.sequence.frameCount() - 1));
+}
+
+bool SequenceStage::isLoading() const
+{
+    return std::ranges::any_of(m_actors, &Actor::isAwaited);
+}
+
 void SequenceStage::showFrame(FrameIndex frame, int step)
 {
-    m_frame = frame;
+    m_wanted = frame;
     m_step = step;
-    for (const Actor& actor : m_actors) {
-        const std::int64_t last = actor.sequence.frameCount() - 1;
-        m_loader.want(actor.stream, FrameIndex(std::clamp<std::int64_t>(frame.value, 0, last)), step);
+    if (!isLoading())
+        load();
+}
+
+bool SequenceStage::isPinned() const
+{
+    return std::ranges::any_of(m_actors, [this](const Actor& actor) {
+        return m_ghosts.isPinned(actor.name, frameOf(actor, m_wanted));
+    });
+}
+
+void SequenceStage::setPinned(bool pinned)
+{
+    for (const Actor& actor : m_actors)
+        m_ghosts.setPinned(actor.name, frameOf(actor, m_wanted), pinned);
+}
+
+void SequenceStage::load()
+{
+    m_loading = m_wanted;
+    for (Actor& actor : m_actors) {
+        actor.isAwaited = true;
+        m_loader.want(actor.stream, frameOf(actor, m_loading), m_step);
     }
 }
 
-void SequenceStage::applyFrame(int stream, const LoadedFrame& loaded)
+void SequenceStage::take(int stream, const LoadedFrame& loaded)
 {
     const auto found = std::ranges::find(m_actors, stream, &Actor::stream);
-    if (found == m_actors.end())
+    if (found == m_actors.end() || !found->isAwaited || loaded.frame != frameOf(*found, m_loading))
         return;
-    Actor& actor = *found;
+    found->arrived = loaded;
+    found->isAwaited = false;
+    if (!isLoading())
+        showArrived();
+}
+
+void SequenceStage::showArrived()
+{
+    QStringList names;
+    for (Actor& actor : m_actors) {
+        names += actor.name;
+        dress(actor);
+    }
+    m_frame = m_loading;
+    m_isPainted = false;
+    const auto hasShape = [](const Actor& actor) { return actor.loaded.error == std::nullopt; };
+    if (m_frameNextFigure && std::ranges::any_of(m_actors, hasShape)) {
+        m_frameNextFigure = false;
+        frameAll();
+    }
+    for (const QString& name : names)
+        emit frameLoaded(name);
+    emit frameShown(m_frame);
+    if (m_wanted != m_loading && !isLoading())
+        load();
+}
+
+/// Puts what was read onto the figure.
+void SequenceStage::dress(Actor& actor)
+{
+    actor.loaded = std::exchange(actor.arrived, {});
+    LoadedFrame& loaded = actor.loaded;
     if (loaded.error) {
         if (!std::exchange(actor.hasFailed, true))
             emit frameFailed(actor.name, *loaded.error);
     }
-    if (loaded.positions) {
+    if (loaded.positions)
         m_viewport.setPositions(actor.figure, toFloats(loaded.positions->positions()));
-        if (std::exchange(m_frameNextFigure, false))
-            frameAll();
-    }
     actor.textureIndices.resize(loaded.textures.size(), -2);
     for (std::size_t material = 0; material < loaded.textures.size(); ++material) {
         const auto& [index, image] = loaded.textures[material];
@@ -225,14 +303,7 @@ void SequenceStage::applyFrame(int stream, const LoadedFrame& loaded)
         actor.textureIndices[material] = index;
         m_viewport.setTexture(actor.figure, image, static_cast<int>(material));
     }
-    actor.loaded = loaded;
-    actor.loaded.positions.reset();
-    emit frameLoaded(actor.name);
-    const bool complete = std::ranges::all_of(m_actors, [this](const Actor& each) {
-        return each.loaded.frame.value == std::min(m_frame.value, each.sequence.frameCount() - 1);
-    });
-    if (complete)
-        emit frameShown(m_frame);
+    loaded.positions.reset();
 }
 
 void SequenceStage::survey(const Actor& actor)
@@ -255,6 +326,9 @@ void SequenceStage::survey(const Actor& actor)
                 surveyed->path.push_back(toVector(centroid));
             }
             surveyed->lowest = survey.lowest;
+            const Vec3f size = survey.upper - survey.lower;
+            surveyed->height = static_cast<double>(
+                std::max(size[static_cast<int>(m_source.upAxis())], 0.05F * size.maxCoeff()));
             colorFigures();
             m_viewport.setFigureExtent(figure, toVector(survey.lower), toVector(survey.upper));
             setGround();
@@ -282,45 +356,6 @@ void SequenceStage::setGround()
     for (const Actor& actor : m_actors)
         lowest = std::min(lowest, actor.lowest);
     m_viewport.setGroundHeight(lowest);
-}
-
-void SequenceStage::setGhostInterval(int interval)
-{
-    m_ghostInterval = interval;
-    updateGhosts();
-}
-
-void SequenceStage::updateGhosts()
-{
-    for (const Actor& actor : m_actors) {
-        if (m_ghostInterval <= 0) {
-            m_viewport.setGhosts(actor.figure, {});
-            continue;
-        }
-        const std::int64_t interval =
-            std::max<std::int64_t>(m_ghostInterval, actor.sequence.frameCount() / maximalGhosts);
-        m_jobs.start(
-            {.name = tr("Ghosts of “%1”").arg(actor.name),
-             .receiver = this,
-             .failed = [](const Error&) { /* told when the frame is shown */ },
-             .background = true},
-            [sequence = actor.sequence, interval](const Progress& progress) {
-                return makeGhosts(sequence, interval, progress);
-            },
-            [this, figure = actor.figure, interval](std::vector<widgets::Ghost> ghosts) {
-                const Actor* shown = actorOfFigure(figure);
-                if (shown == nullptr || m_ghostInterval <= 0)
-                    return;
-                std::int64_t frame = 0;
-                for (widgets::Ghost& ghost : ghosts) {
-                    ghost.color = m_source.ghostColor ? m_source.ghostColor(shown->name, frame)
-                                                      : Theme::color(widgets::ColorRole::Original);
-                    ghost.color.setAlpha(ghostAlpha);
-                    frame += interval;
-                }
-                m_viewport.setGhosts(figure, ghosts);
-            });
-    }
 }
 
 void SequenceStage::colorFigures()

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "editor/documents/changeevent.h"
 #include "editor/playback/frameloader.h"
+#include "editor/playback/stageghosts.h"
 #include "model/core/error.h"
 #include "model/sequence/axes.h"
 #include "widgets/viewport/viewport.h"
@@ -34,6 +36,7 @@ public:
         bool drawsWay = true; ///< of one clip alone, over the ground
         /// The colour of a clip among several; by their order where empty.
         std::function<QColor(const QString& name)> color = {};
+        Section section = Section::Sequences; ///< whose names the clips have
     };
 
     SequenceStage(widgets::Viewport& viewport, Source source, JobRunner& jobs, QObject* parent = nullptr);
@@ -41,6 +44,10 @@ public:
 
     /// Shows these clips, in this order; those that are not ready come as soon as they are.
     void show(const QStringList& names);
+    /// Whose names the clips have.
+    Section section() const { return m_source.section; }
+    /// A clip that is shown has another name: it stays as it is.
+    void rename(const QString& before, const QString& after);
     /// A clip is ready, or another than before.
     void update(const QString& name);
     /// What comes next is shown from where the camera is now.
@@ -49,15 +56,20 @@ public:
     bool isEmpty() const { return m_actors.empty(); }
     bool isComparing() const { return m_names.size() > 1; }
     const QStringList& shown() const { return m_names; }
-    /// Shows a frame; shorter sequences stay at their last one.
-    /// \param step as FrameLoader::want.
+    /// Shows a frame as soon as all sequences have read it; shorter ones stay at their last one. Of frames
+    /// that are asked for meanwhile the last one comes next. \param step as FrameLoader::want.
     void showFrame(FrameIndex frame, int step = 0);
+    /// The frame that is shown.
     FrameIndex frame() const { return m_frame; }
+    /// The frame that is being read, else the one that is shown.
+    FrameIndex comingFrame() const { return isLoading() ? m_loading : m_frame; }
     /// The length of the longest sequence shown that is ready; 0 without any.
     std::int64_t frameCount() const;
-    /// Ghosts every `interval` frames; 0 for none.
-    void setGhostInterval(int interval);
-    int ghostInterval() const { return m_ghostInterval; }
+    StageGhosts& ghosts() { return m_ghosts; }
+    /// Whether the frame that is shown is pinned as a ghost, of any clip.
+    bool isPinned() const;
+    /// Pins the frame that is shown as a ghost of each clip, or takes it away.
+    void setPinned(bool pinned);
     /// The figure that shows a sequence; −1 when there is none yet.
     int figureOf(const QString& name) const;
     /// The picture that a sequence wears now; null when there is none.
@@ -70,8 +82,10 @@ public:
 signals:
     /// A figure shows another frame: `loadedFrame` is new.
     void frameLoaded(const QString& sequence);
-    /// All figures show this frame now.
+    /// All figures show this frame now: the next picture has it.
     void frameShown(quadrille::FrameIndex frame);
+    /// A picture with this frame was drawn, the first one of it.
+    void framePainted(quadrille::FrameIndex frame);
     /// Sequences came, went or changed their length.
     void changed();
     /// A frame could not be read; the last good one stays.
@@ -86,16 +100,23 @@ private:
         MeshSequence sequence;
         std::vector<int> textureIndices;             ///< what the figure wears, per material
         LoadedFrame loaded{.frame = FrameIndex(-1)}; ///< without positions
-        std::vector<QVector3D> path;                 ///< of the centroid, on the ground
-        float lowest = 0;                            ///< height of the ground under it, metres
+        LoadedFrame arrived;                         ///< to be shown when that of all others is there
+        bool isAwaited = false;
+        std::vector<QVector3D> path; ///< of the centroid, on the ground
+        float lowest = 0;            ///< height of the ground under it, metres
+        double height = 0;           ///< of the figure, metres; 0 before it is known
         bool hasFailed = false;
     };
 
     void addActor(const QString& name, const MeshSequence& sequence);
     void removeActor(const QString& name);
-    void applyFrame(int stream, const LoadedFrame& loaded);
+    FrameIndex frameOf(const Actor& actor, FrameIndex frame) const;
+    bool isLoading() const;
+    void load();
+    void take(int stream, const LoadedFrame& loaded);
+    void showArrived();
+    void dress(Actor& actor);
     void survey(const Actor& actor);
-    void updateGhosts();
     void colorFigures();
     Actor* actorOf(const QString& name);
     const Actor* actorOf(const QString& name) const;
@@ -106,12 +127,15 @@ private:
     widgets::Viewport& m_viewport;
     Source m_source;
     JobRunner& m_jobs;
+    StageGhosts m_ghosts;
     FrameLoader m_loader;
     QStringList m_names;
     std::vector<Actor> m_actors;
-    FrameIndex m_frame;
+    FrameIndex m_frame;   ///< shown
+    FrameIndex m_loading; ///< being read
+    FrameIndex m_wanted;  ///< asked for last
+    bool m_isPainted = true;
     int m_step = 0;
-    int m_ghostInterval = 0;
     bool m_frameNextFigure = true;
     std::optional<widgets::Turntable> m_framedView; ///< what framing made of the camera last
 };

@@ -3,7 +3,6 @@
 #include "editor/preferences/preferencesdialog.h"
 
 #include "editor/application/editorcontext.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/preferences/shortcutpage.h"
 
@@ -27,10 +26,10 @@ PreferencesDialog::PreferencesDialog(EditorContext& context, QWidget* parent)
     , m_autosave(new QSpinBox)
     , m_history(new QSpinBox)
     , m_loops(new QCheckBox)
+    , m_mouse(new QComboBox)
 {
     setObjectName(QStringLiteral("preferencesDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
-    setHelpPage(this, QStringLiteral("keyboard"));
     resize(600, 520);
     m_tabs->addTab(makeGeneral(), QString());
     m_tabs->addTab(new ShortcutPage(context.actions), QString());
@@ -55,21 +54,24 @@ QWidget* PreferencesDialog::makeGeneral()
         m_language->addItem(language.name, language.code);
     m_language->setCurrentIndex(std::max(0, m_language->findData(settings.language())));
     m_autosave->setObjectName(QStringLiteral("preferencesAutosave"));
-    m_autosave->setRange(0, 3600);
-    m_autosave->setSingleStep(10);
+    m_autosave->setRange(0, 10);
     m_autosave->setValue(settings.autosaveSeconds());
     m_history->setObjectName(QStringLiteral("preferencesHistory"));
     m_history->setRange(1, 4096);
     m_history->setValue(settings.historyMegabytes());
     m_loops->setObjectName(QStringLiteral("preferencesLoops"));
     m_loops->setChecked(settings.loopsPlayback());
+    m_mouse->setObjectName(QStringLiteral("preferencesMouse"));
+    m_mouse->addItems({QStringLiteral("Quadrille"), QStringLiteral("Blender"), QStringLiteral("Maya"),
+                       QStringLiteral("ParaView")});
+    m_mouse->setCurrentIndex(static_cast<int>(settings.mousePreset()));
 
     auto* page = new QWidget;
     m_form = new QFormLayout(page);
     m_form->setContentsMargins(16, 16, 16, 16);
     m_form->setSpacing(12);
     for (QWidget* field :
-         std::initializer_list<QWidget*>{m_theme, m_language, m_autosave, m_history, m_loops})
+         std::initializer_list<QWidget*>{m_theme, m_language, m_autosave, m_history, m_loops, m_mouse})
         m_form->addRow(new QLabel, field);
 
     connect(m_theme, &QComboBox::activated, this, [this](int mode) {
@@ -83,6 +85,8 @@ QWidget* PreferencesDialog::makeGeneral()
     connect(m_autosave, &QSpinBox::valueChanged, &settings, &Settings::setAutosaveSeconds);
     connect(m_history, &QSpinBox::valueChanged, &settings, &Settings::setHistoryMegabytes);
     connect(m_loops, &QCheckBox::toggled, &settings, &Settings::setLoopsPlayback);
+    connect(m_mouse, &QComboBox::activated, &settings,
+            [&settings](int preset) { settings.setMousePreset(static_cast<widgets::MousePreset>(preset)); });
     return page;
 }
 
@@ -99,14 +103,15 @@ void PreferencesDialog::retranslate()
     m_autosave->setSpecialValueText(tr("never"));
     m_history->setSuffix(tr(" MB"));
     m_loops->setText(tr("Play over and over"));
-    const QStringList labels{tr("Theme"), tr("Language"), tr("Copy unsaved edits every"), tr("Undo history"),
-                             tr("Playback")};
+    const QStringList labels{tr("Theme"),        tr("Language"), tr("Copy unsaved edits within"),
+                             tr("Undo history"), tr("Playback"), tr("Mouse in the view")};
     const QStringList tips{{},
                            {},
                            tr("A copy is offered again after a crash"),
                            tr("Oldest edits beyond this can no longer be undone"),
-                           {}};
-    const QList<QWidget*> fields{m_theme, m_language, m_autosave, m_history, m_loops};
+                           {},
+                           tr("Which buttons and keys turn, move and near the view")};
+    const QList<QWidget*> fields{m_theme, m_language, m_autosave, m_history, m_loops, m_mouse};
     for (int row = 0; row < labels.size(); ++row) {
         auto* label = qobject_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());
         label->setText(labels[row]);

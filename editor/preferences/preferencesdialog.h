@@ -34,6 +34,7 @@ private:
     QSpinBox* m_autosave;
     QSpinBox* m_history;
     QCheckBox* m_loops;
+    QComboBox* m_mouse;
 };
 
 } // namespace quadrille

@@ -49,8 +49,7 @@ CharacterPage::CharacterPage(EditorContext& context)
         "characterNotes", [] { return tr("Notes"); }, m_notes,
         [] { return tr("Whatever is worth remembering about the capture"); });
     connect(m_nameField, &QLineEdit::editingFinished, this, [this] {
-        if (!renameEntry(m_context.document, {Section::Characters, m_name}, m_nameField->text().trimmed()))
-            m_nameField->setText(m_name);
+        renameEntry(m_context.document, {Section::Characters, m_name}, m_nameField->text());
     });
     connect(m_texture, &TextureField::chosen, this, [this](const TextureReference& texture) {
         setCharacterTexture(m_context.document, m_name, texture);
@@ -65,7 +64,7 @@ void CharacterPage::show(const QString& name)
 {
     m_name = name;
     const CharacterEntry& character = *m_context.document.character(name);
-    m_nameField->setText(name);
+    showName(*m_nameField, name);
     const QString mesh = QString::fromStdString(character.mesh);
     m_mesh->setText(mesh.isEmpty() ? tr("that of its first sequence") : QFileInfo(mesh).fileName());
     m_mesh->setToolTip(mesh);

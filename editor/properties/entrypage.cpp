@@ -25,8 +25,7 @@ EntryPage::EntryPage(EditorContext& context, Subject subject)
     addField((prefix + "Character").constData(), [] { return tr("Character"); }, m_character,
              m_subject.characterTip);
     connect(m_nameField, &QLineEdit::editingFinished, this, [this] {
-        if (!renameEntry(m_context.document, {m_subject.section, m_name}, m_nameField->text()))
-            m_nameField->setText(m_name);
+        renameEntry(m_context.document, {m_subject.section, m_name}, m_nameField->text());
     });
     connect(m_character, &QComboBox::textActivated, this, [this](const QString& chosen) {
         if (chosen != character())
@@ -47,8 +46,7 @@ void EntryPage::addOpen()
 void EntryPage::show(const QString& name)
 {
     m_name = name;
-    if (!m_nameField->hasFocus() || !m_nameField->isModified())
-        m_nameField->setText(name);
+    showName(*m_nameField, name);
     m_character->clear();
     for (const CharacterEntry& entry : m_context.document.project().characters)
         m_character->addItem(QString::fromStdString(entry.name));

@@ -14,7 +14,7 @@ namespace quadrille {
 ProjectPage::ProjectPage(EditorContext& context)
     : m_context(context), m_fps(new QDoubleSpinBox), m_axes(new AxesFields), m_cache(new QSpinBox)
 {
-    m_fps->setRange(1, 1000);
+    m_fps->setRange(0.001, 10000); // as in the file
     m_fps->setDecimals(3);
     m_fps->setKeyboardTracking(false);
     m_cache->setRange(16, 1 << 20);

@@ -4,14 +4,15 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/fields/verticalscroll.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/properties/animationpage.h"
+#include "editor/properties/brokenpage.h"
 #include "editor/properties/characterpage.h"
 #include "editor/properties/exportpage.h"
 #include "editor/properties/projectpage.h"
 #include "editor/properties/sequencepage.h"
 #include "editor/properties/variationpage.h"
+#include "model/project/brokenentry.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -33,9 +34,9 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
     , m_export(new ExportPage(context))
     , m_animation(new AnimationPage(context))
     , m_variation(new VariationPage(context))
+    , m_broken(new BrokenPage(context))
 {
     setObjectName(QStringLiteral("propertiesPanel"));
-    setHelpPage(this, QStringLiteral("project"));
     setMinimumWidth(260);
     m_title->setObjectName(QStringLiteral("propertiesTitle"));
     m_title->setMargin(12);
@@ -48,7 +49,7 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
     m_several->setWordWrap(true);
     m_several->setAlignment(Qt::AlignTop | Qt::AlignLeading);
     for (QWidget* page : std::initializer_list<QWidget*>{m_project, m_character, m_sequence, m_export,
-                                                         m_animation, m_variation}) {
+                                                         m_animation, m_variation, m_broken}) {
         m_pages->addWidget(verticalScroll(page));
     }
     m_pages->addWidget(m_several);
@@ -99,6 +100,9 @@ void PropertiesPanel::refresh()
         show(4, *m_animation, current.name, current.name);
     } else if (current.section == Section::Variations && document.variation(current.name) != nullptr) {
         show(5, *m_variation, current.name, current.name);
+    } else if (current.section == Section::Project &&
+               findBroken(document.project(), current.name.toStdString())) {
+        show(6, *m_broken, current.name, current.name);
     } else {
         show(0, *m_project, {}, tr("Project"));
     }

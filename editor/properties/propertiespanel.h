@@ -34,6 +34,7 @@ private:
     PropertyForm* m_export;
     PropertyForm* m_animation;
     PropertyForm* m_variation;
+    PropertyForm* m_broken;
 };
 
 } // namespace quadrille

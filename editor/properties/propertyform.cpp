@@ -4,6 +4,7 @@
 
 #include <QEvent>
 #include <QFormLayout>
+#include <QLineEdit>
 
 namespace quadrille {
 
@@ -21,9 +22,6 @@ void PropertyForm::addField(const char* objectName, Text label, QWidget* field, 
     text->setBuddy(field);
     field->setObjectName(QLatin1String(objectName));
     m_form->addRow(text, field);
-    field->installEventFilter(this);
-    for (QWidget* part : field->findChildren<QWidget*>())
-        part->installEventFilter(this);
     m_rows.push_back({text, field, std::move(label), std::move(tip)});
     retranslateRows();
 }
@@ -48,6 +46,15 @@ void PropertyForm::setFieldVisible(QWidget* field, bool visible)
     m_form->setRowVisible(field, visible);
 }
 
+void PropertyForm::showName(QLineEdit& field, const QString& name)
+{
+    constexpr auto shownName = "shownName";
+    const bool isTyped = field.hasFocus() && field.isModified();
+    if (!isTyped || field.property(shownName).toString() != name)
+        field.setText(name);
+    field.setProperty(shownName, name);
+}
+
 void PropertyForm::retranslateRows()
 {
     for (const Row& row : m_rows) {
@@ -58,16 +65,6 @@ void PropertyForm::retranslateRows()
             row.field->setToolTip(row.tip());
         }
     }
-}
-
-/// The wheel scrolls the page; it changes a field only where the keyboard is, too.
-bool PropertyForm::eventFilter(QObject* watched, QEvent* event)
-{
-    if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
-        event->ignore();
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 void PropertyForm::changeEvent(QEvent* event)

@@ -8,6 +8,7 @@
 #include <vector>
 
 class QFormLayout;
+class QLineEdit;
 
 namespace quadrille {
 
@@ -32,6 +33,8 @@ protected:
     QLabel* addFact(const char* objectName, Text label);
     void addWide(const char* objectName, QWidget* field);
     void setFieldVisible(QWidget* field, bool visible);
+    /// Shows the name of an entry; what is being typed stays while the entry keeps its name.
+    static void showName(QLineEdit& field, const QString& name);
     /// Called after the language changed.
     virtual void retranslate() {}
 
@@ -50,7 +53,6 @@ private:
 
 protected:
     void changeEvent(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
 } // namespace quadrille

@@ -103,8 +103,7 @@ void SequencePage::connectFields()
 {
     ProjectDocument& document = m_context.document;
     connect(m_nameField, &QLineEdit::editingFinished, this, [this, &document] {
-        if (!renameEntry(document, {Section::Sequences, m_name}, m_nameField->text().trimmed()))
-            m_nameField->setText(m_name);
+        renameEntry(document, {Section::Sequences, m_name}, m_nameField->text());
     });
     connect(m_character, &QComboBox::textActivated, this,
             [this, &document](const QString& name) { setSequenceCharacter(document, m_name, name); });
@@ -126,7 +125,7 @@ void SequencePage::show(const QString& name)
     const SequenceEntry& entry = *m_context.document.sequence(name);
     const QSignalBlocker blocks[] = {QSignalBlocker(m_first), QSignalBlocker(m_last), QSignalBlocker(m_fps),
                                      QSignalBlocker(m_hasAxes)};
-    m_nameField->setText(name);
+    showName(*m_nameField, name);
     const QString source = QString::fromStdString(entry.source);
     const QString clip = QString::fromStdString(entry.clip);
     const QString file = QFileInfo(source).fileName();

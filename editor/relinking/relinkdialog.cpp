@@ -6,7 +6,6 @@
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/relinking/lostmediatable.h"
 #include "widgets/controls/messagestrip.h"
@@ -44,7 +43,6 @@ RelinkDialog::RelinkDialog(EditorContext& context, const QString& folder, QWidge
 {
     setObjectName(QStringLiteral("relinkDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
-    setHelpPage(this, QStringLiteral("project"));
     resize(960, 520);
     makeControls();
     connectAll();

@@ -2,120 +2,220 @@
 // SPDX-License-Identifier: MIT
 #include "editor/welcome/welcomepage.h"
 
-#include "editor/application/session.h"
-#include "editor/application/settings.h"
+#include "editor/fields/verticalscroll.h"
 #include "editor/language/retranslate.h"
+#include "editor/welcome/recentprojects.h"
+#include "editor/welcome/welcometile.h"
+#include "widgets/controls/messagestrip.h"
 #include "widgets/theme/icons.h"
 
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
-#include <QListWidget>
-#include <QPushButton>
-#include <QShortcut>
+#include <QLocale>
+#include <QScrollArea>
+#include <QVBoxLayout>
 
 namespace quadrille {
 
+namespace {
+
+constexpr int widest = 900;
+constexpr int margin = 16;
+constexpr int gap = 12;
+constexpr int logoSize = 48;
+
+} // namespace
+
 WelcomePage::WelcomePage(Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_settings(settings)
     , m_title(new QLabel)
     , m_lead(new QLabel)
-    , m_sample(addButton("file.sample", "character"))
-    , m_open(addButton("file.open", "open"))
-    , m_import(addButton("file.import", "import"))
-    , m_recentTitle(new QLabel)
-    , m_recent(new QListWidget)
+    , m_notices(new QVBoxLayout)
+    , m_missing(new widgets::MessageStrip)
+    , m_recent(new RecentProjects(settings))
 {
     setObjectName(QStringLiteral("welcomePage"));
     QFont heading = font();
-    heading.setPointSizeF(heading.pointSizeF() * 2);
+    heading.setPointSizeF(heading.pointSizeF() * 1.8);
     heading.setWeight(QFont::DemiBold);
     m_title->setFont(heading);
     m_lead->setWordWrap(true);
-    m_recent->setObjectName(QStringLiteral("recentProjects"));
-    m_recent->setViewMode(QListView::IconMode);
-    m_recent->setIconSize({160, 100});
-    m_recent->setGridSize({172, 132});
-    m_recent->setMovement(QListView::Static);
-    m_recent->setResizeMode(QListView::Adjust);
-    m_recent->setUniformItemSizes(true);
-    m_recent->setFixedHeight(2 * 132 + 8);
-    m_recent->viewport()->setAutoFillBackground(false);
-    auto* forget = new QShortcut(QKeySequence::Delete, m_recent, nullptr, nullptr, Qt::WidgetShortcut);
-    connect(forget, &QShortcut::activated, this, &WelcomePage::forgetCurrent);
-    m_sample->setDefault(true);
+    m_lead->setForegroundRole(QPalette::PlaceholderText);
+    auto* logo = new QLabel;
+    logo->setPixmap(widgets::icons::application().pixmap(logoSize));
+    auto* top = new QGridLayout;
+    top->setHorizontalSpacing(gap);
+    top->setVerticalSpacing(0);
+    top->setColumnStretch(1, 1);
+    top->addWidget(logo, 0, 0, 2, 1);
+    top->addWidget(m_title, 0, 1);
+    top->addWidget(m_lead, 1, 1);
 
     auto* content = new QWidget;
-    content->setFixedWidth(3 * 172 + 24);
+    content->setMaximumWidth(widest);
     auto* column = new QVBoxLayout(content);
-    column->setSpacing(12);
-    auto* logo = new QLabel;
-    logo->setPixmap(widgets::icons::application().pixmap(64));
-    for (QWidget* widget : std::initializer_list<QWidget*>{logo, m_title, m_lead, m_sample, m_open, m_import,
-                                                           m_recentTitle, m_recent})
-        column->addWidget(widget);
-    auto* centre = new QGridLayout(this);
-    centre->addWidget(content, 0, 0, Qt::AlignCenter);
+    column->setContentsMargins(margin, margin, margin, margin);
+    column->setSpacing(gap);
+    column->addLayout(top);
+    m_notices->setSpacing(gap / 2);
+    column->addLayout(m_notices);
+    auto* tiles = new QGridLayout;
+    tiles->setSpacing(gap);
+    m_ownTitle = addHeading(*column, QStringLiteral("welcomeOwn"));
+    addOwnTiles(*tiles);
+    column->addLayout(tiles);
+    auto* sampleTiles = new QGridLayout;
+    sampleTiles->setSpacing(gap);
+    m_sampleTitle = addHeading(*column, QStringLiteral("welcomeSample"));
+    addSampleTiles(*sampleTiles);
+    column->addLayout(sampleTiles);
+    m_recentTitle = addHeading(*column, QStringLiteral("welcomeRecent"));
+    column->addWidget(m_missing);
+    column->addWidget(m_recent);
+    column->addStretch(1);
 
-    connect(m_recent, &QListWidget::itemActivated, this,
-            [this](QListWidgetItem* item) { emit projectAsked(item->data(Qt::UserRole).toString()); });
-    connect(&m_settings, &Settings::recentProjectsChanged, this, &WelcomePage::showRecent);
+    auto* centred = new QWidget;
+    auto* row = new QHBoxLayout(centred);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addStretch(1);
+    row->addWidget(content, 1000);
+    row->addStretch(1);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(verticalScroll(centred));
+
+    connect(m_recent, &RecentProjects::projectAsked, this, &WelcomePage::projectAsked);
+    connect(m_recent, &RecentProjects::missingAsked, this, &WelcomePage::offerToForget);
+    connect(m_recent, &RecentProjects::refreshed, this, &WelcomePage::showRecent);
+    connect(m_missing, &widgets::MessageStrip::actionTriggered, this, [this] {
+        m_missing->clear();
+        m_recent->forget(m_missingFile);
+    });
     showRecent();
     retranslates(this, [this] { retranslate(); });
 }
 
-QPushButton* WelcomePage::addButton(const char* action, const char* icon)
+QLabel* WelcomePage::addHeading(QVBoxLayout& column, const QString& name)
 {
-    auto* button = new QPushButton(widgets::icons::icon(QLatin1String(icon)), QString());
-    button->setObjectName(QLatin1String(action));
-    button->setMinimumHeight(32);
-    connect(button, &QPushButton::clicked, this,
-            [this, id = QString::fromLatin1(action)] { emit actionAsked(id); });
-    return button;
+    auto* label = new QLabel;
+    label->setObjectName(name);
+    QFont heavier = font();
+    heavier.setWeight(QFont::DemiBold);
+    label->setFont(heavier);
+    label->setContentsMargins(0, gap / 2, 0, 0);
+    column.addWidget(label);
+    return label;
+}
+
+void WelcomePage::addOwnTiles(QGridLayout& tiles)
+{
+    struct Own
+    {
+        const char* action;
+        const char* icon;
+    };
+    constexpr std::array<Own, 3> own{
+        {{"file.import", "import"}, {"file.importFolder", "folder"}, {"file.open", "open"}}};
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        m_own[i] = new WelcomeTile(QLatin1String(own[i].icon));
+        m_own[i]->setObjectName(QStringLiteral("welcome.") + QLatin1String(own[i].action));
+        connect(m_own[i], &QAbstractButton::clicked, this,
+                [this, id = QString::fromLatin1(own[i].action)] { emit actionAsked(id); });
+        tiles.addWidget(m_own[i], 0, static_cast<int>(i));
+    }
+}
+
+void WelcomePage::addSampleTiles(QGridLayout& tiles)
+{
+    struct Sample
+    {
+        SampleGoal goal;
+        const char* name;
+        const char* icon;
+    };
+    constexpr std::array<Sample, 3> samples{{{SampleGoal::Play, "welcome.play", "play"},
+                                             {SampleGoal::Transitions, "welcome.transitions", "arcs"},
+                                             {SampleGoal::Path, "welcome.path", "path"}}};
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        m_sample[i] = new WelcomeTile(QLatin1String(samples[i].icon));
+        m_sample[i]->setObjectName(QLatin1String(samples[i].name));
+        connect(m_sample[i], &QAbstractButton::clicked, this,
+                [this, goal = samples[i].goal] { askSample(goal); });
+        tiles.addWidget(m_sample[i], 0, static_cast<int>(i));
+    }
+}
+
+/// A second click on the tile that is at work takes the first one back.
+void WelcomePage::askSample(SampleGoal goal)
+{
+    if (m_sample.at(static_cast<std::size_t>(goal))->isInProgress())
+        emit sampleCancelled();
+    else
+        emit sampleAsked(goal);
+}
+
+void WelcomePage::addNotice(QWidget* row)
+{
+    m_notices->addWidget(row);
+}
+
+void WelcomePage::showSampleProgress(SampleGoal goal, double fraction)
+{
+    const QString percent = QLocale().toString(static_cast<int>(100 * fraction));
+    for (std::size_t i = 0; i < m_sample.size(); ++i) {
+        const bool isAtWork = i == static_cast<std::size_t>(goal);
+        m_sample[i]->setEnabled(isAtWork);
+        if (isAtWork)
+            m_sample[i]->showProgress(fraction,
+                                      tr("Making the character: %1 %. Click again to cancel.").arg(percent));
+    }
+}
+
+void WelcomePage::endSampleProgress()
+{
+    for (WelcomeTile* tile : m_sample) {
+        tile->setEnabled(true);
+        tile->endProgress();
+    }
 }
 
 void WelcomePage::showRecent()
 {
-    m_recent->clear();
-    for (const QString& file : m_settings.recentProjects()) {
-        const QFileInfo info(file);
-        const QPixmap picture(thumbnailFile(file));
-        auto* item = new QListWidgetItem(picture.isNull() ? widgets::icons::icon(QStringLiteral("project"))
-                                                          : QIcon(picture),
-                                         info.completeBaseName(), m_recent);
-        item->setToolTip(info.exists() ? file : tr("%1 is not there any more. Del forgets it.").arg(file));
-        item->setData(Qt::UserRole, file);
-        if (!info.exists())
-            item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
-    }
     const bool hasRecent = m_recent->count() > 0;
     m_recentTitle->setVisible(hasRecent);
     m_recent->setVisible(hasRecent);
 }
 
-void WelcomePage::forgetCurrent()
+void WelcomePage::offerToForget(const QString& file)
 {
-    if (const QListWidgetItem* item = m_recent->currentItem())
-        m_settings.removeRecentProject(item->data(Qt::UserRole).toString());
+    m_missingFile = file;
+    m_missing->show(widgets::MessageStrip::Kind::Warning, tr("%1 is not there any more.").arg(file),
+                    tr("Open it from where it is now, or take it out of this list."));
+    m_missing->setAction(tr("Remove from this list"));
 }
 
 void WelcomePage::showEvent(QShowEvent* event)
 {
-    showRecent(); // pictures may be new
+    m_missing->clear();
+    m_recent->refresh(); // pictures may be new
     QWidget::showEvent(event);
 }
 
 void WelcomePage::retranslate()
 {
     m_title->setText(QStringLiteral("Quadrille"));
-    m_lead->setText(
-        tr("Bring in captured performances: drop files or folders anywhere in this window, or begin here."));
-    m_sample->setText(tr("Open the sample"));
-    m_open->setText(tr("Open a project…"));
-    m_import->setText(tr("Import sequences…"));
+    m_lead->setText(tr("New performances from captured ones. Drop files or folders anywhere in this window, "
+                       "or begin here."));
+    m_ownTitle->setText(tr("Your own"));
+    m_sampleTitle->setText(tr("Try it with the sample character"));
     m_recentTitle->setText(tr("Recent projects"));
-    m_recent->setAccessibleName(tr("Recent projects"));
+    m_own[0]->setTexts(tr("Open your takes…"),
+                       tr("Mesh sequences as files: OBJ, PLY, PC2, MDD, GLB, FBX and more."));
+    m_own[1]->setTexts(tr("Open a folder of takes…"), tr("Everything in it, with the mesh that it shares."));
+    m_own[2]->setTexts(tr("Open a project…"), tr("What you saved before, as you left it."));
+    m_sample[0]->setTexts(tr("Play a take"), tr("Look at a captured walk from all sides."));
+    m_sample[1]->setTexts(tr("See transitions"), tr("Where every frame goes over into every other."));
+    m_sample[2]->setTexts(tr("Draw a path"), tr("A new performance that follows a line; change the line."));
 }
 
 } // namespace quadrille

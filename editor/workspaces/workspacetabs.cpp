@@ -3,18 +3,22 @@
 #include "editor/workspaces/workspacetabs.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/application/windowplace.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/view/viewactions.h"
 
 #include <QDockWidget>
+#include <QEvent>
 #include <QLayout>
 #include <QMainWindow>
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QTabBar>
+#include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace quadrille {
 
@@ -27,6 +31,8 @@ constexpr int lowHeight = 150;
 constexpr int wideShare = 5;
 constexpr int leastWide = 385; // so that four tabs show
 constexpr int mostWide = 400;
+/// In which a window manager gives a window that is to fill the screen its size.
+constexpr int settlingMilliseconds = 500;
 /// In windows below this height such docks wait in the menu until somebody wants them.
 constexpr int roomyHeight = 840;
 
@@ -75,12 +81,53 @@ void WorkspaceTabs::add(Entry entry)
 
 void WorkspaceTabs::begin()
 {
+    m_awaitsSize = m_window.isMaximized() || m_window.isFullScreen();
+    m_window.installEventFilter(this);
+    m_firstState = m_window.saveState();
     show(0);
 }
 
-void WorkspaceTabs::showStrip(bool shown)
+/// A window that is to fill the screen is first laid out as large as it is otherwise, and its docks are
+/// squeezed into that. The window manager gives it its size later, maybe in several steps.
+bool WorkspaceTabs::eventFilter(QObject* watched, QEvent* event)
+{
+    if (m_awaitsSize && event->type() == QEvent::Resize && m_window.isVisible()) {
+        QMetaObject::invokeMethod(
+            this, [this] { arrange(); }, Qt::QueuedConnection);
+        QTimer::singleShot(settlingMilliseconds, this, [this] { m_awaitsSize = false; });
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void WorkspaceTabs::setShown(bool shown)
 {
     m_strip->setVisible(shown);
+    if (shown == m_isShown)
+        return;
+    if (shown) {
+        m_isShown = true;
+        for (QDockWidget* dock : std::exchange(m_hidden, {}))
+            dock->show();
+        arrange();
+        return;
+    }
+    // A window that was never seen has not laid its docks out yet.
+    if (m_window.isVisible())
+        keepState();
+    m_isShown = false;
+    for (QDockWidget* dock : m_window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (dock->isHidden())
+            continue;
+        m_hidden += dock;
+        dock->hide();
+    }
+}
+
+/// The arrangement of the current workspace, to come back to. That of an empty window is none.
+void WorkspaceTabs::keepState()
+{
+    if (m_isShown && m_current >= 0)
+        m_states[current()] = m_window.saveState();
 }
 
 void WorkspaceTabs::select(const QString& id)
@@ -104,14 +151,36 @@ void WorkspaceTabs::show(int index)
 {
     if (index == m_current || index < 0)
         return;
-    if (m_current >= 0) {
-        m_states[current()] = m_window.saveState();
+    const bool hadFocus = hasFocusOf(m_current);
+    keepState();
+    if (m_current >= 0)
         currentWorkspace()->setActive(false);
-    }
     m_current = index;
     m_pages->setCurrentIndex(index);
+    arrange();
+    m_viewActions->setView(&currentWorkspace()->view());
+    currentWorkspace()->setActive(true);
+    if (hadFocus)
+        currentWorkspace()->viewport().setFocus();
+    emit currentChanged(current());
+}
+
+/// Whether the focus is in a workspace or its panels, and goes with them.
+bool WorkspaceTabs::hasFocusOf(int index) const
+{
+    const QWidget* focus = m_window.focusWidget();
+    if (focus == nullptr || index < 0)
+        return false;
+    const Entry& entry = m_entries[static_cast<std::size_t>(index)];
+    return entry.workspace->isAncestorOf(focus) ||
+           std::ranges::any_of(entry.docks,
+                               [focus](const QDockWidget* dock) { return dock->isAncestorOf(focus); });
+}
+
+void WorkspaceTabs::arrange()
+{
     const QSize size = m_window.size();
-    arrangeDocks(index);
+    arrangeDocks(m_current);
     // Docks that come one after another may ask for more height than they need once they share their places.
     const auto settle = [this, size] {
         const bool hasGrown =
@@ -122,32 +191,37 @@ void WorkspaceTabs::show(int index)
             m_window.resize(size);
     };
     QMetaObject::invokeMethod(this, settle, Qt::QueuedConnection);
-    m_viewActions->setView(&currentWorkspace()->view());
-    currentWorkspace()->setActive(true);
-    emit currentChanged(current());
 }
 
 void WorkspaceTabs::arrangeDocks(int index)
 {
-    const auto place = static_cast<std::size_t>(index);
-    const QByteArray state = m_states.value(m_entries[place].id);
+    if (!m_isShown)
+        return;
+    const Entry& entry = m_entries[static_cast<std::size_t>(index)];
+    const QByteArray state = m_states.value(entry.id);
     const bool stripIsShown = m_strip->isVisibleTo(&m_window);
-    const bool isKnown = !state.isEmpty() && m_window.restoreState(state);
+    const bool isKnown = !state.isEmpty() && restoreDocks(m_window, state);
     m_strip->setVisible(stripIsShown);
-    if (!isKnown)
-        m_properties->setVisible(!m_entries[place].hidesProperties);
-    for (std::size_t i = 0; i < m_entries.size(); ++i) {
-        for (QDockWidget* dock : m_entries[i].docks) {
-            const bool isOwn = i == place;
+    for (const Entry& each : m_entries) {
+        for (QDockWidget* dock : each.docks) {
+            const bool isOwn = each.id == entry.id;
             dock->toggleViewAction()->setVisible(isOwn);
             if (!isOwn)
                 dock->hide();
-            else if (!isKnown)
-                dock->setVisible(dock->property("isShownFirst").toBool());
         }
     }
-    const auto& docks = m_entries[place].docks;
-    if (isKnown || docks.empty())
+    if (!isKnown)
+        arrangeFirst(entry);
+}
+
+void WorkspaceTabs::arrangeFirst(const Entry& entry)
+{
+    m_properties->setVisible(!entry.hidesProperties);
+    m_first->raise();
+    const auto& docks = entry.docks;
+    for (QDockWidget* dock : docks)
+        dock->setVisible(dock->property("isShownFirst").toBool());
+    if (docks.empty())
         return;
     docks.front()->raise();
     for (QDockWidget* dock : docks) {
@@ -166,9 +240,27 @@ void WorkspaceTabs::arrangeDocks(int index)
     m_window.resizeDocks({docks.front(), *lower}, {3, 2}, Qt::Vertical);
 }
 
+QByteArray WorkspaceTabs::arrangement() const
+{
+    return m_isShown ? m_window.saveState() : m_states.value(current());
+}
+
+void WorkspaceTabs::setArrangement(const QByteArray& state)
+{
+    m_states[current()] = state;
+    arrange();
+}
+
+void WorkspaceTabs::resetArrangement()
+{
+    if (m_isShown)
+        restoreDocks(m_window, m_firstState);
+    setArrangement({});
+}
+
 QJsonObject WorkspaceTabs::states()
 {
-    m_states[current()] = m_window.saveState();
+    keepState();
     QJsonObject json;
     for (auto it = m_states.cbegin(); it != m_states.cend(); ++it)
         json[it.key()] = QString::fromLatin1(it.value().toBase64());
@@ -179,8 +271,11 @@ void WorkspaceTabs::setStates(const QJsonObject& states)
 {
     for (auto it = states.begin(); it != states.end(); ++it)
         m_states[it.key()] = QByteArray::fromBase64(it.value().toString().toLatin1());
-    if (m_current >= 0)
-        arrangeDocks(m_current);
+    if (m_current < 0)
+        return;
+    m_awaitsSize = m_window.isMaximized() || m_window.isFullScreen();
+    QTimer::singleShot(settlingMilliseconds, this, [this] { m_awaitsSize = false; });
+    arrange();
 }
 
 void WorkspaceTabs::retranslate()

@@ -39,12 +39,14 @@ public:
     WorkspaceTabs(EditorContext& context, QMainWindow& window);
 
     void setPropertiesDock(QDockWidget* dock) { m_properties = dock; }
+    /// The dock that is in front of those at its place, the first time.
+    void setFirstDock(QDockWidget* dock) { m_first = dock; }
     /// Adds a workspace at the end. \pre Called before the window's state is restored.
     void add(Entry entry);
     /// Shows the first workspace; all have been added.
     void begin();
-    /// The tabs are hidden while there is no project to work on.
-    void showStrip(bool shown);
+    /// Tabs and docks are hidden while there is no project to work on; what is hidden comes back as it was.
+    void setShown(bool shown);
     void select(const QString& id);
     QString current() const;
     Workspace* currentWorkspace() const;
@@ -55,13 +57,27 @@ public:
     /// Takes arrangements from a session; workspaces that it does not name keep theirs.
     void setStates(const QJsonObject& states);
 
+    /// How the docks of the workspace that is shown are arranged now.
+    QByteArray arrangement() const;
+    /// Arranges them so. \param state  as `arrangement` gave it.
+    void setArrangement(const QByteArray& state);
+    /// Arranges them as they were at first.
+    void resetArrangement();
+
 signals:
     void currentChanged(const QString& id);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void show(int index);
     void retranslate();
+    bool hasFocusOf(int index) const;
+    void arrange();
     void arrangeDocks(int index);
+    void arrangeFirst(const Entry& entry);
+    void keepState();
 
     EditorContext& m_context;
     QMainWindow& m_window;
@@ -70,9 +86,14 @@ private:
     QStackedWidget* m_pages;
     ViewActions* m_viewActions;
     QDockWidget* m_properties = nullptr;
+    QDockWidget* m_first = nullptr;
     std::vector<Entry> m_entries;
     QHash<QString, QByteArray> m_states;
+    QByteArray m_firstState;      ///< of all docks, before anything was restored
+    QList<QDockWidget*> m_hidden; ///< while there is no project
     int m_current = -1;
+    bool m_isShown = true;
+    bool m_awaitsSize = false; ///< the window is to fill the screen, and may not be as large yet
 };
 
 } // namespace quadrille

@@ -23,6 +23,20 @@ std::optional<Number> parseNumber(std::string_view text)
 
 } // namespace
 
+Project loadProject(const std::string& file, Console& console)
+{
+    ProjectReading reading = readProject(std::filesystem::path(file));
+    for (const ProjectProblem& problem : reading.problems) {
+        if (problem.severity == ProjectProblem::Severity::Warning)
+            console.warn(problem.toString());
+    }
+    for (const ProjectProblem& problem : reading.problems) {
+        if (problem.severity == ProjectProblem::Severity::Error)
+            throw Error(problem.code, problem.context);
+    }
+    return std::move(reading.project);
+}
+
 void throwUsage(const std::string& text)
 {
     throw CLI::ValidationError(text);
@@ -57,6 +71,17 @@ CoordinateSystem AxesArguments::toAxes(const CoordinateSystem& otherwise) const
         axes.metresPerUnit = *metres;
     }
     return axes;
+}
+
+void addOverwrite(CLI::App& command, bool& overwrite)
+{
+    command.add_flag("--overwrite", overwrite,
+                     "Replace files that the program did not write itself; inputs are never replaced");
+}
+
+void addAllowOutside(CLI::App& command, bool& outside)
+{
+    command.add_flag("--allow-outside", outside, "Let the project write outside of its folder");
 }
 
 CLI::Validator positiveNumber()

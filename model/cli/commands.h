@@ -5,6 +5,7 @@
 #include "model/cli/console.h"
 #include "model/core/progress.h"
 #include "model/core/units.h"
+#include "model/project/project.h"
 #include "model/sequence/axes.h"
 
 #include <CLI/CLI.hpp>
@@ -30,6 +31,10 @@ void addCheck(CLI::App& app, Session& session);
 void addRebuild(CLI::App& app, Session& session);
 void addData(CLI::App& app, Session& session);
 
+/// Reads a project and says what in it has no effect or may not be meant.
+/// \throws Error as loadProject.
+Project loadProject(const std::string& file, Console& console);
+
 /// A wrong use that only the arguments' values show.
 [[noreturn]] void throwUsage(const std::string& text);
 
@@ -44,6 +49,10 @@ struct AxesArguments
     bool isGiven() const { return !up.empty() || !unit.empty(); }
     CoordinateSystem toAxes(const CoordinateSystem& otherwise = {}) const;
 };
+/// Adds the option --overwrite.
+void addOverwrite(CLI::App& command, bool& overwrite);
+/// Adds the option --allow-outside.
+void addAllowOutside(CLI::App& command, bool& outside);
 /// Frame rates, positive.
 CLI::Validator positiveNumber();
 

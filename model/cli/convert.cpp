@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/cli/commands.h"
+#include "model/core/seriesname.h"
+#include "model/core/writeguard.h"
+#include "model/sequence/io/ratebeside.h"
 #include "model/sequence/io/registry.h"
 
 #include <memory>
@@ -21,6 +24,8 @@ struct Arguments
     AxesArguments from;
     AxesArguments to;
     bool noTextures = false;
+    bool noNormals = false;
+    bool overwrite = false;
 };
 
 MeshSequence chooseClip(ImportResult& imported, const std::string& file)
@@ -33,6 +38,32 @@ MeshSequence chooseClip(ImportResult& imported, const std::string& file)
     throwUsage("“" + file + "” holds several clips; choose one with --clip: " + names);
 }
 
+/// Refuses before minutes of work what would be refused after them.
+void checkOut(const FormatInfo& format, const Arguments& arguments, WriteGuard& guard)
+{
+    const std::filesystem::path out = arguments.out;
+    const SeriesName name = seriesName(out);
+    const auto first = format.onePerFrame ? out.parent_path() / name.numbered(0) : out;
+    if (format.onePerFrame)
+        guard.checkSeries({out.parent_path(), name.before, name.after});
+    guard.checkPlace(first);
+    if (!arguments.overwrite && guard.isForeign(first))
+        refuseExisting(first);
+}
+
+/// Where the file names no rate: that of the command line, else of what lies beside it, else a guess.
+void findRate(MeshSequence& sequence, const Arguments& arguments, Console& console)
+{
+    if (arguments.sourceFps || sequence.frameCount() < 2)
+        return;
+    if (const auto beside = rateBeside(arguments.in, sequence.frameCount())) {
+        sequence.fps = beside->fps;
+        console.say(arguments.in + ": " + beside->toString());
+    } else if (!arguments.fps) {
+        console.warn(arguments.in + ": the rate is not known; 25 fps is taken. Give it as --source-fps.");
+    }
+}
+
 void convert(const Arguments& arguments, Session& session)
 {
     ExportOptions out;
@@ -40,6 +71,7 @@ void convert(const Arguments& arguments, Session& session)
         out.range = parseRange(arguments.range);
     out.fps = arguments.fps;
     out.textures = !arguments.noTextures;
+    out.normals = !arguments.noNormals;
     ImportOptions in;
     in.mesh = arguments.mesh;
     in.clip = arguments.clip;
@@ -49,13 +81,29 @@ void convert(const Arguments& arguments, Session& session)
     in.to = in.from.value_or(CoordinateSystem{});
     out.from = in.to;
     out.to = arguments.to.toAxes(in.to);
-    exporterFor(arguments.out);
+    const FormatInfo& format = exporterFor(arguments.out).format();
+    checkOutputName(format, arguments.out);
+    WriteGuard guard({.overwrite = arguments.overwrite});
+    out.guard = &guard;
+    for (const auto& file : findSource(arguments.in).files)
+        guard.protect({file, "IN"});
+    if (!arguments.mesh.empty())
+        guard.protect({arguments.mesh, "--mesh"});
+    checkOut(format, arguments, guard);
 
     const Progress progress = session.console.progress(session.cancel, "Converting");
     ImportResult imported = openSequences(arguments.in, in, progress.part(0, 0.1));
-    for (const Issue& issue : imported.issues)
-        session.console.tell(issue);
-    const MeshSequence sequence = chooseClip(imported, arguments.in);
+    for (const Issue& issue : imported.issues) {
+        if (issue.code != Issue::Code::FpsAssumed)
+            session.console.tell(issue);
+    }
+    MeshSequence sequence = chooseClip(imported, arguments.in);
+    if (!imported.hasOwnFps)
+        findRate(sequence, arguments, session.console);
+    for (const Texture& texture : sequence.textures.textures()) {
+        if (!texture.file.empty())
+            guard.protect({texture.file, "IN"});
+    }
     const ExportResult written = exportSequence(sequence, arguments.out, out, progress.part(0.1, 1));
     session.console.endProgress();
     for (const Issue& issue : written.issues)
@@ -90,8 +138,11 @@ void addConvert(CLI::App& app, Session& session)
     command->add_option("--up-axis", arguments->to.up, "Axis of OUT that points up");
     command->add_option("--unit", arguments->to.unit, "Unit of OUT");
     command->add_flag("--no-textures", arguments->noTextures, "Write no textures");
+    command->add_flag("--no-normals", arguments->noNormals,
+                      "Write no normals into GLB, which is half as large then; viewers shade it flat");
+    addOverwrite(*command, arguments->overwrite);
     command->footer("For formats with one file per frame, OUT “DIR/NAME.ply” writes DIR/NAME_0000.ply, "
-                    "DIR/NAME_0001.ply, …\n"
+                    "DIR/NAME_0001.ply, …; “DIR/NAME_###.ply” DIR/NAME_000.ply, …\n"
                     "Examples:\n"
                     "  quadrille convert walk.pc2 walk.glb --mesh man.obj --fps 30\n"
                     "  quadrille convert frames/ walk.pc2\n"

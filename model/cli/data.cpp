@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/cli/commands.h"
 #include "model/project/projectdata.h"
+#include "model/project/projectguard.h"
+#include "model/project/resultplaces.h"
 
 #include <algorithm>
 #include <memory>
@@ -16,6 +18,8 @@ struct Arguments
     std::string name;
     std::string out;
     std::string character;
+    bool overwrite = false;
+    std::string store;
 };
 
 std::string shapeText(const DataItem& item)
@@ -65,9 +69,9 @@ const DataItem& choose(const std::vector<DataItem>& items, const Arguments& argu
 
 void run(const Arguments& arguments, Session& session)
 {
-    if (!arguments.name.empty() && arguments.out.empty())
-        throwUsage("NAME needs -o FILE with the ending .npy, .csv or .json");
-    const Project project = loadProject(arguments.project);
+    if (!arguments.store.empty())
+        chooseResultFolder(arguments.project, arguments.store);
+    const Project project = loadProject(arguments.project, session.console);
     const bool known =
         std::any_of(project.characters.begin(), project.characters.end(),
                     [&](const CharacterEntry& character) { return character.name == arguments.character; });
@@ -86,7 +90,16 @@ void run(const Arguments& arguments, Session& session)
     const DataItem& item = choose(items, arguments);
     if (!item.isFresh)
         session.console.warn("“" + item.name + "” is out of date; run “quadrille rebuild”");
-    writeData(item, arguments.out);
+    if (arguments.out.empty()) {
+        std::string csv = dataAsCsv(item);
+        csv.pop_back(); // the console ends the last line
+        session.console.output(csv);
+        return;
+    }
+    const auto guard =
+        projectGuard(project, arguments.project, {.overwrite = arguments.overwrite, .outside = true});
+    const WrittenNote note(*guard, arguments.project);
+    writeData(item, arguments.out, guard.get());
     session.console.say(arguments.out);
 }
 
@@ -94,16 +107,22 @@ void run(const Arguments& arguments, Session& session)
 
 void addData(CLI::App& app, Session& session)
 {
-    auto* command = app.add_subcommand("data", "List computed data, or write one as .npy, .csv or .json");
+    auto* command = app.add_subcommand(
+        "data", "List computed data, or write one: as .npy, .csv or .json, or to standard output");
     const auto arguments = std::make_shared<Arguments>();
     command->add_option("PROJECT", arguments->project, "The project file, NAME.quadrille")->required();
-    command->add_option("NAME", arguments->name, "What to write; the list has the names");
-    command->add_option("-o,--output", arguments->out, "File to write, its ending gives the format");
+    command->add_option("NAME", arguments->name, "What to print or write; the list has the names");
+    command->add_option("-o,--output", arguments->out,
+                        "File to write, its ending gives the format; without it NAME is printed as CSV");
     command->add_option("--character", arguments->character, "Whose data, in a project with several");
+    addOverwrite(*command, arguments->overwrite);
+    command->add_option("--store", arguments->store,
+                        "Folder of the results, in place of PROJECT.cache beside the project");
     command->footer("The list has one line each: name, shape, unit, description, separated by tabs.\n"
                     "Examples:\n"
                     "  quadrille data dance.quadrille\n"
-                    "  quadrille data dance.quadrille frames -o frames.csv\n"
+                    "  quadrille data dance.quadrille frames\n"
+                    "  quadrille data dance.quadrille frames -o frames.npy\n"
                     "  quadrille data dance.quadrille sequences/walk/bounds -o bounds.npy");
     command->callback([arguments, &session] { run(*arguments, session); });
 }

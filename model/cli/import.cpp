@@ -18,6 +18,7 @@ struct Arguments
     std::string character;
     std::optional<double> fps;
     AxesArguments axes;
+    bool force = false;
 };
 
 void run(const Arguments& arguments, Session& session)
@@ -32,6 +33,7 @@ void run(const Arguments& arguments, Session& session)
     request.sourceFps = arguments.fps;
     if (arguments.axes.isGiven())
         request.sourceAxes = arguments.axes.toAxes();
+    request.ignoresLock = arguments.force;
     const Progress progress = session.console.progress(session.cancel, "Importing");
     const ImportReport report = importSequences(arguments.project, request, progress);
     session.console.endProgress();
@@ -39,6 +41,12 @@ void run(const Arguments& arguments, Session& session)
         session.console.tell(issue);
     if (report.isNewProject)
         session.console.say("new project " + arguments.project);
+    for (const TakenRate& rate : report.rates) {
+        if (!rate.isGuess())
+            session.console.say(rate.toString());
+        else
+            session.console.warn(rate.toString() + ". Give it as --fps.");
+    }
     for (const std::string& name : report.names)
         session.console.say("sequences/" + name);
 }
@@ -56,15 +64,22 @@ void addImport(CLI::App& app, Session& session)
     command->add_option("--mesh", arguments->mesh, "The character's mesh, for files with positions only");
     command->add_option("--name", arguments->name, "Name of the sequence; the file's by default");
     command->add_option("--character", arguments->character, "Whose performance it is; added where missing");
-    command->add_option("--fps", arguments->fps, "Frames per second of sources that name none")
+    command
+        ->add_option("--fps", arguments->fps,
+                     "Frames per second of sources that name none; else what lies beside them says it")
         ->check(positiveNumber());
     command->add_option("--up-axis", arguments->axes.up, "Axis of the sources that points up: x, y or z");
     command->add_option("--unit", arguments->axes.unit,
                         "Unit of the sources: m, cm, mm, km, in, ft or metres");
-    command->footer("A new project takes the rate of its first source. Files stay where they are.\n"
-                    "Examples:\n"
-                    "  quadrille import man.quadrille takes/*.pc2 --mesh man.obj --fps 30\n"
-                    "  quadrille import man.quadrille scans/walk_####.obj --name walk --character liam");
+    command->add_flag("--force", arguments->force, "Write although the project is open in an editor");
+    command->footer(
+        "A new project takes the rate of its first source. Files stay where they are.\n"
+        "Where a file names no rate (PC2, NumPy, series of OBJ or PLY), that of the BVH or JSON file\n"
+        "of its name is taken, of other BVHs, a read-me or other takes in its folder, or of the\n"
+        "character's other takes, and the program says so.\n"
+        "Examples:\n"
+        "  quadrille import man.quadrille takes/*.pc2 --mesh man.obj --fps 30\n"
+        "  quadrille import man.quadrille scans/walk_####.obj --name walk --character liam");
     command->callback([arguments, &session] { run(*arguments, session); });
 }
 

@@ -62,7 +62,9 @@ void addInfo(CLI::App& app, Session& session)
     command->add_option("--mesh", arguments->mesh, "Mesh with the faces of files that have positions only");
     command->add_flag("--json", arguments->json, "Write JSON: a list with an object for each sequence");
     command->footer(
-        "Keys of --json: path, name, vertices, triangles, frames, fps, fps_assumed, duration (seconds), "
+        "Keys of --json: path, name, vertices, triangles, frames, fps (null where nothing says it), "
+        "fps_source "
+        "(the file that says it: the take's own, or one beside it), duration (seconds, or null), "
         "components, edges, boundary_edges, boundary_loops, non_manifold_edges, non_manifold_vertices, "
         "zero_area_triangles (of the first frame), euler, uvs, materials, textures {kind, count, files}, "
         "bounds {min, max} over all frames, up_axis and metres_per_unit of the file, problems (sentences).\n"

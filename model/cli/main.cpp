@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/cli/commands.h"
+#include "model/core/caughterror.h"
 
 #include <csignal>
 #include <cstdio>
-#include <exception>
 
 namespace {
 
@@ -65,13 +65,9 @@ int run(int argc, char** argv)
         session.console.fail(error.what());
         std::fputs("“quadrille --help” and “quadrille COMMAND --help” say what is possible.\n", stderr);
         return 2;
-    } catch (const Error& error) {
+    } catch (...) {
         session.console.endProgress();
-        session.console.fail(error.what());
-        return 1;
-    } catch (const std::exception& error) {
-        session.console.endProgress();
-        session.console.fail(error.what());
+        session.console.fail(caughtError().what());
         return 1;
     }
 }

@@ -3,7 +3,10 @@
 #include "model/project/rebuild.h"
 
 #include "model/cli/commands.h"
-#include "model/core/file.h"
+#include "model/core/stagedfiles.h"
+#include "model/project/projectguard.h"
+#include "model/project/resultplaces.h"
+#include "model/project/resultstore.h"
 
 #include <array>
 #include <cstdio>
@@ -18,6 +21,7 @@ struct Arguments
     std::string project;
     RebuildOptions options;
     std::string json;
+    std::string store;
 };
 
 std::string secondsText(double seconds)
@@ -65,11 +69,27 @@ void sayFiles(const RebuildReport& report, Console& console)
     }
 }
 
+/// Where results are, when they are not where they should be.
+void sayPlace(const std::string& project, Session& session)
+{
+    const ResultPlaces places = resultPlaces(project);
+    if (places.isElsewhere)
+        session.console.warn("The folder of results cannot be written; they are in " +
+                             places.written.string() + ".");
+    const auto unstored = unstoredResults();
+    for (const std::string& stage : unstored)
+        session.console.fail(stage + ": the result could not be stored in any folder and is lost");
+    if (!unstored.empty())
+        session.status = 1;
+}
+
 void run(const Arguments& arguments, Session& session)
 {
     Console& console = session.console;
+    if (!arguments.store.empty())
+        chooseResultFolder(arguments.project, arguments.store);
     const Progress progress = console.progress(session.cancel, "Rebuilding");
-    const Project project = loadProject(arguments.project);
+    const Project project = loadProject(arguments.project, console);
     const RebuildReport report = rebuild(project, arguments.project, arguments.options, progress,
                                          [&console](const StageReport& stage) { sayStage(stage, console); });
     console.endProgress();
@@ -77,8 +97,15 @@ void run(const Arguments& arguments, Session& session)
         for (const StageReport& stage : report.stages)
             sayStage(stage, console);
     }
-    if (!arguments.json.empty())
-        writeAtomically(arguments.json, writeJson(toJson(report)));
+    if (!arguments.options.dryRun)
+        sayPlace(arguments.project, session);
+    if (!arguments.json.empty()) {
+        const auto guard =
+            projectGuard(project, arguments.project,
+                         {.overwrite = arguments.options.permissions.overwrite, .outside = true});
+        const WrittenNote note(*guard, arguments.project);
+        writeGuarded(arguments.json, writeJson(toJson(report)), guard.get());
+    }
     if (!arguments.options.dryRun)
         sayFiles(report, console);
     const auto number = [&report](StageState state) { return std::to_string(report.count(state)); };
@@ -106,12 +133,19 @@ void addRebuild(CLI::App& app, Session& session)
     command->add_option("-j,--jobs", options.jobs, "Threads; all by default")->check(CLI::Range(1, 1024));
     command->add_flag("-f,--force", options.force, "Compute what is up to date, too");
     command->add_flag("-n,--dry-run", options.dryRun, "Only say what would be computed");
+    command->add_option("--store", arguments->store,
+                        "Folder of the results, in place of PROJECT.cache beside the project");
     command->add_option("--json", arguments->json, "Write a report to this file");
-    command->footer("What is up to date is told by the content of its inputs, not by times.\n"
-                    "Examples:\n"
-                    "  quadrille rebuild dance.quadrille\n"
-                    "  quadrille rebuild dance.quadrille exports/walk-glb --jobs 4\n"
-                    "  quadrille rebuild dance.quadrille --dry-run --json report.json");
+    addOverwrite(*command, options.permissions.overwrite);
+    addAllowOutside(*command, options.permissions.outside);
+    command->footer(
+        "What is up to date is told by the content of its inputs, not by times.\n"
+        "Results lie beside the project in PROJECT.cache; where nothing can be written there, in\n"
+        "a folder of the user's cache, ~/.cache/quadrille/results.\n"
+        "Examples:\n"
+        "  quadrille rebuild dance.quadrille\n"
+        "  quadrille rebuild dance.quadrille exports/walk-glb --jobs 4\n"
+        "  quadrille rebuild dance.quadrille --dry-run --json report.json");
     command->callback([arguments, &session] { run(*arguments, session); });
 }
 

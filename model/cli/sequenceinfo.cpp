@@ -4,6 +4,7 @@
 
 #include "model/core/bounds.h"
 #include "model/project/lengthunit.h"
+#include "model/sequence/io/ratebeside.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -177,6 +178,36 @@ std::string boundsText(const Json& info)
     return out.append(", ").append(info["up_axis"].get<std::string>()).append(" up");
 }
 
+/// The rate, and what says it: the file itself, or one beside it; null where nothing does.
+void addRate(Json& info, const std::string& path, const MeshSequence& sequence, bool hasOwnFps)
+{
+    const bool moves = sequence.frameCount() > 1;
+    const auto beside = hasOwnFps || !moves ? std::nullopt : rateBeside(path, sequence.frameCount());
+    info["fps"] = nullptr;
+    info["fps_source"] = nullptr;
+    if (hasOwnFps) {
+        info["fps"] = sequence.fps;
+        info["fps_source"] = path;
+    } else if (beside) {
+        info["fps"] = beside->fps;
+        info["fps_source"] = beside->file.string();
+    }
+    const bool isKnown = !info["fps"].is_null();
+    info["duration"] = isKnown ? Json(static_cast<double>(sequence.frameCount()) / info["fps"].get<double>())
+                               : Json(nullptr);
+}
+
+std::string rateText(const Json& info)
+{
+    if (info["fps"].is_null())
+        return info["frames"].get<std::int64_t>() > 1 ? ", rate unknown" : "";
+    std::string text = " at " + valueText(info["fps"]) + " fps";
+    if (info["fps_source"] != info["path"])
+        text += " (from " + std::filesystem::path(info["fps_source"].get<std::string>()).filename().string() +
+                ")";
+    return text + ", " + fixed(info["duration"].get<double>(), 2) + " s";
+}
+
 } // namespace
 
 Json sequenceInfo(const std::string& path, const MeshSequence& sequence, const ImportResult& imported,
@@ -190,9 +221,7 @@ Json sequenceInfo(const std::string& path, const MeshSequence& sequence, const I
     info["vertices"] = sequence.topology->vertexCount();
     info["triangles"] = sequence.topology->triangles().size();
     info["frames"] = sequence.frameCount();
-    info["fps"] = sequence.fps;
-    info["fps_assumed"] = !imported.hasOwnFps;
-    info["duration"] = sequence.duration().value;
+    addRate(info, path, sequence, imported.hasOwnFps);
     info["components"] = statistics.components;
     info["edges"] = statistics.edges;
     info["boundary_edges"] = statistics.boundaryEdges;
@@ -229,9 +258,7 @@ std::string infoText(const Json& info)
                                              count("boundary_loops", "loop", "loops");
     if (info["non_manifold_edges"] != 0)
         out += ", " + count("non_manifold_edges", "non-manifold edge", "non-manifold edges");
-    out += "\n  " + count("frames", "frame", "frames") + " at " + valueText(info["fps"]) + " fps" +
-           (info["fps_assumed"].get<bool>() ? " (assumed)" : "") + ", " +
-           fixed(info["duration"].get<double>(), 2) + " s\n  ";
+    out += "\n  " + count("frames", "frame", "frames") + rateText(info) + "\n  ";
     out += info["uvs"].get<bool>() ? "UVs, " : "no UVs, ";
     out += textureText(info["textures"]) + "\n  " + boundsText(info);
     for (const Json& problem : info["problems"])

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/file.h"
 
+#include "model/core/message.h"
+
 #include <atomic>
 #include <cerrno>
 #include <fcntl.h>
@@ -14,30 +16,51 @@ namespace quadrille {
 
 namespace fs = std::filesystem;
 
-void throwSystemError(const fs::path& path, int error, ErrorCode otherwise)
+namespace {
+
+/// A pipe would wait for a writer and a device never end.
+void requireRegular(const fs::path& path, mode_t mode)
 {
-    if ((error == ENOENT || error == ENOTDIR) && otherwise != ErrorCode::WriteFailed)
-        throw Error(ErrorCode::FileNotFound, {path, {}, {}});
-    if (error == EACCES || error == EPERM || error == EROFS)
-        throw Error(ErrorCode::PermissionDenied, {path, {}, {}});
-    throw Error(otherwise, {path, {}, {{"reason", std::generic_category().message(error)}}});
+    if (S_ISREG(mode))
+        return;
+    const char* reason = QUADRILLE_MESSAGE("This is a device, not a file");
+    if (S_ISDIR(mode))
+        reason = QUADRILLE_MESSAGE("This is a folder, not a file");
+    else if (S_ISFIFO(mode))
+        reason = QUADRILLE_MESSAGE("This is a pipe, not a file");
+    else if (S_ISSOCK(mode))
+        reason = QUADRILLE_MESSAGE("This is a socket, not a file");
+    throw Error(ErrorCode::BadArgument,
+                {path, {}, {{"reason", reason}, {"remedy", QUADRILLE_MESSAGE("Choose a file on a disk.")}}});
 }
 
-InputFile::InputFile(const fs::path& path)
-    : m_path(path), m_descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC))
+/// Opens without waiting. What is no regular file is refused before, as opening alone may set a device going.
+int openRegular(const fs::path& path)
+{
+    struct stat status = {};
+    if (::stat(path.c_str(), &status) == 0)
+        requireRegular(path, status.st_mode);
+    return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+}
+
+} // namespace
+
+InputFile::InputFile(const fs::path& path) : m_path(path), m_descriptor(openRegular(path))
 {
     if (m_descriptor < 0)
         throwSystemError(path, errno, ErrorCode::ReadFailed);
-    struct stat status = {};
-    const bool known = ::fstat(m_descriptor, &status) == 0;
-    const int error = known ? S_ISDIR(status.st_mode) ? EISDIR : 0 : errno;
-    m_size = known ? static_cast<std::uint64_t>(status.st_size) : 0;
-    if (error == 0 && m_size > 0)
-        return;
-    ::close(m_descriptor);
-    if (error != 0)
-        throwSystemError(path, error, ErrorCode::ReadFailed);
-    throw Error(ErrorCode::FileEmpty, {path, {}, {}});
+    try {
+        struct stat status = {};
+        if (::fstat(m_descriptor, &status) != 0)
+            throwSystemError(path, errno, ErrorCode::ReadFailed);
+        requireRegular(path, status.st_mode);
+        m_size = static_cast<std::uint64_t>(status.st_size);
+        if (m_size == 0)
+            throw Error(ErrorCode::FileEmpty, {path, {}, {}});
+    } catch (...) {
+        ::close(m_descriptor);
+        throw;
+    }
 }
 
 InputFile::~InputFile()
@@ -76,13 +99,24 @@ FileContent readFile(const fs::path& path)
 
 namespace {
 
+/// Makes an empty file that nobody has made before: a link that lies ready under its name is not followed.
 fs::path temporaryBeside(const fs::path& path)
 {
     static std::atomic<unsigned> counter{0};
-    auto name = path.stem();
-    name += ".tmp" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
-    name += path.extension();
-    return path.parent_path() / name;
+    for (;;) {
+        auto name = path.stem();
+        name += ".tmp" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
+        name += path.extension();
+        fs::path temporary = path.parent_path() / name;
+        const int file =
+            ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (file >= 0) {
+            ::close(file);
+            return temporary;
+        }
+        if (errno != EEXIST)
+            throwSystemError(path, errno, ErrorCode::WriteFailed);
+    }
 }
 
 } // namespace

@@ -46,16 +46,35 @@ void Hdf5Handle::reset()
     m_close(std::exchange(m_id, H5I_INVALID_HID));
 }
 
-std::string hdf5ErrorText()
+namespace {
+
+/// What the library noted about the last call that failed, innermost first.
+std::vector<std::string> notesOfFailure()
 {
-    std::string text = "HDF5 gives no reason";
-    const auto innermost = [](unsigned, const H5E_error2_t* error, void* out) -> herr_t {
+    std::vector<std::string> notes;
+    const auto note = [](unsigned, const H5E_error2_t* error, void* out) -> herr_t {
         if (error->desc)
-            *static_cast<std::string*>(out) = error->desc;
+            static_cast<std::vector<std::string>*>(out)->emplace_back(error->desc);
         return 0;
     };
-    H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, innermost, &text);
-    return text;
+    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, note, &notes);
+    return notes;
+}
+
+} // namespace
+
+int hdf5SystemError()
+{
+    constexpr std::string_view name = "errno = ";
+    for (const std::string& note : notesOfFailure()) {
+        const auto at = note.find(name);
+        int number = 0;
+        if (at != std::string::npos)
+            std::from_chars(note.data() + at + name.size(), note.data() + note.size(), number);
+        if (number > 0)
+            return number;
+    }
+    return 0;
 }
 
 Hdf5Handle hdf5FileAccess()
@@ -86,8 +105,10 @@ bool holdsAllValues(const Hdf5Handle& dataset)
 namespace {
 
 /// Why opening failed, as an error of our own.
-[[noreturn]] void throwOpening(const InputFile& file, const std::string& reason)
+[[noreturn]] void throwOpening(const InputFile& file)
 {
+    const std::vector<std::string> notes = notesOfFailure();
+    const std::string reason = notes.empty() ? "" : notes.front();
     if (reason.find("unable to lock file") != std::string::npos) {
         throw Error(ErrorCode::ReadFailed,
                     {file.path(),
@@ -104,7 +125,8 @@ namespace {
                                                {{"expected", std::to_string(expected) + " bytes"},
                                                 {"found", std::to_string(file.size())}}});
     }
-    throw Error(ErrorCode::FileSyntax, {file.path(), {}, {{"reason", "HDF5 says: " + reason}}});
+    throw Error(ErrorCode::FileSyntax,
+                {file.path(), {}, {{"reason", QUADRILLE_MESSAGE("it is no HDF5 file, or a damaged one")}}});
 }
 
 } // namespace
@@ -117,7 +139,7 @@ Hdf5Handle openHdf5(const std::filesystem::path& path)
     const Hdf5Handle access = hdf5FileAccess();
     Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
     if (!file.isValid())
-        throwOpening(readable, hdf5ErrorText());
+        throwOpening(readable);
     return file;
 }
 

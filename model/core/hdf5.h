@@ -37,8 +37,9 @@ private:
     Close m_close = nullptr;
 };
 
-/// What the library says about the last call that failed, one line. Call under the same lock.
-std::string hdf5ErrorText();
+/// The system's number in what the library notes about the last call that failed (28: the disk is full); 0
+/// where it was not the system. Call under the same lock, before anything is closed.
+int hdf5SystemError();
 
 /// File access properties: where a file system knows no locks, the library goes without. Wants the lock.
 Hdf5Handle hdf5FileAccess();

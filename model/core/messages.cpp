@@ -120,7 +120,7 @@ ErrorMessage errorMessage(ErrorCode code)
         return {QUADRILLE_MESSAGE("There is not enough memory for this."),
                 QUADRILLE_MESSAGE("Choose a shorter range, or close other programs.")};
     case ErrorCode::Unexpected:
-        return {QUADRILLE_MESSAGE("Something unexpected happened: {reason}."),
+        return {QUADRILLE_MESSAGE("Something unexpected happened inside the program ({detail})."),
                 QUADRILLE_MESSAGE("Save your work and try again; if it happens again, report it.")};
     case ErrorCode::CharacterTopologyMismatch:
         return {QUADRILLE_MESSAGE("“{sequence}” has another topology than “{first}”: {what}."),

@@ -9,7 +9,8 @@ namespace quadrille {
 /// An entry of the section “animations”. Points of paths come out in the project's axes.
 AnimationEntry readAnimation(const ObjectReader& reader, UpAxis up);
 Json animationToJson(const AnimationEntry& animation, UpAxis up);
-/// All that its frames depend on as one line of text, for the key of a result: no sound and no camera.
+/// All that its frames depend on as one line of text, for the key of a result: no sound, no camera and no
+/// notes.
 std::string animationSettings(const AnimationEntry& animation, UpAxis up);
 
 /// What is heard with an animation, and a key of its camera.

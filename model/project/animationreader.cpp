@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/animationjson.h"
+#include "model/project/framenote.h"
 #include "model/project/projectkeys.h"
 
 #include <algorithm>
@@ -381,6 +382,7 @@ AnimationEntry readAnimation(const ObjectReader& reader, UpAxis up)
         animation.camera.push_back(readCameraKey({json, pointer, reader.problems()}));
     });
     animation.unknown = reader.unknown(projectkeys::animation);
+    readNotes(reader, animation.unknown);
     return animation;
 }
 

@@ -70,7 +70,7 @@ DataTable reportTable(const AnimationEntry& animation, const WalkSolution& solut
 {
     TableBuilder table("report", "What was asked of the animation, and what it does.");
     table.text("what").text("name").real("wanted").real("obtained").text("unit");
-    constexpr double open = std::numeric_limits<double>::infinity();
+    constexpr double open = std::numeric_limits<double>::quiet_NaN(); // nothing was asked
     table.add({"duration", "", open, static_cast<double>(frameCount) / fps, "s"});
     table.add({"transitions", "", open, static_cast<double>(solution.walk.transitionCount()), ""});
     table.add({"cost of edges", "", open, solution.cost.edges, ""});
@@ -126,6 +126,7 @@ ResultStage walkStage(const CharacterWork& work, const AnimationEntry& animation
 {
     ResultStage stage;
     stage.name = "animations/" + animation.name + "/walk";
+    stage.version = 2;
     stage.dataPrefix = "animations/" + animation.name;
     stage.settings = walkSettings(animation, work);
     stage.inputs = CharacterGraph::inputs(work);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/animationjson.h"
+#include "model/project/framenote.h"
 #include "model/project/jsonmembers.h"
 
 namespace quadrille {
@@ -262,6 +263,7 @@ Json animationToJson(const AnimationEntry& animation, UpAxis up)
         json["audio"] = toJson(*animation.audio);
     for (const CameraKeyEntry& key : animation.camera)
         json["camera"].push_back(toJson(key));
+    addNotes(json, animation.unknown);
     addUnknown(json, animation.unknown);
     return json;
 }
@@ -271,6 +273,7 @@ std::string animationSettings(const AnimationEntry& animation, UpAxis up)
     AnimationEntry shown = animation;
     shown.audio.reset();
     shown.camera.clear();
+    setNotes(shown.unknown, {});
     return animationToJson(shown, up).dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 

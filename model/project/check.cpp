@@ -3,11 +3,12 @@
 #include "model/project/check.h"
 
 #include "model/core/file.h"
-#include "model/project/exportentry.h"
+#include "model/project/exportclaims.h"
 #include "model/project/jsontext.h"
 #include "model/project/madeclips.h"
 #include "model/project/media.h"
 #include "model/project/paths.h"
+#include "model/project/projectguard.h"
 #include "model/project/stagestate.h"
 
 #include <set>
@@ -19,8 +20,9 @@ namespace {
 class Checker
 {
 public:
-    Checker(const std::filesystem::path& file, const Progress& progress)
+    Checker(const std::filesystem::path& file, const Progress& progress, bool allowsOutside)
         : m_file(file)
+        , m_allowsOutside(allowsOutside)
         , m_folder(projectFolder(file))
         , m_progress(progress)
         , m_json(parseJson(readFile(file).text(), file))
@@ -108,13 +110,21 @@ private:
 
     void checkExports()
     {
+        const auto guard = projectGuard(m_project, m_file, {.outside = m_allowsOutside});
         for (std::size_t i = 0; i < m_project.exports.size(); ++i) {
+            const ExportEntry& entry = m_project.exports[i];
+            const std::string pointer = "/exports/" + std::to_string(i);
             try {
-                exporterOf(m_project.exports[i]);
+                checkOutputs(m_project, entry, m_project.exports, m_folder, *guard);
             } catch (const Error& error) {
-                add(error, "/exports/" + std::to_string(i) +
-                               (m_project.exports[i].format.empty() ? "/path" : "/format"));
+                const bool isFormat = error.code() == ErrorCode::FormatUnknown && !entry.format.empty();
+                add(error, pointer + (isFormat ? "/format" : "/path"));
             }
+        }
+        try {
+            checkResultsPlace(m_file, {.outside = m_allowsOutside});
+        } catch (const Error& error) {
+            add(error, "");
         }
     }
 
@@ -137,6 +147,7 @@ private:
     }
 
     const std::filesystem::path& m_file;
+    bool m_allowsOutside;
     std::filesystem::path m_folder;
     const Progress& m_progress;
     JsonText m_json;
@@ -148,9 +159,9 @@ private:
 
 } // namespace
 
-CheckReport checkProject(const std::filesystem::path& file, const Progress& progress)
+CheckReport checkProject(const std::filesystem::path& file, const Progress& progress, bool allowsOutside)
 {
-    return Checker(file, progress).run();
+    return Checker(file, progress, allowsOutside).run();
 }
 
 } // namespace quadrille

@@ -18,7 +18,9 @@ struct CheckReport
 
 /// Validates a project file, opens every input and verifies the stored results; computes nothing and changes
 /// nothing.
+/// \param allowsOutside  exports may lie outside of the project's folder.
 /// \throws Error file errors, ProjectSyntax, FileEncoding, ProjectNewer, Cancelled.
-CheckReport checkProject(const std::filesystem::path& file, const Progress& progress = {});
+CheckReport checkProject(const std::filesystem::path& file, const Progress& progress = {},
+                         bool allowsOutside = false);
 
 } // namespace quadrille

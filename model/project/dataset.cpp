@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/dataset.h"
 
-#include "model/core/file.h"
+#include "model/core/seriesname.h"
+#include "model/core/stagedfiles.h"
 #include "model/project/characterstages.h"
 #include "model/project/clipresult.h"
 #include "model/project/jsontext.h"
@@ -30,18 +31,9 @@ struct Member
     std::size_t row = 0;       ///< in the report
 };
 
-/// "walks.pc2" → "walks_3.pc2".
-fs::path memberPath(const fs::path& path, int number)
-{
-    fs::path numbered = path.parent_path() / path.stem();
-    numbered += "_" + std::to_string(number);
-    numbered += path.extension();
-    return numbered;
-}
-
 fs::path besidePath(const fs::path& path, const std::string& ending)
 {
-    fs::path beside = path.parent_path() / path.stem();
+    fs::path beside = path.parent_path() / seriesStem(path);
     beside += ending;
     return beside;
 }
@@ -112,6 +104,24 @@ DataItem latentsItem(const Result& samples, const std::vector<Member>& members)
 
 } // namespace
 
+fs::path dataSetMember(const fs::path& out, int number)
+{
+    fs::path numbered = out.parent_path() / out.stem();
+    numbered += "_" + std::to_string(number);
+    numbered += out.extension();
+    return numbered;
+}
+
+fs::path dataSetLatents(const fs::path& out, const std::string& part)
+{
+    return besidePath(out, "_" + part + "_latents.npy");
+}
+
+fs::path dataSetDescription(const fs::path& out)
+{
+    return besidePath(out, ".json");
+}
+
 std::vector<std::string> dataSetStages(const Project& project, const std::string& variation)
 {
     std::vector<std::string> stages = clipStagesOf(project, "variations/" + variation);
@@ -123,7 +133,7 @@ std::vector<std::string> dataSetStages(const Project& project, const std::string
 }
 
 ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, const StageResults& resultOf,
-                          const Progress& progress)
+                          WriteGuard* guard, const Progress& progress)
 {
     const Project& project = opener.project();
     const auto named = variationOfClip(entry.what);
@@ -140,9 +150,9 @@ ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, cons
         const std::string clip = variationClip(variation.name, number);
         const auto opened = opener.openClip(clip, Progress(progress.token()));
         ExportEntry own = entry;
-        own.path = memberPath(entry.path, number).generic_string();
-        const ExportResult files =
-            writeExport(own, opened->sequence, project, opener.folder(), progress.part(at, at + share));
+        own.path = dataSetMember(entry.path, number).generic_string();
+        const ExportResult files = writeExport(own, opened->sequence, project, opener.folder(), guard,
+                                               progress.part(at, at + share));
         Json item = rowJson(selection.tables.front(), members[m].row);
         item["file"] = fs::path(own.path).filename().generic_string();
         item["frames"] = framesJson(resultOf(clipStageOf(clip)));
@@ -150,17 +160,17 @@ ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, cons
         written.files.insert(written.files.end(), files.files.begin(), files.files.end());
         written.issues.insert(written.issues.end(), files.issues.begin(), files.issues.end());
     }
+    const fs::path out = resolvePath(entry.path, opener.folder());
     json["fps"] = entry.fps.value_or(project.settings.fps);
     json["latents"] = Json::object();
     for (const std::string& part : partNamesOf(project, variation)) {
-        const fs::path file =
-            besidePath(resolvePath(entry.path, opener.folder()), "_" + part + "_latents.npy");
-        writeData(latentsItem(resultOf(samplesStageOf(variation.name, part)), members), file);
+        const fs::path file = dataSetLatents(out, part);
+        writeData(latentsItem(resultOf(samplesStageOf(variation.name, part)), members), file, guard);
         json["latents"][part] = file.filename().generic_string();
         written.files.push_back(file);
     }
-    const fs::path description = besidePath(resolvePath(entry.path, opener.folder()), ".json");
-    writeAtomically(description, writeJson(json));
+    const fs::path description = dataSetDescription(out);
+    writeGuarded(description, writeJson(json), guard);
     written.files.push_back(description);
     progress.report(1);
     return written;

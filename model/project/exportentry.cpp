@@ -68,7 +68,7 @@ std::vector<CameraKey> cameraKeysOf(const Project& project, const ExportEntry& e
 }
 
 ExportResult writeExport(const ExportEntry& entry, const MeshSequence& sequence, const Project& project,
-                         const std::filesystem::path& folder, const Progress& progress)
+                         const std::filesystem::path& folder, WriteGuard* guard, const Progress& progress)
 {
     const Exporter& exporter = exporterOf(entry);
     ExportOptions options;
@@ -77,6 +77,7 @@ ExportResult writeExport(const ExportEntry& entry, const MeshSequence& sequence,
     options.from = project.settings.axes;
     options.to = entry.axes.value_or(options.from);
     options.textures = entry.textures;
+    options.guard = guard;
     ProjectProblems problems;
     options.render = pictureFromJson(entry.picture, "/picture", problems);
     if (hasErrors(problems))
@@ -98,12 +99,13 @@ ExportResult writeExport(const ExportEntry& entry, const MeshSequence& sequence,
 }
 
 ExportResult writeExport(const ExportEntry& entry, SequenceOpener& opener, const StageResults& resultOf,
-                         const Progress& progress)
+                         WriteGuard& guard, const Progress& progress)
 {
     if (isDataSet(entry))
-        return writeDataSet(entry, opener, resultOf, progress);
+        return writeDataSet(entry, opener, resultOf, &guard, progress);
     const auto opened = opener.openClip(entry.what, progress.part(0, 0.1));
-    return writeExport(entry, opened->sequence, opener.project(), opener.folder(), progress.part(0.1, 1));
+    return writeExport(entry, opened->sequence, opener.project(), opener.folder(), &guard,
+                       progress.part(0.1, 1));
 }
 
 } // namespace quadrille

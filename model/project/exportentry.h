@@ -30,14 +30,15 @@ using StageResults = std::function<Result(const std::string& stage)>;
 
 /// Writes what an entry is about: a clip, or a data set of variations.
 /// \param resultOf  results of the stages that stagesOf names.
+/// \param guard     decides what may be written over.
 /// \throws Error as exportSequence, and what opening the clip throws.
 ExportResult writeExport(const ExportEntry& entry, SequenceOpener& opener, const StageResults& resultOf,
-                         const Progress& progress);
+                         WriteGuard& guard, const Progress& progress);
 
 /// Writes a clip as an entry says.
 /// \param folder the project file's.
 /// \throws Error as exportSequence.
 ExportResult writeExport(const ExportEntry& entry, const MeshSequence& sequence, const Project& project,
-                         const std::filesystem::path& folder, const Progress& progress);
+                         const std::filesystem::path& folder, WriteGuard* guard, const Progress& progress);
 
 } // namespace quadrille

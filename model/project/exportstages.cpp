@@ -1,9 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/exportstages.h"
+
 #include "model/core/contenthash.h"
 #include "model/project/animationjson.h"
+#include "model/project/exportclaims.h"
 #include "model/project/exportentry.h"
 #include "model/project/paths.h"
+#include "model/project/projectguard.h"
 #include "model/project/projectjson.h"
 #include "model/project/sequencesettings.h"
 #include "model/project/stage.h"
@@ -18,6 +22,17 @@ std::string entryText(const ExportEntry& entry)
     Project project;
     project.exports = {entry};
     return writeJson(projectToJson(project)["exports"][0]);
+}
+
+/// Counts up whenever a format is written in another way.
+int writerVersion(const ExportEntry& entry)
+{
+    try {
+        constexpr int withNormals = 2;
+        return exporterOf(entry).format().id == "gltf" ? withNormals : 1;
+    } catch (const Error&) {
+        return 1; // of a format that is not known: the stage says so
+    }
 }
 
 /// What an export takes from its animation beside the frames.
@@ -41,15 +56,16 @@ void addSoundAndCamera(ResultStage& stage, const SequenceOpener& opener, const E
         stage.settings += animationToJson(beside, project.settings.axes.up).dump();
 }
 
-ResultStage exportStage(const StageMaking& making, const ExportEntry& entry)
+ResultStage exportStage(const std::shared_ptr<SequenceOpener>& opener, const ExportEntry& entry,
+                        const std::shared_ptr<WriteGuard>& guard)
 {
-    const auto opener = making.opener;
     const Project& project = opener->project();
     const std::string clip = entry.what;
     ResultStage stage;
     stage.name = "exports/" + entry.name;
     stage.dataPrefix = stage.name;
     stage.settings = entryText(entry);
+    stage.version = writerVersion(entry);
     stage.inputs = stagesOf(project, entry);
     if (clip.starts_with("animations/"))
         addSoundAndCamera(stage, *opener, entry);
@@ -59,8 +75,12 @@ ResultStage exportStage(const StageMaking& making, const ExportEntry& entry)
             return opener->filesOf(name, progress);
         };
     }
-    stage.compute = [opener, entry](const StageContext& context, const Progress& progress) {
-        const auto written = writeExport(entry, *opener, context.resultOf, progress.part(0, 0.95));
+    stage.files = [before = stage.files, opener, entry, guard](const Progress& progress) {
+        checkOutputs(opener->project(), entry, opener->project().exports, opener->folder(), *guard);
+        return before ? before(progress) : std::vector<std::filesystem::path>();
+    };
+    stage.compute = [opener, entry, guard](const StageContext& context, const Progress& progress) {
+        const auto written = writeExport(entry, *opener, context.resultOf, *guard, progress.part(0, 0.95));
         for (const Issue& issue : written.issues)
             context.tell(issue);
         Result result;
@@ -73,12 +93,20 @@ ResultStage exportStage(const StageMaking& making, const ExportEntry& entry)
 
 } // namespace
 
-std::vector<ResultStage> makeExportStages(const StageMaking& making)
+std::vector<ResultStage> exportStages(const std::shared_ptr<SequenceOpener>& opener,
+                                      const std::shared_ptr<WriteGuard>& guard)
 {
     std::vector<ResultStage> stages;
-    for (const ExportEntry& entry : making.opener->project().exports)
-        stages.push_back(exportStage(making, entry));
+    for (const ExportEntry& entry : opener->project().exports)
+        stages.push_back(exportStage(opener, entry, guard));
     return stages;
+}
+
+std::vector<ResultStage> makeExportStages(const StageMaking& making)
+{
+    if (making.opener->project().exports.empty())
+        return {};
+    return exportStages(making.opener, projectGuard(making.opener->project(), making.projectFile));
 }
 
 } // namespace quadrille

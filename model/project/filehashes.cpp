@@ -5,36 +5,24 @@
 #include "model/core/contenthash.h"
 #include "model/core/error.h"
 #include "model/core/file.h"
+#include "model/core/filestamp.h"
 #include "model/project/jsontext.h"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
-#include <sys/stat.h>
 
 namespace quadrille {
 
 namespace {
 
-struct FileStamp
+/// As the memo keeps it.
+std::string textOf(const FileStamp& stamp)
 {
-    std::string text;
-    std::int64_t changedNanoseconds = 0; ///< the later of content and status change
-};
-
-std::optional<FileStamp> stampOf(const std::filesystem::path& file)
-{
-    struct stat status = {};
-    if (::stat(file.c_str(), &status) != 0)
-        return std::nullopt;
-    const auto nanoseconds = [](const timespec& time) {
-        return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
-    };
-    const auto modified = nanoseconds(status.st_mtim);
-    const auto changed = nanoseconds(status.st_ctim);
-    std::string text = std::to_string(status.st_size);
-    for (const std::int64_t part : {modified, changed, static_cast<std::int64_t>(status.st_ino)})
+    std::string text = std::to_string(stamp.size);
+    for (const std::int64_t part : {stamp.modified, stamp.changed, static_cast<std::int64_t>(stamp.number)})
         text.append(" ").append(std::to_string(part));
-    return FileStamp{std::move(text), std::max(modified, changed)};
+    return text;
 }
 
 /// A file that changed just now may change again without a visible difference in its times.
@@ -42,7 +30,8 @@ bool isSettled(const FileStamp& stamp)
 {
     constexpr std::int64_t tick = 100'000'000;
     const auto now = std::chrono::system_clock::now().time_since_epoch();
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count() - stamp.changedNanoseconds >
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count() -
+               std::max(stamp.modified, stamp.changed) >
            tick;
 }
 
@@ -71,15 +60,15 @@ std::string FileHashes::of(const std::filesystem::path& file, const Progress& pr
     if (before) {
         const std::scoped_lock lock(m_mutex);
         const auto known = m_known.find(name);
-        if (known != m_known.end() && known->second.stamp == before->text)
+        if (known != m_known.end() && known->second.stamp == textOf(*before))
             return known->second.hash;
     }
     const bool settled = before && isSettled(*before);
     std::string hash = hashFile(file, progress);
     const auto after = stampOf(file);
-    if (settled && after && after->text == before->text) {
+    if (settled && after && *after == *before) {
         const std::scoped_lock lock(m_mutex);
-        m_known[name] = {before->text, hash};
+        m_known[name] = {textOf(*before), hash};
         m_changed = true;
     }
     return hash;

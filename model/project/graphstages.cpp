@@ -31,6 +31,15 @@ void addLayout(Result& result, const PoseDistances& distances)
     result.arrays.back().description = "Triangles used, and those left out because they have no area.";
 }
 
+/// Of so many tables of all pairs of frames.
+auto bytesOfTables(const CharacterWork& work, double tables)
+{
+    return [work, tables](const Progress& progress) {
+        const double frames = work.open(progress).frameCount();
+        return static_cast<std::uint64_t>(tables * frames * frames * static_cast<double>(sizeof(float)));
+    };
+}
+
 ResultStage distanceStage(const CharacterWork& work, const std::string& name, PoseDistanceSettings settings)
 {
     ResultStage stage = work.stage(name);
@@ -40,6 +49,8 @@ ResultStage distanceStage(const CharacterWork& work, const std::string& name, Po
                             .dump();
     stage.files = [work](const Progress& progress) { return work.files(progress); };
     stage.inputs = clipInputs(work.opener->project(), work.sequences);
+    if (stage.inputs.empty()) // else frames are not known before
+        stage.bytes = bytesOfTables(work, 1);
     stage.compute = [work, name, settings](const StageContext&, const Progress& progress) {
         const bool isSurface = settings.metric == PoseMetric::Surface;
         const CharacterFrames frames = work.open(progress.part(0, 0.05));
@@ -65,6 +76,8 @@ ResultStage transitionStage(const CharacterWork& work, const ResultStage& distan
                                      settings.cost == TransitionCost::Sum ? "sum" : "mean"})
                          .dump();
     stage.inputs = {distances.name};
+    if (distances.bytes)
+        stage.bytes = bytesOfTables(work, 4);
     stage.compute = [settings, input = distances.name](const StageContext& context,
                                                        const Progress& progress) {
         const Result poses = context.resultOf(input);
@@ -101,6 +114,7 @@ ResultStage transitionStage(const CharacterWork& work, const ResultStage& distan
 ResultStage graphStage(const CharacterWork& work)
 {
     ResultStage stage = work.stage(graphstage::graphs);
+    stage.version = 2;
     stage.settings = nlohmann::json({work.graph.alpha, costSettings(work.graph), work.sequences}).dump();
     stage.inputs = costInputs(work);
     stage.compute = [work, graph = work.graph, sequences = work.sequences](const StageContext& context,
@@ -120,12 +134,12 @@ ResultStage graphStage(const CharacterWork& work)
                       sequences);
         addComponents(components, "motion", graph.alpha, ofMotion.connectivity, costs.layout(), sequences);
         Result result;
-        result.tables = {edgeTable("motion-graph-edges",
-                                   "The motion graph: local minima of the transition cost.", motion, costs),
-                         edgeTable("essential-graph-edges",
-                                   "The Essential graph: all edges on shortest paths.", essential.graph,
-                                   costs),
-                         std::move(statistics).table(), std::move(components).table()};
+        result.tables = {
+            edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.", motion,
+                      costs, costs.layout(), sequences),
+            edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.",
+                      essential.graph, costs, costs.layout(), sequences),
+            std::move(statistics).table(), std::move(components).table()};
         return result;
     };
     return stage;

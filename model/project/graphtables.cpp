@@ -5,18 +5,26 @@
 namespace quadrille {
 
 DataTable edgeTable(const char* name, const char* description, const Digraph& graph,
-                    const TransitionCosts& costs)
+                    const TransitionCosts& costs, const FrameLayout& layout,
+                    const std::vector<std::string>& sequences)
 {
     TableBuilder table(name, description);
     table.whole("i").whole("j").real("weight").text("kind").real("cost").whole("length", "frame");
+    table.text("from-sequence").whole("from-frame", "frame").text("to-sequence").whole("to-frame", "frame");
+    const auto sequenceOf = [&](NodeIndex node) {
+        return sequences[static_cast<std::size_t>(layout.sequenceOf(node))];
+    };
+    const auto frameOf = [&](NodeIndex node) {
+        return std::int64_t{node} - layout.firstOf(layout.sequenceOf(node));
+    };
     for (const Edge& edge : graph.edges()) {
         const NodeIndex i = edge.from;
         const NodeIndex j = edge.to;
-        if (edge.kind == EdgeKind::Original)
-            table.add({std::int64_t{i}, std::int64_t{j}, edge.weight, "original", 0.0, std::int64_t{1}});
-        else
-            table.add({std::int64_t{i}, std::int64_t{j}, edge.weight, "transition",
-                       static_cast<double>(costs.cost()(i, j)), std::int64_t{costs.length()(i, j)}});
+        const bool isOriginal = edge.kind == EdgeKind::Original;
+        table.add({std::int64_t{i}, std::int64_t{j}, edge.weight, isOriginal ? "original" : "transition",
+                   isOriginal ? 0.0 : static_cast<double>(costs.cost()(i, j)),
+                   isOriginal ? std::int64_t{1} : std::int64_t{costs.length()(i, j)}, sequenceOf(i),
+                   frameOf(i), sequenceOf(j), frameOf(j)});
     }
     return std::move(table).table();
 }

@@ -11,8 +11,11 @@
 
 namespace quadrille {
 
+/// All edges of a graph: both ends as frames among all of the character's, the weight, what it is made of,
+/// and both ends by sequence and frame. \param sequences  names, in the order of the layout.
 DataTable edgeTable(const char* name, const char* description, const Digraph& graph,
-                    const TransitionCosts& costs);
+                    const TransitionCosts& costs, const FrameLayout& layout,
+                    const std::vector<std::string>& sequences);
 
 /// A table for addStatistics.
 TableBuilder statisticsTable(std::string name, std::string description);

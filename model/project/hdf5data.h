@@ -14,6 +14,7 @@ namespace quadrille::hdf5data {
 /// A call into the library failed or the file holds something else than expected.
 struct Failure
 {
+    int systemError = 0; ///< the system's number, where it was the system; 0 otherwise
 };
 
 /// \throws Failure when a status or identifier is negative.
@@ -21,7 +22,7 @@ template <typename Status>
 Status check(Status status)
 {
     if (status < 0)
-        throw Failure{};
+        throw Failure{hdf5SystemError()};
     return status;
 }
 

@@ -5,6 +5,9 @@
 #include "model/core/message.h"
 #include "model/project/opensequence.h"
 #include "model/project/paths.h"
+#include "model/project/projectlock.h"
+#include "model/project/references.h"
+#include "model/project/usableproject.h"
 #include "model/project/validate.h"
 #include "model/sequence/io/registry.h"
 
@@ -95,12 +98,55 @@ SequenceEntry entryOf(const MeshSequence& sequence, const fs::path& source, cons
     return entry;
 }
 
+/// The rate of the takes of a character whose files name none, where there are some.
+std::optional<double> rateOfOthers(const Project& project, const std::string& character)
+{
+    for (auto entry = project.sequences.rbegin(); entry != project.sequences.rend(); ++entry) {
+        const CharacterEntry* its = characterOf(project, *entry);
+        if (!clipOfSource(entry->source) && (its == nullptr || its->name == character))
+            return entry->sourceFps.value_or(project.settings.fps);
+    }
+    return std::nullopt;
+}
+
 } // namespace
+
+TakenRate takenRate(std::optional<RateBeside> beside, const Project& project, const std::string& character)
+{
+    TakenRate rate{.sequence = {}, .fps = project.settings.fps, .beside = std::move(beside)};
+    if (rate.beside) {
+        rate.fps = rate.beside->fps;
+    } else if (const auto others = rateOfOthers(project, character)) {
+        rate.fps = *others;
+        rate.isOfOthers = true;
+    }
+    return rate;
+}
+
+std::string TakenRate::toString() const
+{
+    const std::string name = "“" + sequence + "”";
+    if (beside)
+        return name + " has " + beside->toString();
+    std::string number = std::to_string(fps);
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.ends_with('.'))
+        number.pop_back();
+    if (isOfOthers)
+        return name + " is taken to have " + number + " fps, as the takes before it; its file names no rate";
+    return "The rate of " + name + " is not known: neither its file nor what lies beside it names one; " +
+           number + " fps is taken";
+}
 
 ImportReport addSequences(Project& project, const fs::path& folder, const ImportRequest& request, bool isNew,
                           const Progress& progress)
 {
     Project changed = project;
+    // What left its character out still means the one that was alone.
+    const bool addsCharacter =
+        !request.character.empty() && findCharacter(changed, request.character) == nullptr;
+    if (addsCharacter && changed.characters.size() == 1)
+        nameOnlyCharacter(changed);
     const CharacterEntry character = characterFor(changed, folder, request);
     ImportReport report;
     report.isNewProject = isNew;
@@ -113,26 +159,27 @@ ImportReport addSequences(Project& project, const fs::path& folder, const Import
         options.fps = request.sourceFps.value_or(changed.settings.fps);
         options.from = request.sourceAxes;
         const ImportResult imported = openSequences(request.sources[i], options, part);
-        const bool takesRate = isNew && i == 0 && (imported.hasOwnFps || request.sourceFps);
-        if (takesRate)
-            changed.settings.fps = imported.sequences.front().fps;
+        const MeshSequence& first = imported.sequences.front();
+        std::optional<TakenRate> taken;
+        if (!imported.hasOwnFps && !request.sourceFps && first.frameCount() > 1)
+            taken = takenRate(rateBeside(request.sources[i], first.frameCount()), changed, character.name);
+        if (isNew && i == 0 && (imported.hasOwnFps || request.sourceFps || taken))
+            changed.settings.fps = taken ? taken->fps : first.fps;
         const bool several = imported.sequences.size() > 1;
         for (const MeshSequence& sequence : imported.sequences) {
             SequenceEntry entry = entryOf(sequence, request.sources[i], folder, request, several);
             entry.name = freeName(changed, entry.name);
             if (changed.characters.size() > 1)
                 entry.character = character.name;
+            if (taken) {
+                taken->sequence = entry.name;
+                report.rates.push_back(*taken);
+                entry.sourceFps = taken->fps;
+            }
             if (entry.sourceFps == changed.settings.fps || imported.hasOwnFps)
                 entry.sourceFps.reset();
             report.names.push_back(entry.name);
             changed.sequences.push_back(std::move(entry));
-        }
-    }
-    // The sequences that left their character out still mean the one that was alone.
-    if (changed.characters.size() > 1 && project.characters.size() == 1) {
-        for (SequenceEntry& entry : changed.sequences) {
-            if (entry.character.empty())
-                entry.character = project.characters.front().name;
         }
     }
     SequenceOpener opener(changed, folder);
@@ -150,10 +197,17 @@ ImportReport importSequences(const fs::path& projectFile, const ImportRequest& r
 {
     std::error_code error;
     const bool isNew = !fs::exists(projectFile, error);
+    const ProjectLock lock(projectFile, "quadrille import");
+    if (lock.state() == ProjectLock::State::Foreign && !request.ignoresLock)
+        throwBadArgument(projectFile, "The project is open elsewhere (" + lock.holder()->toString() + ")",
+                         QUADRILLE_MESSAGE("Close it there first, or write all the same with --force."));
     if (isNew && projectFile.extension() != ".quadrille")
         throwBadArgument(projectFile, "A project's name ends in .quadrille", "Name it so.");
     Project project = isNew ? Project{} : loadProject(projectFile);
     ImportReport report = addSequences(project, projectFolder(projectFile), request, isNew, progress);
+    const ProjectProblems problems = problemsWhenSaved(project);
+    if (!problems.empty())
+        throw Error(problems.front().code, problems.front().context);
     saveProject(project, projectFile);
     return report;
 }

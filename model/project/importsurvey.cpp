@@ -187,6 +187,8 @@ std::vector<SurveyedTake> survey(const fs::path& source, const SurveyOptions& op
             takes.back().name = sequence.name;
             takes.back().clip = several ? sequence.name : std::string();
             takes.back().size = sizeOf(sequence);
+            if (!take.hasOwnFps && sequence.frameCount() > 1)
+                takes.back().rate = rateBeside(source, sequence.frameCount());
             takes.back().sequence = std::move(sequence);
         }
         return takes;

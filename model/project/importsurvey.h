@@ -5,6 +5,7 @@
 #include "model/core/error.h"
 #include "model/core/progress.h"
 #include "model/sequence/axes.h"
+#include "model/sequence/io/ratebeside.h"
 #include "model/sequence/meshsequence.h"
 
 #include <filesystem>
@@ -43,6 +44,7 @@ struct SurveyedTake
     std::vector<Issue> issues;
     std::optional<CoordinateSystem> coordinates; ///< that the file itself names
     bool hasOwnFps = false;
+    std::optional<RateBeside> rate;    ///< where the file names none and what lies beside it does
     std::filesystem::path mesh;        ///< that gives faces to positions; empty when the file has its own
     std::filesystem::path jointAngles; ///< BVH of the same name beside it; empty without one
     Vec3f size = Vec3f::Zero();        ///< of the first frame, along x, y and z

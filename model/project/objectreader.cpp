@@ -169,14 +169,25 @@ UnknownKeys ObjectReader::unknown(Keys known) const
         if (std::find(known.begin(), known.end(), key) != known.end())
             continue;
         rest[key] = value;
-        if (const auto meant = projectkeys::closestWord(key, known); meant && find(*meant) == nullptr) {
-            auto warning = warningAt(pointer(key), "The key “" + key + "” is not known and has no effect",
-                                     "Did you mean “" + *meant + "”?");
-            warning.atKey = true;
-            m_problems.push_back(std::move(warning));
-        }
+        if (auto warning = warningOfUnknown(m_json, key, pointer(key), known))
+            m_problems.push_back(std::move(*warning));
     }
     return rest;
+}
+
+std::optional<ProjectProblem> warningOfUnknown(const Json& json, const std::string& key, std::string pointer,
+                                               ObjectReader::Keys known)
+{
+    if (key.starts_with('_'))
+        return std::nullopt;
+    const auto meant = projectkeys::closestWord(key, known);
+    const bool isMisspelt = meant && !json.contains(*meant);
+    auto warning =
+        warningAt(std::move(pointer), "The key “" + key + "” is not known here and has no effect",
+                  isMisspelt ? "Did you mean “" + *meant + "”?"
+                             : "Leave it out; a note of your own begins with _, as in “_" + key + "”.");
+    warning.atKey = true;
+    return warning;
 }
 
 } // namespace quadrille

@@ -82,8 +82,8 @@ public:
             wrongType(key, known);
     }
 
-    /// The members that are not among the known keys; null when there are none. Those that look misspelt are
-    /// reported as warnings.
+    /// The members that are not among the known keys; null when there are none. Each is reported as a
+    /// warning, but for those that begin with “_”, which are the user's own notes.
     UnknownKeys unknown(Keys known) const;
 
 private:
@@ -91,5 +91,10 @@ private:
     std::string m_pointer;
     ProjectProblems& m_problems;
 };
+
+/// The warning about a key of an object that is not among the known ones: the word that was probably meant,
+/// where it is near and not there. Nothing for a note, whose key begins with “_”.
+std::optional<ProjectProblem> warningOfUnknown(const Json& json, const std::string& key, std::string pointer,
+                                               ObjectReader::Keys known);
 
 } // namespace quadrille

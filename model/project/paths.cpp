@@ -17,7 +17,8 @@ std::string storedPath(const fs::path& file, const fs::path& folder)
         if (!error)
             relative = proximate;
     }
-    return relative.empty() ? absolute.generic_string() : relative.generic_string();
+    const std::string text = (relative.empty() ? absolute : relative).generic_string();
+    return clipOfSource(text) ? "./" + text : text;
 }
 
 fs::path resolvePath(std::string_view stored, const fs::path& folder)

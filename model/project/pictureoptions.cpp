@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/pictureoptions.h"
 
+#include "model/project/objectreader.h"
 #include "model/project/projectkeys.h"
 
 #include <algorithm>
@@ -116,13 +117,8 @@ public:
         for (const auto& [key, value] : m_json.items()) {
             if (std::find(known.begin(), known.end(), key) != known.end())
                 continue;
-            const auto meant = projectkeys::closestWord(key, known);
-            if (!meant)
-                continue;
-            auto warning = warningAt(pointer(key), "The key “" + key + "” is not known and has no effect",
-                                     "Did you mean “" + *meant + "”?");
-            warning.atKey = true;
-            m_problems.push_back(std::move(warning));
+            if (auto warning = warningOfUnknown(m_json, key, pointer(key), known))
+                m_problems.push_back(std::move(*warning));
         }
     }
 
@@ -168,6 +164,10 @@ RenderSettings pictureFromJson(const Json& json, const std::string& pointer, Pro
         viewReader.point("up", camera.up);
         viewReader.number("fov", camera.verticalFovDegrees, 1, 170);
         viewReader.warnOfUnknown(projectkeys::view);
+        if (const double distance = (camera.eye - camera.target).norm(); distance > 0) {
+            camera.nearDistance = distance / 100;
+            camera.farDistance = distance * 1000;
+        }
         settings.view = camera;
     }
     reader.warnOfUnknown(projectkeys::picture);

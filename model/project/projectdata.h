@@ -13,6 +13,8 @@
 
 namespace quadrille {
 
+class WriteGuard;
+
 /// One array or table that a project has computed.
 struct DataItem
 {
@@ -32,9 +34,12 @@ struct DataItem
 std::vector<DataItem> projectData(const Project& project, const std::filesystem::path& projectFile,
                                   const Progress& progress = {});
 
+/// Data as comma-separated values, with a header row with units.
+std::string dataAsCsv(const DataItem& item);
 /// Writes data as the file's ending says: `.npy` (row-major; tables as structured arrays), `.csv` (a header
 /// row with units) or `.json`. Atomic.
-/// \throws Error BadArgument (another ending), WriteFailed, PermissionDenied.
-void writeData(const DataItem& item, const std::filesystem::path& file);
+/// \param guard decides what may be written over; null for nothing that is asked.
+/// \throws Error BadArgument (another ending), what the guard throws, WriteFailed, PermissionDenied.
+void writeData(const DataItem& item, const std::filesystem::path& file, WriteGuard* guard = nullptr);
 
 } // namespace quadrille

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/file.h"
+#include "model/project/brokenentry.h"
 #include "model/project/migration.h"
 #include "model/project/project.h"
 #include "model/project/projectjson.h"
@@ -21,6 +22,8 @@ bool isInside(const std::string& pointer, const std::set<std::string>& pointers)
     });
 }
 
+} // namespace
+
 void sortByPlace(ProjectProblems& problems)
 {
     std::stable_sort(problems.begin(), problems.end(), [](const ProjectProblem& a, const ProjectProblem& b) {
@@ -31,23 +34,28 @@ void sortByPlace(ProjectProblems& problems)
     });
 }
 
-} // namespace
+Project readDocument(const Json& document, ProjectProblems& problems)
+{
+    Project project = projectFromJson(document, problems);
+    project.unknown = unknownKeys(project);
+    std::set<std::string> wrong;
+    for (const ProjectProblem& problem : problems) {
+        if (problem.severity == ProjectProblem::Severity::Error)
+            wrong.insert(problem.pointer);
+    }
+    for (ProjectProblem& problem : validate(project)) {
+        if (!isInside(problem.pointer, wrong))
+            problems.push_back(std::move(problem));
+    }
+    return project;
+}
 
 ProjectReading readProject(std::string_view text, const std::filesystem::path& file)
 {
     JsonText json = parseJson(text, file);
     migrate(json, projectMigrations(), Project::currentVersion, file);
     ProjectReading reading;
-    reading.project = projectFromJson(json.document, reading.problems);
-    std::set<std::string> wrong;
-    for (const ProjectProblem& problem : reading.problems) {
-        if (problem.severity == ProjectProblem::Severity::Error)
-            wrong.insert(problem.pointer);
-    }
-    for (ProjectProblem& problem : validate(reading.project)) {
-        if (!isInside(problem.pointer, wrong))
-            reading.problems.push_back(std::move(problem));
-    }
+    reading.project = readDocument(json.document, reading.problems);
     for (ProjectProblem& problem : reading.problems) {
         problem.context.file = file;
         problem.context.place =

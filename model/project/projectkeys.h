@@ -16,14 +16,15 @@ inline constexpr std::array<std::string_view, 11> document{
     "graph",  "animations", "variations", "evaluations", "exports"};
 inline constexpr std::array<std::string_view, 4> settings{"fps", "up_axis", "unit", "cache_megabytes"};
 inline constexpr std::array<std::string_view, 4> character{"name", "mesh", "texture", "notes"};
-inline constexpr std::array<std::string_view, 12> sequence{
-    "name",           "character",   "source",  "clip",   "range",    "source_fps",
-    "source_up_axis", "source_unit", "texture", "labels", "contacts", "joint_angles"};
+inline constexpr std::array<std::string_view, 13> sequence{
+    "name",        "character", "source", "clip",     "range",        "source_fps", "source_up_axis",
+    "source_unit", "texture",   "labels", "contacts", "joint_angles", "notes"};
 inline constexpr std::array<std::string_view, 9> graph{
     "character", "metric", "stretch_weight", "cost", "cost_scale", "slope", "durations", "alpha", "d_max"};
-inline constexpr std::array<std::string_view, 12> animation{"name",   "character", "start", "constraints",
-                                                            "search", "junctions", "walk",  "interpolation",
-                                                            "blend",  "post",      "audio", "camera"};
+inline constexpr std::array<std::string_view, 13> animation{
+    "name",          "character", "start", "constraints", "search", "junctions", "walk",
+    "interpolation", "blend",     "post",  "audio",       "camera", "notes"};
+inline constexpr std::array<std::string_view, 2> note{"frame", "text"};
 inline constexpr std::array<std::string_view, 3> audio{"file", "offset", "gain"};
 inline constexpr std::array<std::string_view, 6> cameraKey{"time",    "target",    "distance",
                                                            "azimuth", "elevation", "fov"};

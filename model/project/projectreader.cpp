@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/animationjson.h"
+#include "model/project/framenote.h"
 #include "model/project/pictureoptions.h"
 #include "model/project/projectjson.h"
 #include "model/project/projectkeys.h"
@@ -115,6 +116,7 @@ SequenceEntry readSequence(const Json& json, const std::string& pointer, const P
                                   sequence.unknownOfSpans, problems);
     sequence.jointAngles = reader.text("joint_angles");
     sequence.unknown = reader.unknown(projectkeys::sequence);
+    readNotes(reader, sequence.unknown);
     return sequence;
 }
 
@@ -194,11 +196,32 @@ void eachOrOne(const ObjectReader& reader, const char* key, const Read& read)
         reader.each(key, read);
 }
 
+/// A section that others speak of must be there, if only to say that it is empty: one that is misspelt would
+/// otherwise leave them without what they name.
+void requireSequences(const ObjectReader& reader)
+{
+    if (reader.find("sequences") != nullptr)
+        return;
+    for (const char* section : {"animations", "variations"}) {
+        const Json* entries = reader.find(section);
+        if (entries == nullptr || entries->empty())
+            continue;
+        auto problem =
+            invalidAt(reader.pointer(section),
+                      "The section “sequences” is missing, which “" + std::string(section) + "” needs",
+                      "Write \"sequences\": […] with one entry for each take.");
+        problem.atKey = true;
+        reader.problems().push_back(std::move(problem));
+        return;
+    }
+}
+
 } // namespace
 
 Project projectFromJson(const Json& document, ProjectProblems& problems)
 {
     const ObjectReader reader(document, "", problems);
+    requireSequences(reader);
     Project project;
     if (const Json* settings = reader.find("settings"))
         project.settings = readSettings(ObjectReader(*settings, "/settings", problems));

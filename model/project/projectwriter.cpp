@@ -1,10 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/animationjson.h"
+#include "model/project/brokenentry.h"
+#include "model/project/framenote.h"
 #include "model/project/jsonmembers.h"
 #include "model/project/lengthunit.h"
 #include "model/project/projectjson.h"
+#include "model/project/projectkeys.h"
 #include "model/project/variationjson.h"
+
+#include <algorithm>
 
 namespace quadrille {
 
@@ -97,6 +102,7 @@ Json sequenceToJson(const SequenceEntry& sequence)
     addSpans(json, "labels", sequence.labels, &LabelSpan::label, "label", sequence.unknownOfSpans);
     addSpans(json, "contacts", sequence.contacts, &ContactSpan::foot, "foot", sequence.unknownOfSpans);
     addText(json, "joint_angles", sequence.jointAngles);
+    addNotes(json, sequence.unknown);
     addUnknown(json, sequence.unknown);
     return json;
 }
@@ -167,9 +173,41 @@ Json exportToJson(const ExportEntry& entry)
     return json;
 }
 
+/// Puts broken entries back to where they stood.
+void addBroken(Json& json, const std::vector<BrokenEntry>& broken)
+{
+    for (const BrokenEntry& entry : broken) {
+        Json& section = json[entry.section];
+        if (!entry.place && (section.empty() || entry.section == "settings")) {
+            section = entry.json;
+            continue;
+        }
+        if (!section.is_array())
+            section = section.is_null() ? Json::array() : Json::array({section});
+        const auto place = std::min(entry.place.value_or(0), section.size());
+        section.insert(section.begin() + static_cast<std::ptrdiff_t>(place), entry.json);
+    }
+}
+
+/// The keys in the order in which they are written.
+Json inOrder(Json json)
+{
+    Json ordered = Json::object();
+    for (const std::string_view known : projectkeys::document) {
+        const std::string key(known);
+        if (const auto found = json.find(key); found != json.end())
+            ordered[key] = std::move(*found);
+    }
+    for (auto& [key, value] : json.items()) {
+        if (!ordered.contains(key))
+            ordered[key] = std::move(value);
+    }
+    return ordered;
+}
+
 } // namespace
 
-Json projectToJson(const Project& project)
+Json projectToJson(const Project& project, WrittenEntries entries)
 {
     Json json = Json::object();
     json["format"] = "quadrille-project";
@@ -192,8 +230,12 @@ Json projectToJson(const Project& project)
     json["exports"] = Json::array();
     for (const ExportEntry& entry : project.exports)
         json["exports"].push_back(exportToJson(entry));
-    addUnknown(json, project.unknown);
-    return json;
+    addUnknown(json, unknownKeys(project));
+    const std::vector<BrokenEntry> broken = brokenEntries(project);
+    if (entries == WrittenEntries::Usable || broken.empty())
+        return json;
+    addBroken(json, broken);
+    return inOrder(std::move(json));
 }
 
 } // namespace quadrille

@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/rebuild.h"
 
+#include "model/core/caughterror.h"
 #include "model/core/mediacache.h"
+#include "model/core/message.h"
+#include "model/project/exportstages.h"
 #include "model/project/media.h"
 #include "model/project/paths.h"
+#include "model/project/projectguard.h"
+#include "model/project/resultplaces.h"
 #include "model/project/stagestate.h"
 
 #include <algorithm>
@@ -21,6 +26,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
+Issue unstoredIssue(const fs::path& file)
+{
+    Issue issue;
+    issue.context.file = file;
+    issue.context.values = {{"text", QUADRILLE_MESSAGE("This result cannot be stored anywhere and is kept in "
+                                                       "memory, until the program ends. Free some space, or "
+                                                       "choose another folder for results.")}};
+    return issue;
+}
+
 /// Runs the stale ones of some stages, each as soon as its inputs are there.
 class Rebuilder
 {
@@ -28,6 +43,7 @@ public:
     Rebuilder(const std::vector<ResultStage>& stages, const fs::path& projectFile,
               const RebuildOptions& options, const Progress& progress, const StageListener& listener)
         : m_stages(stages)
+        , m_projectFile(projectFile)
         , m_folder(projectFolder(projectFile))
         , m_store(cacheFolder(projectFile))
         , m_hashes(cacheFolder(projectFile) / "hashes.json")
@@ -48,6 +64,8 @@ public:
         m_status = stageStatus(m_stages, m_store, m_folder, m_hashes, m_progress.part(0, planning));
         for (std::size_t i = 0; i < m_stages.size(); ++i)
             plan(i);
+        if (!m_options.dryRun && isAnyStale())
+            prepare();
         if (!m_options.dryRun)
             compute();
         if (!m_options.dryRun)
@@ -59,6 +77,35 @@ public:
 private:
     /// The part of the progress that finding out what is stale takes.
     static constexpr double planning = 0.1;
+
+    bool isAnyStale() const
+    {
+        return std::any_of(m_reports.begin(), m_reports.end(),
+                           [](const StageReport& report) { return report.state == StageState::Stale; });
+    }
+
+    /// Before minutes of computing: can what comes of it be stored?
+    void prepare()
+    {
+        storeUnstoredResults();
+        constexpr std::uint64_t least = std::uint64_t{32} << 20;
+        std::uint64_t bytes = least;
+        for (std::size_t i = 0; i < m_stages.size(); ++i) {
+            if (m_reports[i].state == StageState::Stale)
+                bytes += expectedBytes(m_stages[i]);
+        }
+        prepareResults(m_projectFile, bytes);
+        m_store = ResultStore(cacheFolder(m_projectFile));
+    }
+
+    /// What the stage says, or what its last result took.
+    std::uint64_t expectedBytes(const ResultStage& stage) const
+    {
+        std::error_code error;
+        const auto before = fs::file_size(m_store.fileOf(stage.name), error);
+        const std::uint64_t known = error ? 0 : before;
+        return stage.bytes ? std::max(known, stage.bytes(Progress(m_progress.token()))) : known;
+    }
 
     void plan(std::size_t i)
     {
@@ -79,6 +126,8 @@ private:
         } else if (status.isFresh && !m_options.force) {
             report.state = StageState::Fresh;
             addFiles(report, status.result);
+            if (!m_options.dryRun)
+                m_store.prefer(report.stage, report.key);
         } else {
             report.state = StageState::Stale;
             report.reason = status.isFresh ? "forced" : status.reason;
@@ -158,12 +207,13 @@ private:
         try {
             const Result result = m_stages[i].compute(context, own);
             own.report(1);
-            m_store.save(report.stage, report.key, result);
+            if (!m_store.save(report.stage, report.key, result))
+                report.issues.push_back(unstoredIssue(m_store.fileOf(report.stage)));
             addFiles(report, result);
             report.state = StageState::Computed;
-        } catch (const Error& error) {
+        } catch (...) {
             report.state = StageState::Failed;
-            report.error = error;
+            report.error = caughtError();
         }
         report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }
@@ -183,6 +233,7 @@ private:
     }
 
     const std::vector<ResultStage>& m_stages;
+    fs::path m_projectFile;
     fs::path m_folder;
     ResultStore m_store;
     FileHashes m_hashes;
@@ -199,14 +250,18 @@ private:
     tbb::task_group m_tasks;
 };
 
-} // namespace
-
-fs::path cacheFolder(const fs::path& projectFile)
+/// Where moved media are looked for is all that is lost when they cannot be noted.
+void tryToNoteMedia(const Project& project, const fs::path& projectFile, const Progress& progress)
 {
-    fs::path folder = fs::absolute(projectFile);
-    folder += ".cache";
-    return folder;
+    try {
+        noteMedia(project, projectFile, progress);
+    } catch (const Error& error) {
+        if (error.code() == ErrorCode::Cancelled)
+            throw;
+    }
 }
+
+} // namespace
 
 bool RebuildReport::hasFailures() const
 {
@@ -223,6 +278,8 @@ RebuildReport rebuild(const std::vector<ResultStage>& stages, const fs::path& pr
                       const RebuildOptions& options, const Progress& progress, const StageListener& listener)
 {
     const auto selected = selectStages(stages, options.targets);
+    if (!options.dryRun)
+        checkResultsPlace(projectFile, options.permissions);
     return Rebuilder(selected, projectFile, options, progress, listener).run();
 }
 
@@ -232,10 +289,18 @@ RebuildReport rebuild(const Project& project, const fs::path& projectFile, const
     MediaCache::shared()->setBudget(project.settings.cacheBytes());
     const fs::path folder = projectFolder(projectFile);
     const auto opener = std::make_shared<SequenceOpener>(project, folder, cacheFolder(projectFile));
-    RebuildReport report =
-        rebuild(makeStages({opener, projectFile}), projectFile, options, progress, listener);
+    const auto guard = projectGuard(project, projectFile, options.permissions);
+    const WrittenNote note(*guard, projectFile);
+    std::vector<ResultStage> stages = makeStages({opener, projectFile});
+    std::vector<ResultStage> guarded = exportStages(opener, guard);
+    for (ResultStage& stage : guarded) {
+        *std::find_if(stages.begin(), stages.end(),
+                      [&](const ResultStage& made) { return made.name == stage.name; }) = std::move(stage);
+    }
+    refuseMissingInputs(stages);
+    RebuildReport report = rebuild(stages, projectFile, options, progress, listener);
     if (!options.dryRun)
-        noteMedia(project, projectFile, Progress(progress.token()));
+        tryToNoteMedia(project, projectFile, Progress(progress.token()));
     return report;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/core/writeguard.h"
 #include "model/project/jsontext.h"
 #include "model/project/stage.h"
 
@@ -19,6 +20,7 @@ struct RebuildOptions
     int jobs = 0;        ///< threads; 0 for all
     bool force = false;  ///< compute what is fresh, too
     bool dryRun = false; ///< only say what would be computed
+    WritePermissions permissions;
 };
 
 enum class StageState
@@ -55,7 +57,8 @@ using StageListener = std::function<void(const StageReport&)>;
 
 /// Brings results and exports up to date: what is stale by the hash of its inputs, and nothing else.
 /// Independent stages run in parallel. A stage that fails stops those that need it, no others. The shared
-/// media cache takes the size that the project's settings name. \throws Error ProjectUnknownTarget, Cancelled
+/// media cache takes the size that the project's settings name. \throws Error ProjectUnknownTarget,
+/// BadArgument (the results would lie elsewhere, by a link), Cancelled
 /// (results finished by then stay; nothing is half-written).
 RebuildReport rebuild(const Project& project, const std::filesystem::path& projectFile,
                       const RebuildOptions& options = {}, const Progress& progress = {},

@@ -242,6 +242,21 @@ void renameEntry(Project& project, NamedKind kind, const std::string& before, co
     });
 }
 
+void nameOnlyCharacter(Project& project)
+{
+    const auto nameIn = [name = project.characters.front().name](auto& entries) {
+        for (auto& entry : entries) {
+            if (entry.character.empty())
+                entry.character = name;
+        }
+    };
+    nameIn(project.sequences);
+    nameIn(project.bodyParts);
+    nameIn(project.graphs);
+    nameIn(project.animations);
+    nameIn(project.variations);
+}
+
 void removeEntries(Project& project, NamedKind kind, const std::vector<std::string>& names)
 {
     if (names.empty())

@@ -41,6 +41,10 @@ LostEntries changeReferences(Project& project, NamedKind kind, const NameChange&
 /// Gives an entry another name, wherever it is spoken of.
 void renameEntry(Project& project, NamedKind kind, const std::string& before, const std::string& after);
 
+/// Writes the name of the only character wherever it was left out, so that another can be added.
+/// \pre There is one character.
+void nameOnlyCharacter(Project& project);
+
 /// Removes entries, and everything that cannot be without them.
 void removeEntries(Project& project, NamedKind kind, const std::vector<std::string>& names);
 

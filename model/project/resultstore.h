@@ -6,11 +6,13 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace quadrille {
 
-/// The results of a project on disk: NAME.quadrille.cache/STAGE.h5. Safe from any thread; different stages
-/// may be written at once.
+/// The results of a project on disk: NAME.quadrille.cache/STAGE.h5. What is not there is looked for in the
+/// other places of the project (see resultplaces.h), and what cannot be stored anywhere is kept in memory
+/// until it can. Safe from any thread; different stages may be written at once.
 class ResultStore
 {
 public:
@@ -30,14 +32,26 @@ public:
     explicit ResultStore(std::filesystem::path folder) : m_folder(std::move(folder)) {}
 
     std::filesystem::path fileOf(const std::string& stage) const;
-    /// Reads a result and verifies its checksum.
+    /// Reads a result and verifies its checksum. Without a fresh one, the newest of the places.
     /// \throws Error PermissionDenied, ReadFailed.
     Entry load(const std::string& stage, const std::string& key) const;
-    /// \throws Error WriteFailed, PermissionDenied.
-    void save(const std::string& stage, const std::string& key, const Result& result) const;
+    /// Stores a result here, else in the next place of the project, else in memory.
+    /// \return whether it is on a disk.
+    bool save(const std::string& stage, const std::string& key, const Result& result) const;
+    /// Makes a fresh result the newest one, where a newer one of another key lies in another place.
+    void prefer(const std::string& stage, const std::string& key) const;
 
 private:
     std::filesystem::path m_folder;
 };
+
+/// Stages whose results could not be stored anywhere and are in memory only, of all projects.
+std::vector<std::string> unstoredResults();
+/// Tries to store them again.
+/// \return how many are still in memory only.
+std::size_t storeUnstoredResults();
+/// Writes those of one project into another folder.
+/// \throws Error WriteFailed, PermissionDenied.
+void writeUnstoredResults(const std::filesystem::path& projectFile, const std::filesystem::path& folder);
 
 } // namespace quadrille

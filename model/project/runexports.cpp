@@ -2,19 +2,26 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/runexports.h"
 
+#include "model/project/exportclaims.h"
 #include "model/project/exportentry.h"
 #include "model/project/paths.h"
+#include "model/project/projectguard.h"
 #include "model/project/rebuild.h"
 #include "model/project/resultstore.h"
+#include "model/project/stage.h"
+
+#include <algorithm>
 
 namespace quadrille {
 
 namespace {
 
 void computeClips(const Project& project, const std::filesystem::path& projectFile,
-                  const std::vector<ExportEntry>& entries, const Progress& progress)
+                  const std::vector<ExportEntry>& entries, WritePermissions permissions,
+                  const Progress& progress)
 {
     RebuildOptions options;
+    options.permissions = permissions;
     for (const ExportEntry& entry : entries) {
         const auto stages = stagesOf(project, entry);
         options.targets.insert(options.targets.end(), stages.begin(), stages.end());
@@ -27,22 +34,72 @@ void computeClips(const Project& project, const std::filesystem::path& projectFi
     }
 }
 
+/// The files of a claim that are there.
+std::vector<std::filesystem::path> filesThere(const OutputClaim& claim)
+{
+    namespace fs = std::filesystem;
+    std::error_code error;
+    std::vector<fs::path> files;
+    const fs::path file = claim.names.folder / claim.names.before;
+    if (!claim.isNumbered && fs::exists(fs::symlink_status(file, error)))
+        files.push_back(file);
+    if (!claim.isNumbered)
+        return files;
+    for (fs::directory_iterator entry(claim.names.folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        if (claim.names.contains(entry->path().filename().string()))
+            files.push_back(entry->path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
 } // namespace
 
-std::vector<ExportResult> runExports(const Project& project, const std::filesystem::path& projectFile,
-                                     const std::vector<ExportEntry>& entries, const Progress& progress)
+OutputQuestions outputQuestions(const Project& project, const std::filesystem::path& projectFile,
+                                const std::vector<ExportEntry>& entries, const Progress& progress)
 {
-    computeClips(project, projectFile, entries, progress.part(0, 0.5));
     const auto folder = projectFolder(projectFile);
+    const auto guard = projectGuard(project, projectFile, {.outside = true});
+    OutputQuestions questions;
+    for (const ExportEntry& entry : entries) {
+        checkOutputs(project, entry, entries, folder, *guard);
+        for (const OutputClaim& claim : claimsOf(project, entry, folder)) {
+            progress.report(0);
+            const auto& place = claim.names.folder;
+            auto& outside = questions.outside;
+            if (!claim.isCompanion && guard->isOutside(place / claim.names.before) &&
+                std::find(outside.begin(), outside.end(), place) == outside.end())
+                outside.push_back(place);
+            for (const auto& file : filesThere(claim)) {
+                questions.existing.push_back(file);
+                if (guard->isForeign(file))
+                    questions.foreign.push_back(file);
+            }
+        }
+    }
+    return questions;
+}
+
+std::vector<ExportResult> runExports(const Project& project, const std::filesystem::path& projectFile,
+                                     const std::vector<ExportEntry>& entries, const Progress& progress,
+                                     WritePermissions permissions)
+{
+    const auto folder = projectFolder(projectFile);
+    const auto guard = projectGuard(project, projectFile, permissions);
+    for (const ExportEntry& entry : entries)
+        checkOutputs(project, entry, entries, folder, *guard);
+    computeClips(project, projectFile, entries, permissions, progress.part(0, 0.5));
     SequenceOpener opener(project, folder, cacheFolder(projectFile));
     const ResultStore store(cacheFolder(projectFile));
     std::vector<ExportResult> results;
     const auto count = static_cast<double>(entries.size());
+    const WrittenNote note(*guard, projectFile);
     for (const ExportEntry& entry : entries) {
         const double at = 0.5 + 0.5 * static_cast<double>(results.size()) / count;
         const Progress part = progress.part(at, at + 0.5 / count);
-        results.push_back(writeExport(
-            entry, opener, [&](const std::string& stage) { return store.load(stage, {}).result; }, part));
+        const auto resultOf = [&](const std::string& stage) { return store.load(stage, {}).result; };
+        results.push_back(writeExport(entry, opener, resultOf, *guard, part));
     }
     return results;
 }

@@ -41,6 +41,8 @@ struct ResultStage
     std::string settings;
     /// The files that it reads, in a fixed order; called once, may throw what opening them throws.
     std::function<std::vector<std::filesystem::path>(const Progress&)> files;
+    /// About how many bytes its result takes; unset where that is little, or not known before.
+    std::function<std::uint64_t(const Progress&)> bytes;
     /// Names of the stages whose results it uses.
     std::vector<std::string> inputs;
     std::function<Result(const StageContext&, const Progress&)> compute;
@@ -49,7 +51,8 @@ struct ResultStage
 /// The stages of the clips that some sequences show: their inputs.
 std::vector<std::string> clipInputs(const Project& project, const std::vector<std::string>& sequences);
 
-/// The folder of a project's results, NAME.quadrille.cache beside the project.
+/// The folder into which a project's results go: NAME.quadrille.cache beside the project as a rule, see
+/// resultplaces.h.
 std::filesystem::path cacheFolder(const std::filesystem::path& projectFile);
 
 /// What the stages of one rebuild share.
@@ -61,6 +64,9 @@ struct StageMaking
 
 /// All stages of a project, each after its inputs. New capabilities add theirs here.
 std::vector<ResultStage> makeStages(const StageMaking& making);
+
+/// A stage that needs what nothing makes fails with a sentence; its inputs are those that there are.
+void refuseMissingInputs(std::vector<ResultStage>& stages);
 
 std::vector<ResultStage> makeSequenceStages(const StageMaking& making);
 /// Pose distances, transitions and graphs of the characters that the section “graph” names, or that others

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/core/message.h"
 #include "model/project/madeclips.h"
 #include "model/project/stage.h"
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace quadrille {
 
@@ -34,6 +36,27 @@ std::vector<ResultStage> inOrder(std::vector<ResultStage> stages)
 
 } // namespace
 
+void refuseMissingInputs(std::vector<ResultStage>& stages)
+{
+    std::set<std::string> made;
+    for (const ResultStage& stage : stages)
+        made.insert(stage.name);
+    for (ResultStage& stage : stages) {
+        const auto missing =
+            std::erase_if(stage.inputs, [&](const std::string& input) { return made.count(input) == 0; });
+        if (missing == 0)
+            continue;
+        stage.files = [name = stage.name](const Progress&) -> std::vector<std::filesystem::path> {
+            throw Error(
+                ErrorCode::ProjectInvalid,
+                {{},
+                 {},
+                 {{"reason", "There are no takes that “" + name + "” could be made from"},
+                  {"remedy", QUADRILLE_MESSAGE("Add the takes of its character under “sequences”.")}}});
+        };
+    }
+}
+
 std::vector<std::string> clipInputs(const Project& project, const std::vector<std::string>& sequences)
 {
     std::vector<std::string> inputs;
@@ -54,6 +77,7 @@ std::vector<ResultStage> makeStages(const StageMaking& making)
         for (ResultStage& stage : make(making))
             stages.push_back(std::move(stage));
     }
+    refuseMissingInputs(stages);
     return inOrder(std::move(stages));
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/stagestate.h"
 
+#include "model/core/caughterror.h"
 #include "model/core/contenthash.h"
 #include "model/project/paths.h"
 
@@ -104,10 +105,10 @@ std::vector<StageStatus> stageStatus(const std::vector<ResultStage>& stages, con
         progress.report(done++, total);
         try {
             inputHashes[i] = hashInputs(stages[i], hashes, Progress(progress.token()));
-        } catch (const Error& error) {
-            if (error.code() == ErrorCode::Cancelled)
+        } catch (...) {
+            all[i].error = caughtError();
+            if (all[i].error->code() == ErrorCode::Cancelled)
                 throw;
-            all[i].error = error;
         }
     });
     std::map<std::string, std::size_t> byName;

@@ -6,6 +6,7 @@
 #include "model/project/madeclips.h"
 #include "model/project/opensequence.h"
 #include "model/project/paths.h"
+#include "model/project/validateamounts.h"
 #include "model/project/validateanimations.h"
 #include "model/project/validateevaluations.h"
 #include "model/project/validatevariations.h"
@@ -19,7 +20,9 @@ namespace quadrille {
 
 namespace {
 
+constexpr double lowestFps = 0.001;
 constexpr double highestFps = 10000;
+constexpr std::size_t longestFileName = 255; ///< bytes, of Linux's file systems
 
 class Validator
 {
@@ -41,6 +44,7 @@ public:
         checkCycles();
         checkGraphs();
         validateAnimations(m_project, m_problems);
+        validateAmounts(m_project, m_problems);
         validateVariations(m_project, m_problems);
         validateEvaluations(m_project, m_problems);
         for (std::size_t i = 0; i < m_project.exports.size(); ++i)
@@ -56,8 +60,8 @@ private:
 
     void checkFps(double fps, const std::string& pointer)
     {
-        if (!(fps > 0) || fps > highestFps)
-            invalid(pointer, "A frame rate must be more than 0 and at most 10000 frames a second");
+        if (!(fps >= lowestFps) || fps > highestFps)
+            invalid(pointer, "A frame rate must be from 0.001 to 10000 frames a second");
     }
 
     template <typename Entry>
@@ -76,6 +80,13 @@ private:
 
     void checkPath(const std::string& path, const std::string& pointer)
     {
+        for (const auto& part : std::filesystem::path(path)) {
+            if (part.native().size() > longestFileName)
+                invalid(pointer,
+                        "The path has a file name of more than " + std::to_string(longestFileName) +
+                            " bytes, which no disk can hold",
+                        "Choose a shorter name.");
+        }
         if (path.find('\\') != std::string::npos) {
             m_problems.push_back(warningAt(pointer, "The path " + quoted(path) + " has backslashes",
                                            "Write forward slashes, on every system."));
@@ -300,6 +311,9 @@ std::optional<std::string> problemWithName(const std::string& name)
     });
     if (unusable)
         return "A name has no slashes and no control characters";
+    if (name.size() > longestName)
+        return "The name is too long: it has " + std::to_string(name.size()) +
+               " bytes, and files of results and exports can be named by " + std::to_string(longestName);
     return std::nullopt;
 }
 

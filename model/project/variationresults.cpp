@@ -302,15 +302,68 @@ Result selectionResult(const VariationEntry& entry, const std::vector<VariationS
     return result;
 }
 
+namespace {
+
+/// A column of a table by its name. \pre There is one of this type.
+template <typename Value>
+const std::vector<Value>& columnOf(const DataTable& table, const std::string& name)
+{
+    const auto found = std::ranges::find(table.columns, name, &DataArray::name);
+    return std::get<std::vector<Value>>(found->values);
+}
+
+/// As faultsText writes them.
+std::vector<VariationFault> faultsOf(const std::string& text)
+{
+    std::vector<VariationFault> faults;
+    for (std::size_t fault = 0; fault < variationFaults; ++fault) {
+        if (text.find(toString(static_cast<VariationFault>(fault))) != std::string::npos)
+            faults.push_back(static_cast<VariationFault>(fault));
+    }
+    return faults;
+}
+
+} // namespace
+
+std::vector<VariationSelection> selectionsOf(const Result& selection, const VariationEntry& entry)
+{
+    const DataTable& report = selection.tables.front();
+    const auto& numbers = columnOf<std::int64_t>(report, "variation");
+    const auto& candidates = columnOf<std::int64_t>(report, "candidate");
+    const auto& faults = columnOf<std::string>(report, "faults");
+    const auto& skates = columnOf<double>(report, "skate");
+    const auto& volumes = columnOf<double>(report, "volume-change");
+    std::vector<VariationSelection> sets;
+    std::int64_t before = 0;
+    for (std::size_t row = 0; row < numbers.size(); ++row) {
+        // Candidates of each set count from 0.
+        if (candidates[row] == 0) {
+            before += sets.empty() ? 0 : entry.samples.at(sets.size() - 1).count;
+            sets.emplace_back();
+        }
+        Candidate& candidate = sets.back().candidates.emplace_back();
+        candidate.number = numbers[row] > 0 ? static_cast<int>(numbers[row] - before) : 0;
+        candidate.faults = faultsOf(faults[row]);
+        candidate.quality.meanPoseDistance = columnOf<double>(report, "mean-pose-distance")[row];
+        candidate.quality.worstPoseDistance = columnOf<double>(report, "worst-pose-distance")[row];
+        // Where nothing stands there is no skate to measure: it is 0.
+        if (skates[row] != 0)
+            candidate.quality.skate = skates[row];
+        candidate.quality.volumeChange = volumes[row];
+        candidate.quality.takeSkate = columnOf<double>(report, "take-skate")[row];
+        candidate.quality.intersections = columnOf<std::int64_t>(report, "intersections")[row];
+        candidate.quality.takeIntersections = columnOf<std::int64_t>(report, "take-intersections")[row];
+        if (candidate.isAccepted())
+            sets.back().accepted.push_back(static_cast<int>(candidates[row]));
+    }
+    return sets;
+}
+
 int candidateOf(const Result& selection, int number)
 {
     const DataTable& report = selection.tables.front();
-    const auto wholeColumn = [&](const std::string& name) -> const std::vector<std::int64_t>& {
-        const auto found = std::ranges::find(report.columns, name, &DataArray::name);
-        return std::get<std::vector<std::int64_t>>(found->values);
-    };
-    const std::vector<std::int64_t>& numbers = wholeColumn("variation");
-    const std::vector<std::int64_t>& candidates = wholeColumn("candidate");
+    const auto& numbers = columnOf<std::int64_t>(report, "variation");
+    const auto& candidates = columnOf<std::int64_t>(report, "candidate");
     const auto found = std::find(numbers.begin(), numbers.end(), number);
     if (found == numbers.end())
         throw Error(ErrorCode::VariationMissing, {.values = {{"number", std::to_string(number)}}});

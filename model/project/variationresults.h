@@ -30,6 +30,8 @@ std::vector<RowMatrix> trajectoriesOf(const Result& samples);
 /// Which candidates became variations, what all of them are like, and how far those of a set are apart.
 Result selectionResult(const VariationEntry& entry, const std::vector<VariationSelection>& sets,
                        const std::vector<std::vector<PartSpread>>& spreads);
+/// What was judged of each set, without the clips. \pre The result is one of selectionResult of the entry.
+std::vector<VariationSelection> selectionsOf(const Result& selection, const VariationEntry& entry);
 /// The candidate, from 0 in its set, that became a variation. \pre The result is one of selectionResult.
 /// \throws Error VariationMissing where too few candidates were good.
 int candidateOf(const Result& selection, int number);

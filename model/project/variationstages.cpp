@@ -10,6 +10,7 @@
 #include "model/project/variate.h"
 #include "model/project/variationjson.h"
 #include "model/project/variationresults.h"
+#include "model/variation/selectionspread.h"
 
 #include <algorithm>
 
@@ -166,31 +167,10 @@ private:
             selections.push_back(selectVariations(
                 *learned, m_work->subject(sets[s]), latents[s], sets[s].count, sets[s].seed, m_work->poses(),
                 meter, m_work->layout(), m_work->entry().limits, progress.part(at, at + 0.8 * share)));
-            spreads.push_back(spreadOf(*learned, latents[s], selections.back(), sets[s].seed,
-                                       progress.part(at + 0.8 * share, at + share)));
+            spreads.push_back(selectionSpread(*learned, latents[s], selections.back(), m_work->poses(),
+                                              sets[s].seed, progress.part(at + 0.8 * share, at + share)));
         }
         return selectionResult(m_work->entry(), selections, spreads);
-    }
-
-    /// Of the accepted variations of a set beside the captured takes, on the frames of the reference.
-    std::vector<PartSpread> spreadOf(const LearnedMovement& learned,
-                                     const std::vector<LatentVariation>& latents,
-                                     const VariationSelection& selection, std::uint64_t seed,
-                                     const Progress& progress) const
-    {
-        const Movement& movement = learned.movement();
-        std::vector<std::vector<Vec3f>> poses;
-        for (const int candidate : selection.accepted) {
-            VariationPoses settings = m_work->poses();
-            settings.seed = streamSeed(seed, static_cast<std::uint64_t>(candidate));
-            poses.push_back(variationPoses(learned, latents[static_cast<std::size_t>(candidate)], settings,
-                                           Progress(progress.token())));
-        }
-        const std::vector<Positions> variations(poses.begin(), poses.end());
-        std::vector<Positions> takes;
-        for (std::size_t t = 0; t < movement.capturedCount(); ++t)
-            takes.emplace_back(movement.take(t).poses);
-        return variationSpread(movement.parts, movement.topology->vertexCount(), variations, takes, progress);
     }
 
     ResultStage clip(int number) const

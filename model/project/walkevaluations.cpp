@@ -25,7 +25,7 @@ constexpr auto junctionsNote =
 constexpr std::array criterionNames{"acceleration", "frozen", "centre-step", "foot-slip", "volume"};
 constexpr std::array criterionUnits{"m/s²", "", "m", "m/s", ""};
 constexpr std::array predictorNames{"sum", "mean", "acceleration-cost", "weight", "per-liveliness"};
-constexpr double none = std::numeric_limits<double>::infinity();
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<WalkSpan> spansOf(const CharacterGraph& graph, const std::vector<std::string>& sequences)
 {
@@ -196,6 +196,7 @@ ResultStage junctionsStage(const CharacterWork& work, const EvaluationEntry& eva
     const auto seed = static_cast<std::uint32_t>(evaluation.seed);
     const double fps = work.opener->project().settings.fps;
     ResultStage stage = evaluationStage(work, evaluation);
+    stage.version = 2;
     stage.settings = work.settings + nlohmann::json({count, seed, fps, work.sequences}).dump();
     stage.files = [work](const Progress& progress) { return work.files(progress); };
     stage.inputs = CharacterGraph::inputs(work);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
-#include "model/core/file.h"
 #include "model/core/message.h"
 #include "model/core/npy.h"
+#include "model/core/stagedfiles.h"
 #include "model/project/jsontext.h"
 #include "model/project/projectdata.h"
 #include "model/sequence/io/sourcefiles.h"
@@ -135,6 +135,20 @@ std::string valueText(const DataValues& values, std::size_t index)
     return std::visit([index](const auto& list) { return toText(list[index]); }, values);
 }
 
+/// As valueText; empty where a table has no value.
+std::string cellText(const DataValues& values, std::size_t index)
+{
+    const bool isNone = std::visit(
+        [index](const auto& list) {
+            if constexpr (std::is_floating_point_v<typename std::decay_t<decltype(list)>::value_type>)
+                return std::isnan(list[index]);
+            else
+                return false;
+        },
+        values);
+    return isNone ? std::string() : valueText(values, index);
+}
+
 /// One row per index of the first dimension, the others side by side.
 std::string toCsv(const DataArray& array)
 {
@@ -165,7 +179,7 @@ std::string toCsv(const DataTable& table)
     out += '\n';
     for (std::size_t row = 0; row < rows; ++row) {
         for (std::size_t c = 0; c < table.columns.size(); ++c)
-            out.append(c == 0 ? "" : ",").append(csvField(valueText(table.columns[c].values, row)));
+            out.append(c == 0 ? "" : ",").append(csvField(cellText(table.columns[c].values, row)));
         out += '\n';
     }
     return out;
@@ -225,7 +239,12 @@ Json toJson(const DataTable& table)
 
 } // namespace
 
-void writeData(const DataItem& item, const std::filesystem::path& file)
+std::string dataAsCsv(const DataItem& item)
+{
+    return std::visit([](const auto& data) { return toCsv(data); }, item.content);
+}
+
+void writeData(const DataItem& item, const std::filesystem::path& file, WriteGuard* guard)
 {
     const std::string extension = lowerExtension(file);
     const auto content = std::visit(
@@ -245,7 +264,7 @@ void writeData(const DataItem& item, const std::filesystem::path& file)
             return writeJson(json);
         },
         item.content);
-    writeAtomically(file, content);
+    writeGuarded(file, content, guard);
 }
 
 } // namespace quadrille

@@ -6,6 +6,7 @@
 #include "model/audio/soundtrack.h"
 #include "model/core/file.h"
 #include "model/core/message.h"
+#include "model/core/seriesname.h"
 #include "model/core/stagedfiles.h"
 #include "model/render/clipcamera.h"
 #include "model/render/renderframe.h"
@@ -44,7 +45,7 @@ public:
     ExportResult write(const MeshSequence& sequence, const fs::path& out, const ExportOptions& options,
                        const Progress& progress) const override
     {
-        StagedFiles files(out.parent_path());
+        StagedFiles files(out.parent_path(), options.guard);
         drawClip(
             sequence, settingsFor(options), progress,
             [&](FrameIndex frame, Image& image) {
@@ -70,11 +71,12 @@ public:
     {
         const RenderSettings settings = settingsFor(options);
         check(settings.look, out);
-        writeAtomically(out, [&](const fs::path& temporary) {
+        const auto write = [&](const fs::path& temporary) {
             encode(sequence, settings, out, temporary, progress.part(0, 0.95));
             if (options.sound && holdsSound(out))
                 addSound(temporary, soundOf(sequence, *options.sound, progress.part(0.95, 1)));
-        });
+        };
+        writeGuarded(out, write, options.guard);
         ExportResult result{{out}, {}};
         if (options.sound && !holdsSound(out)) {
             Issue& issue = result.issues.emplace_back();

@@ -11,8 +11,8 @@ namespace quadrille {
 
 namespace {
 
-/// Cells on each side of the grid beyond the figure, for the blur.
-constexpr int border = 40;
+/// Cells on each side of the finest grid beyond the figure, for the blur.
+constexpr int widestBorder = 40;
 constexpr int largestGrid = 2048;
 
 using Field = std::vector<float>;
@@ -100,9 +100,13 @@ Field lowestHeights(std::span<const ScreenVertex> vertices, std::span<const Tria
 } // namespace
 
 ShadowMap::ShadowMap(Positions positions, std::span<const Triangle> triangles, const GroundPlane& ground,
-                     const Vec3d& toLight, double texel)
-    : m_texel(texel)
+                     const Vec3d& toLight, double texel, double coarseness)
+    : m_texel(texel * coarseness)
 {
+    const auto coarser = [coarseness](int cells) {
+        return std::max(1, static_cast<int>(std::lround(cells / coarseness)));
+    };
+    const int border = coarser(widestBorder);
     const Eigen::Index up = ground.vertical();
     const Vec2d lean = ground.flat(toLight) / toLight[up];
     std::vector<ScreenVertex> straight(positions.size());
@@ -122,7 +126,7 @@ ShadowMap::ShadowMap(Positions positions, std::span<const Triangle> triangles, c
         highest = std::max(highest, height);
     }
     // A scene that would need too many cells gets larger ones.
-    m_texel = std::max(texel, (high - low).maxCoeff() / (largestGrid - 2 * border - 2));
+    m_texel = std::max(m_texel, (high - low).maxCoeff() / (largestGrid - 2 * border - 2));
     m_firstX = static_cast<std::int64_t>(std::floor(low.x() / m_texel)) - border;
     m_firstY = static_cast<std::int64_t>(std::floor(low.y() / m_texel)) - border;
     m_width = static_cast<int>(static_cast<std::int64_t>(std::floor(high.x() / m_texel)) - m_firstX) + border;
@@ -141,7 +145,7 @@ ShadowMap::ShadowMap(Positions positions, std::span<const Triangle> triangles, c
     const Field along = lowestHeights(cast, triangles, grid, above);
 
     // What is close to the ground casts a sharp shadow, what is high above a soft one.
-    const float reach = static_cast<float>(55 * m_texel);
+    const float reach = static_cast<float>(55 * m_texel / coarseness);
     Field contact(over.size());
     Field sharp(over.size());
     Field soft(over.size());
@@ -154,9 +158,9 @@ ShadowMap::ShadowMap(Positions positions, std::span<const Triangle> triangles, c
         sharp[i] = 1 - share;
         soft[i] = share;
     }
-    blur(contact, m_width, m_height, 4);
-    blur(sharp, m_width, m_height, 2);
-    blur(soft, m_width, m_height, 7);
+    blur(contact, m_width, m_height, coarser(4));
+    blur(sharp, m_width, m_height, coarser(2));
+    blur(soft, m_width, m_height, coarser(7));
     m_darkness.resize(over.size());
     for (std::size_t i = 0; i < over.size(); ++i)
         m_darkness[i] = 1 - (1 - 0.75F * contact[i]) * (1 - 0.62F * std::min(sharp[i] + soft[i], 1.0F));

@@ -36,11 +36,24 @@ public:
     ShadowMap() = default;
     /// \param toLight unit vector towards the light, above the ground.
     /// \param texel side of a cell of the grid, in units of the scene.
+    /// \param coarseness ≥ 1: how many times larger the cells are made, for the sake of speed; the shadow is
+    /// as wide as without.
     ShadowMap(Positions positions, std::span<const Triangle> triangles, const GroundPlane& ground,
-              const Vec3d& toLight, double texel);
+              const Vec3d& toLight, double texel, double coarseness = 1);
 
     /// \param point horizontal coordinates as GroundPlane::flat gives them.
     float at(const Vec2d& point) const;
+
+    double texel() const { return m_texel; }
+    /// The outer corner of the first cell.
+    Vec2d corner() const
+    {
+        return {m_texel * static_cast<double>(m_firstX), m_texel * static_cast<double>(m_firstY)};
+    }
+    int width() const { return m_width; }
+    int height() const { return m_height; }
+    /// Rows of cells along the first horizontal coordinate.
+    const std::vector<float>& darkness() const { return m_darkness; }
 
 private:
     double m_texel = 1;

@@ -65,6 +65,12 @@ private:
     double armDistance(const Vec3d& p) const;
     double handDistance(const Vec3d& p) const;
     double footDistance(const Vec3d& p) const;
+    double legsDistance(const Vec3d& p) const;
+    // Numbers that the distances to the parts are not below, at a fraction of their cost. \pre p.x() ≥ 0
+    double torsoAtLeast(const Vec3d& p) const;
+    double legsAtLeast(const Vec3d& p) const;
+    double armAtLeast(const Vec3d& p) const;
+    Vec3d inHand(const Vec3d& p) const;
 
     void buildJoints();
     void buildLofts();

@@ -21,6 +21,15 @@ double boxDistance(const Vec3d& p, const Vec3d& low, const Vec3d& high)
     return (low - p).cwiseMax(p - high).cwiseMax(0.0).norm();
 }
 
+constexpr double legRound = 0.016;
+constexpr double handRound = 0.016;
+/// The box that the hand lies in, in its own axes; farther away than this the box stands for the hand.
+const Vec3d handLow(-0.03, -0.06, -0.06);
+const Vec3d handHigh(0.21, 0.10, 0.03);
+constexpr double handNear = 0.05;
+/// More than what sums of these sizes are off by.
+constexpr double slack = 1e-9;
+
 } // namespace
 
 double Body::faceDistance(const Vec3d& p) const
@@ -101,11 +110,17 @@ double Body::torsoDistance(const Vec3d& p) const
     return smoothUnion(d, ring, 0.012);
 }
 
-double Body::handDistance(const Vec3d& p) const
+/// Along the hand, to its thumb, off its palm.
+Vec3d Body::inHand(const Vec3d& p) const
 {
     const Vec3d q = p - m_joints.wrist;
-    const Vec3d h(q.dot(bodyArmAlong), q.z(), q.dot(bodyArmOut)); // along, to the thumb, off the palm
-    if (const double box = boxDistance(h, {-0.03, -0.06, -0.06}, {0.21, 0.10, 0.03}); box > 0.05)
+    return {q.dot(bodyArmAlong), q.z(), q.dot(bodyArmOut)};
+}
+
+double Body::handDistance(const Vec3d& p) const
+{
+    const Vec3d h = inHand(p);
+    if (const double box = boxDistance(h, handLow, handHigh); box > handNear)
         return box;
     double palm = ellipsoidDistance(h, {0.050, 0.001, 0.0}, {0.058, 0.042, 0.0170});
     palm =
@@ -134,7 +149,7 @@ double Body::handDistance(const Vec3d& p) const
 
 double Body::armDistance(const Vec3d& p) const
 {
-    return smoothUnion(m_arm.distance(p), handDistance(p), 0.016);
+    return smoothUnion(m_arm.distance(p), handDistance(p), handRound);
 }
 
 double Body::footDistance(const Vec3d& p) const
@@ -152,15 +167,81 @@ double Body::footDistance(const Vec3d& p) const
     return smoothIntersection(both, toeSpring - p.y(), 0.020);
 }
 
+double Body::legsDistance(const Vec3d& p) const
+{
+    const double own = m_leg.distance(p);
+    const Vec3d other = mirrored(p);
+    return m_leg.atLeast(other) > own + legRound + slack ? own
+                                                         : smoothUnion(own, m_leg.distance(other), legRound);
+}
+
+double Body::legsAtLeast(const Vec3d& p) const
+{
+    return std::min(m_leg.atLeast(p), m_leg.atLeast(mirrored(p))) - 0.25 * legRound - slack;
+}
+
+double Body::torsoAtLeast(const Vec3d& p) const
+{
+    constexpr double rounds = 0.054; // more than a quarter of what its unions round over
+    const double g = m_proportions.girth;
+    const auto ellipsoid = [&](double x, double y, double z, double least, double most) {
+        return least / most * (p - Vec3d(x * g, height(y), z * g)).norm() - most * g;
+    };
+    const double chest = ellipsoid(0.078, 1.315, 0.075, 0.045, 0.072);
+    const double back = ellipsoid(0.080, 1.335, -0.085, 0.042, 0.085);
+    const double seat = ellipsoid(0.076, 0.895, -0.068, 0.064, 0.085);
+    // Shoulders, throat and collar; the collar is measured shorter along its axis.
+    constexpr double shortened = 0.62;
+    constexpr double thickest = 0.09;
+    const double upper = shortened * boxDistance(p, {0, height(1.40), -0.03},
+                                                 {std::max(m_joints.shoulder.x(), 0.02), height(1.55), 0.0}) -
+                         thickest;
+    return std::min({m_torso.atLeast(p), chest, back, seat, upper}) - rounds;
+}
+
+double Body::armAtLeast(const Vec3d& p) const
+{
+    constexpr double near = -1e9;
+    const Vec3d h = inHand(p);
+    const double hand = boxDistance(h, handLow, handHigh);
+    return std::min(m_arm.atLeast(p), hand > handNear ? hand : near) - 0.25 * handRound - slack;
+}
+
+/// A union leaves a part as it is where the other is farther than what it rounds over. Parts that are sure to
+/// be so far are not looked at, which changes no bit of the result.
 double Body::distance(const Vec3d& point) const
 {
     const Vec3d p(std::abs(point.x()), point.y(), point.z());
-    double d = torsoDistance(p);
-    const double legs = smoothUnion(m_leg.distance(p), m_leg.distance(mirrored(p)), 0.016);
-    d = smoothUnion(d, legs, 0.045);
-    d = smoothUnion(d, headDistance(p), 0.022);
-    d = smoothUnion(d, armDistance(p), 0.035);
-    return smoothUnion(d, footDistance(p), 0.010);
+    constexpr double legsRound = 0.045;
+    constexpr double headRound = 0.022;
+    constexpr double armRound = 0.035;
+    constexpr double footRound = 0.010;
+    const double torsoBound = torsoAtLeast(p);
+    const double legsBound = legsAtLeast(p);
+    const double armBound = armAtLeast(p);
+    const double head = headDistance(p);
+    const double others =
+        std::min(std::min(torsoBound, legsBound) - 0.25 * legsRound, head) - 0.25 * headRound - slack;
+    double arm = armBound;
+    if (armBound < others) {
+        arm = armDistance(p);
+        if (others > arm + armRound)
+            return smoothUnion(arm, footDistance(p), footRound);
+    }
+    double d = 0;
+    if (legsBound < torsoBound) {
+        d = legsDistance(p);
+        if (torsoBound <= d + legsRound)
+            d = smoothUnion(torsoDistance(p), d, legsRound);
+    } else {
+        d = torsoDistance(p);
+        if (legsBound <= d + legsRound)
+            d = smoothUnion(d, legsDistance(p), legsRound);
+    }
+    d = smoothUnion(d, head, headRound);
+    if (armBound <= d + armRound)
+        d = smoothUnion(d, armBound < others ? arm : armDistance(p), armRound);
+    return smoothUnion(d, footDistance(p), footRound);
 }
 
 } // namespace quadrille

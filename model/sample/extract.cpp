@@ -25,9 +25,10 @@ public:
         for (int axis = 0; axis < 3; ++axis)
             m_nodes[static_cast<std::size_t>(axis)] =
                 (static_cast<int>((high[axis] - low[axis]) / spacing) / blockSize + 2) * blockSize;
-        m_values.assign(static_cast<std::size_t>(m_nodes[0]) * static_cast<std::size_t>(m_nodes[1]) *
-                            static_cast<std::size_t>(m_nodes[2]),
-                        1.0F);
+        const std::size_t count = static_cast<std::size_t>(m_nodes[0]) *
+                                  static_cast<std::size_t>(m_nodes[1]) * static_cast<std::size_t>(m_nodes[2]);
+        m_values.assign(count, 1.0F);
+        m_isFar.assign(count / (blockSize * blockSize * blockSize), 0);
     }
 
     int nodes(std::size_t axis) const { return m_nodes[axis]; }
@@ -40,6 +41,20 @@ public:
                static_cast<std::size_t>(i);
     }
     float value(int i, int j, int k) const { return m_values[index(i, j, k)]; }
+    /// Calls `visit(i, j, k)` for the cells, in rows along i, from `first` on in each direction; those that
+    /// are far from the surface are left out.
+    template <typename Visit>
+    void visitCells(int first, const Visit& visit) const
+    {
+        for (int j = first; j + 1 < m_nodes[1]; ++j)
+            for (int k = first; k + 1 < m_nodes[2]; ++k)
+                for (int i = first; i + 1 < m_nodes[0]; ++i) {
+                    if (m_isFar[block(i, j, k)] != 0)
+                        i |= blockSize - 1; // to the last of the block
+                    else
+                        visit(i, j, k);
+                }
+    }
 
     void fill(const Body& body, const Progress& progress)
     {
@@ -59,15 +74,22 @@ public:
     {
         for (bool changed = true; changed;) {
             changed = false;
-            for (int j = 0; j + 1 < m_nodes[1]; ++j)
-                for (int k = 0; k + 1 < m_nodes[2]; ++k)
-                    for (int i = 0; i + 1 < m_nodes[0]; ++i)
-                        changed = makeCellSimple(i, j, k) || changed;
+            visitCells(0, [&](int i, int j, int k) { changed = makeCellSimple(i, j, k) || changed; });
         }
     }
 
 private:
-    static constexpr int blockSize = 4;
+    static constexpr int blockSize = 4; ///< a power of two
+    /// As many node spacings from the surface no cell of a block, nor the next one, touches it.
+    static constexpr double farAway = 3.0 * blockSize;
+
+    std::size_t block(int i, int j, int k) const
+    {
+        return (static_cast<std::size_t>(j / blockSize) * static_cast<std::size_t>(m_nodes[2] / blockSize) +
+                static_cast<std::size_t>(k / blockSize)) *
+                   static_cast<std::size_t>(m_nodes[0] / blockSize) +
+               static_cast<std::size_t>(i / blockSize);
+    }
 
     std::size_t cornerIndex(int i, int j, int k, int corner) const
     {
@@ -114,7 +136,8 @@ private:
     {
         const Vec3d centre = position(i0, j0, k0) + Vec3d::Constant(0.5 * (blockSize - 1) * m_spacing);
         const double middle = body.distance(centre);
-        const bool isFar = std::abs(middle) > 3.0 * blockSize * m_spacing;
+        const bool isFar = std::abs(middle) > farAway * m_spacing;
+        m_isFar[block(i0, j0, k0)] = isFar ? 1 : 0;
         for (int j = j0; j < j0 + blockSize; ++j)
             for (int k = k0; k < k0 + blockSize; ++k)
                 for (int i = i0; i < i0 + blockSize; ++i)
@@ -126,6 +149,7 @@ private:
     Vec3d m_origin;
     std::array<int, 3> m_nodes{};
     std::vector<float> m_values;
+    std::vector<std::uint8_t> m_isFar; ///< per block
 };
 
 constexpr std::uint32_t noVertex = ~0U;
@@ -167,17 +191,15 @@ SurfaceMesh extractHalfSurface(const Body& body, double spacing, const Progress&
     SurfaceMesh mesh;
     std::vector<std::uint32_t> vertexOfCell(
         grid.index(grid.nodes(0) - 1, grid.nodes(1) - 1, grid.nodes(2) - 1) + 1, noVertex);
-    for (int j = 0; j + 1 < grid.nodes(1); ++j)
-        for (int k = 0; k + 1 < grid.nodes(2); ++k)
-            for (int i = 0; i + 1 < grid.nodes(0); ++i) {
-                Vec3d point;
-                if (!cellPoint(grid, i, j, k, point))
-                    continue;
-                if (i == 0)
-                    point.x() = 0;
-                vertexOfCell[grid.index(i, j, k)] = static_cast<std::uint32_t>(mesh.points.size());
-                mesh.points.push_back(point);
-            }
+    grid.visitCells(0, [&](int i, int j, int k) {
+        Vec3d point;
+        if (!cellPoint(grid, i, j, k, point))
+            return;
+        if (i == 0)
+            point.x() = 0;
+        vertexOfCell[grid.index(i, j, k)] = static_cast<std::uint32_t>(mesh.points.size());
+        mesh.points.push_back(point);
+    });
     const auto addQuad = [&](std::array<std::size_t, 4> cells, bool flipped) {
         std::array<VertexIndex, 4> v;
         for (std::size_t c = 0; c < 4; ++c)
@@ -185,18 +207,16 @@ SurfaceMesh extractHalfSurface(const Body& body, double spacing, const Progress&
         mesh.triangles.push_back({v[0], v[1], v[2]});
         mesh.triangles.push_back({v[0], v[2], v[3]});
     };
-    for (int j = 1; j + 1 < grid.nodes(1); ++j)
-        for (int k = 1; k + 1 < grid.nodes(2); ++k)
-            for (int i = 1; i + 1 < grid.nodes(0); ++i) {
-                const bool inside = grid.value(i, j, k) < 0;
-                const auto cell = [&](int di, int dj, int dk) { return grid.index(i - di, j - dj, k - dk); };
-                if (inside != (grid.value(i + 1, j, k) < 0))
-                    addQuad({cell(0, 0, 0), cell(0, 1, 0), cell(0, 1, 1), cell(0, 0, 1)}, !inside);
-                if (inside != (grid.value(i, j + 1, k) < 0))
-                    addQuad({cell(0, 0, 0), cell(0, 0, 1), cell(1, 0, 1), cell(1, 0, 0)}, !inside);
-                if (inside != (grid.value(i, j, k + 1) < 0))
-                    addQuad({cell(0, 0, 0), cell(1, 0, 0), cell(1, 1, 0), cell(0, 1, 0)}, !inside);
-            }
+    grid.visitCells(1, [&](int i, int j, int k) {
+        const bool inside = grid.value(i, j, k) < 0;
+        const auto cell = [&](int di, int dj, int dk) { return grid.index(i - di, j - dj, k - dk); };
+        if (inside != (grid.value(i + 1, j, k) < 0))
+            addQuad({cell(0, 0, 0), cell(0, 1, 0), cell(0, 1, 1), cell(0, 0, 1)}, !inside);
+        if (inside != (grid.value(i, j + 1, k) < 0))
+            addQuad({cell(0, 0, 0), cell(0, 0, 1), cell(1, 0, 1), cell(1, 0, 0)}, !inside);
+        if (inside != (grid.value(i, j, k + 1) < 0))
+            addQuad({cell(0, 0, 0), cell(1, 0, 0), cell(1, 1, 0), cell(0, 1, 0)}, !inside);
+    });
     return mesh;
 }
 

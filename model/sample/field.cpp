@@ -122,4 +122,21 @@ double Loft::distance(const Vec3d& p) const
     return std::hypot(std::max(radial, 0.0), beyond);
 }
 
+double Loft::atLeast(const Vec3d& p) const
+{
+    constexpr double anything = -1e9;
+    const Vec3d q = p - m_frame.origin;
+    const double at = q.dot(m_frame.along);
+    if (const double beyond = std::max(m_first - at, at - m_last); beyond > 0)
+        return beyond;
+    const LoftKey key = section(at);
+    const double v = q.dot(m_frame.ahead) - key.forward;
+    const double width = std::max(key.width, 1e-4);
+    const double depth = std::max(v > 0 ? key.front : key.back, 1e-4);
+    // The norm of the superellipse is at least that of its larger part, and its gradient at most that of both
+    // parts together.
+    const double k = std::max(std::abs(q.dot(m_frame.across) - key.offset) / width, std::abs(v) / depth);
+    return k <= 1 ? anything : (k - 1) * width * depth / std::hypot(width, depth);
+}
+
 } // namespace quadrille

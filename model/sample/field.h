@@ -51,6 +51,8 @@ public:
 
     /// Signed distance, exact in the limit of small slopes.
     double distance(const Vec3d& p) const;
+    /// A number that `distance` is not below, at a fraction of its cost; far below zero near the surface.
+    double atLeast(const Vec3d& p) const;
     /// The cross-section at a place along the axis, ends held.
     LoftKey section(double at) const;
 

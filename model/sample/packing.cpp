@@ -3,10 +3,12 @@
 #include "model/sample/atlas.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bitset>
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <tbb/parallel_for.h>
 
 namespace quadrille {
 
@@ -164,13 +166,14 @@ Atlas makeAtlas(const SurfaceMesh& mesh, const Body& body, const Progress& progr
     Atlas atlas;
     atlas.charts = cutCharts(mesh, body);
     const std::size_t count = atlas.charts.names.size();
-    std::vector<FlatChart> charts;
-    std::vector<double> sizes;
-    for (std::size_t c = 0; c < count; ++c) {
-        progress.report(0.5 * static_cast<double>(c) / static_cast<double>(count));
-        charts.push_back(flattenChart(mesh, atlas.charts, static_cast<std::uint16_t>(c)));
-        sizes.push_back(sizeOf(atlas.charts.names[c]));
-    }
+    std::vector<FlatChart> charts(count);
+    std::vector<double> sizes(count);
+    std::atomic<std::size_t> done{0};
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t c) {
+        progress.report(0.5 * static_cast<double>(done++) / static_cast<double>(count));
+        charts[c] = flattenChart(mesh, atlas.charts, static_cast<std::uint16_t>(c));
+        sizes[c] = sizeOf(atlas.charts.names[c]);
+    });
     const auto packed = packCharts(mesh, charts, sizes);
     progress.report(1.0);
     atlas.triangleUvs.resize(mesh.triangles.size());

@@ -115,9 +115,10 @@ std::vector<Vec3f> moveSurface(const Performer& performer, const std::vector<Ske
     const std::array<std::vector<Vec3d>, 2> seats = {
         lag(track("leftThigh", {0, -0.03, -0.08}), 4.5, 0.4, 0.010),
         lag(track("rightThigh", {0, -0.03, -0.08}), 4.5, 0.4, 0.010)};
-    std::vector<Softness> soft;
-    for (std::size_t v = 0; v < vertices; ++v)
-        soft.push_back(softness(performer.mesh.points[v], performer.normals[v], skeleton));
+    std::vector<Softness> soft(vertices);
+    tbb::parallel_for(std::size_t{0}, vertices, [&](std::size_t v) {
+        soft[v] = softness(performer.mesh.points[v], performer.normals[v], skeleton);
+    });
     const std::array<std::size_t, 2> forearms = {skeleton.index("leftForearm"),
                                                  skeleton.index("rightForearm")};
     const std::array<std::size_t, 2> shins = {skeleton.index("leftShin"), skeleton.index("rightShin")};
@@ -131,12 +132,17 @@ std::vector<Vec3f> moveSurface(const Performer& performer, const std::vector<Ske
         std::vector<Vec3d> bulged = performer.mesh.points;
         const double breath =
             std::sin(breathPhase + 2 * std::numbers::pi * 0.28 * static_cast<double>(f) / sampleFps);
+        std::array<double, 2> arms{};
+        std::array<double, 2> legs{};
+        for (std::size_t side = 0; side < 2; ++side) {
+            arms[side] = std::min(bendOf(poses[f], forearms[side]), 2.0);
+            legs[side] = std::min(bendOf(poses[f], shins[side]), 1.6);
+        }
         for (std::size_t v = 0; v < vertices; ++v) {
             const Softness& s = soft[v];
             double out = 0.0045 * breath * s.breath;
             for (std::size_t side = 0; side < 2; ++side)
-                out += 0.009 * s.biceps[side] * std::min(bendOf(poses[f], forearms[side]), 2.0) +
-                       0.006 * s.calf[side] * std::min(bendOf(poses[f], shins[side]), 1.6);
+                out += 0.009 * s.biceps[side] * arms[side] + 0.006 * s.calf[side] * legs[side];
             bulged[v] += out * performer.normals[v];
         }
         std::vector<Vec3d> moved;

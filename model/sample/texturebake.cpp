@@ -112,7 +112,8 @@ Image bakeTexture(const SurfaceMesh& mesh, const Body& body, const TexelMap& tex
             const Vec3d p = blend(mesh.points);
             const Vec3d n = blend(normals).normalized();
             const FigurePart part = body.partAt(p);
-            const Vec3d colour = paint({body.toReference(p, part), n, part, body.isHair(p)}, palette);
+            const bool isHair = part == FigurePart::Head && body.isHair(p);
+            const Vec3d colour = paint({body.toReference(p, part), n, part, isHair}, palette);
             const double light = (0.50 + 0.50 * openness(body, p + 0.002 * n, n)) * (0.965 + 0.035 * n.y());
             for (int c = 0; c < 3; ++c)
                 pixel[c] = static_cast<std::uint8_t>(std::clamp(255 * colour[c] * light + 0.5, 0.0, 255.0));

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 namespace quadrille {
 
@@ -107,6 +108,7 @@ SequenceEntry writeTake(const SampleCharacter& character, const SampleTake& take
     entry.jointAngles = "takes/" + stem + ".bvh";
     entry.labels = take.sequence.labels;
     entry.contacts = take.sequence.contacts;
+    progress.report(0);
     writePc2(take.sequence, folder / entry.source);
     writeAtomically(folder / entry.jointAngles, toBvh(character.skeleton, take.poses, take.sequence.fps));
     if (take.appearance) {
@@ -118,6 +120,19 @@ SequenceEntry writeTake(const SampleCharacter& character, const SampleTake& take
     return entry;
 }
 
+std::vector<SequenceEntry> writeTakes(const SampleCharacter& character, const fs::path& folder,
+                                      const Progress& progress)
+{
+    std::vector<SequenceEntry> entries(character.takes.size());
+    const auto count = static_cast<double>(entries.size());
+    std::atomic<int> begun{0};
+    tbb::parallel_for(std::size_t{0}, entries.size(), [&](std::size_t t) {
+        const double from = begun++ / count;
+        entries[t] = writeTake(character, character.takes[t], folder, progress.part(from, from + 1 / count));
+    });
+    return entries;
+}
+
 } // namespace
 
 fs::path writeSample(const fs::path& folder, const SampleOptions& options, const Progress& progress)
@@ -125,21 +140,15 @@ fs::path writeSample(const fs::path& folder, const SampleOptions& options, const
     const SampleCharacter character = makeSampleCharacter(options, progress.part(0, 0.6));
     Project project;
     project.settings.fps = sampleFps;
-    project.characters = {writeBody(character.body, "character", folder),
-                          writeBody(character.target, "target", folder)};
+    project.characters.resize(2);
+    tbb::parallel_invoke(
+        [&] { project.characters[0] = writeBody(character.body, "character", folder); },
+        [&] { project.characters[1] = writeBody(character.target, "target", folder); },
+        [&] { project.sequences = writeTakes(character, folder, progress.part(0.6, 0.98)); });
     project.characters[0].notes = "The built-in sample character.";
     project.characters[1].notes =
         "A second body at rest, for motion transfer; groundtruth/landmarks.json names the "
         "places that belong together.";
-    const auto count = static_cast<std::int64_t>(character.takes.size());
-    for (std::int64_t t = 0; t < count; ++t) {
-        const double from = 0.6 + 0.38 * static_cast<double>(t) / static_cast<double>(count);
-        const double to = 0.6 + 0.38 * static_cast<double>(t + 1) / static_cast<double>(count);
-        const Progress part = progress.part(from, to);
-        part.report(0);
-        project.sequences.push_back(
-            writeTake(character, character.takes[static_cast<std::size_t>(t)], folder, part));
-    }
     project.graphs.resize(1);
     project.graphs[0].character = project.characters[0].name;
     project.animations = sampleAnimations(project.characters[0].name);

@@ -88,7 +88,8 @@ void checkObstacles(const PathConstraint& path, const PathCourse& course)
 
 void checkPathSpans(const PathConstraint& path, double length, const FrameLayout& layout)
 {
-    constexpr double rounding = 1e-6;
+    // A length with two decimals, as it is shown, stands for the exact one.
+    constexpr double rounding = 0.005 + 1e-6;
     std::vector<PathSpan> timed;
     for (const PathSpan& span : path.spans) {
         require(isCount(span.from) && std::isfinite(span.to) && span.from < span.to,

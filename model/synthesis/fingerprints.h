@@ -19,6 +19,8 @@ public:
     bool improves(std::uint64_t state, double cost);
     /// Whether the state is known at less.
     bool isWorse(std::uint64_t state, double cost) const;
+    /// States that are known.
+    std::size_t count() const { return m_count; }
 
 private:
     struct Slot

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/junctionquality.h"
 
+#include "model/synthesis/junctionspeeds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -148,24 +150,7 @@ JunctionValue JunctionJudge::centreStep(const ClipPlan& plan, const Segments& se
 
 JunctionValue JunctionJudge::footSlip(const Clip& clip, const ClipPlan& plan, const Segments& segments) const
 {
-    const auto contactsOf = [this](const PlannedFrame& frame) {
-        const auto of = [this](NodeIndex node) -> std::span<const std::uint32_t> {
-            return m_roots.supports[static_cast<std::size_t>(node)].vertices;
-        };
-        return common(of(frame.origin.source), of(frame.origin.destination));
-    };
-    const ClipPlan::Junction& junction = plan.junctions.front();
-    double sum = 0;
-    int count = 0;
-    for (std::int64_t f = junction.first; f < junction.last; ++f) {
-        const auto index = static_cast<std::size_t>(f);
-        const std::vector<std::uint32_t> standing =
-            common(contactsOf(plan.frames[index]), contactsOf(plan.frames[index + 1]));
-        if (standing.empty())
-            continue;
-        sum += clip.fps * meanSlip(clip.frame(f), clip.frame(f + 1), standing, Ground(m_roots.up));
-        ++count;
-    }
+    const auto slide = footSlide(clip, plan, plan.junctions.front(), m_roots);
     double captured = 0;
     for (const WalkSpan& span : segments.spans) {
         double spanSum = 0;
@@ -178,7 +163,7 @@ JunctionValue JunctionJudge::footSlip(const Clip& clip, const ClipPlan& plan, co
         }
         captured = std::max(captured, spanSum / std::max(spanCount, 1));
     }
-    return count > 0 ? against(sum / count, m_limits.footSlip * captured) : JunctionValue{};
+    return slide ? against(*slide, m_limits.footSlip * captured) : JunctionValue{};
 }
 
 JunctionValue JunctionJudge::volume(const Clip& clip, const ClipPlan::Junction& junction,

@@ -134,6 +134,16 @@ LegWalk cheapestLeg(const WalkGraph& graph, const Leg& leg, const LegBounds& bou
                             {"nearest", std::to_string(nearest)}}});
 }
 
+/// Layers of all legs together stay within two gigabytes: what is looked at is limited by the budget, or by
+/// this where the budget is greater.
+std::int64_t withinMemory(std::int64_t budget, const WalkGraph& graph)
+{
+    constexpr std::int64_t mostBytes = std::int64_t{2} << 30;
+    const std::int64_t ofLayer = std::max<std::int64_t>(graph.nodeCount(), 1) *
+                                 static_cast<std::int64_t>(sizeof(double) + sizeof(MoveIndex));
+    return std::min(budget, std::max(mostBytes / ofLayer, std::int64_t{1}));
+}
+
 void append(WalkRoute& route, const WalkRoute& leg)
 {
     if (route.moves.empty())
@@ -312,9 +322,10 @@ KeyWalk walkFromKeyToKey(const WalkGraph& graph, const std::vector<NodeIndex>& s
                          const std::vector<PoseKey>& keys, double beta, std::int64_t budget,
                          const Progress& progress)
 {
-    std::int64_t left = budget;
+    const std::int64_t allowed = withinMemory(budget, graph);
+    std::int64_t left = allowed;
     KeyWalk walk = fromKeyToKey(graph, starts, keys, boundsOf(graph, keys, beta), beta, left, progress);
-    walk.expansions = budget - std::max(left, std::int64_t{0});
+    walk.expansions = allowed - std::max(left, std::int64_t{0});
     return walk;
 }
 
@@ -322,7 +333,8 @@ KeyWalk walkOverAllKeys(const WalkGraph& graph, const std::vector<NodeIndex>& st
                         const std::vector<PoseKey>& keys, double beta, std::int64_t budget,
                         const Progress& progress)
 {
-    std::int64_t left = budget;
+    const std::int64_t allowed = withinMemory(budget, graph);
+    std::int64_t left = allowed;
     const std::vector<LegBounds> bounds = boundsOf(graph, keys, beta);
     KeyWalk first = goodWalk(graph, starts, keys, beta, left, progress.part(0, 0.3));
     // A little above, so that rounding does not leave out the walk that is known.
@@ -349,12 +361,12 @@ KeyWalk walkOverAllKeys(const WalkGraph& graph, const std::vector<NodeIndex>& st
             },
             legs[k].isFirst, left, progress.part(0.5 + 0.5 * part, 1));
         if (!isComplete) {
-            first.expansions = budget;
+            first.expansions = allowed;
             return first;
         }
         times.addLeg(costs);
     }
-    KeyWalk best{.optimal = true, .expansions = budget - left};
+    KeyWalk best{.optimal = true, .expansions = allowed - left};
     const std::vector<std::int32_t> elapsed = times.cheapest();
     assert(elapsed.size() == keys.size());
     std::int64_t time = 0;

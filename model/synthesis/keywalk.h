@@ -22,8 +22,8 @@ struct KeyWalk
 /// that the next one should take is shifted by the error that is left (dynamic programme over frame and time,
 /// exact).
 /// \param starts  where the walk may begin. \param keys  times ascend.
-/// \param budget  where it runs out, the best of the walks with the bounds stands for a leg.
-/// \throws Error WalkKeyUnreachable, WalkKeyUntimely, Cancelled.
+/// \param budget  where it, or two gigabytes, run out, the best of the walks with the bounds stands for a
+/// leg. \throws Error WalkKeyUnreachable, WalkKeyUntimely, Cancelled.
 KeyWalk walkFromKeyToKey(const WalkGraph& graph, const std::vector<NodeIndex>& starts,
                          const std::vector<PoseKey>& keys, double beta, std::int64_t budget,
                          const Progress& progress = {});

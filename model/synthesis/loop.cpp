@@ -4,6 +4,7 @@
 
 #include "model/core/error.h"
 #include "model/core/message.h"
+#include "model/synthesis/clipsize.h"
 #include "model/synthesis/frameorigins.h"
 #include "model/synthesis/makeclip.h"
 #include "model/synthesis/ownperiod.h"
@@ -217,6 +218,7 @@ Clip repeated(const Loop& loop, int cycles, UpAxis up)
     const std::size_t frames = loop.cycle.origins.size();
     const std::size_t positions = loop.cycle.positions.size();
     Clip clip = loop.cycle;
+    checkClipSize(static_cast<std::int64_t>(frames) * cycles, positions / std::max<std::size_t>(frames, 1));
     clip.positions.resize(positions * static_cast<std::size_t>(cycles));
     clip.origins.resize(frames * static_cast<std::size_t>(cycles));
     for (int k = 1; k < cycles; ++k) {

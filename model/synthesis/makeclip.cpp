@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/makeclip.h"
 
+#include "model/synthesis/clipsize.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cassert>
@@ -102,6 +104,7 @@ void ClipPlayer::blendInto(Clip& clip, std::span<const std::int64_t> frames, con
 Clip ClipPlayer::clip(const Progress& progress) const
 {
     const std::size_t count = m_plan.frames.size();
+    checkClipSize(static_cast<std::int64_t>(count), m_character.vertexCount());
     Clip clip{.topology = m_character.sequences().front().topology,
               .fps = m_character.sequences().front().fps,
               .positions = std::vector<Vec3f>(count * m_character.vertexCount()),

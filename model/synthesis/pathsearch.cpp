@@ -3,6 +3,7 @@
 #include "model/synthesis/pathsearch.h"
 
 #include "model/synthesis/fingerprints.h"
+#include "model/synthesis/searchmemory.h"
 #include "model/synthesis/strata.h"
 
 #include <algorithm>
@@ -47,8 +48,9 @@ public:
     std::optional<FoundRoute> run(std::int64_t& budget, const Progress& progress)
     {
         begin();
-        for (std::size_t l = 0; l < m_layers.size() && budget > 0; ++l) {
-            for (std::int64_t taken = 0; taken < m_layers[l].width(m_settings.width) && budget > 0;) {
+        for (std::size_t l = 0; l < m_layers.size() && budget > 0 && hasMemory(); ++l) {
+            for (std::int64_t taken = 0;
+                 taken < m_layers[l].width(m_settings.width) && budget > 0 && hasMemory();) {
                 const std::optional<Candidate> next = m_layers[l].take();
                 if (!next)
                     break;
@@ -66,6 +68,8 @@ public:
     }
 
 private:
+    bool hasMemory() const { return m_seen.size() < mostVisits && m_known.count() < mostKnownStates; }
+
     void begin()
     {
         m_layers.resize(static_cast<std::size_t>(m_problem.course.length() / layerLength) + 1);

@@ -5,6 +5,7 @@
 #include "model/core/badargument.h"
 #include "model/core/error.h"
 #include "model/core/message.h"
+#include "model/synthesis/clipsize.h"
 #include "model/synthesis/frameorigins.h"
 #include "model/synthesis/monotonecurve.h"
 #include "model/transition/poseinterpolation.h"
@@ -122,6 +123,7 @@ Clip Retiming::poses(std::size_t count, InterpolationMethod method, const Progre
 {
     const std::size_t vertices = m_clip.topology->vertexCount();
     Clip result{.topology = m_clip.topology, .fps = m_clip.fps, .positions = {}, .origins = {}};
+    checkClipSize(static_cast<std::int64_t>(count), vertices);
     result.positions.resize(count * vertices);
     std::vector<Positions> frames;
     for (std::int64_t f = 0; f < m_clip.frameCount(); ++f)

@@ -3,6 +3,7 @@
 #include "model/synthesis/stagesearch.h"
 
 #include "model/synthesis/fingerprints.h"
+#include "model/synthesis/searchmemory.h"
 #include "model/synthesis/strata.h"
 
 #include <map>
@@ -58,7 +59,7 @@ public:
                 continue;
             if (m_stages.isDone(visit.stage))
                 return routeTo(visit, m_visits, visit.cost);
-            if (budget-- <= 0) {
+            if (m_visits.size() >= mostVisits || budget-- <= 0) {
                 m_isComplete = false;
                 return std::nullopt;
             }
@@ -142,10 +143,10 @@ public:
     {
         for (const NodeIndex node : starts)
             offer({.visit = {.stage = m_stages.begin(node)}}, 0);
-        for (; !m_layers.empty() && budget > 0; m_layers.erase(m_layers.begin())) {
+        for (; !m_layers.empty() && budget > 0 && hasMemory(); m_layers.erase(m_layers.begin())) {
             progress.report(0);
             StageLayer<Candidate>& layer = m_layers.begin()->second;
-            for (std::int64_t taken = 0; taken < layer.width(m_width) && budget > 0;) {
+            for (std::int64_t taken = 0; taken < layer.width(m_width) && budget > 0 && hasMemory();) {
                 const std::optional<Candidate> next = layer.take();
                 if (!next)
                     break;
@@ -166,6 +167,8 @@ private:
         double rank = 0;
         std::uint32_t order = 0;
     };
+
+    bool hasMemory() const { return m_seen.size() < mostVisits && m_known.count() < mostKnownStates; }
 
     std::uint64_t fingerprint(const Visit& visit) const
     {

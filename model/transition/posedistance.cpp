@@ -3,6 +3,7 @@
 #include "model/transition/posedistance.h"
 
 #include "model/core/error.h"
+#include "model/core/message.h"
 #include "model/geometry/procrustes.h"
 #include "model/transition/posedistancetile.h"
 
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
@@ -25,6 +27,20 @@ void requireValid(const PoseDistanceSettings& settings)
         throw Error(ErrorCode::BadArgument,
                     {.values = {{"reason", "The weight of stretch must not be negative"},
                                 {"remedy", "The paper's weight is 0.01."}}});
+}
+
+/// All pairs of frames are compared, and several tables of them are in memory at once.
+void requireComparable(const CharacterFrames& character)
+{
+    constexpr NodeIndex mostFrames = 20'000;
+    if (character.frameCount() <= mostFrames)
+        return;
+    throw Error(ErrorCode::BadArgument,
+                {.values = {{"reason", "The takes have " + std::to_string(character.frameCount()) +
+                                           " frames together; a graph compares at most " +
+                                           std::to_string(mostFrames)},
+                            {"remedy", QUADRILLE_MESSAGE("Leave some takes or parts of them out, or lower "
+                                                         "the rate of the project.")}}});
 }
 
 /// Looks at every frame once: its centre, and the triangles that have no area in it.
@@ -148,6 +164,7 @@ void computeTiles(const PoseDistanceInputs& inputs, const std::vector<PairTile>&
 PoseDistances poseDistances(const CharacterFrames& character, const PoseDistanceSettings& settings,
                             const Progress& progress, const Executor& executor)
 {
+    requireComparable(character);
     const NodeIndex frameCount = character.frameCount();
     PoseDistances result{.layout = character.layout(),
                          .distances = Table<float>::Zero(frameCount, frameCount)};

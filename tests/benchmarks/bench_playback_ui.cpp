@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: MIT
 // How many frames a second the editor shows: a tube of some vertices that changes in every frame, with a JPEG
 // of 1024 × 1024 texels for each, from the loader's threads through the viewport to the finished picture.
-// Second argument: whether the textures have been read before.
+// Second argument: whether the textures have been read before. Third: the level of quality that is held, from
+// 0 for the best; −1 lets the governor choose, as in the editor. Shadows are made as the editor makes them.
+#include "editor/playback/figureshadow.h"
 #include "editor/playback/frameloader.h"
 #include "model/sequence/framesource.h"
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/viewport.h"
+#include "widgets/viewport/vtkview.h"
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QEventLoop>
 #include <QTemporaryDir>
 #include <benchmark/benchmark.h>
@@ -20,6 +24,7 @@ namespace {
 
 constexpr int frames = 25;
 constexpr int textureSide = 1024;
+constexpr int warmingUp = 60; // for the governor
 constexpr std::size_t roomForAll = std::size_t{512} << 20;
 constexpr std::size_t roomForFew = std::size_t{24} << 20;
 
@@ -89,6 +94,17 @@ void playback(benchmark::State& state)
     viewport.resize(1280, 720);
     viewport.show();
     const int figure = viewport.addFigure(toFigureMesh(sequence.topology->data()));
+    double shadows = 0;
+    viewport.setShadowMaker([&](const widgets::ShadowWish& wish) {
+        QElapsedTimer timer;
+        timer.start();
+        widgets::GroundShadow shadow = figureShadow(wish, *sequence.topology, 1.8);
+        shadows += static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+        return shadow;
+    });
+    const auto level = static_cast<int>(state.range(2));
+    if (level >= 0)
+        viewport.view()->holdQuality(widgets::RenderGovernor::qualityOf(level));
     FrameLoader loader;
     const int stream = loader.addStream(sequence);
     QEventLoop drawn;
@@ -111,20 +127,33 @@ void playback(benchmark::State& state)
     for (int i = 0; i < frames; ++i)
         show();
     viewport.frameAll();
+    for (int i = 0; i < warmingUp; ++i)
+        show();
     drawing = 0;
+    shadows = 0;
     for ([[maybe_unused]] const auto& each : state)
         show();
     state.counters["fps"] =
         benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
     state.counters["drawing_ms"] = drawing / static_cast<double>(state.iterations());
+    state.counters["shadow_ms"] = shadows / static_cast<double>(state.iterations());
+    const widgets::RenderQuality quality = viewport.view()->quality();
+    state.counters["samples"] = quality.samples;
+    state.counters["smoothed"] = quality.smoothsEdges ? 1 : 0;
+    state.counters["coarseness"] = quality.shadowCoarseness;
 }
 
 BENCHMARK(playback)
-    ->ArgNames({"vertices", "read"})
-    ->Args({3900, 1})
-    ->Args({20000, 1})
-    ->Args({3900, 0})
-    ->Args({20000, 0})
+    ->ArgNames({"vertices", "read", "level"})
+    ->Args({3900, 1, -1})
+    ->Args({20000, 1, -1})
+    ->Args({3900, 0, -1})
+    ->Args({20000, 0, -1})
+    ->Args({3900, 1, 0})
+    ->Args({3900, 1, 1})
+    ->Args({3900, 1, 2})
+    ->Args({3900, 1, 3})
+    ->Args({3900, 1, 4})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MinTime(2.0);

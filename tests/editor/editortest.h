@@ -5,6 +5,7 @@
 #include "editor/mainwindow.h"
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -57,6 +58,15 @@ inline bool activate(QWidget& window)
 {
     window.activateWindow();
     return QTest::qWaitForWindowActive(&window);
+}
+
+/// Brings a dock to the front of those that share its place, as a click on its tab does.
+inline bool raiseDock(const QString& name)
+{
+    auto* dock = find<QDockWidget>(name);
+    dock->show();
+    dock->raise();
+    return QTest::qWaitFor([dock] { return !dock->widget()->visibleRegion().isEmpty(); });
 }
 
 /// Waits until a sequence of the window's project can be shown.

@@ -26,6 +26,29 @@ struct PathFixture
     PathTool& tool() { return m_window->animate().path(); }
     const PathEntry& path() { return *tool().path(); }
 
+    void open()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        writeSwayingTakes(m_folder->path());
+        Project project = swayingProject(m_folder->path());
+        project.animations.clear();
+        project.sequences[1].labels = {{.label = "lean", .frames = {FrameIndex(5), FrameIndex(55)}}};
+        m_window = std::make_unique<MainWindow>();
+        document().reset(project);
+        m_window->resize(1280, 1200);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->context().actions.action("workspace.animate")->trigger();
+        QTRY_VERIFY(viewport().isVisible());
+        lookDown();
+    }
+    void close()
+    {
+        document().undoStack()->setClean();
+        m_window.reset();
+        m_folder.reset();
+    }
+
     QPoint pixel(double x, double z)
     {
         QPointF at;

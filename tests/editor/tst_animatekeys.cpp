@@ -9,16 +9,20 @@
 #include "editor/workspaces/animate/constraintedits.h"
 #include "editor/workspaces/animate/keysandstoryboard.h"
 #include "editor/workspaces/animate/keysmodel.h"
+#include "editor/workspaces/animate/keyspanel.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "widgets/timeline/timeline.h"
 
 #include <QAbstractItemModelTester>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QListView>
 #include <QMimeData>
+#include <QSignalSpy>
 #include <QTableView>
 #include <QToolButton>
+#include <QTreeView>
 
 namespace quadrille {
 
@@ -185,6 +189,84 @@ private slots:
         QCOMPARE(keys().size(), 1U);
     }
 
+    void keysOfTheTableStayInTheTable()
+    {
+        drop("first", 10);
+        drop("second", 60);
+        auto* table = test::find<QTableView>("keysTable");
+        QTRY_VERIFY(table->isVisible());
+        QVERIFY(test::activate(*m_window));
+        context().selection.selectSequences({"third"});
+        context().selection.selectAnimations({"pose"});
+        table->setFocus();
+        // F2 edits the key, wherever in its row it is pressed, and never what the tree has selected.
+        for (const int column : {KeysModel::Pose, KeysModel::Tolerance}) {
+            table->setCurrentIndex(table->model()->index(1, column));
+            QTest::keyClick(table, Qt::Key_F2);
+            auto* field = table->findChild<QDoubleSpinBox*>("keyTime");
+            QVERIFY(field != nullptr);
+            QVERIFY(test::find<QTreeView>("projectTree")->findChild<QLineEdit*>() == nullptr);
+            QTest::keyClick(field, Qt::Key_Escape);
+            QTRY_VERIFY(table->findChild<QDoubleSpinBox*>("keyTime") == nullptr);
+        }
+        // Return takes what was typed, and is not a wish to go to the key.
+        QSignalSpy gone(test::find<KeysPanel>("keysPanel"), &KeysPanel::keyChosen);
+        table->setCurrentIndex(table->model()->index(1, KeysModel::Wanted));
+        QTest::keyClick(table, Qt::Key_F2);
+        auto* field = table->findChild<QDoubleSpinBox*>("keyTime");
+        field->selectAll();
+        QTest::keyClicks(field, QLocale().toString(3.5));
+        QTest::keyClick(field, Qt::Key_Return);
+        QTRY_COMPARE(keys()[1].time, 3.5);
+        QCOMPARE(gone.size(), 0);
+    }
+
+    void thereIsAlwaysRoomBehindTheLastKey()
+    {
+        drop("first", 10);
+        QVERIFY(test::waitForResult(context(), "pose"));
+        QTRY_VERIFY(m_window->animate().view().stage().frameCount() > 0);
+        const double fps = context().document.project().settings.fps;
+        QVERIFY(timeline().frameCount() >= 10 * fps);
+        drop("second", 150);
+        QCOMPARE(keys().size(), 2U);
+        QCOMPARE(keys()[1].time, 150 / fps);
+        QVERIFY(timeline().frameCount() >= 150 + 2 * fps);
+        // What is held at the end makes more.
+        const int before = timeline().frameCount();
+        QTest::mousePress(&timeline(), Qt::LeftButton, {}, markOf(1));
+        const QPoint end(timeline().width() - 3, markOf(1).y());
+        QTest::mouseMove(&timeline(), end - QPoint(20, 0));
+        QTest::mouseMove(&timeline(), end);
+        QTRY_VERIFY(timeline().frameCount() > before + 20);
+        QTest::mouseRelease(&timeline(), Qt::LeftButton, {}, end);
+        QVERIFY(keys()[1].time * fps > before);
+    }
+
+    void thePlayheadAndItsNumberAgreeInEachAnimation()
+    {
+        drop("first", 10);
+        drop("second", 60);
+        QVERIFY(test::waitForResult(context(), "pose"));
+        QTRY_VERIFY(m_window->animate().view().stage().frameCount() > 30);
+        auto* number = m_window->animate().findChild<QSpinBox*>("frameField");
+        const auto agree = [&] { return number->value() == timeline().currentFrame(); };
+        // Behind the end of the clip, where keys can be put.
+        const int behind = timeline().frameCount() - 5;
+        QTest::mouseClick(&timeline(), Qt::LeftButton, {},
+                          {timeline().xOfFrame(behind), timeline().rulerRect().center().y()});
+        QCOMPARE(timeline().currentFrame(), behind);
+        QVERIFY(agree());
+        context().actions.action("animate.new")->trigger();
+        QTRY_VERIFY(context().selection.shownAnimation() != "pose");
+        QVERIFY2(agree(),
+                 qPrintable(QStringLiteral("%1 %2").arg(number->value()).arg(timeline().currentFrame())));
+        context().selection.selectAnimations({"pose"});
+        QTRY_VERIFY(m_window->animate().view().stage().frameCount() > 30);
+        QVERIFY2(agree(),
+                 qPrintable(QStringLiteral("%1 %2").arg(number->value()).arg(timeline().currentFrame())));
+    }
+
     void aDoubleClickInTheTableGoesToTheKey()
     {
         drop("first", 10);
@@ -228,7 +310,7 @@ private slots:
         timeline().setFocus();
         timeline().setCurrentFrame(12);
         QTest::keyClick(&timeline(), Qt::Key_I);
-        QCOMPARE(timeline().range().first, 12);
+        QCOMPARE(timeline().playedRange().first, 12);
         QCOMPARE(context().document.project(), before);
     }
 

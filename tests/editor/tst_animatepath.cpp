@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-// Paths of animations: drawn in the view, edited in numbers, followed by a clip.
+// Paths of animations: drawn and edited in the view, followed by a clip.
 #include "editor/commands/projectedits.h"
 #include "editor/workspaces/animate/pathentries.h"
 #include "model/project/pathcurve.h"
@@ -12,7 +12,6 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
-#include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
 #include <QTableWidget>
@@ -30,29 +29,8 @@ private slots:
         QVERIFY(widgets::VtkView::openGlAvailable());
     }
 
-    void init()
-    {
-        m_folder = std::make_unique<QTemporaryDir>();
-        test::writeSwayingTakes(m_folder->path());
-        Project project = test::swayingProject(m_folder->path());
-        project.animations.clear();
-        project.sequences[1].labels = {{.label = "lean", .frames = {FrameIndex(5), FrameIndex(55)}}};
-        m_window = std::make_unique<MainWindow>();
-        document().reset(project);
-        m_window->resize(1280, 1200);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        m_window->context().actions.action("workspace.animate")->trigger();
-        QTRY_VERIFY(viewport().isVisible());
-        lookDown();
-    }
-
-    void cleanup()
-    {
-        document().undoStack()->setClean();
-        m_window.reset();
-        m_folder.reset();
-    }
+    void init() { open(); }
+    void cleanup() { close(); }
 
     void aDrawnPathWithADemandedLabelBecomesAClip()
     {
@@ -114,6 +92,36 @@ private slots:
         QVERIFY(std::abs(sum / static_cast<double>(frames.size()) - result->walk.solution.meanDeviation) <
                 1e-3);
         QVERIFY(std::abs(greatest - result->walk.solution.greatestDeviation) < 1e-3);
+    }
+
+    void theFigureWalksOnItsPathWhereverThatBegins()
+    {
+        PathEntry far = straight();
+        far.spans.clear();
+        for (Vec3d& point : far.points)
+            point += Vec3d(-1.43, 0, 1.88);
+        addPath(far);
+        const QString name = m_window->animate().animation().name();
+        QVERIFY(test::waitForResult(m_window->context(), name));
+        const MeshSequence& clip = m_window->animate().animation().result()->sequence;
+        SequenceStage& stage = m_window->animate().stage();
+        m_window->animate().player().goTo(3);
+        QTRY_COMPARE(stage.frame(), FrameIndex(3));
+        const Frame wanted = clip.frame(FrameIndex(3));
+        const auto isThere = [&] {
+            const auto shape = viewport().figureShape(stage.figureOf(name));
+            const Vec3f& first = wanted.positions()[0];
+            return (shape->place(0) - QVector3D(first.x(), first.y(), first.z())).length() < 1e-4F;
+        };
+        QTRY_VERIFY(isThere());
+        // Its body is near the beginning of the path, not beside it.
+        Vec3f centre = Vec3f::Zero();
+        const auto shape = viewport().figureShape(stage.figureOf(name));
+        for (std::uint32_t v = 0; v < shape->mesh.vertexCount; ++v)
+            centre += Vec3f(shape->place(v).x(), 0, shape->place(v).z());
+        centre /= static_cast<float>(shape->mesh.vertexCount);
+        QVERIFY2((centre - Vec3f(-1.43F, 0, 1.88F)).norm() < 0.5F,
+                 qPrintable(QString("%1 %2").arg(centre.x()).arg(centre.z())));
     }
 
     void aDragIsOneUndoStepAndEscapeIsNone()
@@ -233,60 +241,6 @@ private slots:
         QVERIFY(tool().editor().shape().points.empty());
         m_window->context().selection.selectAnimations({first});
         QCOMPARE(tool().editor().shape().points.size(), 3U);
-    }
-
-    void spansAreDraggedInTheViewAndTypedInThePanel()
-    {
-        addPath(straight());
-        auto* spans = test::find<QListWidget>("pathSpans");
-        QCOMPARE(spans->count(), 1);
-        const QPoint from = pixel({Kind::StretchEnd, 0, 0});
-        QTest::mousePress(viewport().view(), Qt::LeftButton, {}, from);
-        QTest::mouseMove(viewport().view(), pixel(0, 0.85));
-        QTest::mouseMove(viewport().view(), pixel(0, 0.9));
-        QTest::mouseRelease(viewport().view(), Qt::LeftButton, {}, pixel(0, 0.9));
-        QVERIFY2(std::abs(path().spans[0].to - 0.9) < 0.02, qPrintable(QString::number(path().spans[0].to)));
-        QCOMPARE(spans->currentRow(), 0);
-
-        auto* fromField = test::find<QDoubleSpinBox>("spanFrom");
-        fromField->setFocus();
-        fromField->selectAll();
-        QTest::keyClicks(fromField, "0.4");
-        QTest::keyClick(fromField, Qt::Key_Return);
-        QCOMPARE(path().spans[0].from, 0.4);
-        QVERIFY(std::abs(path().spans[0].to - 0.9) < 0.02);
-        auto* speed = test::find<QDoubleSpinBox>("spanSpeed");
-        speed->setFocus();
-        speed->selectAll();
-        QTest::keyClicks(speed, "0.5");
-        QTest::keyClick(speed, Qt::Key_Return);
-        QVERIFY(path().spans[0].duration.has_value());
-        QVERIFY(std::abs(*path().spans[0].duration - 1.0) < 0.05);
-        QVERIFY2(spans->item(0)->text().contains("0.5"), qPrintable(spans->item(0)->text()));
-        document().undo();
-        QVERIFY(!path().spans[0].duration);
-        QTest::keyClick(spans, Qt::Key_Delete);
-        QVERIFY(path().spans.empty());
-        QVERIFY(!speed->isVisible());
-    }
-
-    void pointsAreTypedInThePanel()
-    {
-        addPath(straight());
-        auto* points = test::find<QTableWidget>("pathPoints");
-        QCOMPARE(points->rowCount(), 3);
-        QCOMPARE(points->columnCount(), 2);
-        points->setCurrentCell(1, 0);
-        QCOMPARE(tool().editor().selected(), (PathPart{Kind::Point, 1, 0}));
-        QCOMPARE(viewport().view()->accessibleDescription(), QString("Point 2 of the path"));
-        points->item(1, 0)->setData(Qt::EditRole, 0.25);
-        QCOMPARE(path().points[1], Vec3d(0.25, 0, 0.5));
-        QCOMPARE(path().points[2], Vec3d(0, 0, 1));
-        tool().setInSpace(true);
-        QCOMPARE(points->columnCount(), 3);
-        QVERIFY(path().points[1].y() > 0.3);
-        document().undo();
-        QCOMPARE(points->columnCount(), 2);
     }
 
     void obstaclesAreDrawnInTheView()

@@ -1,89 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "editor/exporting/exportdialog.h"
-#include "editortest.h"
+#include "editor/workspaces/sequences/sequencesworkspace.h"
+#include "exportfixture.h"
 #include "model/core/file.h"
+#include "model/project/pictureoptions.h"
 #include "model/project/rebuild.h"
+#include "model/render/clipcamera.h"
 #include "model/sequence/io/registry.h"
-#include "widgets/controls/messagestrip.h"
 
-#include <QAbstractButton>
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDir>
 #include <QLabel>
-#include <QLineEdit>
-#include <QMessageBox>
 #include <QProcess>
-#include <QPushButton>
+#include <QProgressBar>
 #include <QSpinBox>
-#include <QTimer>
 #include <numeric>
 
 namespace quadrille {
 
-class ExportTest : public QObject
+class ExportTest : public ExportFixture
 {
     Q_OBJECT
 
-private:
-    ProjectDocument& document() { return m_window->context().document; }
-    QString place(const QString& name) const { return m_folder->filePath(name); }
-
-    void openDialog()
-    {
-        QVERIFY(test::activate(*m_window));
-        QTest::keyClick(m_window.get(), Qt::Key_E, Qt::ControlModifier);
-        QTRY_VERIFY(dialog() != nullptr);
-    }
-    static ExportDialog* dialog()
-    {
-        for (QWidget* widget : QApplication::topLevelWidgets()) {
-            if (auto* found = qobject_cast<ExportDialog*>(widget); found != nullptr && found->isVisible())
-                return found;
-        }
-        return nullptr;
-    }
-    /// Chooses a format with the keyboard.
-    static void choose(const QString& format)
-    {
-        auto* box = test::find<QComboBox>("exportFormat");
-        box->setFocus();
-        QTest::keyClick(box, Qt::Key_Home);
-        while (box->currentData().toString() != format && box->currentIndex() + 1 < box->count())
-            QTest::keyClick(box, Qt::Key_Down);
-        QCOMPARE(box->currentData().toString(), format);
-    }
-    static void type(const QString& path)
-    {
-        auto* field = test::find<QLineEdit>("exportPlace");
-        field->selectAll();
-        QTest::keyClicks(field, path);
-    }
-    static void accept() { QTest::mouseClick(test::find<QPushButton>("exportAccept"), Qt::LeftButton); }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<MainWindow> m_window;
-
 private slots:
-    void initTestCase() { test::isolate(); }
-    void init()
-    {
-        m_folder = std::make_unique<QTemporaryDir>();
-        test::writeSeries(m_folder->path(), {1, 2, 3, 4, 5});
-        m_window = std::make_unique<MainWindow>();
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        m_window->open({place("walk_1.obj")});
-        QVERIFY(test::waitForSequence(*m_window, "walk"));
-        document().saveAs(place("project.quadrille").toStdString());
-    }
-    void cleanup()
-    {
-        m_window.reset();
-        m_folder.reset();
-    }
-
     void writesWhatTheDialogSaysAndKeepsIt()
     {
         openDialog();
@@ -95,8 +34,7 @@ private slots:
         QTest::keyClick(first, Qt::Key_Up);
         QVERIFY(test::find<QLabel>("exportFiles")->text().contains("4 frames"));
         type(place("out/walk.pc2"));
-        accept();
-        QTRY_VERIFY(dialog() == nullptr);
+        acceptAndClose();
 
         const auto back =
             openSequences(place("out/walk.pc2").toStdString(), {.mesh = place("walk_1.obj").toStdString()});
@@ -139,15 +77,14 @@ private slots:
 
         openDialog();
         auto* clip = test::find<QComboBox>("exportClip");
-        QCOMPARE(clip->count(), 2);
+        QCOMPARE(clip->count(), 4); // each kind under its heading
         QCOMPARE(clip->currentData().toString(), QString("sequences/walk"));
         clip->setFocus();
         QTest::keyClick(clip, Qt::Key_End);
         QCOMPARE(clip->currentData().toString(), QString("animations/walk"));
         choose("pc2");
         type(place("out/stroll.pc2"));
-        accept();
-        QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, 20000);
+        acceptAndClose();
         QCOMPARE(document().project().exports.size(), 1U);
         QCOMPARE(document().project().exports.front().what, std::string("animations/walk"));
         const std::string written(readFile(place("out/stroll.pc2").toStdString()).text());
@@ -194,38 +131,10 @@ private slots:
         QCOMPARE(test::find<QComboBox>("exportClip")->currentData().toString(), QString("animations/still"));
         choose("pc2");
         type(place("still.pc2"));
-        accept();
-        QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, 20000);
+        acceptAndClose();
         QVERIFY(QFile::exists(place("still.pc2")));
         document().undo();
         QVERIFY(document().project().exports.empty());
-    }
-
-    void namesTheFilesOfASeriesAndAsksBeforeWritingOver()
-    {
-        openDialog();
-        choose("ply");
-        QTest::mouseClick(test::find<QCheckBox>("exportKeep"), Qt::LeftButton, {}, {8, 8});
-        type(place("walk.ply"));
-        QVERIFY(test::find<QLabel>("exportFiles")->text().startsWith("walk_0000.ply … walk_0004.ply"));
-        accept();
-        QTRY_VERIFY(dialog() == nullptr);
-        QVERIFY(document().project().exports.empty());
-        QVERIFY(QFile::exists(place("walk_0004.ply")));
-
-        openDialog();
-        choose("ply");
-        type(place("walk.ply"));
-        bool asked = false;
-        QTimer::singleShot(0, this, [&asked] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            asked = box != nullptr && box->text().contains("walk_0000.ply");
-            QTest::keyClick(box, Qt::Key_Escape);
-        });
-        accept();
-        QVERIFY(asked);
-        QVERIFY(dialog() != nullptr); // nothing was written, and nothing is lost
-        QTest::keyClick(dialog(), Qt::Key_Escape);
     }
 
     void saysWhatWentWrongAndStaysOpen()
@@ -234,12 +143,115 @@ private slots:
         choose("pc2");
         type(place("walk_1.obj/walk.pc2")); // a file is no folder
         accept();
-        auto* strip = dialog()->findChild<widgets::MessageStrip*>();
-        QTRY_VERIFY(strip->isVisible());
-        QVERIFY(strip->kind() == widgets::MessageStrip::Kind::Error);
+        QTRY_VERIFY(strip()->isVisible());
+        QVERIFY(strip()->kind() == widgets::MessageStrip::Kind::Error);
         QVERIFY(document().project().exports.empty());
         QVERIFY(test::find<QPushButton>("exportAccept")->isEnabled());
         QTest::keyClick(dialog(), Qt::Key_Escape);
+    }
+
+    void saysWhereTheFilesAreAndKeepsNobodyFromWorking()
+    {
+        openDialog();
+        QCOMPARE(dialog()->windowModality(), Qt::WindowModal);
+        choose("pc2");
+        type(place("out/walk.pc2"));
+        accept();
+        QTRY_VERIFY_WITH_TIMEOUT(isDone(), 30000);
+        QCOMPARE(dialog()->windowModality(), Qt::NonModal);
+        QVERIFY(strip()->text().contains("walk.pc2"));
+        auto* show = strip()->findChild<QPushButton*>();
+        QVERIFY(show != nullptr && show->isVisible());
+        QCOMPARE(show->text(), QString("Show in folder"));
+        QVERIFY(!test::find<QProgressBar>("exportProgress")->isVisible());
+        accept();
+        QTRY_VERIFY(dialog() == nullptr);
+    }
+
+    void aCancelledExportLeavesNothingAndTheDialogAsItWas()
+    {
+        openDialog();
+        choose("png");
+        test::find<QSpinBox>("pictureWidth")->setValue(4000);
+        test::find<QSpinBox>("pictureHeight")->setValue(4000);
+        type(place("large/walk.png"));
+        accept();
+        QTRY_VERIFY(test::find<QProgressBar>("exportProgress")->isVisible());
+        QTest::mouseClick(test::find<QPushButton>("exportCancel"), Qt::LeftButton);
+        QTRY_VERIFY(test::find<QPushButton>("exportAccept")->isEnabled());
+        QCOMPARE(test::find<QPushButton>("exportAccept")->text(), QString("Export"));
+        QVERIFY(!QFile::exists(place("large")));
+        QVERIFY(document().project().exports.empty());
+        QTest::keyClick(dialog(), Qt::Key_Escape);
+    }
+
+    void saysBeforeAndAfterThatGltfHoldsOneTexture()
+    {
+        QVERIFY(QDir().mkpath(place("pictures")));
+        for (int f = 1; f <= 5; ++f) {
+            QImage picture(2, 2, QImage::Format_RGB32);
+            picture.fill(QColor(40 * f, 0, 0));
+            QVERIFY(picture.save(place(QStringLiteral("pictures/t_%1.png").arg(f))));
+        }
+        Project project = document().project();
+        project.sequences.front().texture = {TextureReference::Kind::PerFrame,
+                                             {place("pictures").toStdString()}};
+        document().recover(project, document().file());
+        QVERIFY(test::waitForSequence(*m_window, "walk"));
+        openDialog();
+        choose("gltf");
+        QVERIFY(strip()->kind() == widgets::MessageStrip::Kind::Warning);
+        QVERIFY2(strip()->text().contains("of 5 only"), qPrintable(strip()->text()));
+        choose("usd");
+        QVERIFY(strip()->isEmpty());
+        choose("gltf");
+        type(place("walk.glb"));
+        accept();
+        QTRY_VERIFY_WITH_TIMEOUT(isDone(), 30000);
+        QVERIFY(strip()->kind() == widgets::MessageStrip::Kind::Warning);
+        QVERIFY2(strip()->text().contains("first frame"), qPrintable(strip()->text()));
+        accept();
+        document().save();
+    }
+
+    void aFilmBeginsWhereTheViewLooks()
+    {
+        StageView& view = m_window->sequences().view();
+        QTRY_VERIFY(view.stage().figureOf("walk") >= 0);
+        widgets::Turntable camera = view.viewport().camera();
+        camera.target = {0.25F, 0.5F, -0.125F};
+        camera.yaw = 70;
+        camera.pitch = 20;
+        camera.distance = 3;
+        for (const bool follows : {false, true}) {
+            view.player().goTo(3);
+            QTRY_COMPARE(view.stage().frame().value, 3);
+            view.viewport().setFollowed(follows ? std::optional(view.stage().figureOf("walk"))
+                                                : std::nullopt);
+            view.viewport().setCamera(camera);
+            openDialog();
+            if (!follows)
+                choose("png"); // the second time it is the format that was chosen last
+            QVERIFY(test::find<QCheckBox>("pictureView")->isChecked());
+            test::find<QSpinBox>("pictureWidth")->setValue(64);
+            test::find<QSpinBox>("pictureHeight")->setValue(48);
+            type(place(follows ? "following/walk.png" : "still/walk.png"));
+            acceptAndClose();
+
+            ProjectProblems problems;
+            const ExportEntry& entry = document().project().exports.back();
+            const RenderSettings settings = pictureFromJson(entry.picture, "", problems);
+            QCOMPARE(settings.camera, follows ? CameraMode::Follow : CameraMode::Fixed);
+            const MeshSequence* clip = m_window->context().media.sequence("walk");
+            const Camera written = clipCameras(*clip, settings)[3];
+            const QVector3D shift = view.viewport().figureShape(view.stage().figureOf("walk"))->shift;
+            const QVector3D eye = camera.position() - shift;
+            const QVector3D target = camera.target - shift;
+            QVERIFY((written.eye - Vec3d(eye.x(), eye.y(), eye.z())).norm() < 1e-5);
+            QVERIFY((written.target - Vec3d(target.x(), target.y(), target.z())).norm() < 1e-5);
+            QCOMPARE(written.verticalFovDegrees, static_cast<double>(camera.fieldOfView));
+        }
+        document().save();
     }
 
     void drawsPictures()
@@ -251,8 +263,7 @@ private slots:
         width->setValue(64);
         test::find<QSpinBox>("pictureHeight")->setValue(48);
         type(place("pictures/walk.png"));
-        accept();
-        QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, 30000);
+        acceptAndClose();
         QCOMPARE(QImage(place("pictures/walk_0002.png")).size(), QSize(64, 48));
         document().undo();
         document().save();

@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Stories of the Graph workspace, with three small takes and real keys and clicks.
-#include "animatedproject.h"
-#include "editor/commands/animationedits.h"
 #include "editor/playback/player.h"
 #include "editor/workspaces/graph/gapspanel.h"
 #include "editor/workspaces/graph/graphbar.h"
-#include "editor/workspaces/graph/graphexplorer.h"
-#include "editor/workspaces/graph/graphmap.h"
-#include "editor/workspaces/graph/graphworkspace.h"
 #include "editor/workspaces/graph/pairpreview.h"
 #include "editor/workspaces/graph/transitionpanel.h"
+#include "graphfixture.h"
 #include "model/graph/shortestpath.h"
 #include "widgets/graph/arcview.h"
 #include "widgets/graph/chartscale.h"
@@ -29,50 +25,14 @@
 #include <QStyleOptionSlider>
 #include <QTabWidget>
 #include <QTreeWidget>
-#include <memory>
 
 namespace quadrille {
 
-class GraphWorkspaceTest : public QObject
+class GraphWorkspaceTest : public GraphFixture
 {
     Q_OBJECT
 
 private:
-    EditorContext& context() { return m_window->context(); }
-    GraphWorkspace& workspace() { return *test::find<GraphWorkspace>("graphWorkspace"); }
-    GraphExplorer& explorer() { return workspace().explorer(); }
-    widgets::MatrixView& matrix() { return workspace().map().matrix(); }
-    const CharacterGraph& graph() { return explorer().character()->graph; }
-    static QString text(const char* label) { return test::find<QLabel>(label)->text(); }
-    double projectAlpha() { return graphEntry(context().document.project(), "spire").alpha; }
-
-    void compute()
-    {
-        auto* button = test::find<QPushButton>("graphStateButton");
-        QTRY_VERIFY(context().graphs.medium("spire") != nullptr);
-        QTRY_VERIFY(context().graphs.medium("spire")->state == GraphMedia::State::Missing);
-        QTest::mouseClick(button, Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(explorer().character() != nullptr, 60000);
-        waitForPaths();
-        QTRY_VERIFY(matrix().values().side == graph().layout().frameCount());
-    }
-    /// Until what shows is of the α that is set.
-    void waitForPaths()
-    {
-        QTRY_VERIFY_WITH_TIMEOUT(
-            explorer().paths() != nullptr && explorer().paths()->graphs->alpha == explorer().alpha(), 30000);
-    }
-    QPoint placeOf(const FramePair& pair)
-    {
-        return matrix().cellRect({pair.source, pair.destination}).center().toPoint();
-    }
-    FramePair someTransition()
-    {
-        for (const Edge& edge : explorer().graphs()->essential.edges())
-            if (edge.kind == EdgeKind::Transition && edge.from < 60 && edge.to > 70)
-                return {edge.from, edge.to};
-        return {};
-    }
     static QPoint handleOf(QSlider* slider)
     {
         QStyleOptionSlider option;
@@ -94,36 +54,7 @@ private:
         QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(pixels, 0));
     }
 
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<MainWindow> m_window;
-
 private slots:
-    void initTestCase()
-    {
-        test::isolate();
-        QLocale::setDefault(QLocale::c());
-        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    }
-
-    void init()
-    {
-        m_folder = std::make_unique<QTemporaryDir>();
-        test::writeSwayingTakes(m_folder->path());
-        m_window = std::make_unique<MainWindow>();
-        m_window->resize(1280, 800);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        context().document.reset(test::swayingProject(m_folder->path()));
-        m_window->workspaces().select("graph");
-        QVERIFY(test::activate(*m_window));
-    }
-
-    void cleanup()
-    {
-        m_window.reset();
-        m_folder.reset();
-    }
-
     void anEmptyProjectOffersToImport()
     {
         context().document.reset(Project());
@@ -381,6 +312,16 @@ private slots:
         QFile statistics(folder + "/graph-statistics.csv");
         QVERIFY(statistics.open(QIODevice::ReadOnly));
         QVERIFY(statistics.readAll().contains("motion,0.01,180,"));
+        edges.seek(0);
+        QCOMPARE(edges.readLine().trimmed(),
+                 QByteArray("i,j,weight,kind,cost,length,from-sequence,from-frame,to-sequence,to-frame"));
+        const QList<QByteArray> first = edges.readLine().trimmed().split(',');
+        const NamedFrame from = graph().nameOf(first.at(0).toInt());
+        const NamedFrame to = graph().nameOf(first.at(1).toInt());
+        QCOMPARE(
+            first.mid(6),
+            (QList<QByteArray>{QByteArray::fromStdString(from.sequence), QByteArray::number(from.frame.value),
+                               QByteArray::fromStdString(to.sequence), QByteArray::number(to.frame.value)}));
     }
 };
 

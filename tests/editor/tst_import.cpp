@@ -7,6 +7,8 @@
 #include "widgets/controls/messagestrip.h"
 
 #include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -82,12 +84,24 @@ private slots:
         QVERIFY(test::find<QLabel>("importNotes")->text().contains("3, 5–9"));
         QCOMPARE(test::find<QLabel>("importHeight")->text(), QLocale().toString(1.7, 'f', 2) + " m high");
 
+        // Nothing says the rate: it is asked for until it was looked at.
+        auto* strip = test::find<widgets::MessageStrip>("messageStrip");
+        auto* accept = test::find<QPushButton>("importAccept");
+        auto* rate = test::find<QDoubleSpinBox>("importFps");
+        QVERIFY(strip->text().contains("The rate of 1 take is not known."));
+        QVERIFY(test::find<QLabel>("importRateReason")->text().startsWith("A guess"));
+        QCOMPARE(accept->text(), QString("Import 1 take at 25 fps"));
+        QCOMPARE(openDialog()->focusWidget(), rate);
+        QTest::mouseClick(strip->findChild<QPushButton*>(), Qt::LeftButton);
+        QTRY_VERIFY(!strip->isVisible());
+        QCOMPARE(accept->text(), QString("Import 1 take"));
+        QCOMPARE(test::find<QLabel>("importRateReason")->text(), QString("As you set it."));
+
         // A wrong unit leaps to the eye.
         auto* unit = openDialog()->findChild<QComboBox*>("unit");
         unit->setFocus();
         QTest::keyClick(unit, Qt::Key_Down);
         QCOMPARE(unit->currentText(), QString("cm"));
-        auto* strip = test::find<widgets::MessageStrip>("messageStrip");
         QTRY_VERIFY(strip->isVisible());
         QVERIFY(strip->text().contains("0.017"));
         QTest::keyClick(unit, Qt::Key_Up);
@@ -124,7 +138,7 @@ private slots:
         auto* takes = test::find<TakeTable>("importTakes");
         QCOMPARE(takes->topLevelItemCount(), 2);
         auto* accept = test::find<QPushButton>("importAccept");
-        QCOMPARE(accept->text(), QString("Import 1 take"));
+        QCOMPARE(accept->text(), QString("Import 1 take at 25 fps"));
         // The broken one says why, and cannot be ticked.
         takes->setCurrentItem(takes->topLevelItem(1));
         QVERIFY(test::find<widgets::MessageStrip>("messageStrip")->text().contains("only 1"));
@@ -136,6 +150,50 @@ private slots:
         QVERIFY(!accept->isEnabled());
         QTest::keyClick(openDialog(), Qt::Key_Escape);
         QVERIFY(m_window->context().document.project().sequences.empty());
+    }
+
+    void takesTheRateOfTheMotionBesideATake()
+    {
+        QVERIFY(QDir(m_folder->path()).mkdir("takes"));
+        test::writeSeries(m_folder->filePath("takes"), {1, 2, 3});
+        test::writeSeries(m_folder->path(), {7, 8, 9});
+        std::ofstream motion(m_folder->filePath("takes/walk.bvh").toStdString());
+        motion << "HIERARCHY\nROOT hip\n{\n  OFFSET 0 0 0\n  CHANNELS 3 Zrotation Xrotation Yrotation\n"
+                  "  End Site\n  {\n    OFFSET 0 1 0\n  }\n}\nMOTION\nFrames: 3\nFrame Time: 0.0333333\n"
+                  "0 0 0\n0 0 0\n0 0 0\n";
+        motion.close();
+        dropAndWait({m_folder->filePath("takes")});
+        QCOMPARE(test::find<QDoubleSpinBox>("importFps")->value(), 30.0);
+        QCOMPARE(test::find<QLabel>("importRateReason")->text(), QString("As in walk.bvh beside it."));
+        QVERIFY(!test::find<widgets::MessageStrip>("messageStrip")->isVisible());
+        QTest::mouseClick(test::find<QPushButton>("importAccept"), Qt::LeftButton);
+        ProjectDocument& document = m_window->context().document;
+        QCOMPARE(document.project().settings.fps, 30.0);
+        QTRY_VERIFY(openDialog() == nullptr);
+
+        // A take of the same character of which nothing is said has the rate of the others.
+        dropAndWait({m_folder->filePath("walk_7.obj")});
+        QCOMPARE(test::find<QDoubleSpinBox>("importFps")->value(), 30.0);
+        QCOMPARE(test::find<QLabel>("importRateReason")->text(),
+                 QString("As the other takes of the character."));
+        QTest::keyClick(openDialog(), Qt::Key_Escape);
+        document.undo();
+    }
+
+    void asksForAnotherNameWhereOneCannotBeUsed()
+    {
+        test::writeSeries(m_folder->path(), {1, 2});
+        dropAndWait({m_folder->path()});
+        auto* takes = test::find<TakeTable>("importTakes");
+        auto* accept = test::find<QPushButton>("importAccept");
+        for (const QString& name : {QString("take 1/2"), QString("a").repeated(300)}) {
+            takes->topLevelItem(0)->setText(0, name);
+            QVERIFY(!accept->isEnabled());
+            QTRY_VERIFY(test::find<widgets::MessageStrip>("messageStrip")->text().contains("name"));
+        }
+        takes->topLevelItem(0)->setText(0, "take");
+        QVERIFY(accept->isEnabled());
+        QTest::keyClick(openDialog(), Qt::Key_Escape);
     }
 
     void refusesWhatCannotBeReadAndKeepsWhatIsOpen()

@@ -1,9 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "editor/documents/projectpaths.h"
 #include "editor/playback/player.h"
 #include "editor/playback/sequencestage.h"
+#include "editor/welcome/sampleflow.h"
+#include "editor/welcome/welcometile.h"
+#include "editor/workspaces/animate/animateworkspace.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
+#include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
+#include "model/project/rebuild.h"
+#include "model/project/stage.h"
 #include "model/sample/sample.h"
 
 #include <QStandardPaths>
@@ -31,11 +38,38 @@ private slots:
         QDir(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)).removeRecursively();
     }
 
+    void aTileShowsHowFarTheSampleIsAndTakesItsClickBack()
+    {
+        auto* play = test::find<WelcomeTile>("welcome.play");
+        auto* path = test::find<WelcomeTile>("welcome.path");
+        QTest::mouseClick(play, Qt::LeftButton);
+        QVERIFY(play->isInProgress());
+        QVERIFY(!path->isEnabled());
+        QTRY_VERIFY(play->fraction() > 0);
+        QTest::mouseClick(play, Qt::LeftButton);
+        QTRY_VERIFY(!play->isInProgress());
+        QVERIFY(path->isEnabled());
+        QVERIFY(m_window->context().document.isUntitled());
+        QVERIFY(m_window->context().jobs.jobs().empty());
+    }
+
+    void whoOpensSomethingElseDoesNotGetTheSample()
+    {
+        auto* play = test::find<WelcomeTile>("welcome.play");
+        QTest::mouseClick(play, Qt::LeftButton);
+        Project other;
+        other.sequences = {{.name = "other", .source = "/nowhere/other.pc2"}};
+        m_window->context().document.reset(other);
+        QTRY_VERIFY(!play->isInProgress());
+        QTRY_VERIFY(m_window->context().jobs.jobs().empty());
+        QCOMPARE(m_window->context().document.project().sequences.front().name, std::string("other"));
+    }
+
     void theSampleOpensPlaying()
     {
         m_window->openSample();
         const EditorContext& context = m_window->context();
-        QTRY_VERIFY_WITH_TIMEOUT(!context.document.project().sequences.empty(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(!context.document.project().sequences.empty(), 240000);
         const QString first = QString::fromStdString(context.document.project().sequences.front().name);
         QCOMPARE(context.selection.shownSequence(), first);
         QVERIFY(test::waitForSequence(*m_window, first));
@@ -47,6 +81,50 @@ private slots:
         QTRY_VERIFY(workspace.player().isPlaying());
         QTRY_VERIFY(workspace.player().frame() > FrameIndex(3));
         QTRY_VERIFY(!workspace.stage().textureOf(first).isNull());
+    }
+
+    void aTileLeadsToTheTransitions()
+    {
+        QTest::mouseClick(test::find<WelcomeTile>("welcome.transitions"), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(m_window->workspaces().current(), QString("graph"), 240000);
+        GraphMedia& graphs = m_window->context().graphs;
+        QTRY_VERIFY_WITH_TIMEOUT(graphs.medium(graphs.firstCharacter())->state == GraphMedia::State::Ready,
+                                 240000);
+    }
+
+    void distancesThatAreShippedAreNotComputedAgain()
+    {
+        namespace fs = std::filesystem;
+        const fs::path folder =
+            toPath(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/sample");
+        const fs::path project = folder / "sample.quadrille";
+        const auto state = [&] {
+            for (const StageReport& stage :
+                 rebuild(loadProject(project), project, {.targets = {"graph"}, .dryRun = true}).stages) {
+                if (stage.stage == "graph/Quad/pose-distance")
+                    return stage.state;
+            }
+            return StageState::Failed;
+        };
+        const fs::path distances = fs::path("graph") / "Quad" / "pose-distance.h5";
+        const QTemporaryDir shipped;
+        fs::create_directories(toPath(shipped.path()) / distances.parent_path());
+        fs::copy_file(cacheFolder(project) / distances, toPath(shipped.path()) / distances);
+        fs::remove_all(cacheFolder(project));
+        QVERIFY(state() == StageState::Stale);
+        addResults(toPath(shipped.filePath("nothing")), project);
+        QVERIFY(state() == StageState::Stale);
+        addResults(toPath(shipped.path()), project);
+        QVERIFY(state() == StageState::Fresh);
+    }
+
+    void aTileLeadsToAPerformanceAlongAPath()
+    {
+        QTest::mouseClick(test::find<WelcomeTile>("welcome.path"), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(m_window->workspaces().current(), QString("animate"), 240000);
+        QCOMPARE(m_window->context().selection.shownAnimation(), QString("along an S"));
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->context().animations.result("along an S") != nullptr, 240000);
+        QTRY_VERIFY(m_window->animate().player().isPlaying());
     }
 };
 

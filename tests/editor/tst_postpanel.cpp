@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QToolButton>
 
 namespace quadrille {
@@ -97,6 +98,29 @@ private slots:
         QTest::mouseClick(field<QToolButton>("postNew"), Qt::LeftButton);
         QCOMPARE(context().document.project().animations.size(), 1U);
         QVERIFY(field<QCheckBox>("postLoop")->isVisible());
+    }
+
+    void buttonsThatResetAreWholeWhereThePanelIsNarrow()
+    {
+        toggle("postLoop");
+        choose("postRetime", 1);
+        auto* dock = test::find<QDockWidget>("finishDock");
+        dock->setFloating(true);
+        auto* area = m_panel->findChild<QScrollArea*>();
+        for (const QString& language : {QStringLiteral("fr"), QStringLiteral("en")}) {
+            context().languages.setLanguage(language);
+            dock->resize(1, 500);
+            QTRY_VERIFY(dock->width() < 500);
+            int shown = 0;
+            for (const auto* button : m_panel->findChildren<QToolButton*>()) {
+                if (!button->objectName().endsWith("Reset") || !button->isVisible())
+                    continue;
+                ++shown;
+                const int right = button->mapTo(area->widget(), QPoint(button->width(), 0)).x();
+                QTRY_VERIFY2(right <= area->viewport()->width(), qPrintable(language + button->objectName()));
+            }
+            QVERIFY(shown >= 2);
+        }
     }
 
     void loopsAndRepeatsInStepsThatCanBeUndone()

@@ -57,9 +57,10 @@ const std::vector<Edit>& edits()
          [](const Project& p) { return p.sequences.size() == 4 && p.sequences[3].name == "run"; }},
         {"Add 2 sequences",
          [](auto& d) {
-             addSequences(
-                 d, {{.name = "walk", .character = "Ada", .source = "a"}, {.name = "run", .source = "b"}},
-                 {{.name = "Ada", .mesh = "/data/other.obj"}});
+             addSequences(d,
+                          {{.name = "walk", .character = "Ada", .source = "a"},
+                           {.name = "run", .character = "Bo", .source = "b"}},
+                          {{.name = "Ada", .mesh = "/data/other.obj"}});
          },
          [](const Project& p) {
              return p.sequences[3].name == "walk 2" && p.sequences[3].character == "Ada 2" &&
@@ -96,7 +97,8 @@ const std::vector<Edit>& edits()
          [](const Project& p) {
              return p.animations[0].name == "polka" && p.exports[2].what == "animations/polka";
          }},
-        {"Add variations “strolls 2”", [](auto& d) { addVariation(d, {.name = "strolls"}); },
+        {"Add variations “strolls 2”",
+         [](auto& d) { addVariation(d, {.name = "strolls", .character = "Ada"}); },
          [](const Project& p) { return p.variations.size() == 2 && p.variations[1].name == "strolls 2"; }},
         {"Duplicate “strolls”", [](auto& d) { duplicateVariation(d, "strolls"); },
          [](const Project& p) {
@@ -153,8 +155,8 @@ const std::vector<Edit>& edits()
          }},
         {"Change the texture of “walk”", [](auto& d) { setSequenceTexture(d, "walk", texture); },
          [](const Project& p) { return p.sequences[0].texture == texture; }},
-        {"Change the character of “walk”", [](auto& d) { setSequenceCharacter(d, "walk", "Bo"); },
-         [](const Project& p) { return p.sequences[0].character == "Bo"; }},
+        {"Change the character of “kick”", [](auto& d) { setSequenceCharacter(d, "kick", "Ada"); },
+         [](const Project& p) { return p.sequences[2].character == "Ada"; }},
         {"Label “walk”",
          [](auto& d) {
              setSequenceLabels(d, "walk", {{"step", range}});
@@ -180,10 +182,13 @@ const std::vector<Edit>& edits()
          [](const Project& p) { return p.characters[0].mesh == "/data/eva.obj"; }},
         {"Change the project settings", [](auto& d) { setSettings(d, {.fps = 60}); },
          [](const Project& p) { return p.settings.fps == 60; }},
-        {"Add export “cache 2”", [](auto& d) { addExport(d, {.name = "cache", .what = "sequences/walk"}); },
+        {"Add export “cache 2”",
+         [](auto& d) { addExport(d, {.name = "cache", .what = "sequences/walk", .path = "/out/w.pc2"}); },
          [](const Project& p) { return p.exports.size() == 4 && p.exports[3].name == "cache 2"; }},
         {"Change export “cache”",
-         [](auto& d) { setExport(d, "cache", {.name = "cache", .what = "sequences/jump"}); },
+         [](auto& d) {
+             setExport(d, "cache", {.name = "cache", .what = "sequences/jump", .path = "/out/j.pc2"});
+         },
          [](const Project& p) { return p.exports[1].what == "sequences/jump"; }},
         {"Relink media",
          [](auto& d) {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "editor/docks/projecttreemodel.h"
 #include "editortest.h"
+#include "widgets/controls/fieldnote.h"
 
 #include <QLineEdit>
-#include <QSignalSpy>
 #include <QTreeView>
 
 namespace quadrille {
@@ -39,6 +39,7 @@ private slots:
         m_window->open({m_folder->filePath("walk_1.obj")});
         QVERIFY(test::waitForSequence(*m_window, "walk"));
         QVERIFY(test::activate(*m_window));
+        QVERIFY(test::raiseDock("projectDock"));
         m_tree = test::find<QTreeView>("projectTree");
         m_tree->expandAll();
         QTest::mouseClick(m_tree->viewport(), Qt::LeftButton, {}, place("walk"));
@@ -67,25 +68,34 @@ private slots:
         QCOMPARE(document().project().sequences.size(), 2U);
     }
 
-    void renamesInPlaceAndSaysWhenANameIsTaken()
+    void renamesInPlaceAndKeepsTheFieldWhileANameCannotBeTaken()
     {
         QTest::keyClick(&tree(), Qt::Key_D, Qt::ControlModifier);
         QTest::mouseClick(tree().viewport(), Qt::LeftButton, {}, place("walk"));
-        const auto rename = [this](const QString& name) {
-            QTest::keyClick(&tree(), Qt::Key_F2);
+        QTest::keyClick(&tree(), Qt::Key_F2);
+        const auto type = [this](const QString& name) {
             auto* field = tree().findChild<QLineEdit*>();
             QVERIFY(field != nullptr);
             field->selectAll();
             QTest::keyClicks(field, name);
             QTest::keyClick(field, Qt::Key_Return);
-            QTRY_VERIFY(tree().findChild<QLineEdit*>() == nullptr);
         };
-        rename("stroll");
+        const auto note = [this] {
+            auto* shown = m_window->findChild<widgets::FieldNote*>();
+            return shown == nullptr ? QString() : shown->text();
+        };
+        type("walk 2");
+        QVERIFY2(note().contains("walk 2"), qPrintable(note()));
+        type("take 1/2");
+        QTRY_VERIFY2(note().contains("slashes"), qPrintable(note()));
+        QCOMPARE(tree().findChild<QLineEdit*>()->text(), QString("take 1/2"));
+        type("..");
+        QTRY_VERIFY2(note().contains("cannot be a name"), qPrintable(note()));
+        QVERIFY(document().sequence("walk") != nullptr);
+        type("stroll");
         QTRY_VERIFY(document().sequence("stroll") != nullptr);
-        const QSignalSpy refused(tree().model(), SIGNAL(nameRefused(quadrille::EntryRef, QString)));
-        rename("walk 2");
-        QVERIFY(document().sequence("stroll") != nullptr);
-        QCOMPARE(refused.count(), 1);
+        QTRY_VERIFY(tree().findChild<QLineEdit*>() == nullptr);
+        QTRY_COMPARE(note(), QString());
     }
 };
 

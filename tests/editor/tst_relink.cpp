@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "editor/documents/projectpaths.h"
 #include "editor/relinking/lostmediatable.h"
 #include "editor/relinking/relinkdialog.h"
 #include "editortest.h"
+#include "model/project/rebuild.h"
+#include "model/project/resultplaces.h"
 #include "widgets/controls/messagestrip.h"
 
 #include <QFileDialog>
@@ -272,6 +275,7 @@ private slots:
         QVERIFY(QDir().rename(place("old/takes"), place("old/moved")));
         openProject();
         QTRY_VERIFY(strip()->isVisible());
+        QVERIFY(test::raiseDock("projectDock"));
         auto* tree = test::find<QTreeView>("projectTree");
         const QModelIndex run = tree->model()->index(1, 0, tree->model()->index(1, 0));
         QTRY_VERIFY(context().media.medium("run")->state == SequenceMedia::State::Failed);
@@ -292,6 +296,52 @@ private slots:
         QTRY_VERIFY(!dialog()->plan().media.empty());
         QTRY_COMPARE(test::find<LostMediaTable>("relinkTable")->currentMedium(), rowOf("run_####.obj"));
         QTest::keyClick(dialog(), Qt::Key_Escape);
+    }
+
+    /// A file stands where the folder of results should be.
+    void resultsThatCannotBeBesideTheProjectGoElsewhereAndTheWindowSaysSo()
+    {
+        makeProject();
+        QVERIFY(QDir(place("p.quadrille.cache")).removeRecursively());
+        std::ofstream(place("p.quadrille.cache").toStdString()) << "in the way";
+        setResultRoot(place("cache").toStdString());
+        openProject();
+        auto* strip = m_window->findChild<widgets::MessageStrip*>("resultsStrip");
+        QTRY_VERIFY(strip->isVisible());
+        QVERIFY(strip->text().contains(QDir::toNativeSeparators(place("cache"))));
+        const auto file = context().document.file();
+        const RebuildReport report = rebuild(context().document.snapshot(), file, {.targets = {"sequences"}});
+        QVERIFY(!report.hasFailures());
+        QVERIFY(resultPlaces(file).isElsewhere);
+        // The word goes with its cause.
+        QVERIFY(QFile::remove(place("p.quadrille.cache")));
+        QTRY_VERIFY(!strip->isVisible());
+        setResultRoot({});
+    }
+
+    void savingUnderAnotherNameTakesTheResultsAlong()
+    {
+        makeProject();
+        openProject();
+        QTRY_COMPARE(context().document.project().sequences.size(), 2U);
+        const RebuildReport before =
+            rebuild(context().document.snapshot(), context().document.file(), {.targets = {"sequences"}});
+        QVERIFY(before.count(StageState::Computed) > 0);
+        QDir().mkpath(place("elsewhere"));
+        const QString copy = place("elsewhere/q.quadrille");
+        QTimer::singleShot(0, this, [&] {
+            QFileDialog* chooser = nullptr;
+            QTRY_VERIFY((chooser = m_window->findChild<QFileDialog*>()) != nullptr && chooser->isVisible());
+            auto* field = chooser->findChild<QLineEdit*>("fileNameEdit");
+            field->setText(copy);
+            QTest::keyClick(field, Qt::Key_Return);
+        });
+        context().actions.action("file.saveAs")->trigger();
+        QTRY_COMPARE(toQString(context().document.file()), copy);
+        const RebuildReport after =
+            rebuild(context().document.snapshot(), context().document.file(), {.targets = {"sequences"}});
+        QCOMPARE(after.count(StageState::Computed), 0U);
+        QCOMPARE(after.count(StageState::Fresh), before.stages.size());
     }
 };
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 // Stories of the Sequences workspace, with a small project and real keys and clicks.
 #include "editor/commands/projectedits.h"
-#include "editor/docks/sequencecards.h"
 #include "editor/playback/player.h"
 #include "editor/playback/sequencestage.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
@@ -12,12 +11,13 @@
 #include "widgets/viewport/viewport.h"
 
 #include <QDir>
-#include <QDockWidget>
 #include <QImage>
-#include <QLineEdit>
-#include <QListView>
+#include <QMenu>
+#include <QPointer>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSpinBox>
+#include <QTimer>
 #include <QToolButton>
 #include <QTreeView>
 
@@ -107,6 +107,7 @@ private:
     }
     void clickTreeRow(int row, Qt::KeyboardModifiers modifiers)
     {
+        QVERIFY(test::raiseDock("projectDock"));
         auto* tree = test::find<QTreeView>("projectTree");
         const QModelIndex sequences = tree->model()->index(1, 0);
         const QRect place = tree->visualRect(tree->model()->index(row, 0, sequences));
@@ -167,6 +168,68 @@ private slots:
         QTRY_VERIFY(viewport().camera().target.x() > before + 9.9F);
     }
 
+    void aNewNameLeavesViewSelectionAndPlayheadAsTheyAre()
+    {
+        show("far");
+        const auto playhead = [this] { return m_window->sequences().view().timeline().currentFrame(); };
+        m_window->sequences().player().goTo(19);
+        QTRY_COMPARE(stage().frame(), FrameIndex(19));
+        const std::vector<int> figures = viewport().figures();
+        const widgets::Turntable camera = viewport().camera();
+        const auto isAsBefore = [&](const QString& name) {
+            QCOMPARE(context().selection.sequences(), QStringList{name});
+            QCOMPARE(context().selection.shownSequence(), name);
+            const auto* tree = test::find<QTreeView>("projectTree");
+            QCOMPARE(tree->currentIndex().data().toString(), name);
+            QVERIFY(tree->selectionModel()->isSelected(tree->currentIndex()));
+            QCOMPARE(viewport().figures(), figures);
+            QVERIFY(viewport().camera() == camera);
+            QCOMPARE(viewport().notice(), QString());
+            QCOMPARE(m_window->sequences().player().frame(), FrameIndex(19));
+            QCOMPARE(playhead(), 19);
+            QCOMPARE(test::find<QSpinBox>("frameField")->value(), 19);
+            QCOMPARE(viewport().figureShape(figures.front())->positions[0], 9.5F);
+        };
+        QSignalSpy shown(&stage(), &SequenceStage::frameShown);
+        const auto settles = [&shown] { return shown.count() > 0 || shown.wait(); };
+        QVERIFY(renameEntry(context().document, {Section::Sequences, "far"}, "away"));
+        isAsBefore("away");
+        QVERIFY(settles());
+        isAsBefore("away");
+        shown.clear();
+        context().document.undo();
+        isAsBefore("far");
+        QVERIFY(settles());
+        isAsBefore("far");
+        context().document.redo();
+        isAsBefore("away");
+    }
+
+    void whilePlayingThePlayheadIsWhereThePictureIs()
+    {
+        show("far");
+        Player& player = m_window->sequences().player();
+        QTRY_COMPARE(stage().frame(), player.frame());
+        int compared = 0;
+        int apart = 0;
+        QTimer look;
+        connect(&look, &QTimer::timeout, this, [&] {
+            const auto shape = viewport().figureShape(stage().figureOf("far"));
+            const auto seen = static_cast<int>(std::lround(shape->positions[0] / 0.5F));
+            ++compared;
+            if (m_window->sequences().view().timeline().currentFrame() != seen ||
+                test::find<QSpinBox>("frameField")->value() != seen || player.frame() != FrameIndex(seen))
+                ++apart;
+        });
+        player.play();
+        look.start(0);
+        QTRY_VERIFY_WITH_TIMEOUT(compared > 20 && player.frame().value > 12, 20000);
+        player.pause();
+        QTRY_COMPARE(stage().frame(), player.frame());
+        look.stop();
+        QVERIFY2(apart <= 1, qPrintable(QString("%1 of %2").arg(apart).arg(compared))); // while it stops
+    }
+
     void saysWhatCannotBeShownAndTriesAgain()
     {
         context().selection.selectSequences({"late"});
@@ -221,49 +284,6 @@ private slots:
         QTRY_VERIFY(!overlay->isVisible());
     }
 
-    void cardsShowFindAndCompare()
-    {
-        auto* dock = test::find<QDockWidget>("cardsDock");
-        dock->raise();
-        auto* cards = test::find<QListView>("cards");
-        QTRY_VERIFY(cards->isVisible());
-        const auto click = [cards](int row, Qt::KeyboardModifiers modifiers) {
-            QTest::mouseClick(cards->viewport(), Qt::LeftButton, modifiers,
-                              cards->visualRect(cards->model()->index(row, 0)).center());
-        };
-        click(1, Qt::NoModifier);
-        QCOMPARE(context().selection.shownSequence(), QString("far"));
-        click(0, Qt::ControlModifier);
-        QTRY_COMPARE(viewport().figures().size(), 2U);
-        // Each ready sequence gets its moving pictures.
-        const auto pictures = [cards](int row) {
-            return cards->model()->index(row, 0).data(SequenceCards::PicturesRole).value<QList<QImage>>();
-        };
-        QTRY_COMPARE(pictures(0).size(), 12);
-        QTRY_COMPARE(pictures(1).size(), 12);
-        QVERIFY(pictures(2).isEmpty());
-        setSequenceLabels(context().document, "far", {{"gallop", {FrameIndex(0), FrameIndex(4)}}});
-        auto* search = test::find<QLineEdit>("cardSearch");
-        QTest::keyClicks(search, "GALL");
-        QCOMPARE(cards->model()->rowCount(), 1);
-        QCOMPARE(cards->model()->index(0, 0).data().toString(), QString("far"));
-        QTest::keyClick(search, Qt::Key_Escape);
-        search->clear();
-        // F2 and a name rename, in one step that can be undone.
-        click(1, Qt::NoModifier);
-        cards->setFocus();
-        QTest::keyClick(cards, Qt::Key_F2);
-        auto* field = cards->viewport()->findChild<QLineEdit*>();
-        QVERIFY(field != nullptr);
-        field->selectAll();
-        QTest::keyClicks(field, "away");
-        QTest::keyClick(field, Qt::Key_Return);
-        QTRY_VERIFY(context().document.sequence("away") != nullptr);
-        QCOMPARE(pictures(1).size(), 12);
-        context().document.undo();
-        QVERIFY(context().document.sequence("far") != nullptr);
-    }
-
     void ghostsComeAtTheIntervalThatIsSet()
     {
         show("far");
@@ -271,14 +291,63 @@ private slots:
         QVERIFY(!interval->isVisible());
         QTest::keyClick(&viewport(), Qt::Key_H);
         QTRY_VERIFY(interval->isVisible());
-        QCOMPARE(stage().ghostInterval(), 10);
+        QCOMPARE(stage().ghosts().interval(), 10);
         interval->setFocus();
         interval->selectAll();
         QTest::keyClicks(interval, "5");
         QTest::keyClick(interval, Qt::Key_Return);
-        QCOMPARE(stage().ghostInterval(), 5);
+        QCOMPARE(stage().ghosts().interval(), 5);
         QTest::mouseClick(test::find<QToolButton>("tool.view.ghosts"), Qt::LeftButton);
-        QCOMPARE(stage().ghostInterval(), 0);
+        QCOMPARE(stage().ghosts().interval(), 0);
+    }
+
+    void pinnedGhostsStayWhileOneScrubs()
+    {
+        show("far");
+        QAction* pin = context().actions.action("view.pinGhost");
+        QAction* unpin = context().actions.action("view.unpinGhosts");
+        Player& player = m_window->sequences().player();
+        player.goTo(7);
+        QTest::keyClick(&viewport(), Qt::Key_H, Qt::ControlModifier);
+        QVERIFY(pin->isChecked() && unpin->isEnabled());
+        player.goTo(12);
+        QVERIFY(!pin->isChecked());
+        pin->trigger();
+        QVERIFY(stage().ghosts().isPinned("far", FrameIndex(7)));
+        QVERIFY(stage().ghosts().isPinned("far", FrameIndex(12)));
+        QTRY_VERIFY(viewport().findChild<QWidget*>("viewportOverlay")->isVisible()); // the numbers
+        // A new name and another clip in between leave them where they are.
+        QVERIFY(renameEntry(context().document, {Section::Sequences, "far"}, "away"));
+        QVERIFY(stage().ghosts().isPinned("away", FrameIndex(7)));
+        context().document.undo();
+        show("step");
+        show("far");
+        player.goTo(7);
+        QVERIFY(pin->isChecked());
+        pin->trigger();
+        QVERIFY(!stage().ghosts().isPinned("far", FrameIndex(7)));
+        QVERIFY(unpin->isEnabled());
+        unpin->trigger();
+        QVERIFY(!unpin->isEnabled());
+        QTRY_VERIFY(!viewport().findChild<QWidget*>("viewportOverlay")->isVisible());
+    }
+
+    void theRightButtonShowsTheMenuOfTheView()
+    {
+        show("far");
+        QTest::mouseClick(viewport().focusProxy(), Qt::RightButton, {}, {20, 20});
+        QPointer<QMenu> menu = test::find<QMenu>("viewportMenu");
+        QTRY_VERIFY(menu->isVisible());
+        const QList<QAction*> actions = menu->actions();
+        for (const char* id : {"view.frame", "view.grid", "view.shadow", "view.pinGhost", "view.copy"})
+            QVERIFY2(actions.contains(context().actions.action(id)), id);
+        QVERIFY(!actions.contains(context().actions.action("view.overlay")));
+        menu->close();
+        QTRY_VERIFY(menu.isNull());
+        QVERIFY(viewport().areShadowsVisible());
+        context().actions.action("view.shadow")->trigger();
+        QVERIFY(!viewport().areShadowsVisible());
+        context().actions.action("view.shadow")->trigger();
     }
 
     void texturesChangeWhilePlaying()

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What stands around the workspaces: palette, preferences, sessions, recovery, recent projects.
-#include "editor/application/autosave.h"
+#include "editor/application/recoveries.h"
 #include "editor/application/session.h"
 #include "editor/commands/projectedits.h"
 #include "editor/exporting/pictureflow.h"
 #include "editor/playback/player.h"
 #include "editor/playback/sequencestage.h"
+#include "editor/welcome/recentprojects.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
+#include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
 #include "widgets/controls/actionpalette.h"
 #include "widgets/controls/messagestrip.h"
@@ -181,6 +183,13 @@ private slots:
         QVERIFY(widgets::Theme::instance().isDark());
         QTest::keyClick(theme, Qt::Key_Up);
         QVERIFY(!widgets::Theme::instance().isDark());
+        auto* mouse = test::find<QComboBox>("preferencesMouse");
+        mouse->setFocus();
+        QTest::keyClick(mouse, Qt::Key_Down);
+        QVERIFY(Settings().mousePreset() == widgets::MousePreset::Blender);
+        QVERIFY(m_window->sequences().viewport().mousePreset() == widgets::MousePreset::Blender);
+        QTest::keyClick(mouse, Qt::Key_Up);
+        QVERIFY(m_window->sequences().viewport().mousePreset() == widgets::MousePreset::Quadrille);
     }
 
     void shortcutsCanBeChangedButNotTakenTwice()
@@ -259,7 +268,7 @@ private slots:
         QCOMPARE(QString::fromStdString(context().document.file().string()), project());
         QTRY_VERIFY(!QFile::exists(folder.filePath("left.json"))); // taken over by a copy of this program
         context().document.save();
-        QVERIFY(!Autosave::findRecovery());
+        QTRY_VERIFY(findRecoveries().works.empty());
     }
 
     void recentProjectsAreInMenuAndWelcome()
@@ -274,6 +283,55 @@ private slots:
         list->setFocus();
         QTest::keyClick(list, Qt::Key_Delete);
         QVERIFY(!context().settings.recentProjects().contains("/nowhere/old.quadrille"));
+    }
+
+    void aProjectThatIsGoneSaysSoAndCanBeTakenOut()
+    {
+        context().settings.addRecentProject("/nowhere/gone.quadrille");
+        auto* list = test::find<QListWidget>("recentProjects");
+        const QModelIndex first = list->model()->index(0, 0);
+        QVERIFY(first.data(RecentProjects::MissingRole).toBool());
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(first).center());
+        auto* strip = test::find<QWidget>("welcomePage")->findChild<widgets::MessageStrip*>();
+        QTRY_VERIFY(strip->isVisible());
+        QVERIFY(strip->text().contains("/nowhere/gone.quadrille"));
+        QCOMPARE(context().issues.count(IssueLog::Severity::Error), 0);
+        QTest::mouseClick(strip->findChild<QPushButton*>("messageStripAction"), Qt::LeftButton);
+        QVERIFY(!context().settings.recentProjects().contains("/nowhere/gone.quadrille"));
+        QVERIFY(!strip->isVisible());
+    }
+
+    void docksWaitUntilThereIsAProject()
+    {
+        const auto shown = [this] {
+            QStringList names;
+            for (const QDockWidget* dock : m_window->findChildren<QDockWidget*>()) {
+                if (dock->isVisible())
+                    names += dock->objectName();
+            }
+            return names;
+        };
+        QCOMPARE(shown(), QStringList());
+        openSaved();
+        QTRY_VERIFY(shown().contains("cardsDock"));
+        QVERIFY(shown().contains("propertiesDock"));
+        test::find<QDockWidget>("propertiesDock")->hide();
+        m_window->workspaces().select("graph");
+        const QStringList inGraph = shown();
+        context().actions.action("file.new")->trigger();
+        QCOMPARE(shown(), QStringList());
+        m_window->workspaces().select("sequences");
+        QCOMPARE(shown(), QStringList());
+        // They come back as they were, also where the window was closed without a project.
+        m_window->close();
+        newWindow();
+        QCOMPARE(shown(), QStringList());
+        m_window->open({m_folder->filePath("walk_1.obj")});
+        QVERIFY(test::waitForSequence(*m_window, "walk"));
+        QTRY_VERIFY(shown().contains("cardsDock"));
+        QVERIFY(!shown().contains("propertiesDock"));
+        m_window->workspaces().select("graph");
+        QCOMPARE(shown(), inGraph);
     }
 };
 

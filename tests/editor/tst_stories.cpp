@@ -87,7 +87,9 @@ private:
         path->selectAll();
         QTest::keyClicks(path, file);
         press("exportAccept");
-        QTRY_VERIFY_WITH_TIMEOUT(exportDialog() == nullptr, 30000);
+        QTRY_COMPARE_WITH_TIMEOUT(test::find<QPushButton>("exportAccept")->text(), QString("Close"), 30000);
+        press("exportAccept");
+        QTRY_VERIFY(exportDialog() == nullptr);
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -201,7 +203,7 @@ private slots:
         auto* loop = test::find<QCheckBox>("postLoop");
         QTRY_VERIFY(loop->isVisible());
         loop->setFocus();
-        QTest::keyClick(loop, Qt::Key_Space);
+        QTest::keyClick(loop, Qt::Key_Return);
         QVERIFY(document().animation(animation())->post.steps.loop.has_value());
         QVERIFY(waitForClip());
         const auto looped = context().animations.result(animation());

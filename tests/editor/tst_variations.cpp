@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Variations of a movement from the choice of takes to what is learned.
+#include "dropping.h"
 #include "editor/docks/projecttreemodel.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/workspaces/variations/latentpanel.h"
+#include "model/project/opensequence.h"
+#include "model/project/rebuild.h"
 #include "variationsfixture.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/graph/linechart.h"
@@ -42,6 +45,25 @@ private slots:
         document().undo();
         QCOMPARE(document().project().variations.front().samples.size(), 1U);
         QCOMPARE(row("trainingTakes", 0)->checkState(0), Qt::Checked);
+    }
+
+    void takesAreDroppedFromTheirCards()
+    {
+        document().reset(test::swayingProject(m_folder->path()));
+        m_window->workspaces().select("variations");
+        show("movementPanel");
+        QWidget& list = *test::find<QTreeWidget>("trainingTakes")->viewport();
+        test::dropCard("second", list, {20, 20});
+        test::dropCard("third", list, {20, 20});
+        test::dropCard("second", list, {20, 20}); // it is there already
+        QCOMPARE(document().project().variations.size(), 1U);
+        const VariationEntry& made = document().project().variations.front();
+        QCOMPARE(made.training.size(), 2U);
+        QCOMPARE(made.training[0].sequence, std::string("second"));
+        QCOMPARE(made.training[1].sequence, std::string("third"));
+        QCOMPARE(row("trainingTakes", 1)->checkState(0), Qt::Checked);
+        document().undo();
+        QCOMPARE(document().project().variations.front().training.size(), 1U);
     }
 
     void thePanelsFitASmallScreen()
@@ -193,6 +215,65 @@ private slots:
         QCOMPARE(medium().parts[0].objective.back(), objective);
     }
 
+    void whatWasDrawnIsThereAgainWhenTheProjectIsOpened()
+    {
+        document().reset(test::variedProject(m_folder->path()));
+        const auto file = toPath(m_folder->filePath("p.quadrille"));
+        document().saveAs(file);
+        m_window->workspaces().select("variations");
+        QVERIFY(test::waitForState(context(), "sways", State::NotLearned));
+        action("variations.learn")->trigger();
+        QVERIFY(test::waitForVariations(context(), "sways"));
+        const auto before = medium().drawn;
+        // What is drawn is kept in the background.
+        QTRY_VERIFY_WITH_TIMEOUT(context().jobs.jobs().empty(), 30000);
+        document().reset({});
+        QVERIFY(context().variations.medium("sways") == nullptr);
+        bool wasDrawn = false;
+        connect(&context().variations, &VariationMedia::changed, this, [&] {
+            const auto* now = context().variations.medium("sways");
+            wasDrawn = wasDrawn || (now != nullptr && now->state == State::Drawing);
+        });
+        document().load(file);
+        m_window->workspaces().select("sequences");
+        m_window->workspaces().select("variations");
+        QVERIFY(test::waitForVariations(context(), "sways"));
+        QVERIFY(!wasDrawn);
+        const DrawnSet& was = before->at(0);
+        const DrawnSet& is = medium().drawn->at(0);
+        QCOMPARE(is.rejected, was.rejected);
+        QCOMPARE(is.variations.size(), was.variations.size());
+        for (std::size_t i = 0; i < was.variations.size(); ++i) {
+            QVERIFY(loadFrames(is.variations[i].sequence) == loadFrames(was.variations[i].sequence));
+            QVERIFY(is.variations[i].latents == was.variations[i].latents);
+            QCOMPARE(is.variations[i].quality.meanPoseDistance, was.variations[i].quality.meanPoseDistance);
+        }
+        // What was kept is what a rebuild takes: it computes nothing.
+        const RebuildReport report = rebuild(document().snapshot(), document().workingFile(),
+                                             {.targets = {"variations/sways"}, .dryRun = true});
+        QCOMPARE(report.count(StageState::Stale), 0U);
+        // Other settings are drawn anew.
+        variation().edit("more", "count", [](VariationEntry& after) { after.samples[0].count = 4; });
+        QTRY_VERIFY_WITH_TIMEOUT(wasDrawn && medium().state == State::Ready, 30000);
+        QCOMPARE(medium().drawn->at(0).variations.size(), 4U);
+    }
+
+    void otherVariationsAreLookedAtAndTheFirstAreStillThere()
+    {
+        learn();
+        const auto drawn = medium().drawn;
+        action("variations.duplicate")->trigger();
+        const QString copy = context().selection.shownVariation();
+        QVERIFY(copy != "sways");
+        QVERIFY(test::waitForState(context(), copy, State::NotLearned));
+        QVERIFY(medium().drawn == drawn);
+        context().selection.select({Section::Variations, "sways"});
+        QCOMPARE(medium().state, State::Ready);
+        QVERIFY(medium().drawn == drawn);
+        document().undo();
+        QTRY_VERIFY(context().variations.medium(copy) == nullptr);
+    }
+
     void theLatentViewGoesToTheFrameThatIsClicked()
     {
         learn();
@@ -220,6 +301,7 @@ private slots:
         document().reset(test::variedProject(m_folder->path()));
         context().selection.select({Section::Variations, "sways"});
         QVERIFY(test::waitForState(context(), "sways", State::NotLearned));
+        QVERIFY(!test::find<QWidget>("variationsViewMessage")->isVisible());
     }
 };
 

@@ -9,6 +9,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDirIterator>
+#include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSlider>
@@ -63,6 +64,41 @@ private slots:
         QTRY_VERIFY(medium().drawn != before);
         QVERIFY(test::waitForVariations(context(), "sways"));
         QVERIFY(medium().drawn->at(0).variations[0].latents != before->at(0).variations[0].latents);
+    }
+
+    void theSpreadStandsWhereSamplesAreDrawn()
+    {
+        learn();
+        show("samplesPanel");
+        auto* spread = test::find<QDoubleSpinBox>("spread");
+        QVERIFY(spread->isVisible());
+        QVERIFY(test::find<QWidget>("samplesPanel")->isAncestorOf(spread));
+        QCOMPARE(spread->value(), entry().extent.spread);
+        const auto before = medium().drawn;
+        spread->setValue(0.4);
+        QCOMPARE(entry().extent.spread, 0.4);
+        QTRY_VERIFY_WITH_TIMEOUT(medium().drawn != before, 30000);
+        document().undo();
+        QCOMPARE(spread->value(), TrajectoryLimits().spread);
+    }
+
+    void theTakesOfABlendShowTheFramesThatAreLearnedFrom()
+    {
+        learn();
+        const auto blended = medium().drawn;
+        variation().edit("blend", "to", [](VariationEntry& after) {
+            after.samples[0].to = "second";
+            after.samples[0].weight = 0.5;
+        });
+        QTRY_VERIFY_WITH_TIMEOUT(medium().drawn != blended, 30000);
+        QVERIFY(test::waitForVariations(context(), "sways"));
+        action("variations.original")->setChecked(true);
+        QTRY_VERIFY(stage().contains("first") && stage().contains("second"));
+        for (const char* take : {"first", "second"}) {
+            QTRY_VERIFY(m_window->variations().stage().sequenceOf(take) != nullptr);
+            QCOMPARE(m_window->variations().stage().sequenceOf(take)->frameCount(), 20);
+        }
+        action("variations.original")->setChecked(false);
     }
 
     void standingFeetAreKeptStillUnlessTheEntrySaysOtherwise()

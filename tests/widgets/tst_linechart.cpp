@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStyle>
@@ -32,6 +33,7 @@ private slots:
     void valuesAreCopiedAsCsv();
     void aSliderOverPowersOfTenTellsDragsAndSteps();
     void theNumberBesideTheSliderCanBeTyped();
+    void aSliderNamesItsEndsBeforeACurve();
 
 private:
     std::unique_ptr<LineChart> m_chart;
@@ -209,6 +211,33 @@ void TestLineChart::theNumberBesideTheSliderCanBeTyped()
     QTest::keyClick(slider.spinBox(), Qt::Key_Up);
     QCOMPARE(slider.value(), 0.0371);
     QCOMPARE(slider.spinBox()->text(), QString("0.0371"));
+}
+
+void TestLineChart::aSliderNamesItsEndsBeforeACurve()
+{
+    LogSlider slider(1e-4, 1);
+    slider.resize(500, 60);
+    slider.setEnds("sparse", "dense");
+    slider.setValue(0.01);
+    slider.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&slider));
+    QVERIFY(slider.findChild<QLabel*>("logSliderLow")->isVisible());
+    QCOMPARE(slider.findChild<QLabel*>("logSliderHigh")->text(), QString("dense"));
+    const QImage before = slider.grab().toImage();
+    slider.setCurve({{1e-4, 0}, {0.01, 0.5}, {1, 1}});
+    const QImage after = slider.grab().toImage();
+    const QPoint inside = (slider.curvePosition({0.5, 0.1}) * after.devicePixelRatio()).toPoint();
+    QVERIFY(before.pixelColor(inside) != after.pixelColor(inside));
+    // The curve and the handle agree about where a value is.
+    QStyleOptionSlider option;
+    option.initFrom(slider.slider());
+    option.maximum = 1000;
+    option.sliderPosition = option.sliderValue = slider.slider()->value();
+    option.orientation = Qt::Horizontal;
+    const QRect handle = slider.slider()->style()->subControlRect(QStyle::CC_Slider, &option,
+                                                                  QStyle::SC_SliderHandle, slider.slider());
+    const double middle = slider.slider()->mapTo(&slider, handle.center()).x();
+    QVERIFY(std::abs(slider.curvePosition({0.01, 0}).x() - middle) < 2);
 }
 
 QTEST_MAIN(TestLineChart)

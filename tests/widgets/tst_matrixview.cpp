@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/graph/matrixview.h"
 
+#include <QContextMenuEvent>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
@@ -51,6 +52,11 @@ private slots:
     void marksThinOutToTheLightest();
     void marksShowOnTheirCells();
     void theCellIsReadOut();
+    void theTableFillsItsPlace();
+    void framesAreNumberedAsThereIsRoom();
+    void picturesKeepTheirPlace();
+    void whatDoesNotCountIsVeiled();
+    void theRightButtonAsksForTheMenu();
     void anEmptyViewSaysSo();
 
 private:
@@ -254,6 +260,91 @@ void TestMatrixView::theCellIsReadOut()
     const QString text = m_view->accessibleDescription();
     QVERIFY2(text.startsWith("jog 2 → walk 3"), qPrintable(text));
     QCOMPARE(text.endsWith("mm"), m_values.has(12, 3));
+}
+
+void TestMatrixView::theTableFillsItsPlace()
+{
+    m_view->resize(900, 420);
+    QCOMPARE(m_view->cellRect({0, 0}).topLeft().toPoint(), m_view->matrixArea().topLeft());
+    QCOMPARE(m_view->cellRect({39, 39}).bottomRight().toPoint(),
+             m_view->matrixArea().bottomRight() + QPoint(1, 1));
+    // Coming closer keeps the shape of the cells, going back ends where all shows.
+    const double shape = m_view->cellRect({0, 0}).width() / m_view->cellRect({0, 0}).height();
+    m_view->zoomAbout(m_view->matrixArea().center(), 3);
+    QCOMPARE(m_view->cellRect({0, 0}).width() / m_view->cellRect({0, 0}).height(), shape);
+    m_view->zoomAbout(m_view->matrixArea().center(), 0.1);
+    QVERIFY(m_view->isFitted());
+}
+
+void TestMatrixView::framesAreNumberedAsThereIsRoom()
+{
+    const auto before = m_view->numberedFrames(Qt::Vertical);
+    QVERIFY(std::ranges::count(before, 0) <= 3);
+    m_view->zoomAbout(m_view->cellRect({0, 0}).topLeft(), 100);
+    const auto after = m_view->numberedFrames(Qt::Vertical);
+    QVERIFY(after.size() > 5);
+    for (std::size_t i = 0; i < after.size(); ++i)
+        QCOMPARE(after[i], static_cast<int>(i));
+}
+
+void TestMatrixView::picturesKeepTheirPlace()
+{
+    m_view->setBlockPictures(std::vector<QImage>(3));
+    const QRect area = m_view->matrixArea();
+    QImage picture(64, 64, QImage::Format_RGB32);
+    picture.fill(QColor(10, 200, 30));
+    m_view->setBlockPictures({picture, picture, picture});
+    QCOMPARE(m_view->matrixArea(), area);
+    const QImage shown = m_view->grab().toImage();
+    int left = 0;
+    int above = 0;
+    const double ratio = shown.devicePixelRatio();
+    for (int y = 0; y < shown.height(); ++y) {
+        for (int x = 0; x < shown.width(); ++x) {
+            if (shown.pixelColor(x, y) != QColor(10, 200, 30))
+                continue;
+            left += x < area.left() * ratio ? 1 : 0;
+            above += y < area.top() * ratio ? 1 : 0;
+        }
+    }
+    QVERIFY(left > 3 * 600 * ratio);
+    QVERIFY(above > 3 * 600 * ratio);
+}
+
+void TestMatrixView::whatDoesNotCountIsVeiled()
+{
+    const auto colorOf = [&](int row, int column) {
+        QTest::mouseMove(m_view.get(), {2, 200});
+        const QImage picture = m_view->grab().toImage();
+        return picture.pixelColor(
+            (m_view->cellRect({row, column}).center() * picture.devicePixelRatio()).toPoint());
+    };
+    const QColor inside = colorOf(3, 4);
+    const QColor outside = colorOf(20, 31);
+    m_view->setBlockFilter([](int row, int column) { return row == 0 && column == 0; });
+    QCOMPARE(colorOf(3, 4), inside);
+    QVERIFY(colorOf(20, 31) != outside);
+    QVERIFY(!m_view->passesFilter({20, 31}));
+    QSignalSpy activated(m_view.get(), &MatrixView::cellActivated);
+    QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, middleOf(20, 31));
+    QCOMPARE(activated.size(), 1);
+    m_view->setBlockFilter({});
+    m_view->setCurrentCell({});
+    QCOMPARE(colorOf(20, 31), outside);
+}
+
+void TestMatrixView::theRightButtonAsksForTheMenu()
+{
+    QSignalSpy asked(m_view.get(), &MatrixView::menuAsked);
+    const QPoint place = middleOf(12, 5);
+    QContextMenuEvent byMouse(QContextMenuEvent::Mouse, place, m_view->mapToGlobal(place));
+    QApplication::sendEvent(m_view.get(), &byMouse);
+    QCOMPARE(asked.size(), 1);
+    QCOMPARE(m_view->currentCell(), (MatrixCell{12, 5}));
+    QContextMenuEvent byKey(QContextMenuEvent::Keyboard, {1, 1}, {1, 1});
+    QApplication::sendEvent(m_view.get(), &byKey);
+    QCOMPARE(asked.size(), 2);
+    QCOMPARE(asked.last().at(2).toPoint(), m_view->mapToGlobal(place));
 }
 
 void TestMatrixView::anEmptyViewSaysSo()

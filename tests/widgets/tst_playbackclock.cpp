@@ -14,9 +14,12 @@ private slots:
     void frameFollowsTime();
     void slowDrawingLeavesFramesOutAndKeepsTime();
     void loopsWithinTheRange();
+    void turnsRoundAtTheEndsWhenItGoesBackAndForth();
     void playsBackwards();
     void stopsAtTheEndWhenNotLooping();
     void reportsTheRateReached();
+    void reportsNoRateFromPicturesThatFollowEachOtherAtOnce();
+    void aHaltLowersTheRate();
     void saysWhenTheNextFrameIsDue();
 };
 
@@ -63,6 +66,21 @@ void TestPlaybackClock::loopsWithinTheRange()
     QVERIFY(clock.isPlaying());
 }
 
+void TestPlaybackClock::turnsRoundAtTheEndsWhenItGoesBackAndForth()
+{
+    auto clock = clockOf(10, 13, 10);
+    clock.setBackAndForth(true);
+    clock.start(11, 0);
+    for (const auto& [step, frame] : {std::pair{1, 12}, {2, 13}, {3, 12}, {4, 11}, {5, 10}, {6, 11}, {8, 13}})
+        QCOMPARE(clock.frameAt(step * 0.1), frame);
+    clock.start(11, 0, -1);
+    for (const auto& [step, frame] : {std::pair{1, 10}, {2, 11}, {4, 13}, {5, 12}})
+        QCOMPARE(clock.frameAt(step * 0.1), frame);
+    clock.setRange(4, 4);
+    clock.start(4, 0);
+    QCOMPARE(clock.frameAt(0.7), 4);
+}
+
 void TestPlaybackClock::playsBackwards()
 {
     auto clock = clockOf(0, 9, 10);
@@ -86,10 +104,36 @@ void TestPlaybackClock::reportsTheRateReached()
 {
     auto clock = clockOf(0, 99);
     clock.start(0, 0);
-    QCOMPARE(clock.fpsReached(), 0.0);
+    QVERIFY(!clock.fpsReached());
     for (int picture = 0; picture < 40; ++picture)
-        clock.shown(picture / 2, picture * 0.05); // every frame drawn twice
-    QVERIFY(std::abs(clock.fpsReached() - 10.0) < 1e-6);
+        clock.painted(picture / 2, picture * 0.05); // every frame drawn twice
+    QVERIFY(std::abs(clock.fpsReached().value() - 10.0) < 1e-6);
+}
+
+void TestPlaybackClock::reportsNoRateFromPicturesThatFollowEachOtherAtOnce()
+{
+    auto clock = clockOf(0, 99);
+    clock.start(0, 0);
+    for (int frame = 0; frame < 20; ++frame)
+        clock.painted(frame, frame * 0.001);
+    QVERIFY(!clock.fpsReached());
+    // The same burst within a second of play does not make it quicker than it is.
+    for (int frame = 20; frame < 45; ++frame)
+        clock.painted(frame, 0.02 + (frame - 19) * 0.04);
+    QVERIFY(clock.fpsReached().value() < 46.0);
+    for (int frame = 45; frame < 70; ++frame)
+        clock.painted(frame, 0.02 + (frame - 19) * 0.04);
+    QVERIFY(std::abs(clock.fpsReached().value() - 25.0) < 1e-6);
+}
+
+void TestPlaybackClock::aHaltLowersTheRate()
+{
+    auto clock = clockOf(0, 999);
+    clock.start(0, 0);
+    for (int frame = 0; frame < 50; ++frame)
+        clock.painted(frame, frame * 0.04);
+    clock.painted(100, 4.0);
+    QVERIFY(clock.fpsReached().value() < 1.0);
 }
 
 void TestPlaybackClock::saysWhenTheNextFrameIsDue()

@@ -1,100 +1,36 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "widgets/viewport/viewport.h"
+#include "viewportfixture.h"
 #include "widgets/viewport/viewportoverlay.h"
-#include "widgets/viewport/vtkview.h"
 
-#include <QApplication>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QPainter>
 #include <QSignalSpy>
-#include <QTest>
 
+using namespace quadrille::test;
 using namespace quadrille::widgets;
 
-class TestViewport : public QObject
+class TestViewport : public ViewportFixture
 {
     Q_OBJECT
 private slots:
-    void init();
-    void cleanup();
     void drawsATexturedFigureInItsColour();
     void drawsANewFrameAndANewTexture();
     void pickingFindsTheTriangleUnderThePointer();
-    void draggingTurnsTheCameraAndTheWheelComesNearer();
     void goesOnDrawingAfterUndocking();
     void measuresBetweenTwoClicks();
-    void framesWhatIsThere();
     void canBeDeletedWithItsFigures();
     void namesInOnePlaceAreAboveEachOther();
-
-private:
-    std::unique_ptr<Viewport> m_viewport;
-    int addSquare(const QColor& texture);
-    QColor centre();
+    void aFigureAloneStandsWhereItIs();
+    void severalStandInLanesThatTheirTakesDoNotLeave();
+    void lanesLieBehindEachOtherWhereTakesGoFarAcross();
+    void feetHaveAShadowThatFollowsThem();
+    void aPictureIsDrawnInFullOnceNothingMoves();
+    void pinnedGhostsTellTheirFrame();
+    void theGovernorFollowsWhatPicturesTake();
+    void theGovernorDoesNotGoBackAndForth();
 };
-
-namespace {
-
-/// A square of two metres in the plane z = 0, facing +z.
-FigureMesh square()
-{
-    return {.vertexCount = 4,
-            .triangles = {{0, 1, 2}, {0, 2, 3}},
-            .uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
-            .triangleUvs = {{0, 1, 2}, {0, 2, 3}},
-            .triangleMaterials = {}};
-}
-
-std::vector<float> corners(float z = 0)
-{
-    return {-1, 0, z, 1, 0, z, 1, 2, z, -1, 2, z};
-}
-
-QImage filled(const QColor& color)
-{
-    QImage image(16, 16, QImage::Format_RGBA8888);
-    image.fill(color);
-    return image;
-}
-
-} // namespace
-
-void TestViewport::init()
-{
-    QVERIFY(VtkView::openGlAvailable());
-    m_viewport = std::make_unique<Viewport>();
-    m_viewport->resize(400, 300);
-    m_viewport->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_viewport.get()));
-    Turntable camera;
-    camera.target = {0, 1, 0};
-    camera.yaw = 0;
-    camera.pitch = 0;
-    camera.distance = 8;
-    m_viewport->setCamera(camera);
-}
-
-void TestViewport::cleanup()
-{
-    m_viewport.reset();
-}
-
-int TestViewport::addSquare(const QColor& texture)
-{
-    const int figure = m_viewport->addFigure(square(), "square");
-    m_viewport->setPositions(figure, corners());
-    m_viewport->setTexture(figure, filled(texture));
-    return figure;
-}
-
-QColor TestViewport::centre()
-{
-    QTest::qWait(50);
-    const QImage image = m_viewport->snapshot();
-    return image.isNull() ? QColor() : image.pixelColor(image.rect().center());
-}
 
 void TestViewport::drawsATexturedFigureInItsColour()
 {
@@ -130,24 +66,6 @@ void TestViewport::pickingFindsTheTriangleUnderThePointer()
     QVERIFY(upperLeft);
     QCOMPARE(upperLeft->triangle, 1U);
     QVERIFY(!m_viewport->pick({2, 2}));
-}
-
-void TestViewport::draggingTurnsTheCameraAndTheWheelComesNearer()
-{
-    addSquare(Qt::red);
-    QTest::qWait(50);
-    const Turntable before = m_viewport->camera();
-    QWidget* view = m_viewport->view();
-    const QPoint from = view->rect().center();
-    QTest::mousePress(view, Qt::LeftButton, {}, from);
-    for (int step = 1; step <= 5; ++step)
-        QTest::mouseMove(view, from + QPoint(12 * step, 4 * step));
-    QTest::mouseRelease(view, Qt::LeftButton, {}, from + QPoint(60, 20));
-    QTRY_VERIFY(std::abs(m_viewport->camera().yaw - before.yaw) > 5);
-    QWheelEvent wheel(from, view->mapToGlobal(from), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
-                      Qt::NoScrollPhase, false);
-    QApplication::sendEvent(view, &wheel);
-    QTRY_VERIFY(m_viewport->camera().distance < before.distance);
 }
 
 void TestViewport::goesOnDrawingAfterUndocking()
@@ -188,14 +106,6 @@ void TestViewport::measuresBetweenTwoClicks()
     QVERIFY(std::abs(measured.at(0).at(0).toDouble() - 50 * metresPerPixel) < 0.02);
 }
 
-void TestViewport::framesWhatIsThere()
-{
-    const int figure = addSquare(Qt::red);
-    m_viewport->setFigureOffset(figure, {10, 0, 0});
-    m_viewport->frameAll();
-    QTRY_VERIFY(std::abs(m_viewport->camera().target.x() - 10) < 0.5F);
-}
-
 void TestViewport::canBeDeletedWithItsFigures()
 {
     addSquare(Qt::red);
@@ -226,6 +136,172 @@ void TestViewport::namesInOnePlaceAreAboveEachOther()
     };
     QVERIFY(lowest(Qt::blue) > 0);
     QVERIFY(lowest(Qt::red) > lowest(Qt::blue) + 12);
+}
+
+void TestViewport::aFigureAloneStandsWhereItIs()
+{
+    m_viewport->setLayoutMode(Viewport::Layout::SideBySide);
+    const int figure = m_viewport->addFigure(square(), "alone");
+    auto far = corners();
+    for (std::size_t i = 0; i < far.size(); i += 3)
+        far[i] += 1.43F;
+    m_viewport->setPositions(figure, far);
+    QCOMPARE(m_viewport->figureShape(figure)->place(0), QVector3D(far[0], far[1], far[2]));
+    // What comes beside it does not move it, and what goes leaves it in place, too.
+    const int other = m_viewport->addFigure(square(), "other");
+    m_viewport->setPositions(other, corners());
+    QCOMPARE(m_viewport->figureShape(figure)->place(0), QVector3D(far[0], far[1], far[2]));
+    QVERIFY(m_viewport->figureShape(other)->place(0).x() > 1.43F + 1.0F);
+    m_viewport->setFigureVisible(figure, false);
+    QCOMPARE(m_viewport->figureShape(other)->shift, QVector3D());
+    m_viewport->setFigureVisible(figure, true);
+    m_viewport->removeFigure(figure);
+    QCOMPARE(m_viewport->figureShape(other)->shift, QVector3D());
+}
+
+void TestViewport::severalStandInLanesThatTheirTakesDoNotLeave()
+{
+    m_viewport->setLayoutMode(Viewport::Layout::SideBySide);
+    std::vector<int> figures;
+    for (int i = 0; i < 3; ++i) {
+        figures.push_back(m_viewport->addFigure(square()));
+        m_viewport->setPositions(figures.back(), corners());
+        // Each goes three metres to both sides.
+        m_viewport->setFigureExtent(figures.back(), {-3, 0, -4}, {3, 2, 4});
+    }
+    m_viewport->setFigureOrder({figures[2], figures[0], figures[1]});
+    m_viewport->setAnchor(figures[0]);
+    const auto shift = [&](int i) {
+        return m_viewport->figureShape(figures[static_cast<std::size_t>(i)])->shift;
+    };
+    QCOMPARE(shift(0), QVector3D());
+    QVERIFY(shift(2).x() <= -6 && shift(2).x() > -8);
+    QVERIFY(shift(1).x() >= 6 && shift(1).x() < 8);
+    // Another one that stays in place takes the camera along: in the view nothing jumps.
+    const Turntable before = m_viewport->camera();
+    const QVector3D seen = shift(1) - before.target;
+    m_viewport->setAnchor(figures[1]);
+    QCOMPARE(shift(1), QVector3D());
+    QVERIFY((shift(1) - m_viewport->camera().target - seen).length() < 1e-4F);
+}
+
+void TestViewport::lanesLieBehindEachOtherWhereTakesGoFarAcross()
+{
+    m_viewport->setLayoutMode(Viewport::Layout::SideBySide);
+    const int first = m_viewport->addFigure(square());
+    const int second = m_viewport->addFigure(square());
+    for (const int figure : {first, second}) {
+        m_viewport->setPositions(figure, corners());
+        m_viewport->setFigureExtent(figure, {-6, 0, -0.5F}, {6, 2, 0.5F});
+    }
+    QCOMPARE(m_viewport->figureShape(second)->shift.x(), 0.0F);
+    QVERIFY(m_viewport->figureShape(second)->shift.z() >= 1.0F);
+}
+
+void TestViewport::feetHaveAShadowThatFollowsThem()
+{
+    m_viewport->view()->holdQuality(RenderQuality());
+    const int figure = m_viewport->addFigure(square());
+    m_viewport->setPositions(figure, corners(-20)); // out of sight
+    Turntable camera = m_viewport->camera();
+    camera.target = {0, 0, 0};
+    camera.pitch = 40;
+    m_viewport->setCamera(camera);
+    const double without = centre().lightnessF();
+    std::vector<ShadowWish> wishes;
+    m_viewport->setShadowMaker([&](const ShadowWish& wish) {
+        wishes.push_back(wish);
+        return GroundShadow{
+            .corner = {-1, 0, -1}, .cell = 1, .columns = 2, .rows = 2, .darkness = {1, 1, 1, 1}};
+    });
+    const double with = centre().lightnessF();
+    QVERIFY2(with < 0.8 * without, qPrintable(QString("%1 %2").arg(with).arg(without)));
+    QVERIFY(wishes.front().figure == figure && wishes.front().toLight.y() > 0.5F);
+    // It is made again when the figure moves, and only then.
+    const auto made = wishes.size();
+    centre();
+    QCOMPARE(wishes.size(), made);
+    m_viewport->setPositions(figure, corners(-19));
+    centre();
+    QVERIFY(wishes.size() > made);
+    m_viewport->setShadowsVisible(false);
+    QVERIFY(std::abs(centre().lightnessF() - without) < 0.02);
+    m_viewport->setShadowsVisible(true);
+    // From below nothing lies between the eye and the soles.
+    camera.pitch = -30;
+    m_viewport->setCamera(camera);
+    const double below = centre().lightnessF();
+    m_viewport->setShadowsVisible(false);
+    QVERIFY(std::abs(centre().lightnessF() - below) < 0.02);
+}
+
+void TestViewport::aPictureIsDrawnInFullOnceNothingMoves()
+{
+    addSquare(Qt::red);
+    QTRY_VERIFY(m_viewport->view()->quality() == RenderQuality());
+    QSignalSpy qualities(m_viewport->view(), &VtkView::qualityChanged);
+    for (int i = 0; i < 12; ++i) {
+        Turntable camera = m_viewport->camera();
+        camera.yaw += 2;
+        m_viewport->setCamera(camera);
+        QSignalSpy rendered(m_viewport.get(), &Viewport::rendered);
+        QVERIFY(rendered.wait());
+    }
+    QTRY_VERIFY(m_viewport->view()->quality() == RenderQuality());
+    QTRY_VERIFY(qualities.isEmpty() || qualities.back().front().value<RenderQuality>() == RenderQuality());
+    // While something plays, a long wait for the next picture is no rest.
+    m_viewport->setMoving(true);
+    Turntable camera = m_viewport->camera();
+    camera.yaw += 2;
+    QSignalSpy rendered(m_viewport.get(), &Viewport::rendered);
+    m_viewport->setCamera(camera);
+    QVERIFY(rendered.wait());
+    qualities.clear();
+    QVERIFY(!qualities.wait(400));
+    m_viewport->setMoving(false);
+    QTRY_VERIFY(m_viewport->view()->quality() == RenderQuality());
+}
+
+void TestViewport::pinnedGhostsTellTheirFrame()
+{
+    const int figure = addSquare(Qt::red);
+    QVERIFY(!m_viewport->findChild<ViewportOverlay*>()->isVisible());
+    m_viewport->setGhosts(figure, {{corners(-1), QColor(0, 158, 115, 120), "19"}});
+    QTRY_VERIFY(m_viewport->findChild<ViewportOverlay*>()->isVisible());
+    m_viewport->setGhosts(figure, {{corners(-1), QColor(0, 158, 115, 120), QString()}});
+    QVERIFY(!m_viewport->findChild<ViewportOverlay*>()->isVisible());
+}
+
+void TestViewport::theGovernorFollowsWhatPicturesTake()
+{
+    RenderGovernor governor;
+    const auto draw = [&governor](int pictures, double milliseconds) {
+        for (int i = 0; i < pictures; ++i)
+            governor.drawn(milliseconds);
+    };
+    draw(60, 60.0);
+    QCOMPARE(governor.level(), RenderGovernor::levels - 1);
+    draw(20, 2.0); // room must last
+    QCOMPARE(governor.level(), RenderGovernor::levels - 1);
+    draw(400, 2.0);
+    QCOMPARE(governor.level(), 0);
+    QVERIFY(governor.quality() == RenderQuality());
+}
+
+void TestViewport::theGovernorDoesNotGoBackAndForth()
+{
+    // Each level takes this long; only the third and later ones are quick enough.
+    constexpr std::array costs{60.0, 45.0, 22.0, 15.0, 14.0};
+    RenderGovernor governor;
+    int changes = 0;
+    int level = governor.level();
+    for (int picture = 0; picture < 2000; ++picture) {
+        governor.drawn(costs[static_cast<std::size_t>(governor.level())]);
+        changes += governor.level() != level ? 1 : 0;
+        level = governor.level();
+    }
+    QCOMPARE(governor.level(), 2);
+    QVERIFY2(changes <= 3, qPrintable(QString::number(changes)));
 }
 
 int main(int argc, char** argv)

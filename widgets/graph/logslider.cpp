@@ -6,11 +6,15 @@
 #include "widgets/theme/theme.h"
 
 #include <QDoubleSpinBox>
-#include <QHBoxLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPainter>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStyle>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace quadrille::widgets {
 
@@ -19,6 +23,7 @@ namespace {
 constexpr int steps = 1000;          // of the slider from end to end
 constexpr double keyFactor = 1.0593; // a twelfth of doubling
 constexpr int digits = 3;            // that matter
+constexpr int sliderHeight = 28;     // logical pixels, with room for the curve
 
 double rounded(double value)
 {
@@ -49,6 +54,8 @@ LogSlider::LogSlider(double minimum, double maximum, QWidget* parent)
     , m_value(minimum)
     , m_slider(new QSlider(Qt::Horizontal))
     , m_number(new FactorSpinBox)
+    , m_low(new QLabel)
+    , m_high(new QLabel)
 {
     m_slider->setRange(0, steps);
     m_slider->setSingleStep(steps / 100);
@@ -62,11 +69,24 @@ LogSlider::LogSlider(double minimum, double maximum, QWidget* parent)
     m_number->setAlignment(Qt::AlignRight);
     m_number->setKeyboardTracking(false);
     m_number->setMinimumWidth(84);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
-    row->addWidget(m_slider, 1);
-    row->addWidget(m_number);
+    m_slider->setMinimumHeight(sliderHeight);
+    m_low->setObjectName(QStringLiteral("logSliderLow"));
+    m_high->setObjectName(QStringLiteral("logSliderHigh"));
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(0);
+    grid->addWidget(m_slider, 0, 0, 1, 2);
+    grid->addWidget(m_number, 0, 2);
+    grid->addWidget(m_low, 1, 0, Qt::AlignLeft);
+    grid->addWidget(m_high, 1, 1, Qt::AlignRight);
+    grid->setColumnStretch(0, 1);
+    grid->setColumnStretch(1, 1);
+    for (QLabel* end : {m_low, m_high}) {
+        end->setForegroundRole(QPalette::PlaceholderText);
+        end->hide();
+    }
+    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
     setFocusProxy(m_slider);
     display(minimum);
     connect(m_slider, &QSlider::valueChanged, this,
@@ -78,6 +98,52 @@ LogSlider::LogSlider(double minimum, double maximum, QWidget* parent)
 bool LogSlider::isDragging() const
 {
     return m_slider->isSliderDown();
+}
+
+void LogSlider::setEnds(const QString& low, const QString& high)
+{
+    m_low->setText(low);
+    m_high->setText(high);
+    m_low->setVisible(!low.isEmpty());
+    m_high->setVisible(!high.isEmpty());
+}
+
+void LogSlider::setCurve(std::vector<QPointF> curve)
+{
+    m_curve = std::move(curve);
+    update();
+}
+
+QPointF LogSlider::curvePosition(const QPointF& point) const
+{
+    // The middle of the handle runs from half its width to as far before the end.
+    const double inset = m_slider->style()->pixelMetric(QStyle::PM_SliderLength, nullptr, m_slider) / 2.0;
+    const QRectF place = QRectF(m_slider->geometry()).adjusted(inset, 1, -inset, -1);
+    const double along = std::log(point.x() / m_minimum) / std::log(m_maximum / m_minimum);
+    return {place.left() + along * place.width(), place.bottom() - point.y() * place.height()};
+}
+
+void LogSlider::paintEvent(QPaintEvent* /*event*/)
+{
+    if (m_curve.size() < 2)
+        return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QPolygonF line;
+    for (const QPointF& point : m_curve)
+        line += curvePosition({std::clamp(point.x(), m_minimum, m_maximum), point.y()});
+    const double ground = curvePosition({m_minimum, 0}).y();
+    QPolygonF area = line;
+    area += QPointF(line.last().x(), ground);
+    area += QPointF(line.first().x(), ground);
+    constexpr float opacity = 0.16F;
+    QColor color = Theme::color(ColorRole::AccentText);
+    painter.setPen(QPen(color, 1.5));
+    painter.drawPolyline(line);
+    color.setAlphaF(opacity);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(color);
+    painter.drawPolygon(area);
 }
 
 void LogSlider::setValue(double value)

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QPointF>
 #include <QWidget>
+#include <vector>
 
 class QDoubleSpinBox;
+class QLabel;
 class QSlider;
 
 namespace quadrille::widgets {
 
-/// A slider over powers of ten with the number beside it. Steps of the keyboard and the wheel change the
-/// value by a factor.
+/// A slider over powers of ten with the number beside it, a curve behind it and the names of its ends below.
+/// Steps of the keyboard and the wheel change the value by a factor.
 class LogSlider : public QWidget
 {
     Q_OBJECT
@@ -25,10 +28,21 @@ public:
     QSlider* slider() const { return m_slider; }
     QDoubleSpinBox* spinBox() const { return m_number; }
     bool isDragging() const;
+    /// What the ends stand for, in a word each; the place for them is there once there are any.
+    void setEnds(const QString& low, const QString& high);
+    /// What goes with the values, drawn behind the handle: values ascending, heights from 0 to 1. None: no
+    /// curve.
+    void setCurve(std::vector<QPointF> curve);
+    const std::vector<QPointF>& curve() const { return m_curve; }
+    /// Where a value of the curve is drawn, in this widget's coordinates.
+    QPointF curvePosition(const QPointF& point) const;
 
 signals:
     /// While the handle is held `committed` is false; a last time with true when it is let go.
     void valueEdited(double value, bool committed);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
 
 private:
     int stepOf(double value) const;
@@ -41,6 +55,9 @@ private:
     double m_value;
     QSlider* m_slider;
     QDoubleSpinBox* m_number;
+    QLabel* m_low;
+    QLabel* m_high;
+    std::vector<QPointF> m_curve;
 };
 
 } // namespace quadrille::widgets

@@ -13,8 +13,7 @@ namespace quadrille::widgets {
 
 namespace {
 
-constexpr double largestCell = 48;  // logical pixels
-constexpr double smallestSide = 64; // logical pixels that the table keeps when zoomed out
+constexpr double largestCell = 48; // logical pixels
 
 } // namespace
 
@@ -63,6 +62,8 @@ void MatrixView::setBlocks(std::vector<MatrixBlock> blocks)
     d->blockStarts = {0};
     for (const MatrixBlock& block : d->blocks)
         d->blockStarts.push_back(d->blockStarts.back() + block.count);
+    d->pictures.clear();
+    d->passes = {};
     d->layOut(*this);
     updateAccessibleText();
     viewChanged();
@@ -71,6 +72,33 @@ void MatrixView::setBlocks(std::vector<MatrixBlock> blocks)
 const std::vector<MatrixBlock>& MatrixView::blocks() const
 {
     return d->blocks;
+}
+
+void MatrixView::setBlockPictures(std::vector<QImage> pictures)
+{
+    const bool isLayOutSame = pictures.empty() == d->pictures.empty();
+    d->pictures = std::move(pictures);
+    if (!isLayOutSame) {
+        d->layOut(*this);
+        viewChanged();
+    }
+    update();
+}
+
+void MatrixView::setBlockFilter(std::function<bool(int row, int column)> passes)
+{
+    d->passes = std::move(passes);
+    update();
+}
+
+bool MatrixView::passesFilter(const MatrixCell& cell) const
+{
+    return d->hasPassed(cell);
+}
+
+bool MatrixView::Private::hasPassed(const MatrixCell& cell) const
+{
+    return !passes || passes(blockOf(cell.row), blockOf(cell.column));
 }
 
 void MatrixView::setMarks(Layer layer, const QString& title,
@@ -161,7 +189,7 @@ int MatrixView::Private::blockOf(int index) const
 
 double MatrixView::cellSize() const
 {
-    return d->scale;
+    return d->cell();
 }
 
 bool MatrixView::isFitted() const
@@ -169,38 +197,43 @@ bool MatrixView::isFitted() const
     return d->isFitted;
 }
 
-double MatrixView::Private::fittingScale() const
+QSizeF MatrixView::Private::fittingScale() const
 {
-    return std::max(std::min(area.width(), area.height()), 1) / static_cast<double>(std::max(side(), 1));
+    return QSizeF(area.size()) / std::max(side(), 1);
 }
 
-void MatrixView::Private::setScale(double to, const QPointF& newOrigin)
+void MatrixView::Private::setScale(const QSizeF& to, const QPointF& newOrigin)
 {
     scale = to;
     origin = newOrigin;
     keepInView();
 }
 
-/// A table larger than the area covers it; a smaller one stays inside, at the upper left.
+/// The table covers the area.
 void MatrixView::Private::keepInView()
 {
-    const double size = side() * scale;
-    const auto kept = [size](double at, double room) {
+    const auto kept = [this](double at, double each, double room) {
+        const double size = side() * each;
         return size <= room ? 0.0 : std::clamp(at, room - size, 0.0);
     };
-    origin = {kept(origin.x(), area.width()), kept(origin.y(), area.height())};
+    origin = {kept(origin.x(), scale.width(), area.width()), kept(origin.y(), scale.height(), area.height())};
 }
 
 void MatrixView::zoomAbout(const QPointF& position, double factor)
 {
     if (d->isEmpty())
         return;
-    const double fitting = d->fittingScale();
-    const double smallest = std::min(fitting, smallestSide / d->side());
-    const double scale = std::clamp(d->scale * factor, smallest, std::max(largestCell, fitting));
+    const QSizeF fitting = d->fittingScale();
+    const double smallest = std::min(fitting.width(), fitting.height());
+    const double cell = std::clamp(d->cell() * factor, smallest, std::max(largestCell, smallest));
+    if (cell == smallest) {
+        fit();
+        return;
+    }
+    const double change = cell / d->cell();
     const QPointF inArea = position - QPointF(d->area.topLeft());
     d->isFitted = false;
-    d->setScale(scale, inArea - (inArea - d->origin) * (scale / d->scale));
+    d->setScale(d->scale * change, inArea - (inArea - d->origin) * change);
     viewChanged();
 }
 
@@ -235,8 +268,9 @@ std::optional<MatrixCell> MatrixView::cellAt(const QPointF& position) const
 {
     if (d->isEmpty() || !QRectF(d->area).contains(position))
         return {};
-    const QPointF cell = (position - QPointF(d->area.topLeft()) - d->origin) / d->scale;
-    const MatrixCell found{static_cast<int>(std::floor(cell.y())), static_cast<int>(std::floor(cell.x()))};
+    const QPointF inTable = position - QPointF(d->area.topLeft()) - d->origin;
+    const MatrixCell found{static_cast<int>(std::floor(inTable.y() / d->scale.height())),
+                           static_cast<int>(std::floor(inTable.x() / d->scale.width()))};
     if (found.row < 0 || found.column < 0 || found.row >= d->side() || found.column >= d->side())
         return {};
     return found;
@@ -244,8 +278,8 @@ std::optional<MatrixCell> MatrixView::cellAt(const QPointF& position) const
 
 QRectF MatrixView::Private::rect(const MatrixCell& cell) const
 {
-    return {area.left() + origin.x() + cell.column * scale, area.top() + origin.y() + cell.row * scale, scale,
-            scale};
+    return {area.left() + origin.x() + cell.column * scale.width(),
+            area.top() + origin.y() + cell.row * scale.height(), scale.width(), scale.height()};
 }
 
 QRectF MatrixView::cellRect(const MatrixCell& cell) const
@@ -256,6 +290,15 @@ QRectF MatrixView::cellRect(const MatrixCell& cell) const
 QRect MatrixView::matrixArea() const
 {
     return d->area;
+}
+
+std::vector<int> MatrixView::numberedFrames(Qt::Orientation orientation) const
+{
+    std::vector<int> frames;
+    for (const Private::Tick& tick :
+         d->ticks(orientation, d->tickDistance(orientation, QFontMetricsF(font()))))
+        frames.push_back(tick.frame);
+    return frames;
 }
 
 void MatrixView::viewChanged()

@@ -6,9 +6,11 @@
 #include "widgets/graph/matrixpyramid.h"
 #include "widgets/viewport/colormap.h"
 
+#include <QImage>
 #include <QPoint>
 #include <QWidget>
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -30,8 +32,9 @@ struct MatrixCell
     bool operator==(const MatrixCell&) const = default;
 };
 
-/// A square table as a picture that can be zoomed, with the names of its blocks along both sides, marks on
-/// cells and a legend below. Rows are where something comes from, columns where it goes to.
+/// A square table as a picture that can be zoomed, with the names and pictures of its blocks and the numbers
+/// of their frames along both sides, marks on cells and a legend below. Rows are where something comes from,
+/// columns where it goes to. The whole table fills its place, so that cells may be broader than high.
 ///
 /// Wheel and pinch zoom at the pointer, dragging moves, a click chooses a cell and activates it. Keys: arrows
 /// move the cell that is chosen (Shift: by ten), Page Up and Page Down go to the row's block before or after,
@@ -59,6 +62,11 @@ public:
     /// \pre their counts add up to the table's side.
     void setBlocks(std::vector<MatrixBlock> blocks);
     const std::vector<MatrixBlock>& blocks() const;
+    /// A picture beside the name of each block; null ones keep the place free. Call after setBlocks.
+    void setBlockPictures(std::vector<QImage> pictures);
+    /// Which pairs of blocks count now, the others are veiled: by row and column; empty for all.
+    void setBlockFilter(std::function<bool(int row, int column)> passes);
+    bool passesFilter(const MatrixCell& cell) const;
     /// \param title  of the legend, e.g. the name of the graph.
     void setMarks(Layer layer, const QString& title, std::shared_ptr<const std::vector<MatrixMark>> marks);
     void setMarksVisible(Layer layer, bool visible);
@@ -73,7 +81,7 @@ public:
     /// "walk 12 → jog 3: 0.42 mm"; for tool tips, screen readers and read-outs.
     QString cellText(const MatrixCell& cell) const;
 
-    /// Logical pixels of the screen for each cell.
+    /// Logical pixels of the screen for each cell, along the side on which there are fewer.
     double cellSize() const;
     bool isFitted() const;
     void zoomAbout(const QPointF& position, double factor);
@@ -87,6 +95,8 @@ public:
     QRectF cellRect(const MatrixCell& cell) const;
     /// Where the table shows: without names and legend.
     QRect matrixArea() const;
+    /// The frames of blocks that have their number beside the table now: of rows, or of columns.
+    std::vector<int> numberedFrames(Qt::Orientation orientation) const;
 
     QSize sizeHint() const override { return {720, 640}; }
     QSize minimumSizeHint() const override { return {240, 240}; }
@@ -97,6 +107,8 @@ signals:
     void currentCellChanged(int row, int column);
     /// A click or Return.
     void cellActivated(int row, int column);
+    /// The right button or the menu key on a cell, which becomes the current one.
+    void menuAsked(int row, int column, const QPoint& globalPosition);
 
 protected:
     bool event(QEvent* event) override;
@@ -109,6 +121,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
 private:

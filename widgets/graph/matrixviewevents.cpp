@@ -3,6 +3,7 @@
 #include "widgets/graph/matrixviewprivate.h"
 
 #include <QApplication>
+#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -139,6 +140,17 @@ void MatrixView::mouseDoubleClickEvent(QMouseEvent* event)
 {
     // The second press of a double click is a click like the first.
     mousePressEvent(event);
+}
+
+void MatrixView::contextMenuEvent(QContextMenuEvent* event)
+{
+    const bool isByKey = event->reason() == QContextMenuEvent::Keyboard;
+    const auto cell = isByKey ? d->current : cellAt(event->pos());
+    if (!cell)
+        return;
+    choose(*cell);
+    const QPoint place = d->rect(*cell).center().toPoint();
+    emit menuAsked(cell->row, cell->column, isByKey ? mapToGlobal(place) : event->globalPos());
 }
 
 void MatrixView::leaveEvent(QEvent* /*event*/)

@@ -13,7 +13,7 @@ namespace quadrille::widgets {
 
 namespace {
 
-constexpr int gap = 8;               // logical pixels
+constexpr int gap = matrixGap;
 constexpr double barLength = 96;     // of the legend
 constexpr double markDistance = 9;   // logical pixels between marks at the least
 constexpr double smallestRadius = 2; // of marks
@@ -68,24 +68,6 @@ void paintMatrixMark(QPainter& painter, MatrixView::Layer layer, const QPointF& 
     painter.drawPath(path);
 }
 
-void MatrixView::Private::layOut(const MatrixView& view)
-{
-    const QFontMetricsF metrics(view.font());
-    double widest = metrics.horizontalAdvance(MatrixView::tr("from ↓ to →"));
-    for (const MatrixBlock& block : blocks)
-        widest = std::max(widest, metrics.horizontalAdvance(block.name));
-    const int line = static_cast<int>(std::ceil(metrics.height()));
-    const int names = static_cast<int>(std::ceil(widest));
-    const int left = std::min(names, view.width() / 5) + 2 * gap;
-    const int top = std::max(std::min(names, view.height() / 6), line) + 2 * gap;
-    area = view.rect().adjusted(left, top, -gap, -(line + 2 * gap));
-    area.setSize(area.size().expandedTo({16, 16}));
-    if (isFitted)
-        setScale(fittingScale(), {});
-    else
-        keepInView();
-}
-
 void MatrixView::Private::paint(QPainter& painter, const MatrixView& view)
 {
     painter.setRenderHint(QPainter::Antialiasing);
@@ -101,11 +83,13 @@ void MatrixView::Private::paint(QPainter& painter, const MatrixView& view)
         painter.drawImage(area.topLeft(), picture);
         painter.save();
         painter.setClipRect(area);
+        paintVeil(painter);
         paintBlocks(painter);
         paintMarks(painter, ratio);
         paintCells(painter, view.hasFocus());
         painter.restore();
         paintNames(painter, QFontMetricsF(view.font()));
+        paintTicks(painter, QFontMetricsF(view.font()));
         paintLegend(painter, view);
     }
     if (view.hasFocus()) {
@@ -123,10 +107,10 @@ void MatrixView::Private::paintPicture(double ratio)
                        static_cast<int>(std::lround(area.height() * ratio)));
     picture = QImage(pixels, QImage::Format_RGB32);
     picture.setDevicePixelRatio(ratio);
-    const int level = pyramid->levelFor(1.0 / (scale * ratio));
+    const int level = pyramid->levelFor(1.0 / (cell() * ratio));
     const MatrixPyramid::Level& shown = pyramid->levels()[static_cast<std::size_t>(level)];
-    const auto columns = cellsOfPixels(pixels.width(), ratio, origin.x(), scale, level, side());
-    const auto rows = cellsOfPixels(pixels.height(), ratio, origin.y(), scale, level, side());
+    const auto columns = cellsOfPixels(pixels.width(), ratio, origin.x(), scale.width(), level, side());
+    const auto rows = cellsOfPixels(pixels.height(), ratio, origin.y(), scale.height(), level, side());
     const std::array<QRgb, 256> colors = shadeColors();
     const QRgb outside = Theme::color(ColorRole::Window).rgb();
     int rowBefore = -2;
@@ -152,64 +136,46 @@ void MatrixView::Private::paintPicture(double ratio)
 
 void MatrixView::Private::paintBlocks(QPainter& painter) const
 {
-    const double end = side() * scale;
+    const QSizeF end = scale * side();
     QColor color = Theme::color(ColorRole::Window);
     color.setAlphaF(0.6F);
     painter.setPen(QPen(color, 1.0));
     for (std::size_t i = 1; i + 1 < blockStarts.size(); ++i) {
-        const double at = blockStarts[i] * scale;
-        const double x = std::floor(area.left() + origin.x() + at) + 0.5;
-        const double y = std::floor(area.top() + origin.y() + at) + 0.5;
-        painter.drawLine(QPointF(x, area.top() + origin.y()), QPointF(x, area.top() + origin.y() + end));
-        painter.drawLine(QPointF(area.left() + origin.x(), y), QPointF(area.left() + origin.x() + end, y));
+        const double x = std::floor(area.left() + origin.x() + blockStarts[i] * scale.width()) + 0.5;
+        const double y = std::floor(area.top() + origin.y() + blockStarts[i] * scale.height()) + 0.5;
+        painter.drawLine(QPointF(x, area.top() + origin.y()),
+                         QPointF(x, area.top() + origin.y() + end.height()));
+        painter.drawLine(QPointF(area.left() + origin.x(), y),
+                         QPointF(area.left() + origin.x() + end.width(), y));
     }
 }
 
-void MatrixView::Private::paintNames(QPainter& painter, const QFontMetricsF& metrics) const
+/// What does not count shows faintly: it can still be read and clicked.
+void MatrixView::Private::paintVeil(QPainter& painter) const
 {
-    const auto visible = [&](std::size_t block, double from, double room) {
-        const double first = std::max(from + blockStarts[block] * scale, 0.0);
-        const double last = std::min(from + blockStarts[block + 1] * scale, room);
-        return std::pair(first, last - first);
-    };
-    const int at = current ? blockOf(current->row) : -1;
-    const int column = current ? blockOf(current->column) : -1;
-    const auto setPen = [&](bool isCurrent) {
-        painter.setPen(Theme::color(isCurrent ? ColorRole::Text : ColorRole::TextMuted));
-    };
-    for (std::size_t block = 0; block < blocks.size(); ++block) {
-        const auto [top, height] = visible(block, origin.y(), area.height());
-        if (height >= metrics.height() * 0.9) {
-            const QRectF place(gap, area.top() + top, area.left() - 2.0 * gap, height);
-            setPen(static_cast<int>(block) == at);
-            painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter,
-                             metrics.elidedText(blocks[block].name, Qt::ElideMiddle, place.width()));
-        }
-        const auto [left, width] = visible(block, origin.x(), area.width());
-        if (width >= metrics.height() * 0.9) {
-            const double room = area.top() - 2.0 * gap;
-            setPen(static_cast<int>(block) == column);
-            painter.save();
-            painter.translate(area.left() + left, area.top() - gap / 2.0);
-            painter.rotate(-90);
-            painter.drawText(QRectF(0, 0, room, width), Qt::AlignLeft | Qt::AlignVCenter,
-                             metrics.elidedText(blocks[block].name, Qt::ElideMiddle, room));
-            painter.restore();
+    if (!passes)
+        return;
+    constexpr float opacity = 0.82F;
+    QColor veil = Theme::color(ColorRole::Window);
+    veil.setAlphaF(opacity);
+    for (std::size_t row = 0; row < blocks.size(); ++row) {
+        for (std::size_t column = 0; column < blocks.size(); ++column) {
+            if (passes(static_cast<int>(row), static_cast<int>(column)))
+                continue;
+            const QRectF first = rect({blockStarts[row], blockStarts[column]});
+            painter.fillRect(QRectF(first.topLeft(), QSizeF(scale.width() * blocks[column].count,
+                                                            scale.height() * blocks[row].count)),
+                             veil);
         }
     }
-    painter.setPen(Theme::color(ColorRole::TextMuted));
-    //: rows of the matrix: where a transition comes from; columns: where it goes to
-    painter.drawText(
-        QRectF(gap, 0, area.left() - 2.0 * gap, area.top() - 2), Qt::AlignLeft | Qt::AlignVCenter,
-        metrics.elidedText(MatrixView::tr("from ↓ to →"), Qt::ElideRight, area.left() - 2.0 * gap));
 }
 
 void MatrixView::Private::paintMarks(QPainter& painter, double ratio)
 {
     int cells = 1;
-    while (cells * scale < markDistance && cells < side())
+    while (cells * cell() < markDistance && cells < side())
         cells *= 2;
-    const double radius = std::clamp(scale * 0.3, smallestRadius, largestRadius);
+    const double radius = std::clamp(cell() * 0.3, smallestRadius, largestRadius);
     if (radius != stampRadius || stamps[0].isNull() || stamps[0].devicePixelRatio() != ratio) {
         stampRadius = radius;
         const double reach = std::ceil(radius * 1.3 + 1.0);
@@ -235,7 +201,7 @@ void MatrixView::Private::paintMarks(QPainter& painter, double ratio)
         const QRectF reach = QRectF(area).adjusted(-half, -half, half, half);
         for (const MatrixMark& mark : layer.thinned) {
             const QPointF middle = rect({mark.row, mark.column}).center();
-            if (reach.contains(middle))
+            if (reach.contains(middle) && hasPassed({mark.row, mark.column}))
                 painter.drawPixmap(middle - QPointF(half, half), stamps[i]);
         }
     }
@@ -245,8 +211,9 @@ void MatrixView::Private::paintCells(QPainter& painter, bool hasFocus) const
 {
     const auto frame = [&](const MatrixCell& cell, const QColor& color, double width) {
         QRectF place = rect(cell);
-        const double grow = std::max(0.0, 6.0 - place.width()) / 2;
-        place.adjust(-grow, -grow, grow, grow);
+        const double across = std::max(0.0, 6.0 - place.width()) / 2;
+        const double down = std::max(0.0, 6.0 - place.height()) / 2;
+        place.adjust(-across, -down, across, down);
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(QColor(16, 17, 20), width + 2));
         painter.drawRect(place);
@@ -258,11 +225,13 @@ void MatrixView::Private::paintCells(QPainter& painter, bool hasFocus) const
         color.setAlphaF(opacity);
         painter.setPen(QPen(color, 1.0));
         const QPointF middle = rect(cell).center();
-        const double end = side() * scale;
+        const QSizeF end = scale * side();
         const double x = std::floor(middle.x()) + 0.5;
         const double y = std::floor(middle.y()) + 0.5;
-        painter.drawLine(QPointF(x, area.top() + origin.y()), QPointF(x, area.top() + origin.y() + end));
-        painter.drawLine(QPointF(area.left() + origin.x(), y), QPointF(area.left() + origin.x() + end, y));
+        painter.drawLine(QPointF(x, area.top() + origin.y()),
+                         QPointF(x, area.top() + origin.y() + end.height()));
+        painter.drawLine(QPointF(area.left() + origin.x(), y),
+                         QPointF(area.left() + origin.x() + end.width(), y));
     };
     if (current) {
         cross(*current, 0.35F);

@@ -4,9 +4,12 @@
 
 #include "widgets/graph/matrixview.h"
 
+#include <QFontMetricsF>
 #include <QImage>
 #include <QPixmap>
 #include <QPointF>
+#include <algorithm>
+#include <utility>
 
 class QPainter;
 
@@ -27,15 +30,18 @@ struct MatrixView::Private
     std::shared_ptr<const MatrixPyramid> pyramid;
     ScalarRange range;
     std::vector<MatrixBlock> blocks;
-    std::vector<int> blockStarts{0}; ///< of each block, and the end of the last
+    std::vector<int> blockStarts{0};      ///< of each block, and the end of the last
+    std::vector<QImage> pictures;         ///< of blocks; none where there are no pictures at all
+    std::function<bool(int, int)> passes; ///< pairs of blocks that count; empty for all
     std::array<MatrixMarkLayer, 2> layers;
     QString emptyText;
     std::optional<MatrixCell> current;
     std::optional<MatrixCell> hovered;
 
-    QRect area;       ///< where the table shows
-    double scale = 1; ///< logical pixels for each cell
-    QPointF origin;   ///< upper left corner of the table, in the area's coordinates
+    QRect area;         ///< where the table shows
+    QRect outer;        ///< the area with the numbers of frames beside it
+    QSizeF scale{1, 1}; ///< logical pixels for each cell
+    QPointF origin;     ///< upper left corner of the table, in the area's coordinates
     bool isFitted = true;
 
     QPointF pressedAt;
@@ -49,23 +55,45 @@ struct MatrixView::Private
 
     bool isEmpty() const { return !pyramid || pyramid->levels().empty(); }
     int side() const { return isEmpty() ? 0 : pyramid->side(); }
-    double fittingScale() const;
-    void setScale(double to, const QPointF& newOrigin);
+    QSizeF fittingScale() const;
+    /// The smaller side of a cell.
+    double cell() const { return std::min(scale.width(), scale.height()); }
+    void setScale(const QSizeF& to, const QPointF& newOrigin);
     void keepInView();
     int blockOf(int index) const;
     QRectF rect(const MatrixCell& cell) const;
     QString frameText(int index) const;
+    bool hasPassed(const MatrixCell& cell) const;
+    /// A number beside the table, and its row or column.
+    struct Tick
+    {
+        int index = 0; ///< of the table
+        int frame = 0; ///< of its block
+    };
+    std::vector<Tick> ticks(Qt::Orientation orientation, double apart) const;
+    double tickDistance(Qt::Orientation orientation, const QFontMetricsF& metrics) const;
+    /// Where a block lies along a side of the area, as far as it shows: start and length.
+    std::pair<double, double> shownBlock(std::size_t block, Qt::Orientation orientation) const;
 
     void layOut(const MatrixView& view);
     void paint(QPainter& painter, const MatrixView& view);
     void paintPicture(double ratio);
     void paintBlocks(QPainter& painter) const;
+    void paintVeil(QPainter& painter) const;
     void paintNames(QPainter& painter, const QFontMetricsF& metrics) const;
+    void paintRowName(QPainter& painter, const QFontMetricsF& metrics, std::size_t block) const;
+    void paintColumnName(QPainter& painter, const QFontMetricsF& metrics, std::size_t block) const;
+    void paintTicks(QPainter& painter, const QFontMetricsF& metrics) const;
     void paintMarks(QPainter& painter, double ratio);
     void paintCells(QPainter& painter, bool hasFocus) const;
     void paintLegend(QPainter& painter, const MatrixView& view) const;
     double paintColors(QPainter& painter, double left, double middle) const;
 };
+
+/// Between what stands beside the table, logical pixels.
+constexpr int matrixGap = 8;
+/// The side of a block's picture.
+constexpr int blockPictureSide = 28;
 
 /// How a mark of a layer looks, about the origin.
 void paintMatrixMark(QPainter& painter, MatrixView::Layer layer, const QPointF& middle, double radius);

@@ -7,11 +7,11 @@
 
 #include <QAccessible>
 #include <QEvent>
+#include <QHBoxLayout>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QScrollBar>
 #include <QToolTip>
-#include <QVBoxLayout>
 #include <algorithm>
 
 namespace quadrille::widgets {
@@ -29,14 +29,13 @@ Storyboard::Storyboard(QWidget* parent)
     viewport()->setAcceptDrops(true);
     viewport()->setMouseTracking(true);
     m_emptyText->setObjectName(QStringLiteral("storyboardEmpty"));
-    m_emptyText->setWordWrap(true);
     m_emptyText->setForegroundRole(QPalette::PlaceholderText);
-    m_emptyText->setAlignment(Qt::AlignCenter);
-    auto* column = new QVBoxLayout(m_empty);
-    column->setContentsMargins(gap, gap, gap, gap);
-    column->addStretch();
-    column->addWidget(m_emptyText);
-    column->addStretch();
+    // One line: what does not fit is in its tool tip.
+    m_emptyText->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto* row = new QHBoxLayout(m_empty);
+    row->setContentsMargins(gap, margin, gap, margin);
+    row->setSpacing(gap);
+    row->addWidget(m_emptyText, 1);
     connect(&Theme::instance(), &Theme::changed, viewport(), qOverload<>(&QWidget::update));
     QEvent retranslate(QEvent::LanguageChange);
     changeEvent(&retranslate);
@@ -46,8 +45,11 @@ Storyboard::~Storyboard() = default;
 
 void Storyboard::setCards(std::vector<StoryCard> cards)
 {
+    const bool changesHeight = cards.empty() != m_cards.empty();
     m_cards = std::move(cards);
     m_empty->setVisible(m_cards.empty());
+    if (changesHeight)
+        updateGeometry();
     if (m_drag.card >= count())
         m_drag = {};
     if (m_current >= count())
@@ -81,12 +83,12 @@ void Storyboard::choose(int card)
 void Storyboard::setEmptyText(const QString& text)
 {
     m_emptyText->setText(text);
+    m_emptyText->setToolTip(text);
 }
 
 void Storyboard::setEmptyAction(QWidget* action)
 {
-    auto* column = static_cast<QVBoxLayout*>(m_empty->layout());
-    column->insertWidget(column->count() - 1, action, 0, Qt::AlignHCenter);
+    m_empty->layout()->addWidget(action);
 }
 
 int Storyboard::cardHeight(int picture) const
@@ -121,6 +123,8 @@ int Storyboard::insertionAt(const QPoint& position) const
 
 QSize Storyboard::sizeHint() const
 {
+    if (m_cards.empty())
+        return minimumSizeHint();
     constexpr int shownCards = 4;
     return {shownCards * (cardWidth + gap) + gap,
             cardHeight(pictureSide) + 2 * above + horizontalScrollBar()->sizeHint().height()};
@@ -128,6 +132,8 @@ QSize Storyboard::sizeHint() const
 
 QSize Storyboard::minimumSizeHint() const
 {
+    if (m_cards.empty())
+        return {cardWidth + 2 * gap, m_empty->layout()->minimumSize().height()};
     return {cardWidth + 2 * gap, cardHeight(smallestPicture) + 2 * above};
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/theme/outlinestyle.h"
 
+#include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
 
 #include <QStyleFactory>
@@ -82,10 +83,17 @@ void OutlineStyle::drawComplexControl(ComplexControl control, const QStyleOption
 int OutlineStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const
 {
     constexpr int narrowSpace = 10; // around the words of a tab; Fusion leaves 24
-    return metric == PM_TabBarTabHSpace && qobject_cast<const QTabBar*>(widget) != nullptr &&
-                   widget->inherits("QMainWindowTabBar")
-               ? narrowSpace
-               : QProxyStyle::pixelMetric(metric, option, widget);
+    constexpr int moreWidth =
+        24; // of the button for tools without room; with Fusion's 12 its sign is cut off
+    if (metric == PM_TabBarTabHSpace && qobject_cast<const QTabBar*>(widget) != nullptr)
+        return narrowSpace;
+    return metric == PM_ToolBarExtensionExtent ? moreWidth : QProxyStyle::pixelMetric(metric, option, widget);
+}
+
+QIcon OutlineStyle::standardIcon(StandardPixmap icon, const QStyleOption* option, const QWidget* widget) const
+{
+    return icon == SP_ToolBarHorizontalExtensionButton ? icons::icon(QStringLiteral("more"))
+                                                       : QProxyStyle::standardIcon(icon, option, widget);
 }
 
 int OutlineStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,

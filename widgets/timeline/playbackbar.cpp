@@ -93,6 +93,8 @@ void PlaybackBar::setFps(double fps)
 void PlaybackBar::setCurrentFrame(int frame)
 {
     const QSignalBlocker quiet(m_frame);
+    // The playhead may stand behind the last frame that plays.
+    m_frame->setMaximum(std::max({0, m_frames - 1, frame}));
     m_frame->setValue(frame);
     showTime();
 }
@@ -110,6 +112,12 @@ void PlaybackBar::setLooping(bool looping)
 {
     const QSignalBlocker quiet(m_loop);
     m_loop->setChecked(looping);
+}
+
+void PlaybackBar::setLoopActions(const QList<QAction*>& actions)
+{
+    m_loop->addActions(actions);
+    m_loop->setPopupMode(QToolButton::MenuButtonPopup);
 }
 
 void PlaybackBar::setFpsReached(double fps)

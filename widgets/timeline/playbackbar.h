@@ -24,6 +24,8 @@ public:
     void setCurrentFrame(int frame);
     void setPlaying(bool playing);
     void setLooping(bool looping);
+    /// Ways of looping to choose from, beside the button that loops.
+    void setLoopActions(const QList<QAction*>& actions);
     /// Frames a second reached while playing; 0 hides the number.
     void setFpsReached(double fps);
 

@@ -12,6 +12,7 @@ namespace {
 
 /// Keeps a time that lies on a frame's edge, give or take rounding, on the later side.
 constexpr double edge = 1e-6;
+constexpr double measuredSeconds = 1.0;
 
 } // namespace
 
@@ -34,8 +35,8 @@ void PlaybackClock::start(std::int64_t frame, double now, double speed)
     m_startFrame = std::clamp(frame, m_first, m_last);
     m_started = now;
     m_speed = speed;
-    m_shownAt.clear();
-    m_lastShown.reset();
+    m_paintedAt.clear();
+    m_lastPainted.reset();
 }
 
 double PlaybackClock::framesSince(double now) const
@@ -57,7 +58,10 @@ std::int64_t PlaybackClock::frameAt(double now)
         return m_startFrame;
     }
     const std::int64_t count = m_last - m_first + 1;
-    return m_first + ((frame - m_first) % count + count) % count;
+    // There and back, each end is shown once.
+    const std::int64_t round = m_backAndForth ? std::max<std::int64_t>(1, 2 * (count - 1)) : count;
+    const std::int64_t place = ((frame - m_first) % round + round) % round;
+    return m_first + (place < count ? place : round - place);
 }
 
 double PlaybackClock::untilNext(double now) const
@@ -69,21 +73,21 @@ double PlaybackClock::untilNext(double now) const
     return std::max(0.0, (next - steps) / (m_fps * std::abs(m_speed)));
 }
 
-void PlaybackClock::shown(std::int64_t frame, double now)
+void PlaybackClock::painted(std::int64_t frame, double now)
 {
-    if (m_lastShown == frame)
+    if (m_lastPainted == frame)
         return;
-    m_lastShown = frame;
-    m_shownAt.push_back(now);
-    while (now - m_shownAt.front() > 1.0)
-        m_shownAt.pop_front();
+    m_lastPainted = frame;
+    m_paintedAt.push_back(now);
+    while (m_paintedAt.size() > 2 && now - m_paintedAt[1] >= measuredSeconds)
+        m_paintedAt.pop_front();
 }
 
-double PlaybackClock::fpsReached() const
+std::optional<double> PlaybackClock::fpsReached() const
 {
-    if (m_shownAt.size() < 2)
-        return 0;
-    return static_cast<double>(m_shownAt.size() - 1) / (m_shownAt.back() - m_shownAt.front());
+    if (m_paintedAt.empty() || m_paintedAt.back() - m_paintedAt.front() < measuredSeconds)
+        return std::nullopt;
+    return static_cast<double>(m_paintedAt.size() - 1) / (m_paintedAt.back() - m_paintedAt.front());
 }
 
 } // namespace quadrille::widgets

@@ -20,6 +20,8 @@ public:
     void setRange(std::int64_t first, std::int64_t last);
     void setLooping(bool looping) { m_looping = looping; }
     bool isLooping() const { return m_looping; }
+    /// While looping: turns round at the ends instead of starting over.
+    void setBackAndForth(bool backAndForth) { m_backAndForth = backAndForth; }
 
     /// Starts from a frame. \param speed times the true rate; negative plays backwards. \pre speed ≠ 0.
     void start(std::int64_t frame, double now, double speed = 1.0);
@@ -27,15 +29,17 @@ public:
     bool isPlaying() const { return m_started.has_value(); }
     double speed() const { return m_speed; }
 
-    /// The frame that is due. At the end of the range it starts over when looping, else it stops there.
+    /// The frame that is due. At the end of the range it starts over or turns round when looping, else it
+    /// stops there.
     std::int64_t frameAt(double now);
     /// Seconds until another frame is due, at least 0.
     double untilNext(double now) const;
 
-    /// Tells that a frame was shown, for the rate reached.
-    void shown(std::int64_t frame, double now);
-    /// Different frames shown a second over the last second, 0 when not known yet.
-    double fpsReached() const;
+    /// Tells that a picture with this frame was painted, for the rate reached.
+    void painted(std::int64_t frame, double now);
+    /// Different frames painted a second, the mean over the last second or a little more; none before a
+    /// second of pictures was measured.
+    std::optional<double> fpsReached() const;
 
 private:
     double framesSince(double now) const;
@@ -44,11 +48,12 @@ private:
     std::int64_t m_first = 0;
     std::int64_t m_last = 0;
     bool m_looping = true;
+    bool m_backAndForth = false;
     double m_speed = 1.0;
     std::optional<double> m_started; ///< when, while playing
     std::int64_t m_startFrame = 0;
-    std::deque<double> m_shownAt;
-    std::optional<std::int64_t> m_lastShown;
+    std::deque<double> m_paintedAt;
+    std::optional<std::int64_t> m_lastPainted;
 };
 
 } // namespace quadrille::widgets

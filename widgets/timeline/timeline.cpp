@@ -4,6 +4,7 @@
 
 #include "widgets/theme/theme.h"
 #include "widgets/timeline/timelineprivate.h"
+#include "widgets/timeline/timelinezoombar.h"
 
 #include <QAccessible>
 #include <QEvent>
@@ -12,7 +13,6 @@
 #include <QLocale>
 #include <QNativeGestureEvent>
 #include <QPainter>
-#include <QScrollBar>
 #include <QToolTip>
 #include <algorithm>
 
@@ -25,14 +25,17 @@ Timeline::Timeline(QWidget* parent) : QWidget(parent), d(std::make_unique<Privat
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     setFont(Theme::tabularFont(font()));
-    d->scrollBar = new QScrollBar(Qt::Horizontal, this);
-    d->scrollBar->setObjectName(QStringLiteral("timelineScrollBar"));
-    d->scrollBar->setFocusPolicy(Qt::NoFocus);
-    // The scroll bar counts tenths of frames.
-    connect(d->scrollBar, &QScrollBar::valueChanged, this, [this](int tenths) {
-        d->scale.scrollTo(tenths / 10.0);
-        update();
+    d->font = font();
+    d->zoomBar = new TimelineZoomBar(d->scale, this);
+    d->zoomBar->setObjectName(QStringLiteral("timelineZoomBar"));
+    connect(d->zoomBar, &TimelineZoomBar::partAsked, this, [this](double first, double frames) {
+        d->scale.show(first, frames);
+        scaleChanged();
     });
+    connect(d->zoomBar, &TimelineZoomBar::fitAsked, this, &Timeline::zoomToFit);
+    constexpr int growingMilliseconds = 40;
+    d->growing.setInterval(growingMilliseconds);
+    connect(&d->growing, &QTimer::timeout, this, [this] { growUnder(d->held); });
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
     QEvent retranslate(QEvent::LanguageChange);
     changeEvent(&retranslate);
@@ -43,7 +46,9 @@ Timeline::~Timeline() = default;
 
 void Timeline::setFrameCount(int frames)
 {
+    d->framesBeforeGrowing = 0;
     d->isEmpty = frames <= 0;
+    d->zoomBar->setVisible(!d->isEmpty);
     d->scale.setFrameCount(frames);
     d->current = std::clamp(d->current, 0, d->scale.frameCount() - 1);
     scaleChanged();
@@ -77,7 +82,7 @@ void Timeline::setCurrentFrame(int frame)
     const int inside = std::clamp(frame, 0, d->scale.frameCount() - 1);
     if (inside == d->current)
         return;
-    const QRect before = d->playheadRect(d->current);
+    const QRect before = d->playheadRect(d->current, fontMetrics());
     const double first = d->scale.firstVisible();
     d->current = inside;
     d->scale.reveal(inside);
@@ -87,7 +92,7 @@ void Timeline::setCurrentFrame(int frame)
         return;
     }
     update(before);
-    update(d->playheadRect(inside));
+    update(d->playheadRect(inside, fontMetrics()));
 }
 
 int Timeline::currentFrame() const
@@ -106,15 +111,44 @@ std::pair<int, int> Timeline::range() const
     return d->effectiveRange();
 }
 
+void Timeline::setRangeEditable(bool editable)
+{
+    d->isRangeEditable = editable;
+    update();
+}
+
+void Timeline::setLoop(std::optional<std::pair<int, int>> loop)
+{
+    d->loop = loop;
+    update();
+}
+
+std::optional<std::pair<int, int>> Timeline::loop() const
+{
+    return d->loop;
+}
+
+std::pair<int, int> Timeline::playedRange() const
+{
+    const auto [in, out] = range();
+    if (!d->loop || d->loop->first > out || d->loop->second < in)
+        return {in, out};
+    return {std::max(in, d->loop->first), std::min(out, d->loop->second)};
+}
+
 void Timeline::setTracks(std::vector<TimelineTrack> tracks)
 {
     d->tracks = std::move(tracks);
     int widest = 0;
     for (const TimelineTrack& track : d->tracks)
         widest = std::max(widest, fontMetrics().horizontalAdvance(track.title));
-    constexpr int widestHeader = 140;
-    d->headerWidth = d->tracks.empty() ? 8 : std::min(widestHeader, widest + 20);
+    constexpr int widestHeader = 150;
+    constexpr int leastHeader = 76; // lanes below have titles, too
+    constexpr int besideTitle = 32; // the sign that folds, and some room
+    d->headerWidth = d->tracks.empty() ? 8 : std::clamp(widest + besideTitle, leastHeader, widestHeader);
     d->scale.setWidth(width() - d->headerWidth);
+    d->zoomBar->setGeometry(d->headerWidth, Private::rulerHeight, width() - d->headerWidth,
+                            TimelineZoomBar::thickness);
     if (d->hovered && !d->exists(*d->hovered))
         hover(std::nullopt);
     if (d->selected && !d->exists(*d->selected))
@@ -166,6 +200,9 @@ QRect Timeline::spanRect(const SpanRef& ref) const
         return d->keyMarkRect(row, key->frame).united(d->keyPictureRect(row, key->frame));
     }
     const TimelineSpan* span = d->span(ref);
+    if (const TimelineTrack* owner = d->track(ref.track);
+        span != nullptr && owner->kind == TimelineTrack::Kind::Notes)
+        return d->noteRect(*owner, trackRect(ref.track), *span);
     return span == nullptr ? QRect() : d->rect(trackRect(ref.track), span->first, span->last);
 }
 
@@ -187,23 +224,17 @@ int Timeline::xOfFrame(int frame) const
 
 QSize Timeline::sizeHint() const
 {
-    return {640, d->contentHeight() + d->scrollBar->sizeHint().height()};
+    return {640, d->contentHeight()};
 }
 
 QSize Timeline::minimumSizeHint() const
 {
-    return {160, d->contentHeight() + d->scrollBar->sizeHint().height()};
+    return {160, d->contentHeight()};
 }
 
 void Timeline::scaleChanged()
 {
-    const QSignalBlocker blocker(d->scrollBar);
-    const int pageTenths = static_cast<int>(d->scale.visibleFrames() * 10.0);
-    d->scrollBar->setRange(0, std::max(0, d->scale.frameCount() * 10 - pageTenths));
-    d->scrollBar->setPageStep(pageTenths);
-    d->scrollBar->setSingleStep(10);
-    d->scrollBar->setValue(static_cast<int>(d->scale.firstVisible() * 10.0));
-    d->scrollBar->setVisible(!d->scale.isFitted());
+    d->zoomBar->update();
     update();
 }
 
@@ -230,6 +261,11 @@ QString Timeline::tipOf(const SpanRef& ref) const
         return tip;
     }
     const TimelineSpan& span = *d->span(ref);
+    if (d->track(ref.track)->kind == TimelineTrack::Kind::Notes)
+        return tr("%1\nFrame %2, %3 s")
+            .arg(span.text)
+            .arg(span.first)
+            .arg(shown.toString(span.first / d->fps, 'f', 2));
     return tr("%1: frames %2 to %3 (%4 s)")
         .arg(span.text.isEmpty() ? d->track(ref.track)->title : span.text)
         .arg(span.first)
@@ -260,8 +296,14 @@ bool Timeline::event(QEvent* event)
     }
     if (event->type() == QEvent::ToolTip) {
         const auto& help = *static_cast<QHelpEvent*>(event);
+        bool isEdge = false;
         if (const auto ref = d->spanAt(help.pos())) {
             QToolTip::showText(help.globalPos(), tipOf(*ref), this);
+        } else if (const TimelineTrack* track = d->titleAt(help.pos(), &isEdge)) {
+            QToolTip::showText(help.globalPos(),
+                               isEdge ? tr("Drag to size the row; a double click makes it as usual")
+                                      : tr("%1: a click folds the row, another unfolds it").arg(track->title),
+                               this);
         } else {
             QToolTip::hideText();
         }
@@ -281,8 +323,8 @@ void Timeline::resizeEvent(QResizeEvent* event)
     QWidget::resizeEvent(event);
     d->size = size();
     d->scale.setWidth(width() - d->headerWidth);
-    const int height = d->scrollBar->sizeHint().height();
-    d->scrollBar->setGeometry(d->headerWidth, this->height() - height, width() - d->headerWidth, height);
+    d->zoomBar->setGeometry(d->headerWidth, Private::rulerHeight, width() - d->headerWidth,
+                            TimelineZoomBar::thickness);
     scaleChanged();
 }
 
@@ -290,9 +332,12 @@ void Timeline::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange) {
         setAccessibleName(tr("Timeline"));
-        d->scrollBar->setAccessibleName(tr("Scroll timeline"));
+        d->zoomBar->setAccessibleName(tr("Part of the frames that shows"));
+        d->zoomBar->setToolTip(tr("Drag the part to scroll and its ends to zoom; a double click shows all"));
         updateAccessibleText();
     }
+    if (event->type() == QEvent::FontChange)
+        d->font = font();
     QWidget::changeEvent(event);
 }
 

@@ -4,9 +4,8 @@
 
 #include "widgets/timeline/draggedframes.h"
 #include "widgets/timeline/timelinescale.h"
+#include "widgets/timeline/timelinetrack.h"
 
-#include <QColor>
-#include <QImage>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -14,65 +13,17 @@
 
 namespace quadrille::widgets {
 
-/// Frames first … last, both included, with a name.
-struct TimelineSpan
-{
-    int id = 0; ///< the caller's, unique in its track
-    int first = 0;
-    int last = 0;
-    QString text;
-    QColor color;
-    bool hatched = false; ///< for synthetic frames, so that colour is not the only sign
-    bool operator==(const TimelineSpan&) const = default;
-};
-
-/// A picture that is to be shown at a time. A frame is drawn in its middle, as the playhead is.
-struct TimelineKey
-{
-    int id = 0;                      ///< the caller's, unique in its track
-    double frame = 0;                ///< wanted
-    std::optional<double> obtained;  ///< where the pose is really shown, once that is known
-    std::optional<double> tolerance; ///< greatest error of the time, frames; any when empty
-    QString text;                    ///< e.g. the pose's sequence and frame
-    QImage picture;                  ///< square; may be null
-    bool operator==(const TimelineKey&) const = default;
-};
-
-/// A row of spans, or of keys.
-struct TimelineTrack
-{
-    enum class Kind
-    {
-        Labels,   ///< names of spans
-        Contacts, ///< slim, one row per foot
-        Clips,    ///< what a result is put together from
-        Keys      ///< pictures at moments
-    };
-    QString id; ///< the caller's, unique in the timeline
-    QString title;
-    Kind kind = Kind::Labels;
-    bool editable = false;
-    std::vector<TimelineSpan> spans;
-    std::vector<TimelineKey> keys; ///< of tracks of this kind
-    QString hint;                  ///< what belongs there, while it is empty
-    bool operator==(const TimelineTrack&) const = default;
-};
-
-/// Names a span or a key by its track and its id.
-struct SpanRef
-{
-    QString track;
-    int span = 0;
-    bool operator==(const SpanRef&) const = default;
-};
-
 /// Ruler, playhead, range and strips over the frames of a clip. It changes nothing itself besides the
 /// frame: edits are signals, and come back by setTracks() or setRange(). While something is dragged,
 /// signals come with `committed` false, at the end once with true; Escape ends with the old values.
 ///
-/// Wheel scrolls, Ctrl+wheel and pinch zoom; ← → step, Home and End jump, + − 0 zoom, I and O set the range,
-/// Insert makes a span, Up and Down select spans and keys, Ctrl+← → move and Shift+← → stretch the selected
-/// one, Delete removes it, Return names it. Dragging snaps to edges, keys and playhead unless Alt is held.
+/// Wheel scrolls, Ctrl+wheel, pinch and the ends of the bar under the ruler zoom; ← → step, Home and End
+/// jump,
+/// + − 0 zoom, I and O set the range, or the loop where the range is fixed; a drag over the ruler with Shift
+/// sets the loop, a click with Shift takes it away. Insert makes a span, Up and Down select spans and keys,
+/// Ctrl+← → move and Shift+← → stretch the selected one, Delete removes it, Return names it. Dragging snaps
+/// to edges, keys and playhead unless Alt is held. A click on the title of a row folds it, a drag of the
+/// title's lower edge sizes it.
 class Timeline : public QWidget
 {
     Q_OBJECT
@@ -97,12 +48,26 @@ public:
     /// The frames that play, both included; none: all.
     void setRange(std::optional<std::pair<int, int>> range);
     std::pair<int, int> range() const;
+    /// Whether the range has ends that can be moved; else I and O set the loop.
+    void setRangeEditable(bool editable);
+    /// The part of the range that plays again and again, both ends included; none: all of the range.
+    void setLoop(std::optional<std::pair<int, int>> loop);
+    std::optional<std::pair<int, int>> loop() const;
+    /// The loop as far as it lies in the range, else the range.
+    std::pair<int, int> playedRange() const;
     void setTracks(std::vector<TimelineTrack> tracks);
     const std::vector<TimelineTrack>& tracks() const;
     void setSelectedSpan(const std::optional<SpanRef>& span);
     std::optional<SpanRef> selectedSpan() const;
     /// The track of keys that frames can be dropped onto, from anywhere over the timeline; empty for none.
     void setDropTrack(const QString& track);
+    /// Lets the ruler go on behind its end while a key is held there.
+    void setGrowing(bool growing);
+    /// Rows that are not as usual; also of tracks that are not there now.
+    void setRows(std::vector<TimelineRow> rows);
+    const std::vector<TimelineRow>& rows() const;
+    void setFolded(const QString& track, bool folded);
+    bool isFolded(const QString& track) const;
 
     const TimelineScale& scale() const;
     void zoomToFit();
@@ -112,6 +77,8 @@ public:
     QRect spanRect(const SpanRef& span) const;
     QRect trackRect(const QString& track) const;
     QRect rulerRect() const;
+    /// What a row is called, left of its track.
+    QRect titleRect(const QString& track) const;
     int xOfFrame(int frame) const;
 
     QSize sizeHint() const override;
@@ -122,6 +89,10 @@ signals:
     void frameScrubbed(int frame);
     void scrubbingChanged(bool scrubbing);
     void rangeEdited(int first, int last, bool committed);
+    void loopEdited(int first, int last, bool committed);
+    void loopRemovalAsked();
+    /// The user sized or folded a row; rows() has it already.
+    void rowsEdited();
     /// Of a track of keys (Insert, double click): both frames are one.
     void spanCreated(const QString& track, int first, int last);
     void spanEdited(const quadrille::widgets::SpanRef& span, int first, int last, bool committed);
@@ -168,6 +139,10 @@ private:
     bool moveSelectedByKey(int step, Qt::KeyboardModifiers modifiers);
     void selectNeighbour(int step);
     void finishDrag(bool commit);
+    void growUnder(const QPointF& position);
+    void stopGrowing();
+    bool pressTitle(const QPointF& position);
+    void editLoopByKey(bool isStart);
 };
 
 } // namespace quadrille::widgets

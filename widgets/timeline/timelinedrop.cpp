@@ -28,12 +28,14 @@ void Timeline::dragMoveEvent(QDragMoveEvent* event)
     d->dropFrame =
         isInside ? std::optional(d->frameForKey(event->position(), snap, std::nullopt)) : std::nullopt;
     event->setAccepted(isInside);
+    growUnder(event->position());
     update();
 }
 
 void Timeline::dragLeaveEvent(QDragLeaveEvent* /*event*/)
 {
     d->dropFrame.reset();
+    stopGrowing();
     update();
 }
 
@@ -41,6 +43,7 @@ void Timeline::dropEvent(QDropEvent* event)
 {
     const auto frames = draggedFrames(*event->mimeData());
     d->dropFrame.reset();
+    d->growing.stop();
     update();
     if (frames.empty() || event->position().x() < d->headerWidth)
         return;

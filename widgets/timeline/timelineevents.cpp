@@ -22,6 +22,8 @@ Qt::CursorShape cursorFor(TimelineDrag::Kind kind)
     case TimelineDrag::Kind::RangeEnd:
     case TimelineDrag::Kind::SpanStart:
     case TimelineDrag::Kind::SpanEnd:
+    case TimelineDrag::Kind::LoopStart:
+    case TimelineDrag::Kind::LoopEnd:
         return Qt::SizeHorCursor;
     default:
         return Qt::ArrowCursor;
@@ -31,6 +33,12 @@ Qt::CursorShape cursorFor(TimelineDrag::Kind kind)
 bool isRange(TimelineDrag::Kind kind)
 {
     return kind == TimelineDrag::Kind::RangeStart || kind == TimelineDrag::Kind::RangeEnd;
+}
+
+bool isLoop(TimelineDrag::Kind kind)
+{
+    return kind == TimelineDrag::Kind::LoopStart || kind == TimelineDrag::Kind::LoopEnd ||
+           kind == TimelineDrag::Kind::LoopNew;
 }
 
 bool isSpan(TimelineDrag::Kind kind)
@@ -85,7 +93,14 @@ void Timeline::mousePressEvent(QMouseEvent* event)
     }
     if (event->button() != Qt::LeftButton)
         return;
+    if (pressTitle(event->position()))
+        return;
     d->drag = d->dragAt(event->position());
+    if (event->modifiers().testFlag(Qt::ShiftModifier) && event->position().y() < Private::rulerHeight &&
+        event->position().x() >= d->headerWidth) {
+        d->drag.kind = TimelineDrag::Kind::LoopNew;
+        d->drag.first = d->drag.last = d->drag.grabbed;
+    }
     if (event->position().y() >= Private::rulerHeight)
         select(d->spanAt(event->position()));
     if (isSpan(d->drag.kind) || d->drag.kind == TimelineDrag::Kind::MoveKey)
@@ -100,12 +115,22 @@ void Timeline::mouseMoveEvent(QMouseEvent* event)
 {
     TimelineDrag& drag = d->drag;
     if (drag.kind == TimelineDrag::Kind::None) {
-        setCursor(cursorFor(d->dragAt(event->position()).kind));
+        bool isEdge = false;
+        d->titleAt(event->position(), &isEdge);
+        setCursor(isEdge ? Qt::SizeVerCursor : cursorFor(d->dragAt(event->position()).kind));
         hover(d->spanAt(event->position()));
         return;
     }
     if (drag.kind == TimelineDrag::Kind::Playhead) {
         scrub(d->scale.nearestFrame(event->position().x() - d->headerWidth));
+        return;
+    }
+    if (drag.kind == TimelineDrag::Kind::RowSize) {
+        drag.moved = true;
+        const int height = drag.oldFirst + qRound(event->position().y() - drag.pressedAt.y());
+        d->editRow({.track = drag.span.track, .height = std::clamp(height, 1, Private::tallestRow)});
+        updateGeometry();
+        update();
         return;
     }
     if (drag.kind == TimelineDrag::Kind::Scroll) {
@@ -118,11 +143,15 @@ void Timeline::mouseMoveEvent(QMouseEvent* event)
         return;
     const bool started = !drag.moved;
     drag.moved = true;
+    if (drag.kind == TimelineDrag::Kind::MoveKey)
+        growUnder(event->position());
     if (!d->dragTo(event->position(), !event->modifiers().testFlag(Qt::AltModifier)) && !started)
         return;
     update();
     if (isRange(drag.kind))
         emit rangeEdited(drag.first, drag.last, false);
+    else if (isLoop(drag.kind))
+        emit loopEdited(drag.first, drag.last, false);
     else if (isSpan(drag.kind))
         emit spanEdited(drag.span, drag.first, drag.last, false);
     else if (drag.kind == TimelineDrag::Kind::MoveKey)
@@ -142,8 +171,15 @@ void Timeline::finishDrag(bool commit)
     update();
     const int first = commit ? drag.first : drag.oldFirst;
     const int last = commit ? drag.last : drag.oldLast;
+    d->growing.stop();
+    if (!commit)
+        stopGrowing();
     if (drag.kind == TimelineDrag::Kind::Playhead)
         emit scrubbingChanged(false);
+    else if (drag.kind == TimelineDrag::Kind::RowSize && drag.moved)
+        emit rowsEdited();
+    else if (drag.kind == TimelineDrag::Kind::LoopNew && (!drag.moved || !commit))
+        emit loopRemovalAsked();
     else if (drag.kind == TimelineDrag::Kind::Create && !drag.moved && commit)
         scrub(drag.grabbed);
     else if (!drag.moved)
@@ -152,6 +188,8 @@ void Timeline::finishDrag(bool commit)
         emit spanCreated(drag.span.track, first, last);
     else if (isRange(drag.kind))
         emit rangeEdited(first, last, true);
+    else if (isLoop(drag.kind))
+        emit loopEdited(first, last, true);
     else if (isSpan(drag.kind))
         emit spanEdited(drag.span, first, last, true);
     else if (drag.kind == TimelineDrag::Kind::MoveKey)
@@ -160,11 +198,22 @@ void Timeline::finishDrag(bool commit)
 
 void Timeline::mouseDoubleClickEvent(QMouseEvent* event)
 {
+    bool isEdge = false;
+    if (const TimelineTrack* owner = d->titleAt(event->position(), &isEdge)) {
+        if (isEdge) {
+            d->editRow({.track = owner->id});
+            updateGeometry();
+            update();
+            emit rowsEdited();
+        }
+        return;
+    }
     const TimelineTrack* track = d->trackAt(event->position());
     const bool isLeft = event->button() == Qt::LeftButton;
     if (const auto span = d->spanAt(event->position()); span && isLeft)
         emit spanActivated(*span);
-    else if (isLeft && track != nullptr && track->kind == TimelineTrack::Kind::Keys && track->editable &&
+    else if (isLeft && track != nullptr && track->editable &&
+             (track->kind == TimelineTrack::Kind::Keys || track->kind == TimelineTrack::Kind::Notes) &&
              event->position().x() >= d->headerWidth) {
         const int frame = d->scale.nearestFrame(event->position().x() - d->headerWidth);
         emit spanCreated(track->id, frame, frame);
@@ -253,7 +302,8 @@ bool Timeline::moveSelectedByKey(int step, Qt::KeyboardModifiers modifiers)
             emit keyMoved(*d->selected, frame, true);
         return true;
     }
-    const int first = modifiers.testFlag(Qt::ControlModifier) ? start + step : start;
+    const bool isNote = d->track(d->selected->track)->kind == TimelineTrack::Kind::Notes;
+    const int first = modifiers.testFlag(Qt::ControlModifier) || isNote ? start + step : start;
     const int last = d->span(*d->selected)->last + step;
     if (first >= 0 && last >= first && last <= end)
         emit spanEdited(*d->selected, first, last, true);
@@ -296,10 +346,13 @@ void Timeline::keyPressEvent(QKeyEvent* event)
         zoomToFit();
         break;
     case Qt::Key_I:
-        emit rangeEdited(d->current, std::max(d->current, out), true);
-        break;
     case Qt::Key_O:
-        emit rangeEdited(std::min(in, d->current), d->current, true);
+        if (!d->isRangeEditable)
+            editLoopByKey(event->key() == Qt::Key_I);
+        else if (event->key() == Qt::Key_I)
+            emit rangeEdited(d->current, std::max(d->current, out), true);
+        else
+            emit rangeEdited(std::min(in, d->current), d->current, true);
         break;
     case Qt::Key_Insert: {
         const auto editable = [&](const TimelineTrack& t) {
@@ -307,7 +360,8 @@ void Timeline::keyPressEvent(QKeyEvent* event)
         };
         const auto track = std::find_if(d->tracks.begin(), d->tracks.end(), editable);
         constexpr int newSpanFrames = 10;
-        if (track != d->tracks.end() && track->kind == TimelineTrack::Kind::Keys)
+        if (track != d->tracks.end() &&
+            (track->kind == TimelineTrack::Kind::Keys || track->kind == TimelineTrack::Kind::Notes))
             emit spanCreated(track->id, d->current, d->current);
         else if (track != d->tracks.end())
             emit spanCreated(track->id, d->current, std::min(end, d->current + newSpanFrames - 1));

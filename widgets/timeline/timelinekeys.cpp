@@ -65,18 +65,19 @@ int Timeline::Private::startOf(const SpanRef& ref) const
 QRect Timeline::Private::keyMarkRect(const QRect& row, double frame) const
 {
     const int reach = static_cast<int>(markReach) + 1;
-    return {x(frame + 0.5) - reach, row.top(), 2 * reach, keyMarkHeight};
+    return {x(frame + 0.5) - reach, row.top(), 2 * reach, std::min(keyMarkHeight, row.height())};
 }
 
 QRect Timeline::Private::keyPictureRect(const QRect& row, double frame) const
 {
-    const int centred = x(frame + 0.5) - keyPicture / 2;
+    // Pictures are as high as their row lets them be; a folded one has none.
+    const int side = std::max(0, row.height() - keyMarkHeight - 2);
+    const int centred = x(frame + 0.5) - side / 2;
     // A picture stays whole while its mark shows.
     const bool shows = x(frame + 0.5) >= row.left() && x(frame + 0.5) <= row.right();
     const int left =
-        shows ? std::clamp(centred, row.left() + 1, std::max(row.left() + 1, row.right() - keyPicture))
-              : centred;
-    return {left, row.top() + keyMarkHeight, keyPicture, keyPicture};
+        shows ? std::clamp(centred, row.left() + 1, std::max(row.left() + 1, row.right() - side)) : centred;
+    return {left, row.top() + keyMarkHeight, side, side};
 }
 
 double Timeline::Private::shownFrame(const QString& owner, const TimelineKey& key) const
@@ -174,7 +175,8 @@ void Timeline::Private::paintKey(QPainter& painter, const TimelineTrack& owner, 
 {
     const bool isSelected = selected == SpanRef{owner.id, key.id};
     const double frame = shownFrame(owner.id, key);
-    const QPointF mark(x(frame + 0.5), place.top() + keyMarkHeight / 2.0);
+    const double markHeight = std::min(keyMarkHeight, place.height());
+    const QPointF mark(x(frame + 0.5), place.top() + markHeight / 2.0);
     const QColor color = Theme::color(ColorRole::Key);
     if (key.tolerance)
         paintBracket(painter, x(frame + 0.5 - *key.tolerance), x(frame + 0.5 + *key.tolerance), mark.y(),
@@ -192,9 +194,11 @@ void Timeline::Private::paintKey(QPainter& painter, const TimelineTrack& owner, 
     painter.setPen(
         QPen(isSelected ? Theme::color(ColorRole::Text) : lineColor(color), isSelected ? 2.0 : 1.0));
     painter.setBrush(color);
-    paintDiamond(painter, mark, markReach);
+    paintDiamond(painter, mark, std::min(markReach, markHeight / 2.0));
 
     const QRect box = keyPictureRect(place, frame);
+    if (box.isEmpty())
+        return;
     QPainterPath rounded;
     rounded.addRoundedRect(QRectF(box).adjusted(1, 1, -1, -1), 3, 3);
     painter.fillPath(rounded, Theme::color(ColorRole::Raised));
@@ -212,7 +216,7 @@ void Timeline::Private::paintKey(QPainter& painter, const TimelineTrack& owner, 
         return;
     const QRectF text(box.right() + 5.0, box.top(), std::min(room, 160.0), box.height());
     const QFontMetrics metrics = painter.fontMetrics();
-    const QString time = unit == Unit::Seconds ? timeText(frame / fps) : QString::number(std::lround(frame));
+    const QString time = frameText(frame);
     painter.setPen(Theme::color(ColorRole::Text));
     painter.drawText(text.adjusted(0, 0, 0, -text.height() / 2), Qt::AlignLeft | Qt::AlignBottom,
                      metrics.elidedText(key.text, Qt::ElideMiddle, static_cast<int>(text.width())));
@@ -242,12 +246,12 @@ void Timeline::Private::paintDrop(QPainter& painter) const
     painter.setPen(QPen(color, 1.5, Qt::DashLine));
     painter.drawLine(QPointF(middle, 2.0), QPointF(middle, size.height()));
     painter.setBrush(Qt::NoBrush);
-    if (place.height() >= keyRowHeight)
+    if (!keyPictureRect(place, *dropFrame).isEmpty() && !owner->keys.empty())
         painter.drawRoundedRect(QRectF(keyPictureRect(place, *dropFrame)).adjusted(1, 1, -1, -1), 3, 3);
     painter.setPen(QPen(color, 1.0));
     painter.setBrush(Theme::color(ColorRole::Key));
     paintDiamond(painter, {middle, place.top() + keyMarkHeight / 2.0}, markReach);
-    const QString text = unit == Unit::Seconds ? timeText(*dropFrame / fps) : QString::number(*dropFrame);
+    const QString text = frameText(*dropFrame);
     QRectF flag(middle + 6.0, 2.0, painter.fontMetrics().horizontalAdvance(text) + 12.0, rulerHeight - 10.0);
     if (flag.right() > size.width())
         flag.moveRight(middle - 6.0);

@@ -89,7 +89,7 @@ void TimelineLane::paintEvent(QPaintEvent*)
     const QRectF content = area();
     painter.fillRect(content.adjusted(0, 1, 0, -1), Theme::color(ColorRole::Base));
     painter.setPen(Theme::color(ColorRole::TextMuted));
-    const QRectF title(8, 0, content.left() - 10, height());
+    const QRectF title(20, 0, content.left() - 22, height()); // in line with those of the timeline
     painter.drawText(title, Qt::AlignVCenter | Qt::AlignLeft,
                      fontMetrics().elidedText(m_title, Qt::ElideRight, static_cast<int>(title.width())));
     painter.save();

@@ -7,34 +7,6 @@
 
 namespace quadrille::widgets {
 
-int Timeline::Private::rowHeight(const TimelineTrack& track) const
-{
-    switch (track.kind) {
-    case TimelineTrack::Kind::Contacts:
-        return 14;
-    case TimelineTrack::Kind::Keys:
-        return track.keys.empty() ? 24 : keyRowHeight;
-    default:
-        return 24;
-    }
-}
-
-int Timeline::Private::contentHeight() const
-{
-    int height = rulerHeight + gap;
-    for (const TimelineTrack& track : tracks)
-        height += rowHeight(track) + gap;
-    return height;
-}
-
-QRect Timeline::Private::row(std::size_t index) const
-{
-    int top = rulerHeight + gap;
-    for (std::size_t i = 0; i < index; ++i)
-        top += rowHeight(tracks[i]) + gap;
-    return {headerWidth, top, std::max(1, size.width() - headerWidth), rowHeight(tracks[index])};
-}
-
 int Timeline::Private::x(double frame) const
 {
     return headerWidth + static_cast<int>(std::lround(scale.xOf(frame)));
@@ -77,6 +49,8 @@ std::optional<SpanRef> Timeline::Private::spanAt(const QPointF& position) const
         return std::nullopt;
     if (owner->kind == TimelineTrack::Kind::Keys)
         return keyAt(*owner, position);
+    if (owner->kind == TimelineTrack::Kind::Notes)
+        return noteAt(*owner, position);
     const QRect place = row(static_cast<std::size_t>(owner - tracks.data()));
     // Later spans lie above earlier ones; slim ones are taken hold of beside them too.
     for (auto span = owner->spans.rbegin(); span != owner->spans.rend(); ++span) {
@@ -106,13 +80,22 @@ TimelineDrag Timeline::Private::dragAt(const QPointF& position) const
     if (position.y() < rulerHeight) {
         result.first = result.oldFirst = in;
         result.last = result.oldLast = out;
-        const bool lowerHalf = position.y() > rulerHeight / 2.0;
+        const bool lowerHalf = isRangeEditable && position.y() > rulerHeight / 2.0;
+        const bool atLoop = loop && position.y() <= loopHeight + 2;
         if (lowerHalf && near(x(out + 1)))
             result.kind = Kind::RangeEnd;
         else if (lowerHalf && near(x(in)))
             result.kind = Kind::RangeStart;
+        else if (atLoop && near(x(loop->second + 1)))
+            result.kind = Kind::LoopEnd;
+        else if (atLoop && near(x(loop->first)))
+            result.kind = Kind::LoopStart;
         else
             result.kind = Kind::Playhead;
+        if (result.kind == Kind::LoopStart || result.kind == Kind::LoopEnd) {
+            result.first = result.oldFirst = loop->first;
+            result.last = result.oldLast = loop->second;
+        }
         return result;
     }
     const TimelineTrack* owner = trackAt(position);
@@ -128,6 +111,13 @@ TimelineDrag Timeline::Private::dragAt(const QPointF& position) const
         return result;
     }
     result.span.track = owner->id;
+    if (owner->kind == TimelineTrack::Kind::Notes) {
+        const auto ref = noteAt(*owner, position);
+        result.kind = ref ? Kind::Move : Kind::Playhead;
+        result.span = ref.value_or(SpanRef{});
+        result.first = result.oldFirst = result.last = result.oldLast = ref ? startOf(*ref) : result.grabbed;
+        return result;
+    }
     const QRect place = row(static_cast<std::size_t>(owner - tracks.data()));
     for (std::size_t i = owner->spans.size(); i-- > 0;) {
         const TimelineSpan& candidate = owner->spans[i];
@@ -190,6 +180,10 @@ int Timeline::Private::snapped(int boundary, const std::optional<SpanRef>& excep
     const auto [in, out] = effectiveRange();
     consider(in);
     consider(out + 1);
+    if (loop && drag.kind != TimelineDrag::Kind::LoopStart && drag.kind != TimelineDrag::Kind::LoopEnd) {
+        consider(loop->first);
+        consider(loop->second + 1);
+    }
     consider(current);
     consider(current + 1);
     return best;
@@ -212,9 +206,11 @@ bool Timeline::Private::dragTo(const QPointF& position, bool snap)
                                  snap, drag.span);
         break;
     case Kind::RangeStart:
+    case Kind::LoopStart:
         drag.first = std::min(boundary(std::nullopt), drag.last);
         break;
     case Kind::RangeEnd:
+    case Kind::LoopEnd:
         drag.last = std::max(boundary(std::nullopt) - 1, drag.first);
         break;
     case Kind::SpanStart:
@@ -224,6 +220,7 @@ bool Timeline::Private::dragTo(const QPointF& position, bool snap)
         drag.last = std::max(boundary(drag.span) - 1, drag.first);
         break;
     case Kind::Create:
+    case Kind::LoopNew:
         drag.first = std::min(drag.grabbed, frame);
         drag.last = std::max(drag.grabbed, frame);
         break;
@@ -240,6 +237,7 @@ bool Timeline::Private::dragTo(const QPointF& position, bool snap)
         break;
     }
     case Kind::Playhead:
+    case Kind::RowSize:
     case Kind::Scroll:
     case Kind::None:
         return false;

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "widgets/controls/elidedpair.h"
 #include "widgets/theme/theme.h"
+#include "widgets/timeline/framekind.h"
 #include "widgets/timeline/timelineprivate.h"
 
 #include <QPainter>
@@ -9,29 +11,6 @@
 #include <cmath>
 
 namespace quadrille::widgets {
-
-namespace {
-
-/// Diagonal lines, so that synthetic frames are told by more than colour.
-void paintHatching(QPainter& painter, const QRectF& box, const QColor& color)
-{
-    painter.save();
-    painter.setClipRect(box, Qt::IntersectClip);
-    painter.setPen(QPen(color, 1.5));
-    constexpr double step = 7.0;
-    const double start = std::floor((box.left() - box.height()) / step) * step;
-    for (double x = start; x < box.right(); x += step)
-        painter.drawLine(QPointF(x, box.bottom()), QPointF(x + box.height(), box.top()));
-    painter.restore();
-}
-
-} // namespace
-
-QRect Timeline::Private::playheadRect(int frame) const
-{
-    constexpr int reach = 48;
-    return {x(frame + 0.5) - reach, 0, 2 * reach, size.height()};
-}
 
 void Timeline::Private::paint(QPainter& painter, const QRect& exposed, const Timeline& timeline) const
 {
@@ -49,6 +28,7 @@ void Timeline::Private::paint(QPainter& painter, const QRect& exposed, const Tim
     painter.save();
     painter.setClipRect(QRect(headerWidth, 0, size.width() - headerWidth, size.height()));
     paintRange(painter);
+    paintLoop(painter);
     paintRuler(painter);
     // Poses may be wanted beyond what plays.
     for (std::size_t i = 0; i < tracks.size(); ++i)
@@ -121,6 +101,8 @@ void Timeline::Private::paintRange(QPainter& painter) const
         path.closeSubpath();
         painter.drawPath(path);
     };
+    if (!isRangeEditable)
+        return;
     paintHandle(x(in), 1.0);
     paintHandle(x(out + 1), -1.0);
 }
@@ -130,17 +112,18 @@ void Timeline::Private::paintTrack(QPainter& painter, std::size_t index, const Q
     const TimelineTrack& owner = tracks[index];
     const QRect place = row(index);
     painter.fillRect(place, Theme::color(ColorRole::Base));
-    painter.setPen(palette.color(QPalette::PlaceholderText));
-    const QRect title(8, place.top(), headerWidth - 16, place.height());
-    painter.drawText(title, Qt::AlignVCenter | Qt::AlignLeft,
-                     painter.fontMetrics().elidedText(owner.title, Qt::ElideRight, title.width()));
+    paintTitle(painter, owner, place);
     painter.save();
+    painter.setPen(palette.color(QPalette::PlaceholderText));
     painter.setClipRect(place);
-    if (owner.spans.empty() && owner.keys.empty() && !owner.hint.isEmpty())
+    if (owner.spans.empty() && owner.keys.empty() && !owner.hint.isEmpty() && place.height() > foldedHeight)
         painter.drawText(place.adjusted(6, 0, -6, 0), Qt::AlignVCenter | Qt::AlignLeft,
                          painter.fontMetrics().elidedText(owner.hint, Qt::ElideRight, place.width() - 12));
     for (const TimelineSpan& span : owner.spans)
-        paintSpan(painter, owner, place, shown(owner.id, span));
+        if (owner.kind == TimelineTrack::Kind::Notes)
+            paintNote(painter, owner, place, span);
+        else
+            paintSpan(painter, owner, place, shown(owner.id, span));
     if (drag.kind == TimelineDrag::Kind::Create && drag.moved && drag.span.track == owner.id) {
         const QRectF box = QRectF(rect(place, drag.first, drag.last)).adjusted(0.5, 1.5, -0.5, -1.5);
         painter.setPen(QPen(Theme::color(ColorRole::AccentText), 1.5, Qt::DashLine));
@@ -164,56 +147,39 @@ void Timeline::Private::paintSpan(QPainter& painter, const TimelineTrack& owner,
                               : QPen(color.darker(Theme::instance().isDark() ? 130 : 160), 1.0));
     painter.setBrush(color);
     painter.drawRoundedRect(box, radius, radius);
-    if (span.hatched) {
-        QColor lines = Theme::textOn(color);
-        lines.setAlphaF(0.35F);
-        paintHatching(painter, box.adjusted(1.0, 1.0, -1.0, -1.0), lines);
-    }
+    const FrameKind kind = span.hatched  ? FrameKind::Transition
+                           : span.dotted ? FrameKind::Varied
+                                         : FrameKind::Captured;
+    paintFramePattern(painter, box.adjusted(1.0, 1.0, -1.0, -1.0), kind, color);
     constexpr double smallestText = 24.0;
-    if (owner.kind == TimelineTrack::Kind::Contacts || span.text.isEmpty())
+    if (owner.kind == TimelineTrack::Kind::Contacts || span.text.isEmpty() || place.height() <= foldedHeight)
         return;
     // The part that shows carries the name, also when the span starts left of the view.
-    const QRectF seen = box.intersected(place).adjusted(6.0, 0.0, -4.0, 0.0);
-    // Between the lines of hatching a part of a text could not be read.
-    const bool isCut = painter.fontMetrics().horizontalAdvance(span.text) > seen.width();
-    if (seen.width() < smallestText || (span.hatched && isCut))
-        return;
-    painter.setPen(Theme::textOn(color));
-    painter.drawText(
-        seen, Qt::AlignVCenter | Qt::AlignLeft,
-        painter.fontMetrics().elidedText(span.text, Qt::ElideRight, static_cast<int>(seen.width())));
-}
-
-void Timeline::Private::paintPlayhead(QPainter& painter) const
-{
-    const QColor color = Theme::color(ColorRole::Accent);
-    const double place = std::floor(headerWidth + scale.xOf(current + 0.5)) + 0.5;
-    constexpr double smallestCell = 10.0;
-    if (scale.pixelsPerFrame() >= smallestCell) {
-        QColor cell = color;
-        cell.setAlphaF(0.16F);
-        painter.fillRect(QRectF(x(current), rulerHeight, x(current + 1) - x(current), size.height()), cell);
+    QRectF seen = box.intersected(place).adjusted(6.0, 0.0, -4.0, 0.0);
+    // What lies above the span hides neither end of its name.
+    bool isAbove = false;
+    for (const TimelineSpan& other : owner.spans) {
+        const QRectF cover = rect(place, other.first, other.last);
+        if (isAbove && cover.left() > seen.left() && cover.left() < seen.right())
+            seen.setRight(cover.left() - 4.0);
+        else if (isAbove && cover.left() <= seen.left() && cover.right() > seen.left())
+            seen.setLeft(cover.right() + 4.0);
+        isAbove = isAbove || other.id == span.id;
     }
-    painter.setPen(QPen(color, 1.5));
-    painter.drawLine(QPointF(place, rulerHeight - 4.0), QPointF(place, size.height()));
-    const QString label = unit == Unit::Seconds ? timeText(current / fps) : QString::number(current);
-    const double width = std::max(24.0, painter.fontMetrics().horizontalAdvance(label) + 12.0);
-    QRectF flag(place - width / 2.0, 2.0, width, rulerHeight - 10.0);
-    // The flag stays whole at both ends.
-    flag.moveLeft(std::clamp(flag.left(), static_cast<double>(headerWidth) + 1.0,
-                             std::max(headerWidth + 1.0, size.width() - width - 1.0)));
-    QPainterPath path;
-    path.addRoundedRect(flag, 3.0, 3.0);
-    QPainterPath tip;
-    tip.moveTo(place - 5.0, flag.bottom() - 0.5);
-    tip.lineTo(place, flag.bottom() + 5.0);
-    tip.lineTo(place + 5.0, flag.bottom() - 0.5);
-    tip.closeSubpath();
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(color);
-    painter.drawPath(path.united(tip));
-    painter.setPen(Theme::color(ColorRole::OnAccent));
-    painter.drawText(flag, Qt::AlignCenter, label);
+    // Between the lines of a pattern little of a text could be read.
+    constexpr double smallestHatchedText = 72.0;
+    if (seen.width() < (kind == FrameKind::Captured ? smallestText : smallestHatchedText))
+        return;
+    const QString text = elidedPair(span.text, painter.fontMetrics(), static_cast<int>(seen.width()));
+    if (kind != FrameKind::Captured) {
+        const QRectF words(seen.left() - 3, seen.top() + 2, painter.fontMetrics().horizontalAdvance(text) + 6,
+                           seen.height() - 4);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(color);
+        painter.drawRoundedRect(words, 2.0, 2.0);
+    }
+    painter.setPen(Theme::textOn(color));
+    painter.drawText(seen, Qt::AlignVCenter | Qt::AlignLeft, text);
 }
 
 } // namespace quadrille::widgets

@@ -4,10 +4,15 @@
 
 #include "widgets/timeline/timeline.h"
 
+#include <QFont>
+#include <QTimer>
+
+class QFontMetrics;
 class QPainter;
-class QScrollBar;
 
 namespace quadrille::widgets {
+
+class TimelineZoomBar;
 
 /// What the mouse is moving.
 struct TimelineDrag
@@ -18,6 +23,10 @@ struct TimelineDrag
         Playhead,
         RangeStart,
         RangeEnd,
+        LoopStart,
+        LoopEnd,
+        LoopNew,
+        RowSize,
         Create,
         Move,
         MoveKey,
@@ -45,17 +54,28 @@ struct Timeline::Private
     Unit unit = Unit::Frames;
     int current = 0;
     std::optional<std::pair<int, int>> range;
+    bool isRangeEditable = true;
+    std::optional<std::pair<int, int>> loop;
     std::vector<TimelineTrack> tracks;
+    std::vector<TimelineRow> rows;
     std::optional<SpanRef> selected;
     TimelineDrag drag;
     std::optional<SpanRef> hovered;
     QString dropTrack;
     std::optional<int> dropFrame; ///< while something is held over the timeline
-    QScrollBar* scrollBar = nullptr;
+    bool grows = false;
+    QTimer growing;
+    int framesBeforeGrowing = 0; ///< 0 while it does not grow
+    QPointF held;                ///< where something is held while it grows
+    TimelineZoomBar* zoomBar = nullptr;
     QSize size;
 
     static constexpr int rulerHeight = 28;
+    static constexpr int loopHeight = 8; ///< of the band at the ruler's top
+    static constexpr int tracksTop = rulerHeight + 14 + 4;
     static constexpr int gap = 4;
+    static constexpr int foldedHeight = 10;
+    static constexpr int tallestRow = 200;
     static constexpr int edgeReach = 5; ///< pixels about an edge that take hold of it
     static constexpr int slimmest = 6;  ///< pixels that take hold of a span
     static constexpr int keyMarkHeight = 16;
@@ -63,7 +83,15 @@ struct Timeline::Private
     static constexpr int keyRowHeight = keyMarkHeight + keyPicture + 2;
 
     int headerWidth = 0;
+    QFont font; ///< in which it is painted
+    static int usualHeight(const TimelineTrack& track);
+    static int leastHeight(const TimelineTrack& track);
     int rowHeight(const TimelineTrack& track) const;
+    const TimelineRow* ownRow(const QString& track) const;
+    /// Changes what the user wants of a row, and forgets it where that is as usual.
+    void editRow(const TimelineRow& row);
+    /// The track whose title, or the lower edge of it, is at a place; null for none.
+    const TimelineTrack* titleAt(const QPointF& position, bool* isEdge) const;
     int contentHeight() const;
     QRect row(std::size_t track) const;
     int x(double frame) const;
@@ -83,6 +111,9 @@ struct Timeline::Private
     double shownFrame(const QString& track, const TimelineKey& key) const;
     QRect keyMarkRect(const QRect& row, double frame) const;
     QRect keyPictureRect(const QRect& row, double frame) const;
+    /// Mark and words of a note, up to the next one.
+    QRect noteRect(const TimelineTrack& owner, const QRect& row, const TimelineSpan& note) const;
+    std::optional<SpanRef> noteAt(const TimelineTrack& owner, const QPointF& position) const;
     std::pair<int, int> effectiveRange() const;
     /// The span's frames as they would be after the drag.
     TimelineSpan shown(const QString& track, const TimelineSpan& span) const;
@@ -105,8 +136,15 @@ struct Timeline::Private
                   double room) const;
     void paintKeyStems(QPainter& painter) const;
     void paintDrop(QPainter& painter) const;
+    void paintLoop(QPainter& painter) const;
+    void paintNote(QPainter& painter, const TimelineTrack& owner, const QRect& row,
+                   const TimelineSpan& note) const;
+    void paintTitle(QPainter& painter, const TimelineTrack& owner, const QRect& row) const;
     void paintPlayhead(QPainter& painter) const;
-    QRect playheadRect(int frame) const;
+    QString frameText(double frame) const;
+    QRectF playheadFlag(int frame, const QFontMetrics& metrics) const;
+    /// All that the playhead paints at a frame.
+    QRect playheadRect(int frame, const QFontMetrics& metrics) const;
 };
 
 } // namespace quadrille::widgets

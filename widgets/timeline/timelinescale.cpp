@@ -56,6 +56,16 @@ void TimelineScale::zoom(double factor, double x)
     limit();
 }
 
+void TimelineScale::show(double firstFrame, double frames)
+{
+    const double fitted = m_width / m_frameCount;
+    m_pixelsPerFrame =
+        std::clamp(m_width / std::max(frames, 1.0), fitted, std::max(fitted, closestPixelsPerFrame));
+    m_fitted = m_pixelsPerFrame <= fitted * 1.0001;
+    m_first = firstFrame;
+    limit();
+}
+
 void TimelineScale::scrollTo(double firstFrame)
 {
     m_first = firstFrame;

@@ -28,6 +28,8 @@ public:
     /// Zooms by a factor above one to see more detail; what is at `x` stays there.
     void zoom(double factor, double x);
     void scrollTo(double firstFrame);
+    /// Shows so many frames from a first one on, as far as there are such and they can be told apart.
+    void show(double firstFrame, double frames);
     /// Scrolls as little as needed for a frame to show.
     void reveal(int frame);
 

@@ -52,6 +52,7 @@ struct FigureActor::Part
 struct FigureActor::Private
 {
     vtkSmartPointer<vtkRenderer> renderer;
+    const FigureLights* lights = nullptr;
     FigureMesh mesh;
     SplitMesh split;
     std::vector<float> positions;
@@ -68,11 +69,14 @@ struct FigureActor::Private
     Shading shading = Shading::Textured;
     QColor clay{200, 200, 200};
     QColor wire{Qt::black};
+    double lineWidth = 1.0;
 };
 
-FigureActor::FigureActor(vtkRenderer* renderer, FigureMesh mesh) : d(std::make_unique<Private>())
+FigureActor::FigureActor(vtkRenderer* renderer, const FigureLights& lights, FigureMesh mesh)
+    : d(std::make_unique<Private>())
 {
     d->renderer = renderer;
+    d->lights = &lights;
     d->mesh = std::move(mesh);
     d->split = splitAtSeams(d->mesh);
     d->positions.assign(std::size_t{3} * d->mesh.vertexCount, 0.0F);
@@ -280,6 +284,12 @@ void FigureActor::setShading(Shading shading)
     applyAppearance();
 }
 
+void FigureActor::setLineWidth(double pixels)
+{
+    d->lineWidth = pixels;
+    applyAppearance();
+}
+
 void FigureActor::applyAppearance()
 {
     for (const auto& part : d->parts) {
@@ -298,15 +308,14 @@ void FigureActor::applyAppearance()
             part->mapper->SetScalarModeToUseCellData();
         const auto color = vtkbuffers::rgb(textured ? QColor(Qt::white) : d->clay);
         property->SetColor(color[0], color[1], color[2]);
-        // Captured textures hold the light of the studio already: shade them gently.
-        property->SetAmbient(textured ? 0.42 : 0.16);
-        property->SetDiffuse(textured ? 0.62 : 0.84);
-        property->SetSpecular(textured || scalar ? 0.0 : 0.08);
-        property->SetSpecularPower(18.0);
+        property->SetAmbient(0.0);
+        property->SetDiffuse(1.0);
+        part->actor->SetShaderProperty(
+            d->lights->shader(textured ? FigureLights::Surface::Textured : FigureLights::Surface::Clay));
         property->SetEdgeVisibility(wire ? 1 : 0);
         const auto edge = vtkbuffers::rgb(d->wire);
         property->SetEdgeColor(edge[0], edge[1], edge[2]);
-        property->SetLineWidth(1.0F);
+        property->SetLineWidth(static_cast<float>(d->lineWidth));
     }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "widgets/viewport/colormap.h"
+#include "widgets/viewport/figurelights.h"
 #include "widgets/viewport/figuremesh.h"
 #include "widgets/viewport/shading.h"
 
@@ -20,7 +21,8 @@ namespace quadrille::widgets {
 class FigureActor
 {
 public:
-    FigureActor(vtkRenderer* renderer, FigureMesh mesh);
+    /// \pre `lights` last as long as the actor.
+    FigureActor(vtkRenderer* renderer, const FigureLights& lights, FigureMesh mesh);
     ~FigureActor();
     FigureActor(const FigureActor&) = delete;
     FigureActor& operator=(const FigureActor&) = delete;
@@ -47,6 +49,8 @@ public:
     void setOpacity(double opacity);
     void setColors(const QColor& clay, const QColor& wire);
     void setShading(Shading shading);
+    /// Of the wireframe. \param pixels  of the screen.
+    void setLineWidth(double pixels);
 
 private:
     struct Part;

@@ -23,24 +23,24 @@ struct GhostActor::Private
 {
     vtkSmartPointer<vtkRenderer> renderer;
     vtkSmartPointer<vtkActor> actor;
+    vtkNew<vtkFloatArray> coordinates;
     QVector3D centroid;
     QVector3D offset;
 };
 
-GhostActor::GhostActor(vtkRenderer* renderer, const FigureMesh& mesh, std::span<const float> positions,
-                       const QColor& color)
+GhostActor::GhostActor(vtkRenderer* renderer, const FigureLights& lights, const FigureMesh& mesh,
+                       std::span<const float> positions, const QColor& color)
     : d(std::make_unique<Private>())
 {
     d->renderer = renderer;
     d->centroid = vtkbuffers::mean(positions);
-    vtkNew<vtkFloatArray> coordinates;
     vtkNew<vtkFloatArray> normals;
-    vtkbuffers::allocate(coordinates, 3, mesh.vertexCount, "Positions");
+    vtkbuffers::allocate(d->coordinates, 3, mesh.vertexCount, "Positions");
     vtkbuffers::allocate(normals, 3, mesh.vertexCount, "Normals");
-    std::copy(positions.begin(), positions.end(), vtkbuffers::values(coordinates).begin());
+    std::copy(positions.begin(), positions.end(), vtkbuffers::values(d->coordinates).begin());
     computeNormals(mesh, positions, vtkbuffers::values(normals));
     vtkNew<vtkPoints> points;
-    points->SetData(coordinates);
+    points->SetData(d->coordinates);
     vtkNew<vtkPolyData> surface;
     surface->SetPoints(points);
     vtkNew<vtkCellArray> cells;
@@ -55,8 +55,9 @@ GhostActor::GhostActor(vtkRenderer* renderer, const FigureMesh& mesh, std::span<
     vtkProperty* property = d->actor->GetProperty();
     const auto rgb = vtkbuffers::rgb(color);
     property->SetColor(rgb[0], rgb[1], rgb[2]);
-    property->SetAmbient(0.35);
-    property->SetDiffuse(0.7);
+    property->SetAmbient(0.0);
+    property->SetDiffuse(1.0);
+    d->actor->SetShaderProperty(lights.shader(FigureLights::Surface::Clay));
     constexpr double ghostOpacity = 0.34;
     property->SetOpacity(color.alpha() < 255 ? color.alphaF() : ghostOpacity);
     renderer->AddActor(d->actor);
@@ -70,6 +71,16 @@ GhostActor::~GhostActor()
 QVector3D GhostActor::centroid() const
 {
     return d->centroid + d->offset;
+}
+
+QVector3D GhostActor::head(const QVector3D& up) const
+{
+    const auto values = vtkbuffers::values(d->coordinates);
+    float highest = QVector3D::dotProduct(d->centroid, up);
+    for (std::size_t i = 0; i + 2 < values.size(); i += 3)
+        highest =
+            std::max(highest, QVector3D::dotProduct(QVector3D(values[i], values[i + 1], values[i + 2]), up));
+    return d->centroid + (highest - QVector3D::dotProduct(d->centroid, up)) * up;
 }
 
 void GhostActor::setOffset(const QVector3D& offset)

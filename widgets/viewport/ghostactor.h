@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "widgets/viewport/figurelights.h"
 #include "widgets/viewport/figuremesh.h"
 
 #include <QColor>
@@ -17,13 +18,15 @@ class GhostActor
 {
 public:
     /// \pre three values per vertex.
-    GhostActor(vtkRenderer* renderer, const FigureMesh& mesh, std::span<const float> positions,
-               const QColor& color);
+    GhostActor(vtkRenderer* renderer, const FigureLights& lights, const FigureMesh& mesh,
+               std::span<const float> positions, const QColor& color);
     ~GhostActor();
     GhostActor(const GhostActor&) = delete;
     GhostActor& operator=(const GhostActor&) = delete;
 
     QVector3D centroid() const;
+    /// The place above its middle that is as high as it is, without the offset.
+    QVector3D head(const QVector3D& up) const;
     void setOffset(const QVector3D& offset);
     void setVisible(bool visible);
     /// Ghosts blend rightly when drawn from the farthest to the nearest: draws this one last from now on.

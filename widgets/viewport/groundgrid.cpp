@@ -27,19 +27,23 @@ namespace {
 constexpr auto fragmentCode = R"(
   vec2 place = groundPlace;
   vec2 perPixel = max(fwidth(place), vec2(1e-6));
-  float coarsest = max(perPixel.x, perPixel.y);
-  vec2 metre = abs(fract(place - 0.5) - 0.5) / perPixel;
-  vec2 tenth = abs(fract(place * 10.0 - 0.5) - 0.5) / (perPixel * 10.0);
+  vec2 perLine = perPixel * linePixels;
+  float coarsest = max(perPixel.x, perPixel.y) * linePixels;
+  vec2 metre = abs(fract(place - 0.5) - 0.5) / perLine;
+  vec2 tenth = abs(fract(place * 10.0 - 0.5) - 0.5) / (perLine * 10.0);
   float metreLine = (1.0 - min(min(metre.x, metre.y), 1.0)) * (1.0 - smoothstep(0.15, 0.5, coarsest));
   float tenthLine = (1.0 - min(min(tenth.x, tenth.y), 1.0)) * (1.0 - smoothstep(0.006, 0.02, coarsest));
-  float alpha = max(metreLine * 0.55, tenthLine * 0.22);
+  float alpha = max(metreLine * 0.42, tenthLine * 0.14);
   vec3 color = lineColor;
-  vec2 axis = 1.0 - clamp(abs(place) / perPixel - 0.4, 0.0, 1.0);
-  if (axis.y > 0.0) { color = mix(color, firstColor, axis.y); alpha = max(alpha, axis.y * 0.9); }
-  if (axis.x > 0.0) { color = mix(color, secondColor, axis.x); alpha = max(alpha, axis.x * 0.9); }
+  vec2 axis = 1.0 - clamp(abs(place) / perLine - 0.25, 0.0, 1.0);
+  axis *= 0.7 * (1.0 - smoothstep(0.0, 1.0, vec2(abs(place.y), abs(place.x)) / axisLength));
+  if (axis.y > 0.0) { color = mix(color, firstColor, axis.y); alpha = max(alpha, axis.y); }
+  if (axis.x > 0.0) { color = mix(color, secondColor, axis.x); alpha = max(alpha, axis.x); }
   float away = length(place - fadeCenter) / fadeRadius;
-  alpha *= 1.0 - smoothstep(0.25, 1.0, away);
-  fragOutput0 = vec4(color, alpha);
+  float near = 1.0 - smoothstep(0.12, 1.0, away);
+  alpha *= near;
+  float under = floorBrightness * near * near * (1.0 - alpha);
+  fragOutput0 = vec4((color * alpha + vec3(under)) / max(alpha + under, 1e-4), alpha + under);
 )";
 
 void setColor(vtkUniforms* uniforms, const char* name, const QColor& color)
@@ -59,6 +63,7 @@ struct GroundGrid::Private
     vtkNew<vtkFloatArray> places;
     vtkNew<vtkPolyData> surface;
     float height = 0.0F;
+    double floor = 0.0;
 };
 
 GroundGrid::GroundGrid(vtkRenderer* renderer) : d(std::make_unique<Private>())
@@ -89,6 +94,7 @@ GroundGrid::GroundGrid(vtkRenderer* renderer) : d(std::make_unique<Private>())
                                          "//VTK::PositionVC::Dec\nin vec2 groundPlace;\n", false);
     shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, fragmentCode, false);
     renderer->AddActor(d->actor);
+    setPixelRatio(1.0);
     follow(Turntable{});
 }
 
@@ -113,6 +119,17 @@ void GroundGrid::setColors(const QColor& lines, const QColor& first, const QColo
     setColor(uniforms, "lineColor", lines);
     setColor(uniforms, "firstColor", first);
     setColor(uniforms, "secondColor", second);
+}
+
+void GroundGrid::setFloor(double brightness)
+{
+    d->floor = brightness;
+}
+
+void GroundGrid::setPixelRatio(double pixels)
+{
+    d->actor->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf("linePixels",
+                                                                            static_cast<float>(pixels));
 }
 
 void GroundGrid::setHeight(float height)
@@ -140,8 +157,13 @@ void GroundGrid::follow(const Turntable& camera)
     d->surface->Modified();
     vtkShaderProperty* shader = d->actor->GetShaderProperty();
     shader->GetVertexCustomUniforms()->SetUniformi("upIsZ", upIsZ ? 1 : 0);
-    shader->GetFragmentCustomUniforms()->SetUniform2f("fadeCenter", center);
-    shader->GetFragmentCustomUniforms()->SetUniformf("fadeRadius", radius);
+    vtkUniforms* uniforms = shader->GetFragmentCustomUniforms();
+    uniforms->SetUniform2f("fadeCenter", center);
+    uniforms->SetUniformf("fadeRadius", radius);
+    uniforms->SetUniformf("axisLength", std::clamp(camera.distance * 0.5F, 0.5F, 4.0F));
+    // Seen from below, a floor would hide the soles.
+    const bool isAbove = camera.position()[up] > d->height;
+    uniforms->SetUniformf("floorBrightness", isAbove ? static_cast<float>(d->floor) : 0.0F);
 }
 
 } // namespace quadrille::widgets

@@ -11,8 +11,8 @@ class vtkRenderer;
 
 namespace quadrille::widgets {
 
-/// Lines on the ground every metre, every ten centimetres when near, that fade with the distance; the two
-/// axes in their colours.
+/// A faint floor with lines every metre, every ten centimetres when near, that fades with the distance; near
+/// the origin the two axes in their colours.
 class GroundGrid
 {
 public:
@@ -25,6 +25,10 @@ public:
     bool isVisible() const;
     /// \param first  the axis to the right. \param second  the other one on the ground.
     void setColors(const QColor& lines, const QColor& first, const QColor& second);
+    /// How much brighter the ground is than what lies behind it, 0 … 1.
+    void setFloor(double brightness);
+    /// \param pixels  of the screen for one logical pixel.
+    void setPixelRatio(double pixels);
     /// Height of the ground along the up axis, metres.
     void setHeight(float height);
     /// Keeps the grid about what the camera looks at.

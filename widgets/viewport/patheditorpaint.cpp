@@ -7,6 +7,7 @@
 
 #include <QPainter>
 #include <cmath>
+#include <limits>
 
 namespace quadrille::widgets {
 
@@ -47,6 +48,31 @@ void drawDirection(QPainter& painter, const QPolygonF& line, const QColor& color
 
 } // namespace
 
+QVector3D PathEditor::Private::clearPlace(const PathStretch& stretch) const
+{
+    const double to = std::min(stretch.to, curve.length());
+    std::vector<QVector3D> handles{curve.at(stretch.from), curve.at(to)};
+    for (std::size_t i = 0; i < shape.points.size(); ++i)
+        if (!isHandle(shape.kind, i))
+            handles.push_back(shape.points[i]);
+    constexpr int places = 40;
+    QVector3D best = curve.at((stretch.from + to) / 2.0);
+    float widest = -1.0F;
+    // From the middle to both sides: of places that are as good, the one nearest to the middle is taken.
+    for (int i = 0; i < places; ++i) {
+        const double aside = (i % 2 == 0 ? 0.5 : -0.5) * ((i + 1) / 2 * 2.0 / places);
+        const QVector3D place = curve.at(stretch.from + (to - stretch.from) * (0.5 + aside));
+        float nearest = std::numeric_limits<float>::max();
+        for (const QVector3D& handle : handles)
+            nearest = std::min(nearest, (place - handle).length());
+        if (nearest > widest * 1.02F) {
+            widest = nearest;
+            best = place;
+        }
+    }
+    return best;
+}
+
 void PathEditor::refreshMarks()
 {
     SceneMarks marks;
@@ -60,8 +86,7 @@ void PathEditor::refreshMarks()
                                     .color = demanded,
                                     .colors = {},
                                     .width = 9.0F});
-            const double middle = (stretch.from + std::min(stretch.to, d->curve.length())) / 2.0;
-            marks.labels.push_back({d->curve.at(middle), stretch.text, demanded});
+            marks.labels.push_back({d->clearPlace(stretch), stretch.text, demanded});
         }
         if (!d->curve.isEmpty())
             marks.curves.push_back({.points = d->curve.points(), .color = line, .colors = {}, .width = 2.5F});

@@ -77,24 +77,21 @@ void Turntable::zoom(float factor, const QPointF& cursor, const QSizeF& view)
 void Turntable::frame(const QVector3D& lower, const QVector3D& upper, const QSizeF& view)
 {
     target = (lower + upper) / 2.0F;
-    // The box as seen: its corners' extents across the view, and towards it.
-    float across = 0.0F;
-    float high = 0.0F;
-    float near = 0.0F;
+    constexpr float margin = 1.12F;
+    const float slope = halfHeightAtDistanceOne(fieldOfView) / margin;
+    const float aspect = static_cast<float>(view.width() / std::max(view.height(), 1.0));
+    // The nearest place that sees every corner of the box.
+    float needed = 0.0F;
     for (int corner = 0; corner < 8; ++corner) {
         const QVector3D d =
             QVector3D((corner & 1) != 0 ? upper.x() : lower.x(), (corner & 2) != 0 ? upper.y() : lower.y(),
                       (corner & 4) != 0 ? upper.z() : lower.z()) -
             target;
-        across = std::max(across, std::abs(QVector3D::dotProduct(d, right())));
-        high = std::max(high, std::abs(QVector3D::dotProduct(d, up())));
-        near = std::max(near, -QVector3D::dotProduct(d, forward()));
+        const float across = std::abs(QVector3D::dotProduct(d, right())) / aspect;
+        const float high = std::abs(QVector3D::dotProduct(d, up()));
+        needed = std::max(needed, std::max(high, across) / slope - QVector3D::dotProduct(d, forward()));
     }
-    constexpr float margin = 1.12F;
-    const float slope = halfHeightAtDistanceOne(fieldOfView);
-    const float aspect = static_cast<float>(view.width() / std::max(view.height(), 1.0));
-    const float needed = std::max(high / slope, across / (slope * aspect));
-    distance = std::clamp(near + needed * margin, shortestDistance, longestDistance);
+    distance = std::clamp(needed, shortestDistance, longestDistance);
 }
 
 void Turntable::look(StandardView view)

@@ -15,6 +15,8 @@
 
 namespace quadrille::widgets {
 
+using enum CameraDrag;
+
 ViewGestures::ViewGestures(QWidget* surface) : QObject(surface), m_surface(surface)
 {
     surface->installEventFilter(this);
@@ -101,25 +103,26 @@ bool ViewGestures::eventFilter(QObject* /*watched*/, QEvent* event)
 
 bool ViewGestures::press(const QMouseEvent& event)
 {
-    if (m_drag != Drag::None)
+    if (event.buttons().testFlag(m_button) && m_button != event.button() && m_button != Qt::NoButton)
         return true;
     m_surface->setFocus(Qt::MouseFocusReason);
     m_movement.stop();
     m_button = event.button();
     m_pressedAt = m_last = event.position();
     m_dragged = false;
-    if (event.button() == Qt::RightButton || event.modifiers().testFlag(Qt::ShiftModifier))
-        m_drag = Drag::Pan;
-    else if (event.modifiers().testFlag(Qt::ControlModifier))
-        m_drag = Drag::Dolly;
-    else
-        m_drag = Drag::Orbit;
+    m_drag.reset();
+    const Qt::KeyboardModifiers keys =
+        event.modifiers() & (Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier);
+    for (const MouseGesture& gesture : gesturesOf(m_preset)) {
+        if (gesture.button == event.button() && gesture.keys == keys)
+            m_drag = gesture.drag;
+    }
     return true;
 }
 
 bool ViewGestures::move(const QMouseEvent& event)
 {
-    if (m_drag == Drag::None) {
+    if (m_button == Qt::NoButton) {
         emit hovered(event.position());
         return true;
     }
@@ -129,19 +132,19 @@ bool ViewGestures::move(const QMouseEvent& event)
     m_dragged = true;
     const QPointF delta = event.position() - m_last;
     m_last = event.position();
+    if (!m_drag)
+        return true;
     Turntable camera = m_camera;
-    switch (m_drag) {
-    case Drag::Orbit:
+    switch (*m_drag) {
+    case Orbit:
         camera.orbit(delta, viewSize());
         break;
-    case Drag::Pan:
+    case Pan:
         camera.pan(delta, viewSize());
         break;
-    case Drag::Dolly:
+    case Dolly:
         camera.zoom(static_cast<float>(std::pow(1.006, delta.y())),
                     QPointF(viewSize().width() / 2.0, viewSize().height() / 2.0), viewSize());
-        break;
-    case Drag::None:
         break;
     }
     change(camera);
@@ -150,9 +153,10 @@ bool ViewGestures::move(const QMouseEvent& event)
 
 bool ViewGestures::release(const QMouseEvent& event)
 {
-    if (m_drag == Drag::None || event.button() != m_button)
+    if (event.button() != m_button)
         return true;
-    m_drag = Drag::None;
+    m_button = Qt::NoButton;
+    m_drag.reset();
     if (!m_dragged)
         emit clicked(event.position(), event.button(), event.modifiers());
     return true;

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "widgets/viewport/mousegestures.h"
 #include "widgets/viewport/turntable.h"
 
 #include <QObject>
 #include <QVariantAnimation>
+#include <optional>
 
 class QMouseEvent;
 class QTouchEvent;
@@ -14,8 +16,8 @@ class QWidget;
 
 namespace quadrille::widgets {
 
-/// Turns mouse, wheel, touch and pinch on a widget into camera movements and clicks. Left or middle drag
-/// orbits, with Shift (or the right button) pans, with Ctrl dollies; the wheel zooms to the pointer, a
+/// Turns mouse, wheel, touch and pinch on a widget into camera movements and clicks. What a drag does is told
+/// by a preset; a press and release in one place is a click in all of them. The wheel zooms to the pointer, a
 /// sideways wheel turns; one finger orbits, two pan and pinch.
 class ViewGestures : public QObject
 {
@@ -23,6 +25,8 @@ class ViewGestures : public QObject
 public:
     explicit ViewGestures(QWidget* surface);
 
+    void setPreset(MousePreset preset) { m_preset = preset; }
+    MousePreset preset() const { return m_preset; }
     const Turntable& camera() const { return m_camera; }
     /// At once, ending any movement.
     void setCamera(const Turntable& camera);
@@ -45,13 +49,6 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    enum class Drag
-    {
-        None,
-        Orbit,
-        Pan,
-        Dolly
-    };
     bool press(const QMouseEvent& event);
     bool move(const QMouseEvent& event);
     bool release(const QMouseEvent& event);
@@ -66,8 +63,9 @@ private:
     QVariantAnimation m_movement;
     Turntable m_from;
     Turntable m_to;
-    Drag m_drag = Drag::None;
-    Qt::MouseButton m_button = Qt::NoButton;
+    MousePreset m_preset = MousePreset::Quadrille;
+    std::optional<CameraDrag> m_drag;        ///< none where the preset has none for the button
+    Qt::MouseButton m_button = Qt::NoButton; ///< that is down
     QPointF m_pressedAt;
     QPointF m_last;
     bool m_dragged = false;

@@ -3,6 +3,7 @@
 #include "widgets/viewport/viewport.h"
 
 #include "widgets/theme/theme.h"
+#include "widgets/viewport/axesgizmo.h"
 #include "widgets/viewport/groundgrid.h"
 #include "widgets/viewport/viewportprivate.h"
 #include "widgets/viewport/vtkview.h"
@@ -40,7 +41,8 @@ std::optional<std::pair<QVector3D, QVector3D>> Viewport::Private::bounds(std::op
             box->second[axis] = std::max(box->second[axis], upper[axis]);
         }
     }
-    if (const auto marks = scene.markBounds(); marks && !only) {
+    const bool isInPlace = !only || (followed != only && (only == anchor || scene.figures().size() == 1));
+    if (const auto marks = scene.markBounds(); marks && isInPlace) {
         if (!box)
             box = marks;
         for (int axis = 0; axis < 3; ++axis) {
@@ -60,6 +62,8 @@ Annotations Viewport::Private::annotations() const
     for (const auto& [id, figure] : scene.figures()) {
         if (!figure.visible)
             continue;
+        for (const SceneLabel& label : figure.ghostLabels)
+            result.labels.push_back({label.place + figure.shift(), label.text, label.color});
         if (namesVisible && !figure.name.isEmpty()) {
             QVector3D place = (figure.actor->lowerBound() + figure.actor->upperBound()) / 2.0F;
             place[up] = figure.actor->upperBound()[up];
@@ -73,7 +77,8 @@ Annotations Viewport::Private::annotations() const
             result.legend = figure.scalarRange;
     }
     result.namesListed = layout == Layout::Overlay && result.names.size() > 1;
-    result.labels = scene.labels();
+    const std::vector<SceneLabel> marked = scene.labels();
+    result.labels.insert(result.labels.end(), marked.begin(), marked.end());
     if (!result.isEmpty())
         result.camera = gestures->camera();
     return result;
@@ -91,6 +96,9 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), d(std::make_unique<Privat
         d->view->setObjectName(QStringLiteral("viewportSurface"));
         d->scene.attachTo(d->view->renderWindow());
         connect(d->view, &VtkView::rendered, this, &Viewport::rendered);
+        connect(d->view, &VtkView::qualityChanged, this, [this](const RenderQuality& quality) {
+            d->scene.shadows().setCoarseness(quality.shadowCoarseness);
+        });
         d->surface = d->view;
     } else {
         d->excuse = new QLabel(this);
@@ -105,6 +113,9 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), d(std::make_unique<Privat
     d->gestures = new ViewGestures(d->surface);
     d->surface->installEventFilter(this); // after the gestures, so that a tool gets events before them
     d->overlay = new ViewportOverlay(this);
+    d->axes = new AxesGizmo(this);
+    d->axes->setVisible(isWorking());
+    connect(d->axes, &AxesGizmo::lookAsked, this, &Viewport::lookFrom);
     connect(d->gestures, &ViewGestures::cameraChanged, this, [this] {
         d->scene.setCamera(d->gestures->camera());
         redraw();
@@ -141,6 +152,12 @@ bool Viewport::isWorking() const
     return d->view != nullptr;
 }
 
+void Viewport::setMoving(bool moving)
+{
+    if (d->view != nullptr)
+        d->view->setMoving(moving);
+}
+
 VtkView* Viewport::view() const
 {
     return d->view;
@@ -148,8 +165,11 @@ VtkView* Viewport::view() const
 
 void Viewport::redraw()
 {
-    if (d->view != nullptr)
+    if (d->view != nullptr) {
+        d->scene.setPixelRatio(d->view->devicePixelRatioF());
         d->view->scheduleRender();
+    }
+    d->axes->setCamera(d->gestures->camera());
     if (d->viewTool)
         d->viewTool->setView(d->gestures->camera(), d->surface->size());
     d->overlay->show(d->annotations());
@@ -157,7 +177,7 @@ void Viewport::redraw()
 
 void Viewport::setMarks(const QString& layer, const SceneMarks& marks)
 {
-    d->scene.setMarks(layer, marks, d->surface->devicePixelRatioF());
+    d->scene.setMarks(layer, marks);
     redraw();
 }
 
@@ -174,6 +194,8 @@ Shading Viewport::shading() const
 
 void Viewport::setLayoutMode(Layout layout)
 {
+    if (d->layout == layout)
+        return;
     d->layout = layout;
     arrange();
 }
@@ -181,25 +203,6 @@ void Viewport::setLayoutMode(Layout layout)
 Viewport::Layout Viewport::layoutMode() const
 {
     return d->layout;
-}
-
-void Viewport::arrange()
-{
-    constexpr float gap = 0.4F; // metres between neighbours
-    float total = 0.0F;
-    for (const auto& [id, figure] : d->scene.figures())
-        if (figure.visible)
-            total += figure.firstSize.x() + gap;
-    float left = -(total - gap) / 2.0F;
-    for (auto& [id, figure] : d->scene.figures()) {
-        figure.layoutOffset = {};
-        if (d->layout == Layout::SideBySide && figure.visible) {
-            figure.layoutOffset.setX(left + figure.firstSize.x() / 2.0F - figure.firstMiddle.x());
-            left += figure.firstSize.x() + gap;
-        }
-        d->scene.refresh(figure);
-    }
-    redraw();
 }
 
 void Viewport::setGridVisible(bool visible)
@@ -211,6 +214,23 @@ void Viewport::setGridVisible(bool visible)
 bool Viewport::isGridVisible() const
 {
     return d->scene.ground().isVisible();
+}
+
+void Viewport::setShadowMaker(ShadowMaker maker)
+{
+    d->scene.shadows().setMaker(std::move(maker));
+    redraw();
+}
+
+void Viewport::setShadowsVisible(bool visible)
+{
+    d->scene.shadows().setVisible(visible);
+    redraw();
+}
+
+bool Viewport::areShadowsVisible() const
+{
+    return d->scene.shadows().isVisible();
 }
 
 void Viewport::setGhostsVisible(bool visible)
@@ -264,8 +284,7 @@ void Viewport::setGroundHeight(float metres)
     if (d->groundHeight == metres)
         return;
     d->groundHeight = metres;
-    d->scene.ground().setHeight(metres);
-    d->scene.setCamera(d->gestures->camera());
+    d->scene.setGroundHeight(metres);
     redraw();
     emit groundHeightChanged(metres);
 }

@@ -4,9 +4,11 @@
 
 #include "widgets/viewport/colormap.h"
 #include "widgets/viewport/figureshape.h"
+#include "widgets/viewport/groundshadow.h"
 #include "widgets/viewport/scenemarks.h"
 #include "widgets/viewport/shading.h"
 #include "widgets/viewport/turntable.h"
+#include "widgets/viewport/viewgestures.h"
 
 #include <QColor>
 #include <QImage>
@@ -28,6 +30,7 @@ struct Ghost
 {
     std::vector<float> positions; ///< vertices × 3
     QColor color;
+    QString label; ///< above its head, beside its colour; may be empty
 };
 
 /// Where the pointer met a figure.
@@ -56,7 +59,7 @@ public:
     enum class Layout
     {
         Overlay,
-        SideBySide ///< along the first axis, in the order in which they came
+        SideBySide ///< several stand in lanes of their own; one alone stands where it is
     };
     enum class Tool
     {
@@ -67,12 +70,15 @@ public:
     explicit Viewport(QWidget* parent = nullptr);
     ~Viewport() override;
 
+    /// Something plays: pictures are drawn as well as there is time for until it does no longer.
+    void setMoving(bool moving);
     /// Whether pictures are shown; false without OpenGL.
     bool isWorking() const;
 
     /// \return an id for the calls below. The figure is at the origin until it gets positions.
     int addFigure(FigureMesh mesh, const QString& name = {});
     void removeFigure(int figure);
+    void setFigureName(int figure, const QString& name);
     void clear();
     std::vector<int> figures() const;
     /// None where there is no such figure.
@@ -86,9 +92,13 @@ public:
     void setFigureColor(int figure, const QColor& color);
     void setFigureOffset(int figure, const QVector3D& offset);
     void setFigureVisible(int figure, bool visible);
-    /// The box that a figure stays in over all its frames, in its own coordinates: what framing shows, unless
-    /// the camera goes along with the figure.
+    /// The box that a figure stays in over all its frames, in its own coordinates: the lane that it needs,
+    /// and what framing shows unless the camera goes along with the figure.
     void setFigureExtent(int figure, const QVector3D& lower, const QVector3D& upper);
+    /// The order of lanes where several stand side by side; that in which they came by default.
+    void setFigureOrder(const std::vector<int>& figures);
+    /// The figure that stays in its place where several stand side by side, as marks do; else the first.
+    void setAnchor(int figure);
     void setFigureOpacity(int figure, double opacity);
     /// One value per vertex or triangle; empty takes them away. Shown in Shading::Scalar with a legend.
     void setScalars(int figure, std::span<const float> values, ScalarPlace place, const ScalarRange& range);
@@ -107,6 +117,10 @@ public:
     Layout layoutMode() const;
     void setGridVisible(bool visible);
     bool isGridVisible() const;
+    /// Who makes the shadows of figures on the ground; without anybody there are none.
+    void setShadowMaker(ShadowMaker maker);
+    void setShadowsVisible(bool visible);
+    bool areShadowsVisible() const;
     void setGhostsVisible(bool visible);
     void setTrajectoriesVisible(bool visible);
     /// Names above the figures; useful where there are several.
@@ -128,9 +142,12 @@ public:
     void setViewTool(ViewTool* tool);
     ViewTool* viewTool() const;
 
+    void setMousePreset(MousePreset preset);
+    MousePreset mousePreset() const;
     Turntable camera() const;
     void setCamera(const Turntable& camera);
-    /// Moves the camera so that one figure, or all that are visible, fill the view.
+    /// Moves the camera so that one figure, or all that are visible, fill the view, with the curves that are
+    /// drawn about them. Those belong to the figure that stands in its place.
     void frameFigure(int figure);
     void frameAll();
     void lookFrom(StandardView view);
@@ -158,6 +175,7 @@ signals:
     void toolChanged(quadrille::widgets::Viewport::Tool tool);
     void cameraChanged();
     void groundHeightChanged(float metres);
+    /// A click with the right button, or the key for menus. Drags with that button move the camera.
     void contextMenuAsked(const QPoint& globalPosition);
     /// A picture was drawn. \param milliseconds  what drawing took.
     void rendered(double milliseconds);
@@ -165,6 +183,7 @@ signals:
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 

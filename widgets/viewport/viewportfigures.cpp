@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What a viewport knows of its figures.
+#include "widgets/viewport/figurelanes.h"
 #include "widgets/viewport/viewportprivate.h"
+
+#include <algorithm>
 
 namespace quadrille::widgets {
 
@@ -19,6 +22,13 @@ void Viewport::removeFigure(int figure)
     if (d->followed == figure)
         d->followed.reset();
     arrange();
+}
+
+void Viewport::setFigureName(int figure, const QString& name)
+{
+    if (SceneFigure* found = d->find(figure))
+        found->name = name;
+    redraw();
 }
 
 void Viewport::clear()
@@ -51,10 +61,10 @@ void Viewport::setPositions(int figure, std::span<const float> positions)
     if (found == nullptr)
         return;
     found->actor->setPositions(positions);
-    const bool isFirst = found->firstSize.isNull();
+    d->scene.shadows().changed(figure);
+    const bool isFirst = !found->firstPose;
     if (isFirst) {
-        found->firstSize = found->actor->upperBound() - found->actor->lowerBound();
-        found->firstMiddle = (found->actor->upperBound() + found->actor->lowerBound()) / 2.0F;
+        found->firstPose.emplace(found->actor->lowerBound(), found->actor->upperBound());
         arrange();
     }
     if (d->followed == figure) {
@@ -104,14 +114,75 @@ void Viewport::setFigureVisible(int figure, bool visible)
 
 void Viewport::setFigureExtent(int figure, const QVector3D& lower, const QVector3D& upper)
 {
-    if (SceneFigure* found = d->find(figure))
+    if (SceneFigure* found = d->find(figure)) {
         found->extent.emplace(lower, upper);
+        arrange();
+    }
+}
+
+void Viewport::setFigureOrder(const std::vector<int>& figures)
+{
+    if (d->order == figures)
+        return;
+    d->order = figures;
+    arrange();
+}
+
+void Viewport::setAnchor(int figure)
+{
+    if (d->anchor == figure)
+        return;
+    d->anchor = figure;
+    arrange();
+}
+
+/// Those that stand in lanes, from left to right. One that has no positions yet needs no room.
+std::vector<SceneFigure*> Viewport::Private::lanes()
+{
+    std::vector<std::pair<std::ptrdiff_t, SceneFigure*>> placed;
+    for (auto& [id, figure] : scene.figures()) {
+        if (figure.visible && figure.firstPose)
+            placed.emplace_back(std::ranges::find(order, id) - order.begin(), &figure);
+    }
+    std::ranges::stable_sort(placed, {}, [](const auto& each) { return each.first; });
+    std::vector<SceneFigure*> sorted;
+    for (const auto& [place, figure] : placed)
+        sorted.push_back(figure);
+    return sorted;
+}
+
+void Viewport::arrange()
+{
+    const std::vector<SceneFigure*> lanes = d->lanes();
+    std::vector<LaneBox> boxes;
+    std::size_t anchor = 0;
+    for (const SceneFigure* figure : lanes) {
+        if (figure == d->find(d->anchor))
+            anchor = boxes.size();
+        const auto& [lower, upper] = figure->extent ? *figure->extent : *figure->firstPose;
+        boxes.push_back({lower, upper});
+    }
+    std::vector<QVector3D> offsets(lanes.size());
+    if (d->layout == Layout::SideBySide)
+        offsets = laneOffsets(boxes, anchor, d->gestures->camera().upAxis);
+    // The figure that goes back to its own place does so in the world, not in the view.
+    if (!lanes.empty())
+        d->gestures->carry(-lanes[anchor]->layoutOffset);
+    for (auto& [id, figure] : d->scene.figures())
+        figure.layoutOffset = {};
+    for (std::size_t i = 0; i < lanes.size(); ++i)
+        lanes[i]->layoutOffset = offsets[i];
+    for (auto& [id, figure] : d->scene.figures())
+        d->scene.refresh(figure);
+    redraw();
 }
 
 void Viewport::setFigureOpacity(int figure, double opacity)
 {
-    if (SceneFigure* found = d->find(figure))
+    if (SceneFigure* found = d->find(figure)) {
+        found->opacity = opacity;
         found->actor->setOpacity(opacity);
+    }
     redraw();
 }
 

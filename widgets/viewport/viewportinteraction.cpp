@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "widgets/viewport/axesgizmo.h"
 #include "widgets/viewport/surfacepick.h"
 #include "widgets/viewport/viewportprivate.h"
 #include "widgets/viewport/vtkview.h"
 
+#include <QContextMenuEvent>
 #include <QCursor>
 #include <QKeyEvent>
 #include <QLabel>
@@ -82,6 +84,16 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event)
     if (used && isPress)
         d->surface->setFocus(Qt::MouseFocusReason);
     return used;
+}
+
+void Viewport::setMousePreset(MousePreset preset)
+{
+    d->gestures->setPreset(preset);
+}
+
+MousePreset Viewport::mousePreset() const
+{
+    return d->gestures->preset();
 }
 
 Turntable Viewport::camera() const
@@ -166,13 +178,13 @@ QImage Viewport::snapshot(const SnapshotOptions& options)
     if (d->view == nullptr)
         return {};
     const QSize size = options.size.isEmpty() ? d->view->size() * d->view->devicePixelRatioF() : options.size;
+    const double scale = static_cast<double>(size.height()) / std::max(1, d->view->height());
     QImage picture;
     const bool drawn = d->view->renderApart(
-        [&](vtkRenderWindow* window) { picture = d->scene.draw(window, size, options.background); });
+        [&](vtkRenderWindow* window) { picture = d->scene.draw(window, size, scale, options.background); });
     if (!drawn)
         return {};
     if (options.annotations) {
-        const double scale = static_cast<double>(size.height()) / std::max(1, d->view->height());
         QPainter painter(&picture);
         painter.setFont(font());
         painter.scale(scale, scale);
@@ -215,6 +227,14 @@ void Viewport::keyPressEvent(QKeyEvent* event)
     event->accept();
 }
 
+void Viewport::contextMenuEvent(QContextMenuEvent* event)
+{
+    // That of the mouse comes when the button goes down: whether it is a drag is only known later.
+    if (event->reason() == QContextMenuEvent::Keyboard)
+        emit contextMenuAsked(mapToGlobal(rect().center()));
+    event->accept();
+}
+
 void Viewport::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange) {
@@ -234,6 +254,8 @@ void Viewport::resizeEvent(QResizeEvent* event)
     QWidget::resizeEvent(event);
     d->overlay->setGeometry(rect());
     d->overlay->raise();
+    d->axes->move(rect().bottomRight() - QPoint(d->axes->width() + 3, d->axes->height() + 3));
+    d->axes->raise();
     if (d->viewTool)
         d->viewTool->setView(d->gestures->camera(), size());
     // The layout gives the surface its size only after this event.

@@ -14,6 +14,8 @@ class QLabel;
 
 namespace quadrille::widgets {
 
+class AxesGizmo;
+
 struct Viewport::Private
 {
     ViewportScene scene;
@@ -21,8 +23,11 @@ struct Viewport::Private
     QLabel* excuse = nullptr;
     QWidget* surface = nullptr; ///< the view, or the label in its place
     ViewportOverlay* overlay = nullptr;
+    AxesGizmo* axes = nullptr;
     ViewGestures* gestures = nullptr;
     int nextId = 1;
+    std::vector<int> order; ///< of figures in lanes; those that are not in it come last
+    int anchor = -1;        ///< the figure that stays in place where several stand side by side
     Layout layout = Layout::Overlay;
     Tool tool = Tool::Navigate;
     QPointer<ViewTool> viewTool;
@@ -38,6 +43,7 @@ struct Viewport::Private
     SceneFigure* find(int id);
     std::optional<std::pair<QVector3D, QVector3D>> bounds(std::optional<int> only) const;
     Annotations annotations() const;
+    std::vector<SceneFigure*> lanes();
 };
 
 } // namespace quadrille::widgets

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <vtkActor.h>
 #include <vtkCellArray.h>
+#include <vtkCommand.h>
 #include <vtkCullerCollection.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
@@ -28,17 +29,13 @@ namespace quadrille::widgets {
 
 namespace {
 
-/// A light that moves with the camera, as a photographer would set it about a portrait.
-vtkSmartPointer<vtkLight> cameraLight(double x, double y, double z, double intensity, const QColor& tint)
-{
-    auto light = vtkSmartPointer<vtkLight>::New();
-    light->SetLightTypeToCameraLight();
-    light->SetPosition(x, y, z);
-    light->SetFocalPoint(0, 0, 0);
-    light->SetIntensity(intensity);
-    light->SetColor(tint.redF(), tint.greenF(), tint.blueF());
-    return light;
-}
+constexpr double trajectoryWidth = 2.5; // logical pixels
+/// Share of light missing in the darkest shadow, as in exported pictures.
+constexpr double shadowOnDark = 0.62;
+constexpr double shadowOnLight = 0.46;
+/// How much brighter the ground is than the background.
+constexpr double floorOnDark = 0.10;
+constexpr double floorOnLight = 0.32;
 
 } // namespace
 
@@ -50,12 +47,13 @@ struct ViewportScene::Private
     };
 
     vtkNew<vtkRenderer> renderer;
+    FigureLights lights;
     std::unique_ptr<GroundGrid> ground;
+    std::unique_ptr<SceneShadows> shadows;
     std::map<int, Trajectory> trajectories;
     struct Layer
     {
         SceneMarks marks;
-        double pixels = 1.0;
         std::unique_ptr<MarkActors> actors;
     };
     std::map<QString, Layer> layers;
@@ -63,6 +61,7 @@ struct ViewportScene::Private
     QVector3D up() const { return camera.upAxis == UpAxis::Y ? QVector3D(0, 1, 0) : QVector3D(0, 0, 1); }
     Shading shading = Shading::Textured;
     Turntable camera;
+    double pixels = 1.0; ///< of the screen for one logical pixel
     bool ghostsVisible = true;
     bool trajectoriesVisible = true;
 };
@@ -71,11 +70,13 @@ ViewportScene::ViewportScene() : d(std::make_unique<Private>())
 {
     d->renderer->SetAutomaticLightCreation(false);
     d->renderer->GetCullers()->RemoveAllItems(); // a handful of figures: asking for their bounds costs more
-    d->renderer->AddLight(cameraLight(-0.7, 0.9, 1.0, 0.78, QColor(255, 250, 242))); // key
-    d->renderer->AddLight(cameraLight(1.2, 0.1, 0.7, 0.34, QColor(226, 236, 255)));  // fill
-    d->renderer->AddLight(cameraLight(0.4, 1.0, -1.2, 0.55, QColor(255, 255, 255))); // rim
-    d->renderer->SetAmbient(1.0, 1.0, 1.0);
+    // The figures' own shaders light them; with a light VTK hands them the normals.
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToHeadlight();
+    d->renderer->AddLight(light);
+    d->renderer->AddObserver(vtkCommand::StartEvent, this, &ViewportScene::prepare);
     d->ground = std::make_unique<GroundGrid>(d->renderer);
+    d->shadows = std::make_unique<SceneShadows>(d->renderer);
     updateColors();
     setCamera(Turntable{});
 }
@@ -94,7 +95,14 @@ void ViewportScene::setCamera(const Turntable& camera)
     constexpr double beyond = 400.0;
     lookWith(d->renderer, camera, std::max(0.002, distance * 0.02), distance * 4.0 + beyond);
     d->ground->follow(camera);
+    d->lights.follow(camera);
     sortGhosts(camera);
+}
+
+/// What is left for the moment in which a picture is drawn.
+void ViewportScene::prepare()
+{
+    d->shadows->update(m_figures, d->camera);
 }
 
 void ViewportScene::sortGhosts(const Turntable& camera)
@@ -113,12 +121,16 @@ void ViewportScene::sortGhosts(const Turntable& camera)
 void ViewportScene::updateColors()
 {
     updateBackground(d->renderer);
+    const bool isDark = Theme::color(ColorRole::ViewportBottom).lightnessF() < 0.5F;
+    d->shadows->setStrength(isDark ? shadowOnDark : shadowOnLight);
+    d->ground->setFloor(isDark ? floorOnDark : floorOnLight);
+    d->ground->follow(d->camera);
     d->ground->setColors(Theme::color(ColorRole::Grid), Theme::color(ColorRole::AxisX),
                          Theme::color(d->camera.upAxis == UpAxis::Y ? ColorRole::AxisZ : ColorRole::AxisY));
     for (auto& [id, figure] : m_figures)
         refresh(figure);
     for (auto& [name, layer] : d->layers)
-        layer.actors->show(layer.marks, d->up(), layer.pixels);
+        layer.actors->show(layer.marks, d->up(), d->pixels);
 }
 
 void ViewportScene::setShading(Shading shading)
@@ -138,10 +150,34 @@ GroundGrid& ViewportScene::ground()
     return *d->ground;
 }
 
+SceneShadows& ViewportScene::shadows()
+{
+    return *d->shadows;
+}
+
+void ViewportScene::setGroundHeight(float height)
+{
+    d->ground->setHeight(height);
+    d->shadows->setGround(height);
+    d->ground->follow(d->camera);
+}
+
+void ViewportScene::setPixelRatio(double pixels)
+{
+    if (d->pixels == pixels)
+        return;
+    d->pixels = pixels;
+    d->ground->setPixelRatio(pixels);
+    for (auto& [id, figure] : m_figures)
+        refresh(figure);
+    for (auto& [name, layer] : d->layers)
+        layer.actors->show(layer.marks, d->up(), pixels);
+}
+
 SceneFigure& ViewportScene::add(int id, FigureMesh mesh, const QString& name)
 {
     SceneFigure& figure = m_figures[id];
-    figure.actor = std::make_unique<FigureActor>(d->renderer, std::move(mesh));
+    figure.actor = std::make_unique<FigureActor>(d->renderer, d->lights, std::move(mesh));
     figure.name = name;
     figure.actor->setShading(d->shading);
     refresh(figure);
@@ -151,6 +187,7 @@ SceneFigure& ViewportScene::add(int id, FigureMesh mesh, const QString& name)
 void ViewportScene::remove(int id)
 {
     setTrajectory(id, {}, {});
+    d->shadows->remove(id);
     m_figures.erase(id);
 }
 
@@ -158,6 +195,7 @@ void ViewportScene::refresh(SceneFigure& figure)
 {
     figure.actor->setOffset(figure.shift());
     figure.actor->setVisible(figure.visible);
+    figure.actor->setLineWidth(d->pixels);
     figure.actor->setColors(figure.color.isValid() ? figure.color : Theme::color(ColorRole::Clay),
                             Theme::color(ColorRole::Wire));
     for (const auto& ghost : figure.ghosts) {
@@ -172,9 +210,16 @@ void ViewportScene::refresh(SceneFigure& figure)
 void ViewportScene::setGhosts(SceneFigure& figure, const std::vector<Ghost>& ghosts)
 {
     figure.ghosts.clear();
-    for (const Ghost& ghost : ghosts)
-        figure.ghosts.push_back(
-            std::make_unique<GhostActor>(d->renderer, figure.actor->mesh(), ghost.positions, ghost.color));
+    figure.ghostLabels.clear();
+    for (const Ghost& ghost : ghosts) {
+        figure.ghosts.push_back(std::make_unique<GhostActor>(d->renderer, d->lights, figure.actor->mesh(),
+                                                             ghost.positions, ghost.color));
+        if (ghost.label.isEmpty())
+            continue;
+        QColor mark = ghost.color;
+        mark.setAlpha(255);
+        figure.ghostLabels.push_back({figure.ghosts.back()->head(d->up()), ghost.label, mark});
+    }
     refresh(figure);
     sortGhosts(d->camera);
 }
@@ -197,6 +242,7 @@ void ViewportScene::applyTrajectory(int id)
     const QVector3D above = d->camera.upAxis == UpAxis::Y ? QVector3D(0, 0.004F, 0) : QVector3D(0, 0, 0.004F);
     line->second.actor->SetPosition(vtkbuffers::xyz(figure.shift() + above).data());
     line->second.actor->SetVisibility(figure.visible && d->trajectoriesVisible ? 1 : 0);
+    line->second.actor->GetProperty()->SetLineWidth(static_cast<float>(trajectoryWidth * d->pixels));
 }
 
 void ViewportScene::setTrajectory(int id, const std::vector<QVector3D>& points, const QColor& color)
@@ -222,7 +268,6 @@ void ViewportScene::setTrajectory(int id, const std::vector<QVector3D>& points, 
     const auto rgb = vtkbuffers::rgb(color.isValid() ? color : Theme::color(ColorRole::Accent));
     actor->GetProperty()->SetColor(rgb[0], rgb[1], rgb[2]);
     actor->GetProperty()->LightingOff();
-    actor->GetProperty()->SetLineWidth(2.5F);
     actor->PickableOff();
     d->renderer->AddActor(actor);
     applyTrajectory(id);
@@ -235,7 +280,7 @@ void ViewportScene::setTrajectoriesVisible(bool visible)
         applyTrajectory(id);
 }
 
-void ViewportScene::setMarks(const QString& layer, const SceneMarks& marks, double pixels)
+void ViewportScene::setMarks(const QString& layer, const SceneMarks& marks)
 {
     if (marks.isEmpty()) {
         d->layers.erase(layer);
@@ -245,8 +290,7 @@ void ViewportScene::setMarks(const QString& layer, const SceneMarks& marks, doub
     if (!own.actors)
         own.actors = std::make_unique<MarkActors>(d->renderer);
     own.marks = marks;
-    own.pixels = pixels;
-    own.actors->show(marks, d->up(), pixels);
+    own.actors->show(marks, d->up(), d->pixels);
 }
 
 std::optional<std::pair<QVector3D, QVector3D>> ViewportScene::markBounds() const
@@ -275,8 +319,10 @@ std::vector<SceneLabel> ViewportScene::labels() const
     return all;
 }
 
-QImage ViewportScene::draw(vtkRenderWindow* window, const QSize& size, bool background)
+QImage ViewportScene::draw(vtkRenderWindow* window, const QSize& size, double ratio, bool background)
 {
+    const double pixelsBefore = d->pixels;
+    setPixelRatio(ratio);
     const int* current = window->GetSize();
     const QSize before(current[0], current[1]);
     const bool gradient = d->renderer->GetGradientBackground();
@@ -297,6 +343,7 @@ QImage ViewportScene::draw(vtkRenderWindow* window, const QSize& size, bool back
     d->renderer->SetGradientBackground(gradient);
     d->renderer->SetBackground(color);
     window->SetSize(before.width(), before.height());
+    setPixelRatio(pixelsBefore);
     return background ? picture.convertToFormat(QImage::Format_RGB32)
                       : picture.convertToFormat(QImage::Format_ARGB32);
 }

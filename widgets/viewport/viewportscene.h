@@ -5,6 +5,7 @@
 #include "widgets/viewport/figureactor.h"
 #include "widgets/viewport/ghostactor.h"
 #include "widgets/viewport/scenemarks.h"
+#include "widgets/viewport/sceneshadows.h"
 #include "widgets/viewport/turntable.h"
 
 #include <QImage>
@@ -27,14 +28,15 @@ struct SceneFigure
 {
     std::unique_ptr<FigureActor> actor;
     std::vector<std::unique_ptr<GhostActor>> ghosts;
+    std::vector<SceneLabel> ghostLabels; ///< in the figure's coordinates
     QString name;
     QVector3D offset;       ///< asked for
     QVector3D layoutOffset; ///< from standing side by side
     QColor color;           ///< of clay; invalid: the theme's
     bool visible = true;
-    QVector3D firstSize;                                   ///< of the first pose, for the layout
-    QVector3D firstMiddle;                                 ///< of the first pose
-    std::optional<std::pair<QVector3D, QVector3D>> extent; ///< lower and upper corner over all frames
+    double opacity = 1.0;
+    std::optional<std::pair<QVector3D, QVector3D>> firstPose; ///< lower and upper corner of the first pose
+    std::optional<std::pair<QVector3D, QVector3D>> extent;    ///< the same over all frames
     ScalarRange scalarRange;
     std::optional<ColorKey> colorKey; ///< of triangle colours that take the place of scalars
 
@@ -57,6 +59,11 @@ public:
     void setShading(Shading shading);
     Shading shading() const;
     GroundGrid& ground();
+    SceneShadows& shadows();
+    /// Height of the ground along the up axis, metres.
+    void setGroundHeight(float height);
+    /// \param pixels  of the screen for one logical pixel: lines are as wide everywhere.
+    void setPixelRatio(double pixels);
 
     std::map<int, SceneFigure>& figures() { return m_figures; }
     const std::map<int, SceneFigure>& figures() const { return m_figures; }
@@ -69,20 +76,21 @@ public:
     /// \param points  in the figure's coordinates; empty takes the line away.
     void setTrajectory(int id, const std::vector<QVector3D>& points, const QColor& color);
     void setTrajectoriesVisible(bool visible);
-    /// \param pixels  of the screen for one logical pixel.
-    void setMarks(const QString& layer, const SceneMarks& marks, double pixels);
+    void setMarks(const QString& layer, const SceneMarks& marks);
     /// The box that all curves lie in; none without any.
     std::optional<std::pair<QVector3D, QVector3D>> markBounds() const;
     /// Those of all layers.
     std::vector<SceneLabel> labels() const;
 
     /// Draws once at a size and reads it back. \pre the window's context is current.
-    QImage draw(vtkRenderWindow* window, const QSize& size, bool background);
+    /// \param ratio  pixels of the picture for one logical pixel.
+    QImage draw(vtkRenderWindow* window, const QSize& size, double ratio, bool background);
 
 private:
     struct Private;
     std::unique_ptr<Private> d;
     std::map<int, SceneFigure> m_figures;
+    void prepare();
     void sortGhosts(const Turntable& camera);
     void applyTrajectory(int id);
 };

@@ -3,11 +3,10 @@
 #include "widgets/viewport/vtkview.h"
 
 #include "widgets/viewport/vtkevents.h"
+#include "widgets/viewport/vtkformat.h"
 
 #include <QElapsedTimer>
-#include <QGuiApplication>
 #include <QHash>
-#include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
 #include <QPointer>
@@ -15,12 +14,14 @@
 #include <QScreen>
 #include <QTimer>
 #include <chrono>
+#include <utility>
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkGenericRenderWindowInteractor.h>
 #include <vtkNew.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
+#include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 #include <vtkSmartPointer.h>
 
@@ -28,26 +29,8 @@ namespace quadrille::widgets {
 
 namespace {
 
-/// Of the window's own framebuffer, per pixel.
-constexpr int samples = 4;
-/// A processor draws pictures that follow each other faster than this without smoothing their edges.
+/// A processor draws pictures that follow each other faster than this as well as there is time for.
 constexpr std::chrono::milliseconds restTime{200};
-
-QSurfaceFormat viewFormat()
-{
-    QSurfaceFormat format;
-    format.setRenderableType(QSurfaceFormat::OpenGL);
-    format.setVersion(3, 2);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setSwapBehavior(QSurfaceFormat::DoubleBuffer);
-    format.setRedBufferSize(8);
-    format.setGreenBufferSize(8);
-    format.setBlueBufferSize(8);
-    format.setAlphaBufferSize(8);
-    format.setDepthBufferSize(24);
-    format.setSamples(0); // VTK multisamples in its own framebuffer
-    return format;
-}
 
 Qt::CursorShape cursorShape(int vtkCursor)
 {
@@ -94,6 +77,7 @@ struct VtkView::Private
     void onWindowEvent(vtkObject* caller, unsigned long id, void* data);
     void onInteractorEvent(vtkObject* caller, unsigned long id, void* data);
     void createTimer(int id);
+    bool isMoving() const { return software && (moving || rest.isActive()); }
 
     VtkView* view;
     vtkNew<vtkGenericOpenGLRenderWindow> window;
@@ -103,32 +87,15 @@ struct VtkView::Private
     QSurface* surface = nullptr;
     QHash<int, QTimer*> timers;
     QTimer rest; ///< runs while pictures follow each other
+    RenderGovernor governor;
+    RenderQuality drawn; ///< how the last picture was drawn
+    std::optional<RenderQuality> held;
     bool glReady = false;
     bool painting = false;
     bool renderNeeded = true;
+    bool moving = false;   ///< something plays
     bool software = false; ///< a processor draws in place of a graphics card
 };
-
-void VtkView::setDefaultFormat()
-{
-    QSurfaceFormat::setDefaultFormat(viewFormat());
-}
-
-bool VtkView::openGlAvailable()
-{
-    if (QGuiApplication::platformName() == QLatin1String("offscreen") ||
-        QGuiApplication::platformName() == QLatin1String("minimal"))
-        return false;
-    QOpenGLContext context;
-    context.setFormat(viewFormat());
-    if (!context.create())
-        return false;
-    QOffscreenSurface surface;
-    surface.setFormat(context.format());
-    surface.create();
-    return surface.isValid() && context.makeCurrent(&surface) &&
-           context.format().version() >= qMakePair(3, 2);
-}
 
 VtkView::VtkView(QWidget* parent) : QOpenGLWidget(parent), d(std::make_unique<Private>(this))
 {
@@ -140,11 +107,13 @@ VtkView::VtkView(QWidget* parent) : QOpenGLWidget(parent), d(std::make_unique<Pr
 
     d->window->SetOwnContext(0);
     d->window->SetReadyForRendering(false);
-    d->window->SetMultiSamples(samples);
+    d->window->SetMultiSamples(d->drawn.samples);
     d->rest.setSingleShot(true);
     d->rest.setInterval(restTime);
     connect(&d->rest, &QTimer::timeout, this, [this] {
-        d->window->SetMultiSamples(samples);
+        if (d->isMoving())
+            return;
+        d->governor.rested();
         d->renderNeeded = true;
         update();
     });
@@ -187,12 +156,43 @@ vtkRenderWindowInteractor* VtkView::interactor() const
 
 void VtkView::scheduleRender()
 {
-    if (d->software) {
-        d->window->SetMultiSamples(0);
+    if (d->software)
         d->rest.start();
-    }
     d->renderNeeded = true;
     update();
+}
+
+RenderQuality VtkView::quality() const
+{
+    if (d->held)
+        return *d->held;
+    return d->isMoving() ? d->governor.quality() : RenderQuality();
+}
+
+void VtkView::setMoving(bool moving)
+{
+    d->moving = moving;
+    if (d->software)
+        d->rest.start();
+}
+
+void VtkView::holdQuality(std::optional<RenderQuality> quality)
+{
+    d->held = quality;
+    scheduleRender();
+}
+
+void VtkView::applyQuality(const RenderQuality& quality)
+{
+    if (quality == d->drawn)
+        return;
+    d->drawn = quality;
+    d->window->SetMultiSamples(quality.samples);
+    auto* renderers = d->window->GetRenderers();
+    renderers->InitTraversal();
+    while (vtkRenderer* renderer = renderers->GetNextItem())
+        renderer->SetUseFXAA(quality.smoothsEdges);
+    emit qualityChanged(quality);
 }
 
 bool VtkView::renderApart(const std::function<void(vtkRenderWindow*)>& draw)
@@ -206,7 +206,7 @@ bool VtkView::renderApart(const std::function<void(vtkRenderWindow*)>& draw)
         state->Reset();
         state->Push();
         state->vtkglDepthFunc(GL_LEQUAL);
-        d->window->SetMultiSamples(samples);
+        applyQuality(RenderQuality());
         draw(d->window);
         state->Pop();
     }
@@ -279,12 +279,12 @@ void VtkView::paintGL()
     state->Reset();
     state->Push();
     state->vtkglDepthFunc(GL_LEQUAL);
-    if (d->renderNeeded) {
-        d->renderNeeded = false;
-        QElapsedTimer timer;
-        timer.start();
+    QElapsedTimer timer;
+    timer.start();
+    const bool isNew = std::exchange(d->renderNeeded, false);
+    if (isNew) {
+        applyQuality(quality());
         d->window->Render();
-        emit rendered(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
     }
     makeCurrent(); // an observer of VTK's may have changed it
     auto* gl = context()->extraFunctions();
@@ -305,6 +305,15 @@ void VtkView::paintGL()
     gl->glClear(GL_COLOR_BUFFER_BIT);
     gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->Pop();
+    if (!isNew)
+        return;
+    // A processor draws when the picture is waited for: only then is it known what it took.
+    if (d->software)
+        gl->glFinish();
+    const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+    if (d->isMoving())
+        d->governor.drawn(milliseconds);
+    emit rendered(milliseconds);
 }
 
 bool VtkView::event(QEvent* event)

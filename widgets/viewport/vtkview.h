@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "widgets/viewport/rendergovernor.h"
+
 #include <QOpenGLWidget>
 #include <functional>
 #include <memory>
+#include <optional>
 
 class vtkRenderWindow;
 class vtkRenderWindowInteractor;
@@ -29,16 +32,24 @@ public:
     vtkRenderWindow* renderWindow() const;
     vtkRenderWindowInteractor* interactor() const;
     /// Asks for a redraw; any number of calls before the next paint cost one frame. Where there is no
-    /// graphics card, edges are smoothed only once no further redraw was asked for during a fifth of a
-    /// second.
+    /// graphics card, pictures that follow each other are drawn as well as there is time for; once no
+    /// further redraw was asked for during a fifth of a second, as well as can be.
     void scheduleRender();
+    /// While something plays, pictures follow each other however far they are apart.
+    void setMoving(bool moving);
+    /// How well pictures that follow each other are drawn now.
+    RenderQuality quality() const;
+    /// Draws all pictures so, whatever they take; for measuring. None: the governor chooses again.
+    void holdQuality(std::optional<RenderQuality> quality);
     /// Runs VTK drawing that is not the widget's own picture (a snapshot) with the context current, and
     /// draws the widget anew afterwards. Does nothing and returns false before the widget was first shown.
     bool renderApart(const std::function<void(vtkRenderWindow*)>& draw);
 
 signals:
-    /// A picture was drawn. \param milliseconds  what VTK's drawing took.
+    /// A picture was drawn. \param milliseconds  what drawing took.
     void rendered(double milliseconds);
+    /// The next picture is drawn so; told before it is.
+    void qualityChanged(const quadrille::widgets::RenderQuality& quality);
 
 protected:
     void initializeGL() override;
@@ -49,6 +60,7 @@ private:
     struct Private;
     std::unique_ptr<Private> d;
     void syncSize();
+    void applyQuality(const RenderQuality& quality);
     void releaseGl();
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/actionform.h"
 
+#include "editor/documents/labelcolors.h"
 #include "editor/documents/sequencemedia.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/animationtracks.h"
@@ -18,7 +19,6 @@
 #include <QSpinBox>
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace quadrille {
 
@@ -200,19 +200,13 @@ void ActionForm::showRange()
     m_last->setValue(last);
     m_strip->setFrameCount(frames);
     m_strip->setRange(first, last);
-    std::set<std::string> labels;
-    for (const SequenceEntry& each : m_document.project().sequences)
-        for (const LabelSpan& span : each.labels)
-            labels.insert(span.label);
     std::vector<widgets::TimelineSpan> spans;
     if (const SequenceEntry* entry = m_document.sequence(name))
-        for (const LabelSpan& span : entry->labels) {
-            const auto order = std::distance(labels.begin(), labels.find(span.label));
+        for (const LabelSpan& span : entry->labels)
             spans.push_back({.first = static_cast<int>(span.frames.first.value),
                              .last = static_cast<int>(span.frames.last.value),
                              .text = QString::fromStdString(span.label),
-                             .color = widgets::Theme::categorical(static_cast<int>(order))});
-        }
+                             .color = LabelColors::of(m_document).color(span.label)});
     m_strip->setSpans(std::move(spans));
 }
 

@@ -11,8 +11,10 @@
 #include "editor/workspaces/animate/animationsound.h"
 #include "editor/workspaces/animate/animationtimeline.h"
 #include "editor/workspaces/animate/currentanimation.h"
+#include "editor/workspaces/animate/framekinds.h"
 #include "editor/workspaces/animate/junctionpanel.h"
 #include "editor/workspaces/animate/keysandstoryboard.h"
+#include "editor/workspaces/animate/pathentries.h"
 #include "editor/workspaces/animate/pathpanel.h"
 #include "editor/workspaces/animate/pathresult.h"
 #include "editor/workspaces/animate/pathtool.h"
@@ -21,9 +23,10 @@
 #include "editor/workspaces/animate/transitionpreview.h"
 #include "editor/workspaces/sequences/posecomparison.h"
 #include "widgets/controls/messagestrip.h"
-#include "widgets/theme/theme.h"
+#include "widgets/timeline/cliplegend.h"
 
 #include <QVBoxLayout>
+#include <utility>
 
 namespace quadrille {
 
@@ -42,12 +45,12 @@ SequenceStage::Source sourceOf(const EditorContext& context, JunctionPanel* cons
                 [&context](const QString& name, std::int64_t frame) {
                     const auto result = context.animations.result(name);
                     const auto index = static_cast<std::size_t>(frame);
-                    const bool isCaptured =
-                        !result || index >= result->origins.size() || result->origins[index].isCaptured();
-                    return widgets::Theme::color(isCaptured ? widgets::ColorRole::Original
-                                                            : widgets::ColorRole::Synthetic);
+                    const bool isKnown = result && index < result->origins.size();
+                    return widgets::frameKindColor(isKnown ? frameKindOf(result->origins[index])
+                                                           : widgets::FrameKind::Captured);
                 },
-            .drawsWay = false};
+            .drawsWay = false,
+            .section = Section::Animations};
 }
 
 } // namespace
@@ -68,6 +71,9 @@ AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
     column->setSpacing(0);
     column->addWidget(new AnimationBar(*m_animation));
     column->addWidget(m_view, 1);
+    using widgets::FrameKind;
+    m_view->addBelowTimeline(
+        new widgets::ClipLegend({FrameKind::Captured, FrameKind::Varied, FrameKind::Transition}));
     connect(m_animation, &CurrentAnimation::changed, this, &AnimateWorkspace::followAnimations);
     connect(&context.animations, &AnimationMedia::changed, this, &AnimateWorkspace::followResult);
     connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this,
@@ -123,6 +129,9 @@ void AnimateWorkspace::setActive(bool active)
 {
     m_isActive = active;
     followAnimations();
+    // After the window has arranged the docks.
+    if (active)
+        QMetaObject::invokeMethod(m_keysAndStoryboard, &KeysAndStoryboard::fitDocks, Qt::QueuedConnection);
 }
 
 /// Animations are sought only while somebody looks.
@@ -136,6 +145,20 @@ void AnimateWorkspace::followAnimations()
     m_view->show(isPreviewing ? QStringList{TransitionPreview::name()} : names);
     m_view->setCurrent(m_animation->name());
     showState();
+    frameOther();
+}
+
+/// An animation that has a path opens with it in view; later the view is the user's.
+void AnimateWorkspace::frameOther()
+{
+    const QString before = std::exchange(m_framed, m_animation->name());
+    const AnimationEntry* entry = m_animation->entry();
+    // Who begins a path in a new animation draws where he looks.
+    if (before == m_framed || entry == nullptr || findPath(*entry) == nullptr)
+        return;
+    // After the tools have put their marks into the view.
+    QMetaObject::invokeMethod(
+        this, [this] { viewport().frameAll(); }, Qt::QueuedConnection);
 }
 
 /// While another transition is looked for, what it would be like plays in the view.
@@ -185,7 +208,7 @@ void AnimateWorkspace::showState()
     if (medium != nullptr && medium->error) {
         const ErrorText text = describe(*medium->error);
         message.show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
-        message.setAction(tr("Try Again"));
+        message.setAction(tr("Try again"));
     } else if (m_junctions->preview().clip() != nullptr) {
         message.show(widgets::MessageStrip::Kind::Info, tr("This is what another transition would be like."),
                      tr("Return takes it; Shift+E goes back to the clip."));

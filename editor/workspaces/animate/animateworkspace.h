@@ -35,6 +35,7 @@ public:
 private:
     void connectJunctions();
     void followAnimations();
+    void frameOther();
     void followPreview();
     void followResult(const QString& name);
     void showState();
@@ -50,6 +51,7 @@ private:
     AnimationCamera* m_camera;
     std::vector<Panel> m_panels;
     bool m_isActive = false;
+    QString m_framed; ///< the animation that the view was framed on last
 };
 
 } // namespace quadrille

@@ -3,7 +3,6 @@
 #include "editor/workspaces/animate/animationcamera.h"
 
 #include "editor/application/editorcontext.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/view/stageview.h"
@@ -62,7 +61,6 @@ AnimationCamera::AnimationCamera(CurrentAnimation& animation, QObject* parent)
 {
     using widgets::MomentLane;
     m_lane->setObjectName(QStringLiteral("cameraLane"));
-    setHelpPage(m_lane, QStringLiteral("animate-audio-camera"));
     animation.view().addBelowTimeline(m_lane);
     makeActions();
     connect(m_lane, &MomentLane::momentSelected, this, &AnimationCamera::updateActions);

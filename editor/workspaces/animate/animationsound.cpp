@@ -5,7 +5,6 @@
 #include "editor/application/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/playback/deviceoutput.h"
 #include "editor/workspaces/animate/currentanimation.h"
@@ -42,7 +41,6 @@ AnimationSound::AnimationSound(CurrentAnimation& animation, QObject* parent)
     , m_player(new SoundPlayer(animation.view().player(), makeDeviceOutput(), this))
 {
     m_lane->setObjectName(QStringLiteral("soundLane"));
-    setHelpPage(m_lane, QStringLiteral("animate-audio-camera"));
     animation.view().addBelowTimeline(m_lane);
     makeActions();
     connect(m_lane, &widgets::SoundLane::offsetEdited, this, &AnimationSound::setOffset);

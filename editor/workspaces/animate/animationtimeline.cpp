@@ -7,7 +7,9 @@
 #include "editor/workspaces/animate/animationtracks.h"
 #include "editor/workspaces/animate/constraintedits.h"
 #include "editor/workspaces/animate/currentanimation.h"
+#include "editor/workspaces/view/framenotes.h"
 #include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/timelineactions.h"
 #include "widgets/theme/theme.h"
 
 #include <QMenu>
@@ -24,8 +26,16 @@ using widgets::Timeline;
 
 namespace {
 
-constexpr double emptySeconds = 10; ///< shown while there is no clip
-constexpr double roomSeconds = 1;   ///< behind the last key
+constexpr double leastSeconds = 10; ///< shown at least
+constexpr double roomSeconds = 1;   ///< between the last key and one that is added behind it
+
+/// How long the ruler is: keys are placed behind what is there, too.
+double withRoom(double seconds)
+{
+    constexpr double leastRoom = 2;
+    constexpr double share = 0.15;
+    return std::max(leastSeconds, seconds + std::max(leastRoom, share * seconds));
+}
 
 int frameOf(double seconds, double fps)
 {
@@ -37,7 +47,10 @@ int frameOf(double seconds, double fps)
 AnimationTimeline::AnimationTimeline(CurrentAnimation& animation, FramePictures& pictures, QObject* parent)
     : QObject(parent), m_animation(animation), m_pictures(pictures), m_timeline(animation.view().timeline())
 {
-    m_timeline.setUnit(Timeline::Unit::Seconds);
+    animation.view().setUsualUnit(Timeline::Unit::Seconds);
+    // All of the clip is there; what plays of it is the loop.
+    m_timeline.setRangeEditable(false);
+    m_timeline.setGrowing(true);
     connect(&animation, &CurrentAnimation::changed, this, &AnimationTimeline::refresh);
     connect(&animation, &CurrentAnimation::resultChanged, this, &AnimationTimeline::followResult);
     connect(&animation.view(), &StageView::stageChanged, this, &AnimationTimeline::followResult);
@@ -46,12 +59,6 @@ AnimationTimeline::AnimationTimeline(CurrentAnimation& animation, FramePictures&
     connect(&animation.context().languages, &LanguageManager::changed, this,
             &AnimationTimeline::refreshTracks);
     connect(&m_timeline, &Timeline::frameScrubbed, this, &AnimationTimeline::keepPlayhead);
-    connect(&m_timeline, &Timeline::rangeEdited, this, [this](int first, int last) {
-        const bool isAll = first <= 0 && last >= shownFrames() - 1;
-        m_range = isAll ? std::nullopt : std::optional(std::pair(first, last));
-        refresh();
-        m_animation.view().updateRange();
-    });
     connect(&m_timeline, &Timeline::keyMoved, this, [this](const SpanRef& key, int frame, bool committed) {
         moveKey(key.span, frame, committed ? EditPhase::Final : EditPhase::Dragging);
     });
@@ -59,8 +66,10 @@ AnimationTimeline::AnimationTimeline(CurrentAnimation& animation, FramePictures&
             [this](const QString&, int frame, const widgets::DraggedFrames& frames) {
                 addKey({frames.sequence.toStdString(), FrameIndex(frames.frame)}, frame / fps());
             });
-    connect(&m_timeline, &Timeline::spanCreated, this,
-            [this](const QString&, int frame, int) { createKeyHere(frame); });
+    connect(&m_timeline, &Timeline::spanCreated, this, [this](const QString& track, int frame, int) {
+        if (track == keyTrackId)
+            createKeyHere(frame);
+    });
     connect(&m_timeline, &Timeline::spanDeletionAsked, this, [this](const SpanRef& span) {
         if (const auto key = keyOf(span))
             removeKey(*key);
@@ -75,9 +84,8 @@ AnimationTimeline::AnimationTimeline(CurrentAnimation& animation, FramePictures&
     connect(&m_timeline, &Timeline::spanHovered, this,
             [this](const std::optional<SpanRef>& span) { emit junctionHovered(junctionOf(span)); });
     connect(&m_timeline, &Timeline::contextMenuAsked, this,
-            [this](const QString&, const std::optional<SpanRef>& span, int frame, const QPoint& position) {
-                showMenu(span, frame, position);
-            });
+            [this](const QString& track, const std::optional<SpanRef>& span, int frame,
+                   const QPoint& position) { showMenu(track, span, frame, position); });
     refresh();
 }
 
@@ -110,27 +118,27 @@ void AnimationTimeline::refresh()
         m_shown = m_animation.name();
         m_keyIds.clear();
         m_dragBase.reset();
-        m_range.reset();
     }
-    double last = shownFrames() == 0 ? emptySeconds : 0;
+    double last = shownFrames() / fps();
     const std::vector<KeyEntry> keys = entry == nullptr ? std::vector<KeyEntry>() : keysOf(*entry);
     for (const KeyEntry& key : keys)
-        last = std::max(last, key.time + roomSeconds);
-    const int frames = entry == nullptr ? 0 : std::max(shownFrames(), frameOf(last, fps()));
+        last = std::max(last, key.time);
     // A length that changes under a drag would move the frames away from the pointer.
-    if (!m_dragBase || frames > m_timeline.frameCount())
-        m_timeline.setFrameCount(frames);
-    const bool fits = m_range && m_range->second < shownFrames();
-    m_timeline.setRange(fits                ? m_range
-                        : shownFrames() > 0 ? std::optional(std::pair(0, shownFrames() - 1))
-                                            : std::nullopt);
+    if (!m_dragBase)
+        m_timeline.setFrameCount(entry == nullptr ? 0 : frameOf(withRoom(last), fps()));
+    else if (frameOf(last, fps()) >= m_timeline.frameCount())
+        m_timeline.setFrameCount(frameOf(last, fps()) + 1);
+    m_timeline.setRange(shownFrames() > 0 ? std::optional(std::pair(0, shownFrames() - 1)) : std::nullopt);
     if (m_keyIds.size() != keys.size()) {
         m_keyIds.resize(keys.size());
         std::iota(m_keyIds.begin(), m_keyIds.end(), 0);
     }
     refreshTracks();
-    if (isOther)
-        m_timeline.zoomToFit();
+    if (!isOther)
+        return;
+    // The playhead may have stood behind the end of the animation before.
+    m_animation.view().setPlayhead(static_cast<int>(m_animation.view().player().frame().value));
+    m_timeline.zoomToFit();
 }
 
 void AnimationTimeline::refreshTracks()
@@ -148,16 +156,24 @@ void AnimationTimeline::refreshTracks()
     for (widgets::TimelineTrack& track : std::vector{tracks.actions(), tracks.demands()})
         if (!track.spans.empty())
             all.push_back(std::move(track));
+    if (m_notes != nullptr)
+        all.push_back(m_notes->track());
     if (all != m_timeline.tracks())
         m_timeline.setTracks(std::move(all));
     m_timeline.setDropTrack(keyTrackId);
+}
+
+void AnimationTimeline::setNotes(FrameNotes& notes)
+{
+    m_notes = &notes;
+    refreshTracks();
 }
 
 void AnimationTimeline::keepPlayhead(int frame)
 {
     // The player stops at the clip's end; keys may be placed behind it.
     if (frame >= shownFrames())
-        m_timeline.setCurrentFrame(frame);
+        m_animation.view().setPlayhead(frame);
 }
 
 void AnimationTimeline::addKey(const NamedFrame& pose)
@@ -258,7 +274,7 @@ void AnimationTimeline::goToPlanned(const FrameRange& frames)
 void AnimationTimeline::goTo(int frame)
 {
     m_animation.view().player().goTo(frame);
-    m_timeline.setCurrentFrame(frame);
+    m_animation.view().setPlayhead(frame);
 }
 
 void AnimationTimeline::selectKey(int key)
@@ -308,11 +324,12 @@ void AnimationTimeline::take(const std::optional<SpanRef>& selected)
 /// Insert and double clicks: the pose that is shown now.
 void AnimationTimeline::createKeyHere(int frame)
 {
-    m_timeline.setCurrentFrame(frame);
+    m_animation.view().setPlayhead(frame);
     m_animation.context().actions.action(QStringLiteral("animate.addKey"))->trigger();
 }
 
-void AnimationTimeline::showMenu(const std::optional<SpanRef>& span, int frame, const QPoint& position)
+void AnimationTimeline::showMenu(const QString& track, const std::optional<SpanRef>& span, int frame,
+                                 const QPoint& position)
 {
     if (m_animation.entry() == nullptr)
         return;
@@ -321,14 +338,18 @@ void AnimationTimeline::showMenu(const std::optional<SpanRef>& span, int frame, 
     const auto key = span ? keyOf(*span) : std::nullopt;
     const int junction = junctionOf(span);
     if (key) {
-        menu.addAction(tr("Go to Key"), this, [&] { goToKey(*key); });
-        menu.addAction(tr("Edit Key"), this, [&] { emit keyActivated(*key); });
-        menu.addAction(tr("Remove Key"), this, [&] { removeKey(*key); });
+        menu.addAction(tr("Go to key"), this, [&] { goToKey(*key); });
+        menu.addAction(tr("Edit key"), this, [&] { emit keyActivated(*key); });
+        menu.addAction(tr("Remove key"), this, [&] { removeKey(*key); });
     } else if (junction >= 0) {
-        menu.addAction(tr("Inspect Transition"), this, [&] { emit junctionActivated(junction); });
+        menu.addAction(tr("Inspect transition"), this, [&] { emit junctionActivated(junction); });
+    } else if (span && span->track == FrameNotes::trackId) {
+        menu.addAction(tr("Edit note"), this, [&] { m_notes->edit(span->span); });
+        menu.addAction(tr("Remove note"), this, [&] { m_notes->remove(span->span); });
     } else {
-        menu.addAction(tr("Add the Shown Pose as Key Here"), this, [&] { createKeyHere(frame); });
+        menu.addAction(tr("Add the shown pose as key here"), this, [&] { createKeyHere(frame); });
     }
+    addTimelineMenu(menu, m_animation.view(), m_animation.context(), track, frame);
     menu.exec(position);
 }
 

@@ -11,6 +11,7 @@
 namespace quadrille {
 
 class CurrentAnimation;
+class FrameNotes;
 class FramePictures;
 
 /// Lets the timeline show and edit the animation that is worked on: its keys, where its clip was captured and
@@ -22,6 +23,8 @@ class AnimationTimeline : public QObject
 public:
     AnimationTimeline(CurrentAnimation& animation, FramePictures& pictures, QObject* parent = nullptr);
 
+    /// Whose row stands below the others.
+    void setNotes(FrameNotes& notes);
     /// Puts a pose where the playhead is, or behind all keys where one stands there already.
     void addKey(const NamedFrame& pose);
     /// Puts a pose at a time, or at the next frame that is free. \param time seconds.
@@ -59,7 +62,8 @@ private:
     int junctionOf(const std::optional<widgets::SpanRef>& span) const;
     std::optional<int> keyOf(const widgets::SpanRef& span) const;
     void createKeyHere(int frame);
-    void showMenu(const std::optional<widgets::SpanRef>& span, int frame, const QPoint& position);
+    void showMenu(const QString& track, const std::optional<widgets::SpanRef>& span, int frame,
+                  const QPoint& position);
     void keepPlayhead(int frame);
     void goTo(int frame);
 
@@ -70,10 +74,10 @@ private:
     std::vector<std::int64_t> m_planned;
     std::vector<ClipPart> m_parts;
     QString m_shown;
-    std::optional<std::pair<int, int>> m_range; ///< that plays, of the animation shown
     std::vector<int> m_keyIds; ///< what the timeline calls each key, so that one that is moved stays the same
     std::optional<AnimationEntry> m_dragBase;
     int m_dragged = -1; ///< key of the base
+    FrameNotes* m_notes = nullptr;
     bool m_isTaking = false;
 };
 

@@ -4,7 +4,9 @@
 
 #include "editor/pictures/framepictures.h"
 #include "editor/workspaces/animate/constraintedits.h"
+#include "widgets/controls/elidedpair.h"
 #include "widgets/theme/theme.h"
+#include "widgets/timeline/framekind.h"
 
 #include <QLocale>
 
@@ -79,8 +81,8 @@ QString AnimationTracks::partText(const ClipPart& part) const
     };
     if (part.isJunction) {
         const ClipPlan::Junction& junction = result->plan.junctions[static_cast<std::size_t>(part.index)];
-        return tr("%1 → %2, cost %3")
-            .arg(poseOf(junction.frames.source), poseOf(junction.frames.destination),
+        return tr("%1, cost %2", "a transition")
+            .arg(widgets::pairText(poseOf(junction.frames.source), poseOf(junction.frames.destination)),
                  QLocale().toString(static_cast<double>(junction.cost), 'g', 3));
     }
     const auto originOf = [&](FrameIndex frame) {
@@ -102,13 +104,16 @@ TimelineTrack AnimationTracks::clip() const
     track.kind = TimelineTrack::Kind::Clips;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const ClipPart& part = parts[i];
-        const bool isMade = part.isJunction || !variationText(part).isEmpty();
+        const widgets::FrameKind kind = part.isJunction                 ? widgets::FrameKind::Transition
+                                        : variationText(part).isEmpty() ? widgets::FrameKind::Captured
+                                                                        : widgets::FrameKind::Varied;
         track.spans.push_back({.id = static_cast<int>(i),
                                .first = static_cast<int>(part.frames.first.value),
                                .last = static_cast<int>(part.frames.last.value),
                                .text = partText(part),
-                               .color = Theme::color(isMade ? ColorRole::Synthetic : ColorRole::Original),
-                               .hatched = isMade});
+                               .color = widgets::frameKindColor(kind),
+                               .hatched = kind == widgets::FrameKind::Transition,
+                               .dotted = kind == widgets::FrameKind::Varied});
     }
     // Short transitions lie above the captured frames beside them.
     std::stable_partition(track.spans.begin(), track.spans.end(),

@@ -57,7 +57,10 @@ std::shared_ptr<const OpenedCharacter> CurrentAnimation::character() const
 void CurrentAnimation::edit(const QString& text, const QString& property, const Edit& edit, EditPhase phase)
 {
     const QString edited = entry() == nullptr ? add() : name();
-    AnimationEntry after = *m_context.document.animation(edited);
+    const AnimationEntry* before = m_context.document.animation(edited);
+    if (before == nullptr)
+        return;
+    AnimationEntry after = *before;
     edit(after);
     setAnimation(m_context.document, edited, text, property, std::move(after), phase);
 }

@@ -3,12 +3,12 @@
 #include "editor/workspaces/animate/junctionpanel.h"
 
 #include "editor/application/editorcontext.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/junctioninspector.h"
 #include "editor/workspaces/animate/transitionpreview.h"
 #include "editor/workspaces/view/stageview.h"
+#include "widgets/controls/elidedpair.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/icons.h"
 #include "widgets/timeline/timelinescale.h"
@@ -38,7 +38,7 @@ QString nameOf(const JunctionEntry& junction)
     const auto text = [](const NamedFrame& frame) {
         return QStringLiteral("%1 %2").arg(QString::fromStdString(frame.sequence)).arg(frame.frame.value);
     };
-    return QStringLiteral("%1 → %2").arg(text(junction.from), text(junction.to));
+    return widgets::pairText(text(junction.from), text(junction.to));
 }
 
 void setCost(QTreeWidgetItem& item, int column, const PricedJunction& junction)
@@ -67,7 +67,6 @@ JunctionPanel::JunctionPanel(CurrentAnimation& animation, QWidget* parent)
     , m_buttons(new QWidget)
 {
     setObjectName(QStringLiteral("junctionPanel"));
-    setHelpPage(this, QStringLiteral("animate-finish"));
     m_delay.setSingleShot(true);
     m_delay.setInterval(hoverMilliseconds);
     makeActions();
@@ -96,6 +95,7 @@ void JunctionPanel::makeLists()
         list->setUniformRowHeights(true);
         list->setAllColumnsShowFocus(true);
         list->setFrameShape(QFrame::NoFrame);
+        list->setItemDelegateForColumn(wide, new widgets::PairDelegate(list));
         list->setMinimumHeight(96);
         list->header()->setStretchLastSection(false);
         for (int column = 0; column < columns; ++column)
@@ -310,7 +310,7 @@ void JunctionPanel::showState()
     if (entry != nullptr && entry->walk) {
         m_message->show(widgets::MessageStrip::Kind::Info,
                         tr("This walk was accepted: it stays as it is, and nothing is sought."));
-        m_message->setAction(tr("Seek Again"));
+        m_message->setAction(tr("Seek again"));
     } else {
         m_message->clear();
     }

@@ -3,7 +3,6 @@
 #include "editor/workspaces/animate/keysandstoryboard.h"
 
 #include "editor/application/editorcontext.h"
-#include "editor/help/helpviewer.h"
 #include "editor/pictures/framepictures.h"
 #include "editor/workspaces/animate/animationtimeline.h"
 #include "editor/workspaces/animate/animationtracks.h"
@@ -11,7 +10,10 @@
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/keyspanel.h"
 #include "editor/workspaces/animate/storyboardpanel.h"
+#include "editor/workspaces/view/framenotes.h"
+#include "editor/workspaces/view/notespanel.h"
 
+#include <QDockWidget>
 #include <QMainWindow>
 #include <QStatusBar>
 #include <algorithm>
@@ -27,11 +29,9 @@ KeysAndStoryboard::KeysAndStoryboard(CurrentAnimation& animation, QObject* paren
     , m_timeline(new AnimationTimeline(animation, *m_pictures, this))
 {
     makeActions();
+    makeNotes();
     m_keys = new KeysPanel(animation, *m_pictures);
     m_storyboard = new StoryboardPanel(animation, *m_pictures);
-    const QString page = QStringLiteral("animate-keys");
-    setHelpPage(m_keys, page);
-    setHelpPage(m_storyboard, page);
     connect(m_timeline, &AnimationTimeline::keySelected, this, &KeysAndStoryboard::selectKey);
     connect(m_timeline, &AnimationTimeline::keyActivated, m_keys, [this](int key) {
         Workspace::showPanel(m_keys);
@@ -42,16 +42,48 @@ KeysAndStoryboard::KeysAndStoryboard(CurrentAnimation& animation, QObject* paren
     connect(m_keys, &KeysPanel::removalAsked, m_timeline, &AnimationTimeline::removeKey);
     connect(m_storyboard, &StoryboardPanel::actionChosen, m_timeline, &AnimationTimeline::goToPlanned);
     connect(&animation, &CurrentAnimation::changed, this, &KeysAndStoryboard::updateActions);
+    connect(
+        &animation, &CurrentAnimation::changed, this,
+        [this] {
+            if (m_animation.view().isVisible())
+                fitDocks();
+        },
+        Qt::QueuedConnection);
     connect(&animation.context().selection, &Selection::changed, this, &KeysAndStoryboard::updateActions);
     connect(&animation.context().document, &ProjectDocument::changed, this,
             &KeysAndStoryboard::updateActions);
     updateActions();
 }
 
+void KeysAndStoryboard::makeNotes()
+{
+    m_notes = new FrameNotes(
+        m_animation.view(),
+        {.notes = [this]() -> std::optional<std::vector<FrameNote>> {
+             const AnimationEntry* entry = m_animation.entry();
+             return entry == nullptr ? std::nullopt : std::optional(notesOf(entry->unknown));
+         },
+         .keep =
+             [this](std::vector<FrameNote> notes, EditPhase phase) {
+                 m_animation.edit(
+                     tr("Change the notes of “%1”").arg(m_animation.name()), QStringLiteral("notes"),
+                     [&](AnimationEntry& entry) { quadrille::setNotes(entry.unknown, std::move(notes)); },
+                     phase);
+             },
+         .firstFrame = [] { return 0; }},
+        this);
+    m_timeline->setNotes(*m_notes);
+    m_animation.view().setNotes(m_notes);
+    m_notesPanel = new NotesPanel(*m_notes);
+    connect(&m_animation, &CurrentAnimation::changed, m_notesPanel,
+            [this] { m_notesPanel->refresh(m_animation.context().document.project().settings.fps); });
+}
+
 std::vector<Workspace::Panel> KeysAndStoryboard::panels()
 {
     return {{"storyboardDock", [] { return tr("Storyboard"); }, m_storyboard, Qt::BottomDockWidgetArea},
-            {"keysDock", [] { return tr("Keys"); }, m_keys, Qt::BottomDockWidgetArea}};
+            {"keysDock", [] { return tr("Keys"); }, m_keys, Qt::BottomDockWidgetArea},
+            {"notesDock", [] { return tr("Notes"); }, m_notesPanel, Qt::BottomDockWidgetArea, false}};
 }
 
 void KeysAndStoryboard::makeActions()
@@ -120,6 +152,20 @@ void KeysAndStoryboard::updateActions()
     actions.action(QStringLiteral("animate.addKey"))->setEnabled(hasTakes);
     actions.action(QStringLiteral("animate.addAction"))
         ->setEnabled(!m_animation.context().selection.sequences().isEmpty());
+}
+
+void KeysAndStoryboard::fitDocks()
+{
+    constexpr int usualHeight = 150;
+    const AnimationEntry* entry = m_animation.entry();
+    const bool isEmpty = entry == nullptr || (keysOf(*entry).empty() && actionsOf(*entry).empty());
+    auto* dock = qobject_cast<QDockWidget*>(m_storyboard->parentWidget());
+    auto* window = qobject_cast<QMainWindow*>(m_animation.view().window());
+    if (dock == nullptr || window == nullptr || dock->isFloating() || isEmpty == m_areDocksLow)
+        return;
+    m_areDocksLow = isEmpty;
+    if (isEmpty || dock->height() < usualHeight)
+        window->resizeDocks({dock}, {isEmpty ? dock->minimumSizeHint().height() : usualHeight}, Qt::Vertical);
 }
 
 void KeysAndStoryboard::selectKey(int key)

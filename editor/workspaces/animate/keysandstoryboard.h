@@ -9,7 +9,9 @@ namespace quadrille {
 class AnimationTimeline;
 class CurrentAnimation;
 class FramePictures;
+class FrameNotes;
 class KeysPanel;
+class NotesPanel;
 class StoryboardPanel;
 
 /// The part of the Animate workspace that asks for poses at times and for actions one after the other: the
@@ -26,10 +28,13 @@ public:
     std::vector<Workspace::Panel> panels();
     AnimationTimeline& timeline() { return *m_timeline; }
     /// Where the pose comes from that is added as a key.
+    /// Makes the docks of both as high as what is in them needs: one line while there is nothing.
+    void fitDocks();
     void setShownPose(ShownPose shownPose) { m_shownPose = std::move(shownPose); }
 
 private:
     void makeActions();
+    void makeNotes();
     void updateActions();
     void selectKey(int key);
     void goToNeighbour(int step);
@@ -42,7 +47,10 @@ private:
     AnimationTimeline* m_timeline;
     KeysPanel* m_keys = nullptr;
     StoryboardPanel* m_storyboard = nullptr;
+    FrameNotes* m_notes = nullptr;
+    NotesPanel* m_notesPanel = nullptr;
     int m_selectedKey = -1;
+    std::optional<bool> m_areDocksLow; ///< since they were fitted
 };
 
 } // namespace quadrille

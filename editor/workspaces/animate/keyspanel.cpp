@@ -15,7 +15,9 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
+#include <QMenu>
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QStackedWidget>
@@ -60,7 +62,10 @@ public:
     }
     void setEditorData(QWidget* editor, const QModelIndex& index) const override
     {
-        static_cast<QDoubleSpinBox*>(editor)->setValue(index.data(Qt::EditRole).toDouble());
+        // What is being typed is not taken back when a result arrives meanwhile.
+        const auto* typed = editor->findChild<QLineEdit*>();
+        if (typed == nullptr || !typed->isModified())
+            static_cast<QDoubleSpinBox*>(editor)->setValue(index.data(Qt::EditRole).toDouble());
     }
     void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override
     {
@@ -108,6 +113,8 @@ KeysPanel::KeysPanel(CurrentAnimation& animation, FramePictures& pictures, QWidg
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(KeysModel::Pose, QHeaderView::Stretch);
     m_table->installEventFilter(this);
+    m_table->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_table, &QTableView::customContextMenuRequested, this, &KeysPanel::showMenu);
     arrange();
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
         m_remove->setEnabled(selected() >= 0);
@@ -129,7 +136,8 @@ KeysPanel::KeysPanel(CurrentAnimation& animation, FramePictures& pictures, QWidg
         m_table->setAccessibleName(tr("Keys"));
         m_empty->setText(tr("Poses at times: drag the picture of a card onto the timeline, or put the pose "
                             "that is shown at the playhead."));
-        m_addFirst->setText(tr("Add the Shown Pose"));
+        m_empty->setToolTip(m_empty->text());
+        m_addFirst->setText(tr("Add the shown pose"));
         m_remove->setToolTip(tr("Remove the key"));
         m_remove->setAccessibleName(tr("Remove the key"));
         m_global->setText(tr("Seek all keys at once"));
@@ -155,8 +163,7 @@ void KeysPanel::arrange()
     m_summary->setForegroundRole(QPalette::PlaceholderText);
     m_summary->setFont(widgets::Theme::tabularFont(m_summary->font()));
     m_empty->setObjectName(QStringLiteral("keysEmpty"));
-    m_empty->setWordWrap(true);
-    m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_empty->setForegroundRole(QPalette::PlaceholderText);
 
     auto* emptyPage = new QWidget;
@@ -164,11 +171,12 @@ void KeysPanel::arrange()
     connect(m_addFirst, &QPushButton::clicked, add, &QAction::trigger);
     connect(add, &QAction::changed, m_addFirst, [this, add] { m_addFirst->setEnabled(add->isEnabled()); });
     m_addFirst->setEnabled(add->isEnabled());
-    auto* emptyColumn = new QVBoxLayout(emptyPage);
-    emptyColumn->addStretch();
-    emptyColumn->addWidget(m_empty);
-    emptyColumn->addWidget(m_addFirst, 0, Qt::AlignHCenter);
-    emptyColumn->addStretch();
+    auto* emptyRow = new QHBoxLayout(emptyPage);
+    emptyRow->setContentsMargins(2 * margin, margin / 2, 2 * margin, margin / 2);
+    emptyRow->setSpacing(2 * margin);
+    emptyRow->addWidget(m_empty, 1);
+    emptyRow->addWidget(m_addFirst);
+    m_table->setMinimumHeight(2 * pictureSide);
 
     auto* tools = new QHBoxLayout;
     tools->setContentsMargins(margin, 0, margin, margin / 2);
@@ -195,6 +203,11 @@ void KeysPanel::arrange()
 void KeysPanel::follow()
 {
     m_pages->setCurrentIndex(m_model->rowCount() > 0 ? 1 : 0);
+    // The page behind would ask for its height, too.
+    for (int page = 0; page < m_pages->count(); ++page)
+        m_pages->widget(page)->setSizePolicy(QSizePolicy::Preferred, page == m_pages->currentIndex()
+                                                                         ? QSizePolicy::Preferred
+                                                                         : QSizePolicy::Ignored);
     const AnimationEntry* entry = m_animation.entry();
     m_global->setChecked(entry != nullptr && entry->search.globalKeys);
     const std::vector<double> off = m_model->deviations();
@@ -203,6 +216,23 @@ void KeysPanel::follow()
         greatest = std::max(greatest, std::abs(each));
     m_summary->setText(off.empty() ? QString()
                                    : tr("At most %1 s off").arg(QLocale().toString(greatest, 'f', 2)));
+}
+
+void KeysPanel::showMenu(const QPoint& position)
+{
+    const ActionRegistry& actions = m_animation.context().actions;
+    const int key = m_table->indexAt(position).row();
+    QMenu menu(m_table);
+    menu.setObjectName(QStringLiteral("keysMenu"));
+    if (key >= 0) {
+        menu.addAction(tr("Go to key"), this, [&] { emit keyChosen(key); });
+        menu.addAction(tr("Edit the time"), this, [&] { editCell(key, KeysModel::Wanted); });
+        menu.addAction(tr("Edit the tolerance"), this, [&] { editCell(key, KeysModel::Tolerance); });
+        menu.addAction(tr("Remove key"), this, [&] { emit removalAsked(key); });
+        menu.addSeparator();
+    }
+    menu.addAction(actions.action(QStringLiteral("animate.addKey")));
+    menu.exec(m_table->viewport()->mapToGlobal(position));
 }
 
 int KeysPanel::selected() const
@@ -224,21 +254,29 @@ void KeysPanel::selectKey(int key)
 
 void KeysPanel::editKey(int key)
 {
+    editCell(key, KeysModel::Wanted);
+}
+
+void KeysPanel::editCell(int key, int column)
+{
     if (key < 0 || key >= m_model->rowCount())
         return;
     window()->activateWindow();
     m_table->setFocus();
-    m_table->setCurrentIndex(m_model->index(key, KeysModel::Wanted));
+    m_table->setCurrentIndex(m_model->index(key, column));
     m_table->edit(m_table->currentIndex());
 }
 
 bool KeysPanel::eventFilter(QObject* watched, QEvent* event)
 {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
-    if (watched == m_table && isKey && selected() >= 0) {
-        // Delete comes before what the window does with it.
+    // Keys that a field in the table has no use for arrive here, too.
+    const bool isEditing = m_table->isPersistentEditorOpen(m_table->currentIndex());
+    if (watched == m_table && isKey && !isEditing && selected() >= 0) {
+        // These come before what the window does with them.
         if (event->type() == QEvent::ShortcutOverride) {
-            event->setAccepted(static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete);
+            const int key = static_cast<QKeyEvent*>(event)->key();
+            event->setAccepted(key == Qt::Key_Delete || key == Qt::Key_Backspace || key == Qt::Key_F2);
             return event->isAccepted();
         }
         const int key = static_cast<QKeyEvent*>(event)->key();
@@ -248,6 +286,12 @@ bool KeysPanel::eventFilter(QObject* watched, QEvent* event)
         }
         if (key == Qt::Key_Return || key == Qt::Key_Enter) {
             emit keyChosen(selected());
+            return true;
+        }
+        if (key == Qt::Key_F2) {
+            const QModelIndex current = m_table->currentIndex();
+            editCell(current.row(),
+                     current.flags().testFlag(Qt::ItemIsEditable) ? current.column() : KeysModel::Wanted);
             return true;
         }
     }

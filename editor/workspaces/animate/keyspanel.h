@@ -41,7 +41,9 @@ protected:
 
 private:
     void arrange();
+    void editCell(int key, int column);
     void follow();
+    void showMenu(const QPoint& position);
     int selected() const;
 
     CurrentAnimation& m_animation;

@@ -9,6 +9,7 @@
 
 #include <QDoubleSpinBox>
 #include <QSignalBlocker>
+#include <cmath>
 
 namespace quadrille {
 
@@ -26,6 +27,12 @@ void setValue(QDoubleSpinBox* field, double value)
 {
     const QSignalBlocker quiet(field);
     field->setValue(value);
+}
+
+double valueOf(const QDoubleSpinBox* field, double exact)
+{
+    const double halfStep = 0.5 * std::pow(10.0, -field->decimals());
+    return std::abs(field->value() - exact) <= halfStep * (1 + 1e-9) ? exact : field->value();
 }
 
 const ProjectSettings& settingsOf(const PathTool& tool)

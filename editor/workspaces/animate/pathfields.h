@@ -20,6 +20,9 @@ inline constexpr double farthestPlace = 10000;
 QDoubleSpinBox* numberField(double lowest, int decimals, double step);
 /// Without telling anybody.
 void setValue(QDoubleSpinBox* field, double value);
+/// What a field says, or the exact number where it still shows that one: the decimals that a field does not
+/// show must not be lost because something beside it was edited.
+double valueOf(const QDoubleSpinBox* field, double exact);
 const ProjectSettings& settingsOf(const PathTool& tool);
 /// The project's unit of length: "m".
 QString unitOf(const PathTool& tool);

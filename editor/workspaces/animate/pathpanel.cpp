@@ -6,7 +6,6 @@
 #include "editor/fields/actionbutton.h"
 #include "editor/fields/partlist.h"
 #include "editor/fields/verticalscroll.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathfields.h"
@@ -76,7 +75,6 @@ PathPanel::PathPanel(PathTool& tool, QWidget* parent)
     , m_obstaclesTitle(heading())
 {
     setObjectName(QStringLiteral("pathPanel"));
-    setHelpPage(this, QStringLiteral("animate-paths"));
     m_pages->addWidget(makeEmptyPage());
     m_pages->addWidget(makeContent());
     connectLists();
@@ -173,7 +171,7 @@ void PathPanel::retranslate()
     m_emptyText->setText(
         tr("A path says where the body goes. Click points on the ground, or drag a line over "
            "it; the curve can be moved, labelled and timed afterwards."));
-    m_draw->setText(tr("Draw a Path"));
+    m_draw->setText(tr("Draw a path"));
     m_draw->setToolTip(tr("Click points on the ground, or drag a line over it (P)"));
     m_pointsTitle->setText(tr("Points"));
     m_spansTitle->setText(tr("Spans"));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/pathpoints.h"
 
+#include "editor/application/editorcontext.h"
+#include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathfields.h"
 #include "editor/workspaces/animate/pathtool.h"
 #include "widgets/theme/theme.h"
@@ -11,6 +13,7 @@
 #include <QDoubleSpinBox>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QScopedValueRollback>
 #include <QStyledItemDelegate>
 
@@ -38,6 +41,14 @@ public:
         field->setFrame(false);
         return field;
     }
+    void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override
+    {
+        auto* field = static_cast<QDoubleSpinBox*>(editor);
+        field->interpretText();
+        const double before = index.data(Qt::EditRole).toDouble();
+        if (const double value = valueOf(field, before); value != before)
+            model->setData(index, value, Qt::EditRole);
+    }
 };
 
 } // namespace
@@ -63,6 +74,8 @@ PathPoints::PathPoints(PathTool& tool, QWidget* parent) : QTableWidget(parent), 
             takeValue(*item);
     });
     connect(this, &QTableWidget::itemSelectionChanged, this, &PathPoints::selectRow);
+    setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(this, &QTableWidget::customContextMenuRequested, this, &PathPoints::showMenu);
     connect(&tool.editor(), &widgets::PathEditor::selectionChanged, this, &PathPoints::refresh);
 }
 
@@ -145,14 +158,36 @@ bool PathPoints::event(QEvent* event)
     return QTableWidget::event(event);
 }
 
+void PathPoints::showMenu(const QPoint& position)
+{
+    QTableWidgetItem* item = itemAt(position);
+    QMenu menu(this);
+    menu.setObjectName(QStringLiteral("pathPointsMenu"));
+    if (item != nullptr) {
+        setCurrentItem(item);
+        menu.addAction(tr("Edit the coordinate"), this, [&] { editItem(item); });
+        menu.addAction(tr("Delete the point"), this, &PathPoints::deleteSelected);
+        menu.addSeparator();
+    }
+    const ActionRegistry& actions = m_tool.animation().context().actions;
+    for (const char* id : {"animate.path.draw", "animate.path.reverse", "animate.path.close"})
+        menu.addAction(actions.action(QLatin1String(id)));
+    menu.exec(viewport()->mapToGlobal(position));
+}
+
+void PathPoints::deleteSelected()
+{
+    QKeyEvent press(QEvent::KeyPress, Qt::Key_Delete, Qt::NoModifier);
+    m_tool.editor().handle(press);
+}
+
 void PathPoints::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() != Qt::Key_Delete || m_tool.editor().selected().kind != PathPart::Kind::Point) {
         QTableWidget::keyPressEvent(event);
         return;
     }
-    QKeyEvent press(QEvent::KeyPress, Qt::Key_Delete, Qt::NoModifier);
-    m_tool.editor().handle(press);
+    deleteSelected();
 }
 
 QSize PathPoints::sizeHint() const

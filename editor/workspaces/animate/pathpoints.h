@@ -27,6 +27,8 @@ protected:
 private:
     void takeValue(const QTableWidgetItem& item);
     void selectRow();
+    void showMenu(const QPoint& position);
+    void deleteSelected();
     std::vector<int> axes() const;
 
     PathTool& m_tool;

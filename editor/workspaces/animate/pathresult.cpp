@@ -5,6 +5,7 @@
 #include "editor/application/editorcontext.h"
 #include "editor/documents/animationresult.h"
 #include "editor/workspaces/animate/currentanimation.h"
+#include "editor/workspaces/animate/framekinds.h"
 #include "editor/workspaces/animate/pathentries.h"
 #include "editor/workspaces/view/stageview.h"
 #include "model/synthesis/pathfollowing.h"
@@ -119,20 +120,20 @@ void PathResult::addWay(const AnimationResult& result, SceneMarks& marks) const
     const PathSpace space{.up = result.plan.up, .ground = m_animation.view().viewport().groundHeight()};
     const PathEntry* path = findPath(result.entry);
     const bool onGround = path == nullptr || !path->inSpace;
-    bool wasCaptured = false;
+    auto before = widgets::FrameKind::Captured;
     for (const PlannedFrame& frame : result.plan.frames) {
-        const bool isCaptured = frame.isCaptured();
+        const widgets::FrameKind kind = frameKindOf(frame.origin);
         const QVector3D place = space.toView(frame.centre, onGround);
-        if (marks.curves.empty() || isCaptured != wasCaptured) {
+        if (marks.curves.empty() || kind != before) {
             SceneCurve part{.points = {},
-                            .color = Theme::color(isCaptured ? ColorRole::Original : ColorRole::Synthetic),
+                            .color = widgets::frameKindColor(kind),
                             .colors = {},
                             .width = wayWidth,
-                            .dash = isCaptured ? 0.0F : dashLength};
+                            .dash = kind == widgets::FrameKind::Captured ? 0.0F : dashLength};
             if (!marks.curves.empty())
                 part.points.push_back(marks.curves.back().points.back());
             marks.curves.push_back(std::move(part));
-            wasCaptured = isCaptured;
+            before = kind;
         }
         marks.curves.back().points.push_back(place);
     }

@@ -6,7 +6,6 @@
 #include "editor/documents/animationresult.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/verticalscroll.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "widgets/charts/curveeditor.h"
@@ -17,6 +16,7 @@
 #include <QLabel>
 #include <QScopedValueRollback>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -31,7 +31,6 @@ PostPanel::PostPanel(CurrentAnimation& animation, QWidget* parent)
     , m_emptyText(new QLabel)
 {
     setObjectName(QStringLiteral("postPanel"));
-    setHelpPage(this, QStringLiteral("animate-finish"));
     makeEmpty();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -187,6 +186,15 @@ void PostPanel::refresh()
     }
     refreshCurve(*shown);
     refreshProblems(*shown);
+    keepResetButtonsWhole();
+}
+
+/// The form does not scroll to the side: what it needs at least, it gets.
+void PostPanel::keepResetButtonsWhole()
+{
+    m_form->layout()->activate();
+    m_scroll->setMinimumWidth(m_form->minimumSizeHint().width() +
+                              m_scroll->verticalScrollBar()->sizeHint().width());
 }
 
 /// Says beside a setting why it does nothing, or why the clip could not be made with it.

@@ -6,12 +6,12 @@
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/actionbutton.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/junctions.h"
 #include "editor/workspaces/view/stageview.h"
-#include "model/core/file.h"
+#include "model/core/stagedfiles.h"
+#include "model/project/projectguard.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/graph/linechart.h"
 #include "widgets/theme/icons.h"
@@ -55,7 +55,6 @@ ReportPanel::ReportPanel(CurrentAnimation& animation, QWidget* parent)
     , m_empty(new QLabel)
 {
     setObjectName(QStringLiteral("reportPanel"));
-    setHelpPage(this, QStringLiteral("animate-finish"));
     makeActions();
     arrangeWidgets();
     connect(&animation, &CurrentAnimation::changed, this, &ReportPanel::refresh);
@@ -218,7 +217,12 @@ void ReportPanel::save(const QString& file, bool ofFrames)
         return;
     const QString csv = ofFrames ? framesCsv(*m_result, fps()) : reportCsv(m_rows);
     try {
-        writeAtomically(toPath(file), csv.toStdString());
+        // Whether a file may be replaced was asked where its name was chosen.
+        const ProjectDocument& document = m_animation.context().document;
+        const auto guard =
+            projectGuard(document.snapshot(), document.workingFile(), {.overwrite = true, .outside = true});
+        const WrittenNote note(*guard, document.workingFile());
+        writeGuarded(toPath(file), csv.toStdString(), guard.get());
         m_message->clear();
     } catch (const Error& error) {
         const ErrorText text = describe(error);

@@ -62,9 +62,13 @@ SpanForm::SpanForm(PathTool& tool)
     connect(m_frames, &QComboBox::activated, this, &SpanForm::chooseFrames);
     const auto ends = [this] {
         edit(tr("Move the end of a span"), "ends", [this](PathSpanEntry& span) {
-            span.from = m_from->value();
-            span.to = std::max(m_to->value(), span.from + 0.01);
+            // The shown length of the path, or more, stands for its end.
+            constexpr double shortest = 0.01;
+            const double end = m_tool.length();
+            span.from = std::clamp(valueOf(m_from, span.from), 0.0, std::max(0.0, end - shortest));
+            span.to = std::max(std::min(valueOf(m_to, span.to), end), std::min(span.from + shortest, end));
         });
+        show();
     };
     connect(m_from, &QDoubleSpinBox::valueChanged, this, ends);
     connect(m_to, &QDoubleSpinBox::valueChanged, this, ends);

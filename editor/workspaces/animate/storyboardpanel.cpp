@@ -55,6 +55,10 @@ StoryboardPanel::StoryboardPanel(CurrentAnimation& animation, FramePictures& pic
     m_labels->setFixedWidth(labelsWidth);
     QScrollArea* values = verticalScroll(m_form);
     values->setFixedWidth(formWidth);
+    // Without cards the panel may be as low as one line.
+    constexpr int oneLine = 28;
+    m_labels->setMinimumHeight(oneLine);
+    values->setMinimumHeight(oneLine);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(1);
@@ -80,7 +84,7 @@ StoryboardPanel::StoryboardPanel(CurrentAnimation& animation, FramePictures& pic
     connect(&pictures, &FramePictures::drawn, this, &StoryboardPanel::refresh);
     connect(&Theme::instance(), &Theme::changed, this, &StoryboardPanel::refresh);
     retranslates(this, [this, addTakes] {
-        addTakes->setText(tr("Add the Selected Takes"));
+        addTakes->setText(tr("Add the selected takes"));
         m_board->setEmptyText(tr("What happens one after the other: drag takes or labels here. The joins are "
                                  "found for them."));
         refresh();
@@ -246,7 +250,7 @@ void StoryboardPanel::showMenu(int card, const QPoint& position)
     QMenu menu(m_board);
     menu.setObjectName(QStringLiteral("storyboardMenu"));
     if (card >= 0) {
-        menu.addAction(tr("Go to Where It Is Performed"), this, [&] { goTo(card); });
+        menu.addAction(tr("Go to where it is performed"), this, [&] { goTo(card); });
         menu.addAction(tr("Edit"), m_form, &ActionForm::edit);
         menu.addAction(tr("Duplicate"), this, [&] { copy(card, card + 1); });
         menu.addAction(tr("Remove"), this, [&] { remove(card); });

@@ -3,13 +3,15 @@
 #include "editor/workspaces/graph/gapspanel.h"
 
 #include "editor/language/retranslate.h"
+#include "editor/workspaces/graph/framenames.h"
 #include "editor/workspaces/graph/graphexplorer.h"
 #include "editor/workspaces/graph/graphmap.h"
-#include "editor/workspaces/graph/transitionpanel.h"
 #include "widgets/graph/chartscale.h"
 
+#include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
+#include <QStyledItemDelegate>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -23,6 +25,31 @@ using widgets::chartNumber;
 
 constexpr int pairRole = Qt::UserRole;
 constexpr int isTransitionRole = Qt::UserRole + 1;
+
+/// Breaks lines where the panel ends: Qt's own views paint them broken, but keep the room of one.
+class BrokenLines : public QStyledItemDelegate
+{
+public:
+    explicit BrokenLines(QTreeView* view) : QStyledItemDelegate(view), m_view(view)
+    {
+        QObject::connect(view->header(), &QHeaderView::sectionResized, this,
+                         [this] { emit sizeHintChanged({}); });
+    }
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override
+    {
+        int depth = 1;
+        for (QModelIndex parent = index.parent(); parent.isValid(); parent = parent.parent())
+            ++depth;
+        const int margin = m_view->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, m_view) + 1;
+        const int width = m_view->columnWidth(0) - depth * m_view->indentation() - 2 * margin;
+        const QRect text = option.fontMetrics.boundingRect(0, 0, std::max(width, 40), 10'000,
+                                                           Qt::TextWordWrap, index.data().toString());
+        return {text.width(), text.height() + 4};
+    }
+
+private:
+    QTreeView* m_view;
+};
 
 } // namespace
 
@@ -38,6 +65,7 @@ GapsPanel::GapsPanel(GraphExplorer& explorer, QWidget* parent)
     m_tree->setWordWrap(true);
     m_tree->setTextElideMode(Qt::ElideRight);
     m_tree->setIndentation(8);
+    m_tree->setItemDelegate(new BrokenLines(m_tree));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(8);
@@ -47,6 +75,7 @@ GapsPanel::GapsPanel(GraphExplorer& explorer, QWidget* parent)
     connect(m_tree, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) { choose(item); });
     connect(&explorer, &GraphExplorer::characterChanged, this, &GapsPanel::refresh);
     connect(&explorer, &GraphExplorer::gapsChanged, this, &GapsPanel::refresh);
+    connect(&explorer, &GraphExplorer::filterChanged, this, &GapsPanel::refresh);
     retranslates(this, [this] { refresh(); });
 }
 
@@ -85,7 +114,10 @@ void GapsPanel::addGraph(const QString& name, const Connectivity* connectivity,
     //: name of a graph; what it joins
     auto* top = new QTreeWidgetItem(m_tree, {tr("%1: %2").arg(name, joined)});
     auto usual = std::make_unique<QTreeWidgetItem>();
+    const FrameLayout& layout = m_explorer.character()->graph.layout();
     for (const GraphGap& gap : *gaps) {
+        if (!m_explorer.filter().has(layout.sequenceOf(gap.first)))
+            continue;
         if (isUsual(gap))
             addGap(*usual, gap, tr("Usual: transitions need these frames"));
         else

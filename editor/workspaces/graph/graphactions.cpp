@@ -8,6 +8,8 @@
 #include "editor/workspaces/graph/graphtablefiles.h"
 #include "editor/workspaces/graph/graphworkspace.h"
 #include "editor/workspaces/graph/pairpreview.h"
+#include "editor/workspaces/graph/transitionspeeds.h"
+#include "model/project/projectguard.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/graph/logslider.h"
 #include "widgets/graph/matrixview.h"
@@ -66,7 +68,10 @@ void GraphWorkspace::makeActions()
                        [] { return tr("Keeps speeds smooth and standing feet in place, as animations can"); },
                        "contact",
                        {}},
-                      false, [this](bool on) { m_preview->setGentle(on); });
+                      false, [this](bool on) {
+                          m_preview->setGentle(on);
+                          m_speeds->setGentle(on);
+                      });
     actions.add({"graph.alphaDown",
                  group,
                  [] { return tr("&Lower α"); },
@@ -88,10 +93,11 @@ void GraphWorkspace::makeActions()
                  "save",
                  {}},
                 [this] { saveTables(); });
+    makeMenuActions();
     makeShowingActions();
 }
 
-void GraphWorkspace::makeShowingActions()
+void GraphWorkspace::makeModes()
 {
     ActionRegistry& actions = m_context.actions;
     const auto group = [] { return tr("Graph"); };
@@ -112,6 +118,17 @@ void GraphWorkspace::makeShowingActions()
         "graph.arcs", [] { return tr("Show edges as &arcs"); },
         [] { return tr("The Essential graph above the sequences, the motion graph below"); }, "arcs", false,
         GraphMap::Mode::Arcs);
+    mode(
+        "graph.takes", [] { return tr("Show ta&kes and their transitions"); },
+        [] { return tr("Each take is a node; arrows count the transitions from one to another"); }, "takes",
+        false, GraphMap::Mode::Takes);
+}
+
+void GraphWorkspace::makeShowingActions()
+{
+    makeModes();
+    ActionRegistry& actions = m_context.actions;
+    const auto group = [] { return tr("Graph"); };
     const auto showEdges = [this](bool) {
         m_map->setEdgesVisible(m_context.actions.action("graph.essentialEdges")->isChecked(),
                                m_context.actions.action("graph.motionEdges")->isChecked());
@@ -143,8 +160,8 @@ void GraphWorkspace::makeShowingActions()
                  "frameall",
                  {}},
                 [this] { m_map->matrix().fit(); });
-    m_map->addTools({actions.action("graph.matrix"), actions.action("graph.arcs"), nullptr, essential, motion,
-                     actions.action("graph.fit")});
+    m_map->addTools({actions.action("graph.matrix"), actions.action("graph.arcs"),
+                     actions.action("graph.takes"), nullptr, essential, motion, actions.action("graph.fit")});
     const auto tab = [&](const QString& id, ActionRegistry::Text text, ActionRegistry::Text tip, int index) {
         actions.add({id, group, std::move(text), std::move(tip), {}, {}}, [this, index] {
             m_tabs->setCurrentIndex(index);
@@ -177,6 +194,7 @@ void GraphWorkspace::updateActions()
     enable("graph.stop", computes);
     enable("graph.play", isThere && m_chosen.has_value());
     enable("graph.frames", isThere && m_chosen.has_value());
+    enable("graph.copyFrames", isThere && m_chosen.has_value());
     enable("graph.saveTables", isThere && m_explorer->paths() != nullptr);
     for (const char* id : {"graph.alphaDown", "graph.alphaUp"})
         enable(id, medium != nullptr);
@@ -189,14 +207,17 @@ void GraphWorkspace::stepAlpha(double factor)
 
 void GraphWorkspace::saveTables()
 {
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the Tables"));
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the tables"));
     if (folder.isEmpty())
         return;
     m_context.jobs.start(
         {.name = tr("Saving tables"), .receiver = this},
         [opened = m_explorer->character(), paths = m_explorer->paths(), comparison = m_explorer->comparison(),
-         folder](const Progress&) {
-            return writeGraphTables(opened->graph, *paths, comparison, folder.toStdString());
+         folder, project = m_context.document.snapshot(),
+         projectFile = m_context.document.workingFile()](const Progress&) {
+            const auto guard = projectGuard(project, projectFile, {.outside = true});
+            const WrittenNote note(*guard, projectFile);
+            return writeGraphTables(opened->graph, *paths, comparison, folder.toStdString(), *guard);
         },
         [this, folder](const std::vector<std::filesystem::path>& files) {
             m_message->show(widgets::MessageStrip::Kind::Info,

@@ -18,6 +18,7 @@
 #include <QLocale>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <algorithm>
 
 namespace quadrille {
 
@@ -55,6 +56,8 @@ GraphBar::GraphBar(EditorContext& context, GraphExplorer& explorer, QWidget* par
     connect(&explorer, &GraphExplorer::characterChanged, this, &GraphBar::showGraphs);
     connect(&explorer, &GraphExplorer::graphsChanged, this, &GraphBar::showGraphs);
     connect(&explorer, &GraphExplorer::pathsChanged, this, &GraphBar::showGraphs);
+    connect(&explorer, &GraphExplorer::comparisonChanged, this, &GraphBar::showCurve);
+    connect(&explorer, &GraphExplorer::characterChanged, this, &GraphBar::showCurve);
     retranslates(this, [this] { retranslate(); });
     followDocument();
 }
@@ -141,13 +144,29 @@ void GraphBar::showGraphs()
     show(m_rows[1], graphs ? &graphs->motion : nullptr, paths ? &paths->motionCosts : nullptr);
 }
 
+/// How dense the Essential graph is for each α, as a share of the densest.
+void GraphBar::showCurve()
+{
+    double most = 0;
+    for (const GraphComparison& each : m_explorer.comparison())
+        most = std::max(most, each.essential.density);
+    std::vector<QPointF> curve;
+    for (const GraphComparison& each : m_explorer.comparison()) {
+        if (most > 0)
+            curve.emplace_back(each.alpha, each.essential.density / most);
+    }
+    m_alpha->setCurve(std::move(curve));
+}
+
 void GraphBar::retranslate()
 {
     m_character->setAccessibleName(tr("Character"));
     m_character->setToolTip(tr("Whose sequences the graph joins"));
     m_alphaLabel->setText(tr("&α"));
-    const QString tip =
-        tr("Weight of a frame of duration against deformation: higher values prefer short ways");
+    //: ends of the slider for α: few edges in the graph, many edges in it
+    m_alpha->setEnds(tr("sparse: smooth ways"), tr("dense: short ways"));
+    const QString tip = tr("Weight of a frame of duration against deformation: higher values prefer short "
+                           "ways. The curve is the density of the Essential graph.");
     m_alpha->setToolTip(tip);
     m_alpha->slider()->setAccessibleName(tr("α"));
     m_alpha->slider()->setAccessibleDescription(tip);

@@ -47,6 +47,7 @@ private:
     QWidget* makeTable();
     void followDocument();
     void showGraphs();
+    void showCurve();
     void retranslate();
 
     EditorContext& m_context;

@@ -80,7 +80,9 @@ void GraphExplorer::setCharacter(std::shared_ptr<const OpenedCharacter> opened)
     m_paths.reset();
     m_gaps.reset();
     m_comparison.clear();
+    m_filter = {};
     emit characterChanged();
+    emit filterChanged();
     computeGraphs();
 }
 
@@ -90,6 +92,18 @@ void GraphExplorer::setAlpha(double alpha)
         return;
     m_alpha = alpha;
     computeGraphs();
+}
+
+void GraphExplorer::setFilter(TakeFilter filter)
+{
+    const bool isAll =
+        m_opened && filter.takes.size() == static_cast<std::size_t>(m_opened->graph.layout().sequenceCount());
+    if (isAll)
+        filter = {};
+    if (filter == m_filter)
+        return;
+    m_filter = std::move(filter);
+    emit filterChanged();
 }
 
 void GraphExplorer::computeGraphs()
@@ -183,6 +197,7 @@ void GraphExplorer::computeGaps()
             m_gaps = std::move(gaps);
             emit gapsChanged();
             computeGaps();
+            askForComparison();
         });
 }
 
@@ -193,7 +208,8 @@ void GraphExplorer::askForComparison()
     m_comparing = m_jobs.start(
         {.name = tr("Graphs against α"),
          .receiver = this,
-         .stillStands = [this, generation = m_generation] { return generation == m_generation; }},
+         .stillStands = [this, generation = m_generation] { return generation == m_generation; },
+         .background = true},
         [opened = m_opened, minima = m_graphs->minima](const Progress& progress) {
             std::vector<GraphComparison> comparison;
             for (std::size_t i = 0; i < comparedAlphas.size(); ++i) {

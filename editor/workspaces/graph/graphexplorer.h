@@ -3,6 +3,7 @@
 #pragma once
 
 #include "editor/jobs/job.h"
+#include "editor/workspaces/graph/takefilter.h"
 #include "model/graph/comparison.h"
 #include "model/graph/gaps.h"
 #include "model/project/opencharacter.h"
@@ -46,7 +47,7 @@ struct ExploredGaps
 
 /// Keeps both graphs of an opened character up with α while it is changed: of all values that come while one
 /// is computed only the newest is computed next. Edges come first, then path costs, then – once α rests –
-/// gaps. A comparison over many α is made when somebody asks.
+/// gaps, and a comparison over many α.
 class GraphExplorer : public QObject
 {
     Q_OBJECT
@@ -60,6 +61,9 @@ public:
     const std::shared_ptr<const OpenedCharacter>& character() const { return m_opened; }
     void setAlpha(double alpha);
     double alpha() const { return m_alpha; }
+    /// Which takes are looked at; all of another character.
+    const TakeFilter& filter() const { return m_filter; }
+    void setFilter(TakeFilter filter);
     /// Compares the graphs over the values of figure9Alphas and beyond, unless that was done.
     void askForComparison();
 
@@ -80,6 +84,7 @@ signals:
     void pathsChanged();
     void gapsChanged();
     void comparisonChanged();
+    void filterChanged();
 
 private:
     void computeGraphs();
@@ -92,6 +97,7 @@ private:
     JobRunner& m_jobs;
     std::shared_ptr<const OpenedCharacter> m_opened;
     double m_alpha = 0.01;
+    TakeFilter m_filter;
     std::shared_ptr<const ExploredGraphs> m_graphs;
     std::shared_ptr<const ExploredPaths> m_paths;
     std::shared_ptr<const ExploredGaps> m_gaps;

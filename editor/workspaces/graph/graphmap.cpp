@@ -5,9 +5,11 @@
 #include "editor/fields/actionbutton.h"
 #include "editor/jobs/jobrunner.h"
 #include "editor/language/retranslate.h"
+#include "editor/pictures/framepictures.h"
 #include "editor/workspaces/graph/graphexplorer.h"
 #include "widgets/graph/arcview.h"
 #include "widgets/graph/matrixview.h"
+#include "widgets/graph/takegraphview.h"
 #include "widgets/theme/theme.h"
 
 #include <QDoubleSpinBox>
@@ -20,6 +22,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace quadrille {
 
@@ -27,6 +30,7 @@ namespace {
 
 using widgets::ArcView;
 using widgets::MatrixView;
+using widgets::TakeGraphView;
 
 constexpr int sampledCells = 200000; // for the ends of the colours
 constexpr double shownShare = 0.9;   // of the costs; dearer ones look alike
@@ -70,24 +74,6 @@ Picture makePicture(const widgets::MatrixValues& values, const widgets::MatrixFi
     return picture;
 }
 
-std::shared_ptr<const std::vector<widgets::MatrixMark>> marksOf(const Digraph& graph)
-{
-    auto marks = std::make_shared<std::vector<widgets::MatrixMark>>();
-    for (const Edge& edge : graph.edges())
-        if (edge.kind == EdgeKind::Transition)
-            marks->push_back({edge.from, edge.to, static_cast<float>(edge.weight)});
-    return marks;
-}
-
-std::shared_ptr<const std::vector<widgets::Arc>> arcsOf(const Digraph& graph)
-{
-    auto arcs = std::make_shared<std::vector<widgets::Arc>>();
-    for (const Edge& edge : graph.edges())
-        if (edge.kind == EdgeKind::Transition)
-            arcs->push_back({edge.from, edge.to, static_cast<float>(edge.weight)});
-    return arcs;
-}
-
 } // namespace
 
 QString costUnit(const GraphExplorer& explorer)
@@ -97,13 +83,15 @@ QString costUnit(const GraphExplorer& explorer)
     return isSurface ? GraphMap::tr("rad") : GraphMap::tr("m");
 }
 
-GraphMap::GraphMap(GraphExplorer& explorer, JobRunner& jobs, QWidget* parent)
+GraphMap::GraphMap(GraphExplorer& explorer, FramePictures& pictures, JobRunner& jobs, QWidget* parent)
     : QWidget(parent)
     , m_explorer(explorer)
+    , m_pictures(pictures)
     , m_jobs(jobs)
     , m_pages(new QStackedWidget)
     , m_matrix(new MatrixView)
     , m_arcs(new ArcView)
+    , m_takes(new TakeGraphView)
     , m_filters(new QWidget)
     , m_tools(new QHBoxLayout)
     , m_costLabel(new QLabel)
@@ -112,19 +100,23 @@ GraphMap::GraphMap(GraphExplorer& explorer, JobRunner& jobs, QWidget* parent)
     , m_shortest(new QSpinBox)
     , m_longest(new QSpinBox)
     , m_kept(new QLabel)
+    , m_takeFilter(new QToolButton)
 {
     setObjectName(QStringLiteral("graphMap"));
     m_matrix->setObjectName(QStringLiteral("graphMatrix"));
     m_arcs->setObjectName(QStringLiteral("graphArcs"));
+    m_takes->setObjectName(QStringLiteral("graphTakes"));
     makeFilters();
-    m_pages->addWidget(m_matrix);
-    m_pages->addWidget(m_arcs);
+    makeTakeFilter();
+    for (QWidget* page : std::initializer_list<QWidget*>{m_matrix, m_arcs, m_takes})
+        m_pages->addWidget(page);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     m_tools->setContentsMargins(8, 4, 8, 0);
     m_tools->setSpacing(2);
     m_tools->addWidget(m_kept, 1);
+    m_tools->addWidget(m_takeFilter);
     column->addLayout(m_tools);
     column->addWidget(m_filters);
     column->addWidget(m_pages, 1);
@@ -132,6 +124,8 @@ GraphMap::GraphMap(GraphExplorer& explorer, JobRunner& jobs, QWidget* parent)
     connect(&explorer, &GraphExplorer::characterChanged, this, &GraphMap::followCharacter);
     connect(&explorer, &GraphExplorer::characterReplaced, this, &GraphMap::followReplacement);
     connect(&explorer, &GraphExplorer::graphsChanged, this, &GraphMap::followGraphs);
+    connect(&explorer, &GraphExplorer::filterChanged, this, &GraphMap::showTakeFilter);
+    connect(&pictures, &FramePictures::drawn, this, &GraphMap::showPictures);
     retranslates(this, [this] { retranslate(); });
 }
 
@@ -173,10 +167,10 @@ void GraphMap::addTools(const QList<QAction*>& actions)
 {
     for (QAction* action : actions) {
         if (action == nullptr) {
-            m_tools->insertSpacing(m_tools->count() - 1, 8);
+            m_tools->insertSpacing(m_tools->count() - 2, 8);
             continue;
         }
-        m_tools->insertWidget(m_tools->count() - 1, makeActionButton(action));
+        m_tools->insertWidget(m_tools->count() - 2, makeActionButton(action));
     }
 }
 
@@ -193,6 +187,9 @@ void GraphMap::connectViews()
     connect(m_matrix, &MatrixView::cellActivated, this, [this](int row, int column) {
         emit activated(FramePair{row, column});
     });
+    connect(m_matrix, &MatrixView::menuAsked, this, [this](int row, int column, const QPoint& place) {
+        emit menuAsked(FramePair{row, column}, place);
+    });
     connect(m_arcs, &ArcView::arcHovered, this, [this](int from, int to) {
         emit hovered(FramePair{from, to});
     });
@@ -200,20 +197,6 @@ void GraphMap::connectViews()
     connect(m_arcs, &ArcView::arcActivated, this, [this](int from, int to) {
         emit activated(FramePair{from, to});
     });
-}
-
-void GraphMap::setMode(Mode mode)
-{
-    m_filters->setVisible(mode == Mode::Matrix);
-    m_pages->setCurrentIndex(mode == Mode::Matrix ? 0 : 1);
-    if (mode == Mode::Arcs && m_arcsAreOld)
-        showArcs();
-}
-
-void GraphMap::setEdgesVisible(bool essential, bool motion)
-{
-    m_matrix->setMarksVisible(MatrixView::Layer::First, essential);
-    m_matrix->setMarksVisible(MatrixView::Layer::Second, motion);
 }
 
 void GraphMap::setFps(double fps)
@@ -243,6 +226,7 @@ void GraphMap::followCharacter()
     const auto& opened = m_explorer.character();
     std::vector<widgets::MatrixBlock> blocks;
     std::vector<widgets::ArcSequence> sequences;
+    std::vector<widgets::TakeNode> nodes;
     if (opened) {
         const FrameLayout& layout = opened->graph.layout();
         for (int s = 0; s < layout.sequenceCount(); ++s) {
@@ -250,11 +234,14 @@ void GraphMap::followCharacter()
                 QString::fromStdString(opened->graph.work().sequences[static_cast<std::size_t>(s)]);
             blocks.push_back({name, layout.countOf(s)});
             sequences.push_back({name, layout.countOf(s), widgets::Theme::categorical(s)});
+            nodes.push_back({name, widgets::Theme::categorical(s), {}});
         }
     }
     m_matrix->setMatrix({}, nullptr, {});
     m_matrix->setBlocks(std::move(blocks));
     m_arcs->setSequences(std::move(sequences));
+    m_takes->setNodes(std::move(nodes));
+    showPictures();
     retranslate();
     buildPicture();
 }
@@ -272,28 +259,6 @@ widgets::MatrixValues GraphMap::values() const
     return {static_cast<int>(opened->graph.layout().frameCount()),
             std::shared_ptr<const float>(opened, costs.cost().data()),
             std::shared_ptr<const std::uint16_t>(opened, costs.length().data())};
-}
-
-void GraphMap::followGraphs()
-{
-    const auto& graphs = m_explorer.graphs();
-    if (!graphs)
-        return;
-    m_matrix->setMarks(MatrixView::Layer::First, tr("Essential graph"), marksOf(graphs->essential));
-    m_matrix->setMarks(MatrixView::Layer::Second, tr("Motion graph"), marksOf(graphs->motion));
-    m_arcsAreOld = true;
-    if (m_pages->currentIndex() == 1)
-        showArcs();
-}
-
-void GraphMap::showArcs()
-{
-    const auto& graphs = m_explorer.graphs();
-    if (!graphs)
-        return;
-    m_arcs->setArcs(ArcView::Side::Above, tr("Essential graph"), arcsOf(graphs->essential));
-    m_arcs->setArcs(ArcView::Side::Below, tr("Motion graph"), arcsOf(graphs->motion));
-    m_arcsAreOld = false;
 }
 
 widgets::MatrixFilter GraphMap::filter() const
@@ -348,6 +313,9 @@ void GraphMap::retranslate()
     const QString empty = tr("Rows are the frames that transitions leave, columns those where they arrive.");
     m_matrix->setEmptyText(empty);
     m_arcs->setEmptyText(tr("Sequences as bars, with the transitions between their frames as arcs."));
+    m_takes->setAccessibleName(tr("Takes and the transitions between them"));
+    m_takes->setEmptyText(
+        tr("Takes with their pictures, and how many transitions lead from one to another."));
     m_costLabel->setText(tr("&Cost up to"));
     m_largestCost->setSuffix(QLatin1Char(' ') + costUnit(m_explorer));
     m_largestCost->setSpecialValueText(tr("any"));
@@ -363,10 +331,7 @@ void GraphMap::retranslate()
     m_largestCost->setAccessibleName(tr("Greatest cost shown"));
     m_shortest->setAccessibleName(tr("Least length shown"));
     m_longest->setAccessibleName(tr("Greatest length shown"));
-    m_matrix->setMarks(MatrixView::Layer::First, tr("Essential graph"),
-                       m_explorer.graphs() ? marksOf(m_explorer.graphs()->essential) : nullptr);
-    m_matrix->setMarks(MatrixView::Layer::Second, tr("Motion graph"),
-                       m_explorer.graphs() ? marksOf(m_explorer.graphs()->motion) : nullptr);
+    followGraphs();
 }
 
 } // namespace quadrille

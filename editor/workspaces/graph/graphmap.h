@@ -17,19 +17,22 @@ class QHBoxLayout;
 class QLabel;
 class QSpinBox;
 class QStackedWidget;
+class QToolButton;
 
 namespace quadrille {
 
+class FramePictures;
 class GraphExplorer;
 class JobRunner;
 
 namespace widgets {
 class ArcView;
 class MatrixView;
+class TakeGraphView;
 } // namespace widgets
 
-/// The transitions of a character to be picked: as a table of costs with the edges of both graphs, or as arcs
-/// over the sequences; with filters for what the table shows in colour.
+/// The transitions of a character to be picked: as a table of costs with the edges of both graphs, as arcs
+/// over the sequences, or counted between them; with filters for what the table shows in colour.
 class GraphMap : public QWidget
 {
     Q_OBJECT
@@ -39,15 +42,17 @@ public:
     {
         Matrix,
         Arcs,
+        Takes,
     };
 
-    GraphMap(GraphExplorer& explorer, JobRunner& jobs, QWidget* parent = nullptr);
+    GraphMap(GraphExplorer& explorer, FramePictures& pictures, JobRunner& jobs, QWidget* parent = nullptr);
 
     /// Puts buttons of actions above the map; a null one is a gap.
     void addTools(const QList<QAction*>& actions);
 
     widgets::MatrixView& matrix() { return *m_matrix; }
     widgets::ArcView& arcs() { return *m_arcs; }
+    widgets::TakeGraphView& takes() { return *m_takes; }
     void setMode(Mode mode);
     void setEdgesVisible(bool essential, bool motion);
     /// The rate of the project, for lengths in seconds.
@@ -61,14 +66,23 @@ signals:
     void activated(const quadrille::FramePair& pair);
     /// The keyboard moved to a cell.
     void moved(const quadrille::FramePair& pair);
+    /// What can be done with a cell is asked for.
+    void menuAsked(const quadrille::FramePair& pair, const QPoint& globalPosition);
+    /// All takes are to be looked at again.
+    void filterDropped();
 
 private:
     void makeFilters();
+    void makeTakeFilter();
     void connectViews();
     void followCharacter();
     void followReplacement();
     void followGraphs();
     void showArcs();
+    void showTakes();
+    void showMode();
+    void showTakeFilter();
+    void showPictures();
     void followFilter();
     void buildPicture();
     widgets::MatrixValues values() const;
@@ -76,10 +90,12 @@ private:
     void retranslate();
 
     GraphExplorer& m_explorer;
+    FramePictures& m_pictures;
     JobRunner& m_jobs;
     QStackedWidget* m_pages;
     widgets::MatrixView* m_matrix;
     widgets::ArcView* m_arcs;
+    widgets::TakeGraphView* m_takes;
     QWidget* m_filters;
     QHBoxLayout* m_tools;
     QLabel* m_costLabel;
@@ -88,11 +104,14 @@ private:
     QSpinBox* m_shortest;
     QSpinBox* m_longest;
     QLabel* m_kept;
+    QToolButton* m_takeFilter;
     QPointer<Job> m_job;
     std::optional<widgets::MatrixFilter> m_shown; ///< what the picture was made for
     std::shared_ptr<const widgets::MatrixPyramid> m_pyramid;
     widgets::ScalarRange m_range;
     bool m_arcsAreOld = true;
+    bool m_takesAreOld = true;
+    bool m_countsMotion = false; ///< the overview counts the motion graph's transitions
     double m_fps = 25;
 };
 

@@ -121,11 +121,11 @@ void GraphStatePage::refresh()
     QString title = tr("No graph yet");
     QString text = tr("The graph holds every transition from one frame to another. It is computed from all "
                       "sequences of the character.");
-    QString button = tr("&Compute the Graph");
+    QString button = tr("&Compute the graph");
     if (medium == nullptr) {
         title = tr("No sequences yet");
         text = tr("Transitions lead from one sequence to another: import some first.");
-        button = tr("&Import Sequences…");
+        button = tr("&Import sequences…");
     } else if (state == State::Computing) {
         title = tr("Computing the graph");
         text = tr("Pose distances, transitions and both graphs. You can go on working meanwhile.");
@@ -134,7 +134,7 @@ void GraphStatePage::refresh()
         const ErrorText error = describe(*medium->error);
         title = error.sentence;
         text = error.where.isEmpty() ? error.remedy : tr("%1 (%2)").arg(error.remedy, error.where);
-        button = tr("&Try Again");
+        button = tr("&Try again");
     }
     m_title->setText(title);
     m_text->setText(text);

@@ -25,7 +25,7 @@ GraphStatistics statisticsOf(const Digraph& graph, const PathCostSummary& costs,
 std::vector<std::filesystem::path> writeGraphTables(const CharacterGraph& character,
                                                     const ExploredPaths& paths,
                                                     const std::vector<GraphComparison>& comparison,
-                                                    const std::filesystem::path& folder)
+                                                    const std::filesystem::path& folder, WriteGuard& guard)
 {
     const ExploredGraphs& graphs = *paths.graphs;
     const GraphStatistics essential =
@@ -33,9 +33,11 @@ std::vector<std::filesystem::path> writeGraphTables(const CharacterGraph& charac
     const GraphStatistics motion = statisticsOf(graphs.motion, paths.motionCosts, paths.motionConnectivity);
     std::vector<DataTable> tables;
     tables.push_back(edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.",
-                               graphs.essential, character.costs()));
+                               graphs.essential, character.costs(), character.layout(),
+                               character.work().sequences));
     tables.push_back(edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.",
-                               graphs.motion, character.costs()));
+                               graphs.motion, character.costs(), character.layout(),
+                               character.work().sequences));
     TableBuilder statistics = statisticsTable("graph-statistics", "Both graphs at the project's alpha.");
     addStatistics(statistics, "essential", graphs.alpha, essential);
     addStatistics(statistics, "motion", graphs.alpha, motion);
@@ -60,7 +62,7 @@ std::vector<std::filesystem::path> writeGraphTables(const CharacterGraph& charac
         DataItem item;
         item.name = table.name;
         item.content = std::move(table);
-        writeData(item, files.back());
+        writeData(item, files.back(), &guard);
     }
     return files;
 }

@@ -9,12 +9,15 @@
 
 namespace quadrille {
 
+class WriteGuard;
+
 /// Writes what is known of both graphs as CSV files into a folder: their edges, statistics and components,
 /// and the comparison over α where there is one. On any thread.
-/// \return the files. \throws Error WriteFailed, PermissionDenied.
+/// \param guard decides what may be written over.
+/// \return the files. \throws Error WriteFailed, PermissionDenied, BadArgument (what the guard refuses).
 std::vector<std::filesystem::path> writeGraphTables(const CharacterGraph& character,
                                                     const ExploredPaths& paths,
                                                     const std::vector<GraphComparison>& comparison,
-                                                    const std::filesystem::path& folder);
+                                                    const std::filesystem::path& folder, WriteGuard& guard);
 
 } // namespace quadrille

@@ -4,8 +4,8 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/errors/errortext.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
+#include "editor/pictures/framepictures.h"
 #include "editor/workspaces/graph/gapspanel.h"
 #include "editor/workspaces/graph/graphbar.h"
 #include "editor/workspaces/graph/graphchartspanel.h"
@@ -15,9 +15,11 @@
 #include "editor/workspaces/graph/graphstatepage.h"
 #include "editor/workspaces/graph/pairpreview.h"
 #include "editor/workspaces/graph/transitionpanel.h"
+#include "editor/workspaces/graph/transitionspeeds.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/graph/matrixview.h"
 #include "widgets/theme/theme.h"
+#include "widgets/timeline/cliplegend.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -32,6 +34,8 @@ namespace quadrille {
 namespace {
 
 constexpr int dwellMilliseconds = 350;
+constexpr int smallestMap = 340;   // pixels, with the filters above it
+constexpr int smallestView = 360;  // with the buttons below it
 constexpr int smallestPanel = 300; // pixels, so that all tabs show
 
 QScrollArea* scrolled(QWidget* content)
@@ -41,25 +45,6 @@ QScrollArea* scrolled(QWidget* content)
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     return area;
-}
-
-/// Captured, blended, captured, as the timeline shows them.
-std::vector<widgets::TimelineSpan> spansOf(const TransitionClip& clip, const GraphExplorer& explorer)
-{
-    using widgets::ColorRole;
-    using widgets::Theme;
-    const auto last = static_cast<int>(clip.sequence.frameCount()) - 1;
-    const auto first = static_cast<int>(clip.first);
-    const auto arrival = static_cast<int>(clip.last);
-    std::vector<widgets::TimelineSpan> spans{
-        {0, 0, first, frameName(explorer, clip.frames.source), Theme::color(ColorRole::Original), false}};
-    if (arrival > first + 1)
-        spans.push_back({1, first + 1, arrival - 1, GraphWorkspace::tr("blended"),
-                         Theme::color(ColorRole::Synthetic), true});
-    if (arrival > first)
-        spans.push_back({2, arrival, last, frameName(explorer, clip.frames.destination),
-                         Theme::color(ColorRole::Original), false});
-    return spans;
 }
 
 } // namespace
@@ -73,21 +58,21 @@ GraphWorkspace::GraphWorkspace(EditorContext& context, QWidget* parent)
                            QStringLiteral("graph")))
     , m_explorer(new GraphExplorer(context.jobs, this))
     , m_preview(new PairPreview(context.jobs, this))
+    , m_speeds(new TransitionSpeeds(context.jobs, this))
+    , m_pictures(new FramePictures(context.document, context.media, context.jobs, this))
     , m_bar(new GraphBar(context, *m_explorer))
-    , m_map(new GraphMap(*m_explorer, context.jobs))
+    , m_map(new GraphMap(*m_explorer, *m_pictures, context.jobs))
     , m_statePage(new GraphStatePage(context))
     , m_message(new widgets::MessageStrip)
     , m_readOut(new QLabel)
     , m_pages(new QStackedWidget)
     , m_tabs(new QTabWidget)
-    , m_transition(new TransitionPanel(*m_explorer))
+    , m_transition(new TransitionPanel(*m_explorer, *m_speeds, *m_pictures))
     , m_charts(new GraphChartsPanel(*m_explorer))
     , m_gaps(new GapsPanel(*m_explorer))
     , m_settings(new GraphSettingsPanel(context))
 {
     setObjectName(QStringLiteral("graphWorkspace"));
-    for (QWidget* part : {static_cast<QWidget*>(this), static_cast<QWidget*>(m_tabs)})
-        setHelpPage(part, QStringLiteral("graph"));
     m_message->setObjectName(QStringLiteral("graphMessage"));
     m_dwell.setSingleShot(true);
     m_dwell.setInterval(dwellMilliseconds);
@@ -102,6 +87,8 @@ GraphWorkspace::GraphWorkspace(EditorContext& context, QWidget* parent)
         m_tabs->setTabText(3, tr("Settings"));
         showState();
         showReadOut();
+        if (m_preview->clip() == nullptr)
+            showStrip({});
     });
 }
 
@@ -110,7 +97,7 @@ void GraphWorkspace::makePanels()
     m_tabs->setObjectName(QStringLiteral("graphTabs"));
     m_tabs->setDocumentMode(true);
     m_tabs->setUsesScrollButtons(false);
-    m_tabs->setElideMode(Qt::ElideRight);
+    m_tabs->setElideMode(Qt::ElideNone); // the panel is as wide as its tabs are in any language
     m_tabs->setMinimumWidth(smallestPanel);
     m_tabs->addTab(scrolled(m_transition), {});
     m_tabs->addTab(scrolled(m_charts), {});
@@ -136,6 +123,9 @@ void GraphWorkspace::arrangeWidgets()
     m_pages->addWidget(m_map);
     leftColumn->addWidget(m_pages, 1);
     leftColumn->addWidget(m_readOut);
+    // What both sides need at least changes with what they show: the divider must not.
+    left->setMinimumWidth(smallestMap);
+    m_view->setMinimumWidth(smallestView);
     auto* splitter = new QSplitter(Qt::Horizontal);
     splitter->setObjectName(QStringLiteral("graphSplitter"));
     splitter->addWidget(left);
@@ -147,6 +137,8 @@ void GraphWorkspace::arrangeWidgets()
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    using widgets::FrameKind;
+    m_view->addBelowTimeline(new widgets::ClipLegend({FrameKind::Captured, FrameKind::Transition}));
     column->addWidget(m_bar);
     column->addWidget(splitter, 1);
 }
@@ -160,13 +152,17 @@ void GraphWorkspace::connectParts()
         m_chosen.reset();
         m_hovered.reset();
         m_preview->setCharacter(m_explorer->character());
+        m_speeds->setCharacter(m_explorer->character());
+        m_view->message().clear();
         m_view->show(QStringList());
-        m_view->timeline().setTracks({});
+        showStrip({});
         showState();
         showReadOut();
     });
-    connect(m_explorer, &GraphExplorer::characterReplaced, this,
-            [this] { m_preview->replaceCharacter(m_explorer->character()); });
+    connect(m_explorer, &GraphExplorer::characterReplaced, this, [this] {
+        m_preview->replaceCharacter(m_explorer->character());
+        m_speeds->replaceCharacter(m_explorer->character());
+    });
     connect(m_explorer, &GraphExplorer::graphsChanged, this, [this] {
         m_charts->setAlpha(m_explorer->alpha());
         showReadOut();
@@ -179,6 +175,9 @@ void GraphWorkspace::connectParts()
         showFrames(pair);
     });
     connect(m_map, &GraphMap::activated, this, &GraphWorkspace::activate);
+    connect(m_map, &GraphMap::menuAsked, this, &GraphWorkspace::askWhatToDo);
+    connect(m_map, &GraphMap::filterDropped, this, [this] { m_explorer->setFilter({}); });
+    connect(&m_context.selection, &Selection::changed, this, &GraphWorkspace::followSelection);
     connect(m_transition, &TransitionPanel::chosen, this, &GraphWorkspace::activate);
     connect(m_gaps, &GapsPanel::chosen, this, [this](const FramePair& pair, bool isTransition) {
         m_map->setCurrent(pair);
@@ -245,20 +244,22 @@ void GraphWorkspace::showState()
     viewport().setNotice(!isThere || !stage().shown().isEmpty()
                              ? QString()
                              : tr("Point at the map to see two frames; click to play the transition."));
-    const auto* medium = m_context.graphs.medium(m_bar->character());
-    if (!isThere || medium == nullptr || medium->state == State::Ready) {
+    const auto* medium = isThere ? m_context.graphs.medium(m_bar->character()) : nullptr;
+    const bool isReady = medium == nullptr || medium->state == State::Ready;
+    // A graph for another α alone comes so soon that a message would only flicker.
+    const bool computesQuietly =
+        !isReady && medium->state == State::Computing &&
+        (medium->opened == nullptr || medium->job.isNull() || medium->job->isBackground());
+    if (isReady || computesQuietly) {
         m_message->clear();
     } else if (medium->state == State::Failed && medium->error) {
         const ErrorText text = describe(*medium->error);
         m_message->show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
-        m_message->setAction(tr("Try Again"));
+        m_message->setAction(tr("Try again"));
     } else if (medium->state == State::Computing) {
-        // A graph for another α alone comes so soon that a message would only flicker.
-        if (medium->opened != nullptr && !medium->job.isNull() && !medium->job->isBackground()) {
-            m_message->show(widgets::MessageStrip::Kind::Info,
-                            tr("The graph is computed anew; this is the one before."));
-            m_message->setAction(tr("Stop"));
-        }
+        m_message->show(widgets::MessageStrip::Kind::Info,
+                        tr("The graph is computed anew; this is the one before."));
+        m_message->setAction(tr("Stop"));
     } else {
         m_message->show(widgets::MessageStrip::Kind::Warning,
                         tr("The settings have changed since this graph was computed."));
@@ -286,46 +287,6 @@ void GraphWorkspace::activate(const FramePair& pair)
         m_preview->makeClip(pair);
     else
         showFrames(pair);
-}
-
-void GraphWorkspace::hover(const std::optional<FramePair>& pair)
-{
-    m_hovered = pair;
-    showReadOut();
-    const bool isClip = stage().shown() == QStringList{PairPreview::clipName()};
-    if (!pair) {
-        m_dwell.stop();
-        if (m_preview->clip() != nullptr && !isClip && m_preview->clip()->frames == m_chosen)
-            showClip();
-    } else if (!isClip) {
-        showFrames(*pair);
-    } else if (pair != m_chosen) {
-        m_dwell.start();
-    }
-}
-
-void GraphWorkspace::showFrames(const FramePair& pair)
-{
-    player().pause();
-    m_preview->showFrames(pair);
-    m_view->timeline().setTracks({});
-    m_view->show({PairPreview::sourceName(), PairPreview::destinationName()});
-    showState();
-}
-
-void GraphWorkspace::showClip()
-{
-    const TransitionClip* clip = m_preview->clip();
-    if (clip == nullptr)
-        return;
-    const QString name = PairPreview::clipName();
-    m_view->timeline().setTracks({{QStringLiteral("transition"), tr("Transition"),
-                                   widgets::TimelineTrack::Kind::Clips, false, spansOf(*clip, *m_explorer)}});
-    m_view->show({name});
-    stage().update(name);
-    player().goToStart();
-    player().play();
-    showState();
 }
 
 QString GraphWorkspace::readOut(const FramePair& pair) const

@@ -9,11 +9,13 @@
 #include <optional>
 
 class QLabel;
+class QMenu;
 class QStackedWidget;
 class QTabWidget;
 
 namespace quadrille {
 
+class FramePictures;
 class GapsPanel;
 class GraphBar;
 class GraphChartsPanel;
@@ -23,10 +25,12 @@ class GraphSettingsPanel;
 class GraphStatePage;
 class TransitionPanel;
 class PairPreview;
+class TransitionSpeeds;
 struct EditorContext;
 
 namespace widgets {
 class MessageStrip;
+struct TimelineSpan;
 } // namespace widgets
 
 /// The workspace in which transitions between all frames of a character are looked at: a map of their costs
@@ -51,6 +55,12 @@ public:
 private:
     void makeActions();
     void makeShowingActions();
+    void makeModes();
+    void makeMenuActions();
+    void followSelection();
+    void askWhatToDo(const FramePair& pair, const QPoint& globalPosition);
+    void addBan(QMenu& menu, const FramePair& pair);
+    void copyFrames();
     void makePanels();
     void arrangeWidgets();
     void connectParts();
@@ -61,6 +71,7 @@ private:
     void hover(const std::optional<FramePair>& pair);
     void showFrames(const FramePair& pair);
     void showClip();
+    void showStrip(std::vector<widgets::TimelineSpan> spans);
     void stepAlpha(double factor);
     void saveTables();
     QString readOut(const FramePair& pair) const;
@@ -70,6 +81,8 @@ private:
     StageView* m_view;
     GraphExplorer* m_explorer;
     PairPreview* m_preview;
+    TransitionSpeeds* m_speeds;
+    FramePictures* m_pictures;
     GraphBar* m_bar;
     GraphMap* m_map;
     GraphStatePage* m_statePage;

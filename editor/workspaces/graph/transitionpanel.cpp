@@ -3,19 +3,19 @@
 #include "editor/workspaces/graph/transitionpanel.h"
 
 #include "editor/language/retranslate.h"
+#include "editor/workspaces/graph/alternativeslist.h"
 #include "editor/workspaces/graph/costbar.h"
+#include "editor/workspaces/graph/framenames.h"
 #include "editor/workspaces/graph/graphexplorer.h"
 #include "editor/workspaces/graph/graphmap.h"
-#include "model/graph/alternatives.h"
+#include "editor/workspaces/graph/transitionspeeds.h"
 #include "model/graph/shortestpath.h"
 #include "widgets/graph/chartscale.h"
 #include "widgets/theme/theme.h"
 
 #include <QFormLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 
 namespace quadrille {
@@ -24,37 +24,19 @@ namespace {
 
 using widgets::chartNumber;
 
-enum Column
-{
-    From,
-    To,
-    Weight,
-    Frames,
-    ColumnCount,
-};
-
-constexpr int pairRole = Qt::UserRole;
-constexpr int smallestTable = 160; // pixels
-
 } // namespace
 
-QString frameName(const GraphExplorer& explorer, NodeIndex frame)
-{
-    const NamedFrame named = explorer.character()->graph.nameOf(frame);
-    //: a sequence and one of its frames
-    return TransitionPanel::tr("%1 %2").arg(QString::fromStdString(named.sequence),
-                                            QLocale().toString(static_cast<qlonglong>(named.frame.value)));
-}
-
-TransitionPanel::TransitionPanel(GraphExplorer& explorer, QWidget* parent)
+TransitionPanel::TransitionPanel(GraphExplorer& explorer, TransitionSpeeds& speeds, FramePictures& pictures,
+                                 QWidget* parent)
     : QWidget(parent)
     , m_explorer(explorer)
+    , m_speeds(speeds)
     , m_title(new QLabel)
     , m_empty(new QLabel)
     , m_content(new QWidget)
     , m_bar(new CostBar)
     , m_heading(new QLabel)
-    , m_alternatives(new QTreeWidget)
+    , m_alternatives(new AlternativesList(explorer, speeds, pictures))
 {
     setObjectName(QStringLiteral("transitionPanel"));
     m_title->setObjectName(QStringLiteral("transitionTitle"));
@@ -78,9 +60,10 @@ TransitionPanel::TransitionPanel(GraphExplorer& explorer, QWidget* parent)
     m_form->addRow(m_bar);
     m_length = addFact("transitionLength");
     m_windows = addFact("transitionWindows");
+    m_slide = addFact("transitionSlide");
+    m_jump = addFact("transitionJump");
     m_essential = addFact("transitionEssential");
     m_motion = addFact("transitionMotion");
-    makeAlternatives();
     auto* inner = new QVBoxLayout(m_content);
     inner->setContentsMargins(0, 0, 0, 0);
     inner->setSpacing(8);
@@ -95,6 +78,8 @@ TransitionPanel::TransitionPanel(GraphExplorer& explorer, QWidget* parent)
     column->addWidget(m_empty, 1);
     connect(&explorer, &GraphExplorer::characterChanged, this, [this] { show(std::nullopt); });
     connect(&explorer, &GraphExplorer::graphsChanged, this, &TransitionPanel::refresh);
+    connect(m_alternatives, &AlternativesList::chosen, this, &TransitionPanel::chosen);
+    connect(&speeds, &TransitionSpeeds::changed, this, &TransitionPanel::showSpeeds);
     retranslates(this, [this] { retranslate(); });
 }
 
@@ -111,28 +96,6 @@ QLabel* TransitionPanel::addFact(const char* objectName)
     return value;
 }
 
-void TransitionPanel::makeAlternatives()
-{
-    m_alternatives->setObjectName(QStringLiteral("transitionAlternatives"));
-    m_alternatives->setColumnCount(ColumnCount);
-    m_alternatives->setRootIsDecorated(false);
-    m_alternatives->setUniformRowHeights(true);
-    m_alternatives->setMinimumHeight(smallestTable);
-    m_alternatives->header()->setStretchLastSection(false);
-    m_alternatives->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_alternatives->header()->setMinimumSectionSize(32);
-    connect(m_alternatives, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) { choose(item); });
-    connect(m_alternatives, &QTreeWidget::itemActivated, this,
-            [this](QTreeWidgetItem* item) { choose(item); });
-}
-
-void TransitionPanel::choose(QTreeWidgetItem* item)
-{
-    const auto pair = item->data(From, pairRole).value<FramePair>();
-    if (pair != m_pair)
-        emit chosen(pair);
-}
-
 void TransitionPanel::setFps(double fps)
 {
     m_fps = fps;
@@ -143,7 +106,7 @@ void TransitionPanel::show(const std::optional<FramePair>& pair)
 {
     m_pair = pair;
     refresh();
-    showAlternatives();
+    m_alternatives->show(pair);
 }
 
 void TransitionPanel::refresh()
@@ -153,11 +116,10 @@ void TransitionPanel::refresh()
     m_empty->setVisible(!isShown);
     if (!isShown)
         return;
-    //: two frames: a transition from the first to the second
-    m_title->setText(
-        tr("%1 → %2").arg(frameName(m_explorer, m_pair->source), frameName(m_explorer, m_pair->destination)));
+    m_title->setText(pairName(m_explorer, *m_pair));
     showCost();
     showMembership();
+    showSpeeds();
 }
 
 void TransitionPanel::showCost()
@@ -244,24 +206,22 @@ void TransitionPanel::showMembership()
     m_motion->setText(motion.isEmpty() ? tr("No: not a local minimum of the cost") : motion);
 }
 
-void TransitionPanel::showAlternatives()
+void TransitionPanel::showSpeeds()
 {
-    m_alternatives->clear();
     if (!m_pair || !m_explorer.character())
         return;
-    const TransitionCosts& costs = m_explorer.character()->graph.costs();
-    for (const FramePair& pair : alternatives(costs, m_explorer.alpha(), *m_pair)) {
-        auto* item = new QTreeWidgetItem(m_alternatives);
-        item->setData(From, pairRole, QVariant::fromValue(pair));
-        item->setText(From, frameName(m_explorer, pair.source));
-        item->setText(To, frameName(m_explorer, pair.destination));
-        item->setText(Weight, chartNumber(costs.weight(pair.source, pair.destination, m_explorer.alpha())));
-        item->setText(Frames, QLocale().toString(costs.length()(pair.source, pair.destination)));
-        for (const Column column : {Weight, Frames}) {
-            item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-            item->setFont(column, widgets::Theme::tabularFont(font()));
-        }
-    }
+    const auto [i, j] = *m_pair;
+    const bool isTransition = m_explorer.character()->graph.costs().hasTransition(i, j);
+    const TransitionSpeeds::Speeds* speeds = isTransition ? m_speeds.of(*m_pair) : nullptr;
+    const auto text = [&](std::optional<double> TransitionSpeeds::Speeds::*speed) {
+        const bool isMeasured = speeds != nullptr || !isTransition;
+        const auto value = speeds != nullptr ? speeds->*speed : std::nullopt;
+        const QString number = speedText(isMeasured, value);
+        //: a speed
+        return value ? tr("%1 m/s").arg(number) : number;
+    };
+    m_slide->setText(text(&TransitionSpeeds::Speeds::slide));
+    m_jump->setText(text(&TransitionSpeeds::Speeds::jump));
 }
 
 void TransitionPanel::retranslate()
@@ -273,6 +233,10 @@ void TransitionPanel::retranslate()
         {tr("Duration"), tr("α for each frame that the transition lasts")},
         {tr("Lasts"), tr("From the last captured pose to the next")},
         {tr("Windows"), tr("How many frames of both takes are blended")},
+        {tr("Foot slide"), tr("How fast the feet that stand in both takes slide, on average")},
+        {tr("Speed jump"),
+         tr("How much the body’s velocity over the ground changes, from the frames before the "
+            "transition to those behind it")},
         {tr("Essential graph"), tr("It holds what no cheaper way can replace")},
         {tr("Motion graph"), tr("It holds the local minima of the cost")}};
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -282,7 +246,6 @@ void TransitionPanel::retranslate()
     }
     m_heading->setText(tr("Next best from about there"));
     m_alternatives->setAccessibleName(m_heading->text());
-    m_alternatives->setHeaderLabels({tr("From"), tr("To"), tr("Weight"), tr("Frames")});
     show(m_pair);
 }
 

@@ -10,22 +10,24 @@
 
 class QFormLayout;
 class QLabel;
-class QTreeWidget;
-class QTreeWidgetItem;
 
 namespace quadrille {
 
+class AlternativesList;
 class CostBar;
+class FramePictures;
 class GraphExplorer;
+class TransitionSpeeds;
 
-/// Why a transition is in a graph or not: its cost in parts, its windows, the way that replaces it, and what
-/// could be taken instead.
+/// Why a transition is in a graph or not: its cost in parts, its windows, how well it joins, the way that
+/// replaces it, and what could be taken instead.
 class TransitionPanel : public QWidget
 {
     Q_OBJECT
 
 public:
-    TransitionPanel(GraphExplorer& explorer, QWidget* parent = nullptr);
+    TransitionPanel(GraphExplorer& explorer, TransitionSpeeds& speeds, FramePictures& pictures,
+                    QWidget* parent = nullptr);
 
     void setFps(double fps);
     void show(const std::optional<FramePair>& pair);
@@ -43,16 +45,15 @@ private:
         QLabel* value;
     };
     QLabel* addFact(const char* objectName);
-    void makeAlternatives();
     void refresh();
     void showCost();
     void showMembership();
-    void showAlternatives();
-    void choose(QTreeWidgetItem* item);
+    void showSpeeds();
     QString replacement() const;
     void retranslate();
 
     GraphExplorer& m_explorer;
+    TransitionSpeeds& m_speeds;
     std::optional<FramePair> m_pair;
     double m_fps = 25;
     QLabel* m_title;
@@ -66,13 +67,12 @@ private:
     QLabel* m_duration = nullptr;
     QLabel* m_length = nullptr;
     QLabel* m_windows = nullptr;
+    QLabel* m_slide = nullptr;
+    QLabel* m_jump = nullptr;
     QLabel* m_essential = nullptr;
     QLabel* m_motion = nullptr;
     QLabel* m_heading;
-    QTreeWidget* m_alternatives;
+    AlternativesList* m_alternatives;
 };
-
-/// "walk 12".
-QString frameName(const GraphExplorer& explorer, NodeIndex frame);
 
 } // namespace quadrille

@@ -3,11 +3,16 @@
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/commands/markedits.h"
 #include "editor/errors/errortext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/sequences/contactproposal.h"
+#include "editor/workspaces/sequences/labeltakes.h"
 #include "editor/workspaces/sequences/posecomparison.h"
 #include "editor/workspaces/sequences/sequencetimeline.h"
+#include "editor/workspaces/view/framenotes.h"
+#include "editor/workspaces/view/notespanel.h"
+#include "editor/workspaces/view/timelineactions.h"
 #include "widgets/controls/messagestrip.h"
 
 #include <QVBoxLayout>
@@ -37,6 +42,7 @@ SequencesWorkspace::SequencesWorkspace(EditorContext& context, QWidget* parent)
     , m_comparison(new PoseComparison(context, m_view->viewport(), m_view->stage(), this))
 {
     setObjectName(QStringLiteral("sequencesWorkspace"));
+    makeNotes();
     makeEditActions();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -55,7 +61,40 @@ SequencesWorkspace::SequencesWorkspace(EditorContext& context, QWidget* parent)
     connect(&context.selection, &Selection::changed, this, &SequencesWorkspace::followSelection);
     connect(m_view, &StageView::stageChanged, this, &SequencesWorkspace::followStage);
     connect(m_sequenceTimeline, &SequenceTimeline::rangeChanged, m_view, &StageView::updateRange);
+    connect(m_sequenceTimeline, &SequenceTimeline::menuOpened, this,
+            [this](QMenu* menu, const QString& track, int frame) {
+                addTimelineMenu(*menu, *m_view, m_context, track, frame);
+            });
     retranslates(this, [this] { showState(); });
+}
+
+void SequencesWorkspace::makeNotes()
+{
+    const auto shown = [this] { return m_sequenceTimeline->sequence(); };
+    m_notes = new FrameNotes(
+        *m_view,
+        {.notes = [this, shown]() -> std::optional<std::vector<FrameNote>> {
+             if (!m_sequenceTimeline->isEditing())
+                 return std::nullopt;
+             return notesOf(m_context.document.sequence(shown())->unknown);
+         },
+         .keep =
+             [this, shown](std::vector<FrameNote> notes, EditPhase phase) {
+                 setSequenceNotes(m_context.document, shown(), std::move(notes), phase);
+             },
+         .firstFrame = [this,
+                        shown] { return static_cast<int>(m_context.media.usedFrames(shown()).first.value); }},
+        this);
+    m_sequenceTimeline->setNotes(*m_notes);
+    m_view->setNotes(m_notes);
+    m_notesPanel = new NotesPanel(*m_notes);
+    connect(m_sequenceTimeline, &SequenceTimeline::rangeChanged, m_notesPanel,
+            [this] { m_notesPanel->refresh(m_context.document.project().settings.fps); });
+}
+
+std::vector<Workspace::Panel> SequencesWorkspace::panels()
+{
+    return {{"sequenceNotesDock", [] { return tr("Notes"); }, m_notesPanel, Qt::BottomDockWidgetArea, false}};
 }
 
 void SequencesWorkspace::makeEditActions()
@@ -70,6 +109,16 @@ void SequencesWorkspace::makeEditActions()
                 [this] { m_sequenceTimeline->removeTrim(); });
     actions.add({"edit.label", edit, [] { return tr("Add a &label"); }, {}, "label", {Qt::Key_M}},
                 [this] { m_sequenceTimeline->addLabel(); });
+    actions.add(
+        {"edit.labelTakes",
+         edit,
+         [] { return tr("Label the ta&kes…"); },
+         [] { return tr("Give each of the selected takes a label over all of its frames"); },
+         "label",
+         {QKeySequence(Qt::CTRL | Qt::Key_M)}},
+        [this] {
+            LabelTakes(m_context.document, m_context.media, m_context.selection.sequences(), window()).exec();
+        });
 }
 
 /// What is not seen is not trimmed, and its keys mean something else elsewhere.
@@ -95,6 +144,7 @@ std::optional<NamedFrame> SequencesWorkspace::shownPose()
 void SequencesWorkspace::followSelection()
 {
     const QStringList& names = m_context.selection.sequences();
+    m_context.actions.action(QStringLiteral("edit.labelTakes"))->setEnabled(!names.isEmpty());
     m_view->message().clear();
     m_view->show(names.size() > 1 ? names : QStringList{m_context.selection.shownSequence()});
     m_view->setCurrent(m_context.selection.shownSequence());
@@ -126,7 +176,7 @@ void SequencesWorkspace::showState()
         const QString sentence =
             text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where);
         message.show(widgets::MessageStrip::Kind::Error, sentence, text.remedy);
-        message.setAction(tr("Try Again"));
+        message.setAction(tr("Try again"));
     } else if (const QString problem = m_comparison->problem(); !problem.isEmpty()) {
         message.show(widgets::MessageStrip::Kind::Warning, problem, m_comparison->remedy());
         message.setAction({});

@@ -7,6 +7,8 @@
 namespace quadrille {
 
 class ContactProposal;
+class FrameNotes;
+class NotesPanel;
 class PoseComparison;
 class SequenceTimeline;
 
@@ -19,12 +21,14 @@ public:
     explicit SequencesWorkspace(EditorContext& context, QWidget* parent = nullptr);
 
     StageView& view() override { return *m_view; }
+    std::vector<Panel> panels() override;
     std::optional<NamedFrame> shownPose() override;
     void setActive(bool active) override;
     const PoseComparison& comparison() const { return *m_comparison; }
 
 private:
     void makeEditActions();
+    void makeNotes();
     void followSelection();
     void followStage();
     void showState();
@@ -34,6 +38,8 @@ private:
     SequenceTimeline* m_sequenceTimeline;
     ContactProposal* m_contacts;
     PoseComparison* m_comparison;
+    FrameNotes* m_notes = nullptr;
+    NotesPanel* m_notesPanel = nullptr;
 };
 
 } // namespace quadrille

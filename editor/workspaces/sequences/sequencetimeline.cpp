@@ -3,11 +3,15 @@
 #include "editor/workspaces/sequences/sequencetimeline.h"
 
 #include "editor/commands/projectedits.h"
+#include "editor/documents/labelcolors.h"
+#include "editor/workspaces/sequences/knownlabels.h"
+#include "editor/workspaces/sequences/labeltakes.h"
+#include "editor/workspaces/view/framenotes.h"
+#include "widgets/controls/inplaceedit.h"
 #include "widgets/theme/theme.h"
 
 #include <QCompleter>
 #include <QMenu>
-#include <set>
 
 namespace quadrille {
 
@@ -37,25 +41,18 @@ std::vector<std::string> feetOf(const SequenceEntry& entry)
     return feet;
 }
 
-QStringList knownLabels(const Project& project)
-{
-    std::set<QString> labels;
-    for (const SequenceEntry& sequence : project.sequences) {
-        for (const LabelSpan& span : sequence.labels)
-            labels.insert(QString::fromStdString(span.label));
-    }
-    return {labels.begin(), labels.end()};
-}
-
 } // namespace
 
 SequenceTimeline::SequenceTimeline(Timeline& timeline, ProjectDocument& document, SequenceMedia& media,
                                    QObject* parent)
     : QObject(parent), m_timeline(timeline), m_document(document), m_media(media)
 {
-    connect(&document, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
-        if (event.kind == ChangeEvent::Kind::Renamed && event.before == m_sequence)
+    timeline.setRangeEditable(true);
+    connect(&document, &ProjectDocument::renamed, this, [this](const ChangeEvent& event) {
+        if (event.entry.section == Section::Sequences && event.before == m_sequence)
             m_sequence = event.entry.name;
+    });
+    connect(&document, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
         if (event.touches(Section::Sequences) || event.touches(Section::Project))
             refresh();
     });
@@ -63,6 +60,7 @@ SequenceTimeline::SequenceTimeline(Timeline& timeline, ProjectDocument& document
         if (name == m_sequence)
             refresh();
     });
+    connect(&LabelColors::of(document), &LabelColors::changed, this, &SequenceTimeline::refresh);
     connect(&Theme::instance(), &Theme::changed, this, &SequenceTimeline::refresh);
     connect(&timeline, &Timeline::rangeEdited, this, [this](int first, int last, bool committed) {
         setRange({FrameIndex(first), FrameIndex(last)}, committed);
@@ -79,6 +77,8 @@ SequenceTimeline::~SequenceTimeline() = default;
 void SequenceTimeline::show(const QString& sequence, std::int64_t comparedFrames)
 {
     const bool isOther = sequence != m_sequence || comparedFrames != m_comparedFrames;
+    if (isOther)
+        delete m_nameField;
     m_sequence = sequence;
     m_comparedFrames = comparedFrames;
     refresh();
@@ -113,7 +113,6 @@ void SequenceTimeline::refresh()
 std::vector<TimelineTrack> SequenceTimeline::makeTracks(const SequenceEntry& shown) const
 {
     const auto offset = static_cast<int>(m_media.usedFrames(m_sequence).first.value);
-    const QStringList labels = knownLabels(m_document.project());
     const auto makeSpan = [&](int id, FrameRange frames, const QString& text, const QColor& color) {
         return widgets::TimelineSpan{id, static_cast<int>(frames.first.value) + offset,
                                      static_cast<int>(frames.last.value) + offset, text, color};
@@ -123,8 +122,7 @@ std::vector<TimelineTrack> SequenceTimeline::makeTracks(const SequenceEntry& sho
     for (int i = 0; i < static_cast<int>(shown.labels.size()); ++i) {
         const LabelSpan& span = shown.labels[static_cast<std::size_t>(i)];
         const QString text = QString::fromStdString(span.label);
-        const QColor color = Theme::categorical(static_cast<int>(labels.indexOf(text)));
-        track.spans.push_back(makeSpan(i, span.frames, text, color));
+        track.spans.push_back(makeSpan(i, span.frames, text, LabelColors::of(m_document).color(text)));
     }
     tracks.push_back(std::move(track));
     for (const std::string& foot : feetOf(shown)) {
@@ -134,10 +132,12 @@ std::vector<TimelineTrack> SequenceTimeline::makeTracks(const SequenceEntry& sho
         for (int i = 0; i < static_cast<int>(shown.contacts.size()); ++i) {
             const ContactSpan& span = shown.contacts[static_cast<std::size_t>(i)];
             if (span.foot == foot)
-                contacts.spans.push_back(makeSpan(i, span.frames, {}, Theme::color(widgets::ColorRole::Key)));
+                contacts.spans.push_back(makeSpan(i, span.frames, {}, LabelColors::contact(foot)));
         }
         tracks.push_back(std::move(contacts));
     }
+    if (m_notes != nullptr)
+        tracks.push_back(m_notes->track());
     return tracks;
 }
 
@@ -192,7 +192,7 @@ void SequenceTimeline::createSpan(const QString& track, int first, int last)
         return;
     if (track == labelTrack) {
         auto labels = shown->labels;
-        labels.push_back({tr("label").toStdString(), toSequence(first, last)});
+        labels.push_back({proposedLabel(m_sequence).toStdString(), toSequence(first, last)});
         const SpanRef span{labelTrack, static_cast<int>(labels.size()) - 1};
         setSequenceLabels(m_document, m_sequence, std::move(labels));
         m_timeline.setSelectedSpan(span);
@@ -259,29 +259,27 @@ void SequenceTimeline::nameSpan(const SpanRef& span)
     if (span.track != labelTrack || shown == nullptr || index >= shown->labels.size())
         return;
     delete m_nameField;
-    auto* field = new QLineEdit(QString::fromStdString(shown->labels[index].label), &m_timeline);
-    m_nameField = field;
-    field->setObjectName(QStringLiteral("labelName"));
-    field->setAccessibleName(tr("Name of the label"));
-    field->setCompleter(new QCompleter(knownLabels(m_document.project()), field));
-    const QRect place = m_timeline.spanRect(span);
-    field->setGeometry(
-        QRect(place.topLeft(), QSize(std::max(place.width(), 140), field->sizeHint().height())));
-    field->show();
-    field->selectAll();
-    field->setFocus();
-    connect(field, &QLineEdit::editingFinished, this, [this, field, index] {
-        const SequenceEntry* named = entry();
-        const std::string text = field->text().trimmed().toStdString();
-        field->hide();
-        field->deleteLater();
-        if (named == nullptr || index >= named->labels.size() || text.empty())
-            return;
-        auto labels = named->labels;
-        labels[index].label = text;
-        setSequenceLabels(m_document, m_sequence, std::move(labels));
-        m_timeline.setFocus();
-    });
+    const LabelSpan label = shown->labels[index];
+    m_nameField = new widgets::InPlaceEdit(QString::fromStdString(label.label), m_timeline);
+    m_nameField->setObjectName(QStringLiteral("labelName"));
+    m_nameField->setAccessibleName(tr("Name of the label"));
+    m_nameField->setCompleter(new QCompleter(knownLabels(m_document.project()), m_nameField));
+    connect(m_nameField, &widgets::InPlaceEdit::accepted, this,
+            [this, label, index, sequence = m_sequence](const QString& text) {
+                // Meanwhile it may have gone, or have another number.
+                const SequenceEntry* named = m_document.sequence(sequence);
+                if (named == nullptr)
+                    return;
+                auto labels = named->labels;
+                const bool isThere = index < labels.size() && labels[index] == label;
+                const auto place = isThere ? labels.begin() + static_cast<std::ptrdiff_t>(index)
+                                           : std::ranges::find(labels, label);
+                if (place == labels.end())
+                    return;
+                place->label = text.toStdString();
+                setSequenceLabels(m_document, sequence, std::move(labels));
+            });
+    m_nameField->begin(m_timeline.spanRect(span));
 }
 
 void SequenceTimeline::showMenu(const QString& track, const std::optional<SpanRef>& span, int frame,
@@ -291,24 +289,27 @@ void SequenceTimeline::showMenu(const QString& track, const std::optional<SpanRe
         return;
     QMenu menu(&m_timeline);
     if (span) {
-        if (span->track == labelTrack)
-            menu.addAction(tr("Rename Label"), this, [&] { nameSpan(*span); });
-        menu.addAction(tr("Remove"), this, [&] { deleteSpan(*span); });
+        const bool isLabel = span->track == labelTrack;
+        if (isLabel || span->track == FrameNotes::trackId)
+            menu.addAction(isLabel ? tr("Rename label") : tr("Edit note"), this,
+                           [&] { emit m_timeline.spanActivated(*span); });
+        menu.addAction(tr("Remove"), this, [&] { emit m_timeline.spanDeletionAsked(*span); });
         menu.addSeparator();
-    } else if (!track.isEmpty()) {
+    } else if (!track.isEmpty() && track != FrameNotes::trackId) {
         const int last = std::min(frame + newSpanFrames - 1, m_timeline.frameCount() - 1);
-        menu.addAction(track == labelTrack ? tr("Add Label Here") : tr("Add Contact Here"), this,
+        menu.addAction(track == labelTrack ? tr("Add label here") : tr("Add contact here"), this,
                        [&] { createSpan(track, frame, last); });
         menu.addSeparator();
     }
     const FrameRange used = m_media.usedFrames(m_sequence);
-    menu.addAction(tr("Trim Start to Frame %1").arg(frame), this, [&] {
+    menu.addAction(tr("Trim start to frame %1").arg(frame), this, [&] {
         setRange({FrameIndex(frame), std::max(FrameIndex(frame), used.last)}, true);
     });
-    menu.addAction(tr("Trim End to Frame %1").arg(frame), this, [&] {
+    menu.addAction(tr("Trim end to frame %1").arg(frame), this, [&] {
         setRange({std::min(FrameIndex(frame), used.first), FrameIndex(frame)}, true);
     });
-    menu.addAction(tr("Use All Frames"), this, &SequenceTimeline::removeTrim);
+    menu.addAction(tr("Use all frames"), this, &SequenceTimeline::removeTrim);
+    emit menuOpened(&menu, track, frame);
     menu.exec(position);
 }
 

@@ -5,11 +5,18 @@
 #include "editor/documents/sequencemedia.h"
 #include "widgets/timeline/timeline.h"
 
-#include <QLineEdit>
 #include <QObject>
 #include <QPointer>
 
+class QMenu;
+
 namespace quadrille {
+
+class FrameNotes;
+
+namespace widgets {
+class InPlaceEdit;
+}
 
 /// Lets the timeline show and edit one sequence of the document: its trim, label spans and foot contacts.
 /// The timeline counts the frames of the untrimmed source; while sequences are compared, it shows the length
@@ -33,12 +40,18 @@ public:
     void trimStartHere();
     void trimEndHere();
     void removeTrim();
+    /// Whose row stands below the others.
+    void setNotes(FrameNotes& notes) { m_notes = &notes; }
+    const QString& sequence() const { return m_sequence; }
+    bool isEditing() const { return entry() != nullptr && m_comparedFrames == 0; }
     /// Opens a field for the name of a label.
     void nameSpan(const widgets::SpanRef& span);
 
 signals:
     /// The frames that play are others now.
     void rangeChanged();
+    /// A right click: more may be added.
+    void menuOpened(QMenu* menu, const QString& track, int frame);
 
 private:
     void refresh();
@@ -58,7 +71,8 @@ private:
     QString m_sequence;
     std::int64_t m_comparedFrames = 0;
     std::optional<SequenceEntry> m_dragBase;
-    QPointer<QLineEdit> m_nameField;
+    FrameNotes* m_notes = nullptr;
+    QPointer<widgets::InPlaceEdit> m_nameField;
 };
 
 } // namespace quadrille

@@ -5,7 +5,6 @@
 #include "editor/application/editorcontext.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/actionbutton.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/bodypartstree.h"
 #include "editor/workspaces/variations/bodysurface.h"
@@ -70,7 +69,6 @@ BodyPartsPanel::BodyPartsPanel(PartCurveTool& tool, QWidget* parent)
     , m_tree(new BodyPartsTree(tool))
 {
     setObjectName(QStringLiteral("bodyPartsPanel"));
-    setHelpPage(this, QStringLiteral("body-parts"));
     m_emptyNotice->setObjectName(QStringLiteral("bodyPartsEmptyNotice"));
     m_notice->setObjectName(QStringLiteral("bodyPartsNotice"));
     m_problem->setObjectName(QStringLiteral("bodyPartsProblem"));
@@ -201,8 +199,8 @@ void BodyPartsPanel::connectTool()
 void BodyPartsPanel::retranslate()
 {
     setAccessibleName(tr("Body parts"));
-    m_propose->setText(tr("Propose Parts"));
-    m_draw->setText(tr("Draw a Curve"));
+    m_propose->setText(tr("Propose parts"));
+    m_draw->setText(tr("Draw a curve"));
     m_propose->setToolTip(tr("Cut the body into torso, arms and legs"));
     m_draw->setToolTip(tr("Click points around a limb (C)"));
     m_snaps->setText(tr("Snap to creases within"));
@@ -292,7 +290,7 @@ void BodyPartsPanel::refreshOffer()
     else
         m_offer->show(MessageStrip::Kind::Info,
                       tr("The curves “%1” and “%2” bound no part yet.").arg(name(0), name(1)));
-    m_offer->setAction(tr("Add a Part"));
+    m_offer->setAction(tr("Add a part"));
 }
 
 void BodyPartsPanel::show(const PartNotice& notice)

@@ -229,7 +229,10 @@ void CurrentVariation::goToReference(double frame)
 void CurrentVariation::edit(const QString& text, const QString& property, const Edit& edit, EditPhase phase)
 {
     const QString edited = entry() == nullptr ? add() : name();
-    VariationEntry after = *m_context.document.variation(edited);
+    const VariationEntry* before = m_context.document.variation(edited);
+    if (before == nullptr)
+        return;
+    VariationEntry after = *before;
     edit(after);
     setVariation(m_context.document, edited, text, property, std::move(after), phase);
 }

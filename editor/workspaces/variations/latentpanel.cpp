@@ -4,7 +4,6 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/fields/actionbutton.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/latentconfidence.h"
@@ -55,7 +54,6 @@ LatentPanel::LatentPanel(CurrentVariation& variation, QWidget* parent)
     , m_view(new widgets::LatentView)
 {
     setObjectName(QStringLiteral("latentPanel"));
-    setHelpPage(this, QStringLiteral("variations"));
     m_part->setObjectName(QStringLiteral("latentPart"));
     m_part->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     QAction* confidence = variation.context().actions.addToggle(

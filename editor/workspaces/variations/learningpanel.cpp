@@ -4,7 +4,6 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/fields/actionbutton.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/learningsettings.h"
@@ -105,7 +104,6 @@ LearningPanel::LearningPanel(CurrentVariation& variation, QWidget* parent)
     , m_chart(new widgets::LineChart)
 {
     setObjectName(QStringLiteral("learningPanel"));
-    setHelpPage(this, QStringLiteral("variations"));
     arrangeWidgets();
     connect(m_parts, &QTreeWidget::currentItemChanged, this, &LearningPanel::refreshChart);
     connect(&variation, &CurrentVariation::resultChanged, this, [this] {

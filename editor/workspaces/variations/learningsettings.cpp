@@ -89,10 +89,6 @@ void LearningSettings::addLearning()
 void LearningSettings::addDrawing()
 {
     m_form->addHeading([] { return tr("Drawing"); });
-    addNumber({"spread", [] { return tr("Spread"); },
-               [] { return tr("How far variations are apart, as a share of how far the takes are"); },
-               [](const VariationEntry& entry) { return entry.extent.spread; },
-               [](VariationEntry& entry, double value) { entry.extent.spread = value; }, 0, 3, 0.1, 2});
     addPoses();
     addContacts();
 }

@@ -5,10 +5,10 @@
 #include "editor/application/editorcontext.h"
 #include "editor/fields/settingform.h"
 #include "editor/fields/verticalscroll.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/blendlist.h"
 #include "editor/workspaces/variations/currentvariation.h"
+#include "editor/workspaces/variations/takelist.h"
 #include "editor/workspaces/variations/takeuse.h"
 #include "editor/workspaces/view/stageview.h"
 #include "model/variation/movement.h"
@@ -22,7 +22,7 @@
 #include <QLocale>
 #include <QScopedValueRollback>
 #include <QScrollArea>
-#include <QTreeWidget>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -76,7 +76,7 @@ MovementPanel::MovementPanel(CurrentVariation& variation, QWidget* parent)
     : QWidget(parent)
     , m_variation(variation)
     , m_hint(new QLabel)
-    , m_takes(new QTreeWidget)
+    , m_takes(new TakeList)
     , m_form(new SettingForm)
     , m_reference(new QComboBox)
     , m_template(new widgets::ElidedButton)
@@ -85,7 +85,6 @@ MovementPanel::MovementPanel(CurrentVariation& variation, QWidget* parent)
     , m_blends(new BlendList(variation))
 {
     setObjectName(QStringLiteral("movementPanel"));
-    setHelpPage(this, QStringLiteral("variations"));
     m_hint->setObjectName(QStringLiteral("movementHint"));
     m_hint->setWordWrap(true);
     m_hint->setForegroundRole(QPalette::PlaceholderText);
@@ -122,6 +121,7 @@ MovementPanel::MovementPanel(CurrentVariation& variation, QWidget* parent)
     column->addWidget(m_takes, 1);
     column->addWidget(scroll, 1);
     connect(m_takes, &QTreeWidget::itemChanged, this, &MovementPanel::choose);
+    connect(m_takes, &TakeList::takesDropped, this, &MovementPanel::addTakes);
     connect(m_takes, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
         m_variation.context().selection.selectSequences({item->text(takeColumn)});
     });
@@ -129,7 +129,8 @@ MovementPanel::MovementPanel(CurrentVariation& variation, QWidget* parent)
     connect(&variation, &CurrentVariation::resultChanged, this, &MovementPanel::refreshTakes);
     connect(&variation.context().media, &SequenceMedia::changed, this, &MovementPanel::refreshTakes);
     retranslates(this, [this] {
-        m_hint->setText(tr("Check the takes of one kind of movement: they are learned from."));
+        m_hint->setText(
+            tr("Check the takes of one kind of movement, or drag their cards here: they are learned from."));
         m_takes->setHeaderLabels({tr("Take"), tr("Frames"), tr("Used")});
         m_takes->headerItem()->setToolTip(usedColumn,
                                           tr("The frames that are learned from: one cycle, or all"));
@@ -276,6 +277,29 @@ void MovementPanel::choose(QTreeWidgetItem* item)
                              addTake(entry, name);
                          else
                              removeTake(entry, name);
+                     });
+}
+
+/// Those of this character that are not learned from yet, in one step.
+void MovementPanel::addTakes(const QStringList& takes)
+{
+    const QStringList own = takesOfCharacter();
+    QStringList added;
+    for (const QString& take : takes) {
+        if (own.contains(take) && !isLearnedFrom(m_variation.entry(), take.toStdString()))
+            added += take;
+    }
+    if (added.isEmpty()) {
+        const auto isOther = [&own](const QString& take) { return !own.contains(take); };
+        if (const auto other = std::ranges::find_if(takes, isOther); other != takes.end())
+            QToolTip::showText(QCursor::pos(), tr("“%1” is of another character.").arg(*other), m_takes);
+        return;
+    }
+    m_variation.edit(added.size() == 1 ? tr("Learn from “%1”").arg(added.front())
+                                       : tr("Learn from %n takes", nullptr, static_cast<int>(added.size())),
+                     QStringLiteral("training"), [&](VariationEntry& entry) {
+                         for (const QString& take : added)
+                             addTake(entry, take.toStdString());
                      });
 }
 

@@ -7,7 +7,6 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace quadrille {
@@ -15,6 +14,7 @@ namespace quadrille {
 class BlendList;
 class CurrentVariation;
 class SettingForm;
+class TakeList;
 
 namespace widgets {
 class ElidedButton;
@@ -34,12 +34,13 @@ private:
     void refreshTakes();
     void showUse(QTreeWidgetItem& item);
     void choose(QTreeWidgetItem* item);
+    void addTakes(const QStringList& takes);
     void takeTemplate();
     QStringList takesOfCharacter() const;
 
     CurrentVariation& m_variation;
     QLabel* m_hint;
-    QTreeWidget* m_takes;
+    TakeList* m_takes;
     SettingForm* m_form;
     QComboBox* m_reference;
     widgets::ElidedButton* m_template;

@@ -13,6 +13,7 @@
 #include "widgets/theme/theme.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
@@ -146,6 +147,9 @@ void SamplesPanel::refreshFields()
     const QList<QWidget*> fields{m_of, m_to, m_weightRow, m_count, m_seed};
     for (QWidget* field : fields)
         field->setEnabled(set != nullptr);
+    m_spread->setEnabled(m_variation.entry() != nullptr);
+    m_spread->setValue(
+        (m_variation.entry() == nullptr ? VariationEntry() : *m_variation.entry()).extent.spread);
     m_of->clear();
     m_to->clear();
     m_to->addItem(tr("nothing: the take alone"));

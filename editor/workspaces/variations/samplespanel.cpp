@@ -7,7 +7,6 @@
 #include "editor/fields/actionbutton.h"
 #include "editor/fields/partlist.h"
 #include "editor/fields/verticalscroll.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/acrossfields.h"
 #include "editor/workspaces/variations/currentvariation.h"
@@ -15,6 +14,7 @@
 #include "widgets/theme/theme.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -36,6 +36,7 @@ constexpr int margin = 12;       // pixels
 constexpr int leastHeight = 130; // of the variations, pixels: a few of them and the header
 constexpr int mostVariations = 10'000;
 constexpr int greatestSeed = 999'999;
+constexpr double greatestSpread = 3;
 
 } // namespace
 
@@ -74,12 +75,12 @@ SamplesPanel::SamplesPanel(CurrentVariation& variation, QWidget* parent)
     , m_acrossLabel(new QLabel)
     , m_count(new QSpinBox)
     , m_seed(new QSpinBox)
+    , m_spread(new QDoubleSpinBox)
     , m_again(nullptr)
     , m_summary(new QLabel)
     , m_variations(new QTreeWidget)
 {
     setObjectName(QStringLiteral("samplesPanel"));
-    setHelpPage(this, QStringLiteral("variations"));
     makeActions();
     m_empty->setObjectName(QStringLiteral("samplesEmpty"));
     m_empty->setWordWrap(true);
@@ -113,11 +114,15 @@ QWidget* SamplesPanel::makeSets()
     m_percent->setObjectName(QStringLiteral("samplePercent"));
     m_count->setObjectName(QStringLiteral("sampleCount"));
     m_seed->setObjectName(QStringLiteral("sampleSeed"));
+    m_spread->setObjectName(QStringLiteral("spread"));
     m_weight->setRange(0, 100);
     m_percent->setRange(0, 100);
     m_count->setRange(1, mostVariations);
     m_seed->setRange(0, greatestSeed);
-    for (QSpinBox* field : {m_percent, m_count, m_seed}) {
+    m_spread->setRange(0, greatestSpread);
+    m_spread->setSingleStep(0.1);
+    for (QAbstractSpinBox* field :
+         std::initializer_list<QAbstractSpinBox*>{m_percent, m_count, m_seed, m_spread}) {
         field->setAlignment(Qt::AlignRight);
         field->setKeyboardTracking(false);
     }
@@ -172,6 +177,9 @@ QWidget* SamplesPanel::makeSets()
     addRow(
         7, [] { return tr("Seed"); }, m_seed);
     grid->addLayout(seedRow, 7, 1);
+    addRow(
+        8, [] { return tr("Spread"); }, m_spread);
+    grid->addWidget(m_spread, 8, 1);
     return page;
 }
 
@@ -259,6 +267,7 @@ void SamplesPanel::connectFields()
             set.discarded.clear();
         });
     });
+    connect(m_spread, &QDoubleSpinBox::valueChanged, this, &SamplesPanel::setSpread);
     connect(m_variations, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
         if (!m_isShowing)
             m_variation.setHidden(item->data(0, Qt::UserRole).toInt(), item->checkState(0) != Qt::Checked);
@@ -294,6 +303,13 @@ void SamplesPanel::setWeight(int percent, EditPhase phase)
         [percent](SamplesEntry& set) { set.weight = percent / whole; }, phase);
 }
 
+void SamplesPanel::setSpread(double spread)
+{
+    if (!m_isShowing && m_variation.entry() != nullptr)
+        m_variation.edit(tr("Change how far variations are apart"), QStringLiteral("spread"),
+                         [spread](VariationEntry& entry) { entry.extent.spread = spread; });
+}
+
 void SamplesPanel::retranslate()
 {
     for (const auto& [label, text] : m_labels)
@@ -312,6 +328,10 @@ void SamplesPanel::retranslate()
     m_count->setToolTip(tr("How many variations are drawn"));
     m_seed->setAccessibleName(tr("Seed"));
     m_seed->setToolTip(tr("The same seed draws the same variations"));
+    m_spread->setAccessibleName(tr("Spread"));
+    m_spread->setToolTip(tr("How far variations are apart, as a share of how far the takes are; of all sets "
+                            "alike. Usually %1")
+                             .arg(QLocale().toString(VariationEntry().extent.spread)));
     m_variations->setAccessibleName(tr("Variations"));
     m_empty->setText(
         tr("Check the takes to learn from in the panel Movement; what is drawn of them comes here."));

@@ -10,6 +10,7 @@
 #include <vector>
 
 class QComboBox;
+class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QSlider;
@@ -60,6 +61,7 @@ private:
     void editSet(const QString& text, const char* property, const std::function<void(SamplesEntry&)>& edit,
                  EditPhase phase = EditPhase::Final);
     void setWeight(int percent, EditPhase phase);
+    void setSpread(double spread);
     void discard(bool discards);
     void addAsSequences();
     void makeClips(std::vector<std::string> clips);
@@ -80,6 +82,7 @@ private:
     QLabel* m_acrossLabel;
     QSpinBox* m_count;
     QSpinBox* m_seed;
+    QDoubleSpinBox* m_spread;
     QToolButton* m_again;
     QLabel* m_summary;
     QTreeWidget* m_variations;

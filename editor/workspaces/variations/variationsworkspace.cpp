@@ -35,6 +35,30 @@ QString nameOf(const DrawnVariation& drawn)
     return VariationsWorkspace::tr("Variation %1").arg(drawn.inSet);
 }
 
+/// The takes that the variations of a set are of: one, or those of its blend.
+QStringList takesOf(const SamplesEntry& set)
+{
+    const AcrossSamplesEntry across = set.across.value_or(AcrossSamplesEntry());
+    QStringList takes;
+    for (const std::string& name : {set.of, set.to, across.of, across.to}) {
+        if (!name.empty())
+            takes += QString::fromStdString(name);
+    }
+    takes.removeDuplicates();
+    return takes;
+}
+
+/// The frames of a take that are learned from, one cycle of a walk; nothing where that is not known.
+std::optional<FrameRange> framesLearned(const CurrentVariation& variation, const QString& take)
+{
+    const auto movement = variation.movement();
+    for (std::size_t t = 0; movement != nullptr && t < movement->capturedCount(); ++t) {
+        if (movement->take(t).name == take.toStdString())
+            return movement->take(t).warp.frames;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 VariationsWorkspace::VariationsWorkspace(EditorContext& context, QWidget* parent)
@@ -91,13 +115,14 @@ SequenceStage::Source VariationsWorkspace::source()
 
 void VariationsWorkspace::makeActions()
 {
-    m_context.actions.addToggle({"variations.original",
-                                 [] { return tr("Variations"); },
-                                 [] { return tr("Show the &take, too"); },
-                                 [] { return tr("Shows the take that is varied among its variations"); },
-                                 "compare",
-                                 {}},
-                                false, [this](bool shown) { m_variation->setOriginalShown(shown); });
+    m_context.actions.addToggle(
+        {"variations.original",
+         [] { return tr("Variations"); },
+         [] { return tr("Show the &take, too"); },
+         [] { return tr("Shows what was captured, the takes that are varied, among the variations"); },
+         "compare",
+         {}},
+        false, [this](bool shown) { m_variation->setOriginalShown(shown); });
 }
 
 void VariationsWorkspace::makePanels()
@@ -166,9 +191,8 @@ std::optional<NamedFrame> VariationsWorkspace::shownPose()
     const MeshSequence* sequence = m_context.media.sequence(take);
     if (sequence == nullptr)
         return std::nullopt;
-    const std::int64_t first = stage().shown() == QStringList{take}
-                                   ? 0
-                                   : m_variation->framesUsed().value_or(FrameRange{}).first.value;
+    const std::int64_t first =
+        showsWholeTakes() ? 0 : m_variation->framesUsed().value_or(FrameRange{}).first.value;
     return NamedFrame{
         take.toStdString(),
         FrameIndex(std::clamp<std::int64_t>(player().frame().value + first, 0, sequence->frameCount() - 1))};
@@ -182,6 +206,11 @@ void VariationsWorkspace::setActive(bool active)
     follow();
 }
 
+bool VariationsWorkspace::showsWholeTakes() const
+{
+    return m_isCutting || m_variation->drawn().empty();
+}
+
 const MeshSequence* VariationsWorkspace::clip(const QString& name)
 {
     const std::vector<DrawnVariation> all = m_variation->drawn();
@@ -189,13 +218,14 @@ const MeshSequence* VariationsWorkspace::clip(const QString& name)
     if (found != all.end())
         return m_context.variations.clip(m_variation->name(), found->number);
     const MeshSequence* take = m_context.media.sequence(name);
-    if (take == nullptr || all.empty() || m_isCutting)
+    if (take == nullptr || showsWholeTakes())
         return take;
-    const auto used = m_variation->framesUsed();
+    const auto used = framesLearned(*m_variation, name);
     if (!used)
         return take;
-    m_original = take->cutTo(*used);
-    return &m_original;
+    MeshSequence& original = m_originals[name];
+    original = take->cutTo(*used);
+    return &original;
 }
 
 /// Takes are aligned and variations drawn only while somebody looks.
@@ -216,7 +246,7 @@ void VariationsWorkspace::followResult()
     const std::vector<DrawnVariation> all =
         m_isCutting ? std::vector<DrawnVariation>() : m_variation->drawn();
     if (m_variation->isOriginalShown() && !all.empty())
-        names += take;
+        names += takesOf(*set);
     for (const DrawnVariation& drawn : all) {
         if (!drawn.isDiscarded && !m_variation->isHidden(drawn.inSet))
             names += nameOf(drawn);
@@ -248,13 +278,13 @@ void VariationsWorkspace::showState()
         const QString sentence =
             text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where);
         message.show(widgets::MessageStrip::Kind::Error, sentence, text.remedy);
-        message.setAction(tr("Try Again"));
+        message.setAction(tr("Try again"));
     } else if (medium != nullptr && medium->isStopped) {
         message.show(widgets::MessageStrip::Kind::Info,
                      tr("Learning was stopped: these variations are drawn from the best so far."),
                      tr("What is exported or added as sequences is learned to the end first, so that the "
                         "project always makes the same of it."));
-        message.setAction(tr("Learn to the End"));
+        message.setAction(tr("Learn to the end"));
     } else {
         message.clear();
     }

@@ -4,6 +4,8 @@
 
 #include "editor/workspaces/workspace.h"
 
+#include <map>
+
 namespace quadrille {
 
 class CurrentVariation;
@@ -37,6 +39,8 @@ private:
     void makeActions();
     /// A variation by the name that the view gives it, a take, or its used frames; null until it is there.
     const MeshSequence* clip(const QString& name);
+    /// Takes stand beside variations with the frames that are learned from; alone they are whole.
+    bool showsWholeTakes() const;
     void follow();
     void followPanels();
     void setCutting(bool cutting);
@@ -52,7 +56,7 @@ private:
     PanelFront* m_samplesFront = nullptr;
     LatentPanel* m_latent = nullptr;
     std::vector<Panel> m_panels;
-    MeshSequence m_original; ///< the frames used of the take that is varied
+    std::map<QString, MeshSequence> m_originals; ///< the frames used of takes that are varied
     bool m_isActive = false;
     /// Curves are drawn on a take: it is what is shown with their panel. Where samples are to be seen beside
     /// it, the panel counts that was used last.

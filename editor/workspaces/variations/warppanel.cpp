@@ -3,7 +3,6 @@
 #include "editor/workspaces/variations/warppanel.h"
 
 #include "editor/application/editorcontext.h"
-#include "editor/help/helpviewer.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/takeuse.h"
@@ -44,7 +43,6 @@ WarpPanel::WarpPanel(CurrentVariation& variation, QWidget* parent)
     : QWidget(parent), m_variation(variation), m_chart(new widgets::LineChart), m_takes(new QTreeWidget)
 {
     setObjectName(QStringLiteral("warpPanel"));
-    setHelpPage(this, QStringLiteral("variations"));
     m_chart->setObjectName(QStringLiteral("warpChart"));
     m_takes->setObjectName(QStringLiteral("warpedTakes"));
     m_takes->setRootIsDecorated(false);

@@ -13,6 +13,7 @@ class QVBoxLayout;
 
 namespace quadrille {
 
+class FrameNotes;
 class ViewTools;
 struct EditorContext;
 
@@ -47,6 +48,18 @@ public:
     void setCurrent(const QString& name);
     /// Takes the frames that play from the timeline.
     void updateRange();
+    /// The part of the frames that plays again and again; none: all that plays.
+    void setLoop(std::optional<std::pair<int, int>> loop);
+    void setLoopStart(int frame);
+    void setLoopEnd(int frame);
+    /// What the ruler counts as long as the user has not chosen.
+    void setUsualUnit(widgets::Timeline::Unit unit);
+    void setRulerUnit(widgets::Timeline::Unit unit);
+    /// Puts the playhead, and the number beside the buttons, where no clip needs to be.
+    void setPlayhead(int frame);
+    /// What is written about the frames that are shown; null where nothing can be.
+    void setNotes(FrameNotes* notes) { m_notes = notes; }
+    FrameNotes* notes() const { return m_notes; }
     /// Plays the next clip that is shown as soon as it is ready.
     void playWhenReady() { m_playsWhenReady = true; }
 
@@ -69,7 +82,11 @@ signals:
 private:
     void arrangeWidgets();
     void connectPlayback();
+    void followName(const ChangeEvent& event);
+    void connectTimeline();
     void followDocument();
+    void followSettings();
+    void showPlayhead();
     void followStage();
     void followCharacter();
     void updateNames();
@@ -89,6 +106,8 @@ private:
     bool m_ghostsShown = false;
     bool m_playsWhenReady = false;
     bool m_isColoredByTool = false;
+    QStringList m_names; ///< of the clips that are shown
+    FrameNotes* m_notes = nullptr;
 };
 
 } // namespace quadrille

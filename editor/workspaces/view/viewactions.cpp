@@ -4,6 +4,7 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/timelineactions.h"
 #include "editor/workspaces/view/viewtools.h"
 
 #include <QActionGroup>
@@ -24,13 +25,18 @@ constexpr std::array shadings{std::pair{"view.textured", Shading::Textured},
 
 } // namespace
 
-ViewActions::ViewActions(EditorContext& context, QObject* parent) : QObject(parent), m_context(context)
+ViewActions::ViewActions(EditorContext& context, QObject* parent)
+    : QObject(parent)
+    , m_context(context)
+    , m_timeline(new TimelineActions(
+          context, [this] { return view(); }, this))
 {
     makePlaybackActions();
     makeShadingActions();
     makeToggles();
     makeCameraActions();
     makeComparingActions();
+    makeGhostActions();
 }
 
 void ViewActions::setView(StageView* view)
@@ -40,12 +46,17 @@ void ViewActions::setView(StageView* view)
     if (m_view != nullptr) {
         m_view->player().pause();
         m_view->disconnect(this);
+        m_view->player().disconnect(this);
+        m_view->stage().ghosts().disconnect(this);
         m_view->viewport().disconnect(this);
     }
     m_view = view;
     if (view == nullptr)
         return;
     apply();
+    followPins();
+    connect(&view->stage().ghosts(), &StageGhosts::pinnedChanged, this, &ViewActions::followPins);
+    connect(&view->player(), &Player::frameChanged, this, &ViewActions::followPins);
     connect(view, &StageView::coloredByToolChanged, this, &ViewActions::followColors);
     connect(&view->viewport(), &widgets::Viewport::toolChanged, this, [this](Tool tool) {
         m_context.actions.action("view.measure")->setChecked(tool == Tool::Measure);
@@ -65,12 +76,14 @@ void ViewActions::apply()
     followColors();
     applyComparing();
     viewport.setGridVisible(isOn("view.grid"));
+    viewport.setShadowsVisible(isOn("view.shadow"));
     viewport.setTrajectoriesVisible(isOn("view.trajectory"));
     viewport.setTool(isOn("view.measure") ? Tool::Measure : Tool::Navigate);
     viewport.setLayoutMode(isOn("view.overlay") ? Layout::Overlay : Layout::SideBySide);
     m_view->setNamesShown(isOn("view.names"));
     m_view->setGhostsShown(isOn("view.ghosts"));
     m_view->setFollowing(isOn("view.follow"));
+    m_timeline->follow();
 }
 
 /// Tools for several clips are there where several are shown.
@@ -196,6 +209,9 @@ void ViewActions::makeToggles()
         "view.grid", [] { return tr("&Grid"); }, "grid", {Qt::Key_G}, true,
         [](StageView& view, bool on) { view.viewport().setGridVisible(on); });
     add(
+        "view.shadow", [] { return tr("Sha&dow"); }, "shadow", {}, true,
+        [](StageView& view, bool on) { view.viewport().setShadowsVisible(on); });
+    add(
         "view.trajectory", [] { return tr("Trajector&y"); }, "trajectory", {}, true,
         [](StageView& view, bool on) { view.viewport().setTrajectoriesVisible(on); });
     add(
@@ -210,6 +226,48 @@ void ViewActions::makeToggles()
     add(
         "view.follow", [] { return tr("&Follow the character"); }, "follow", {}, false,
         [](StageView& view, bool on) { view.setFollowing(on); });
+}
+
+void ViewActions::makeGhostActions()
+{
+    ActionRegistry& actions = m_context.actions;
+    const auto view = [] { return tr("View"); };
+    actions.addToggle({"view.pinGhost",
+                       view,
+                       [] { return tr("&Pin this frame as a ghost"); },
+                       [] { return tr("Keep the pose that is shown in the view, with its frame number"); },
+                       "pin",
+                       {Qt::CTRL | Qt::Key_H}},
+                      false, [this](bool on) {
+                          if (m_view != nullptr)
+                              m_view->stage().setPinned(on);
+                      });
+    actions
+        .add({"view.unpinGhosts",
+              view,
+              [] { return tr("&Remove all pinned ghosts"); },
+              {},
+              "unpin",
+              {Qt::CTRL | Qt::SHIFT | Qt::Key_H}},
+             [this] {
+                 if (m_view != nullptr)
+                     m_view->stage().ghosts().unpinAll();
+             })
+        ->setEnabled(false);
+}
+
+/// Whether the frame that is shown is pinned, and whether any is.
+void ViewActions::followPins()
+{
+    const bool isPinned = m_view->stage().isPinned();
+    QAction* pin = m_context.actions.action(QStringLiteral("view.pinGhost"));
+    if (pin->isChecked() != isPinned) {
+        // It is another frame, not another wish.
+        const QSignalBlocker quiet(pin);
+        pin->setChecked(isPinned);
+    }
+    m_context.actions.action(QStringLiteral("view.unpinGhosts"))
+        ->setEnabled(m_view->stage().ghosts().hasPinned());
 }
 
 void ViewActions::makeCameraActions()

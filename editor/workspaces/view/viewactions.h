@@ -11,6 +11,7 @@ class QActionGroup;
 namespace quadrille {
 
 class StageView;
+class TimelineActions;
 struct EditorContext;
 
 /// The actions of the menus View and Playback. They act on the view of the workspace in front; what can be on
@@ -32,6 +33,8 @@ private:
     void makeToggles();
     void makeCameraActions();
     void makeComparingActions();
+    void makeGhostActions();
+    void followPins();
     bool isOn(const char* id) const;
     void apply();
     void applyComparing();
@@ -42,6 +45,7 @@ private:
     QPointer<StageView> m_view;
     QActionGroup* m_shading = nullptr;
     QPointer<QAction> m_shadingBefore; ///< a tool coloured the view
+    TimelineActions* m_timeline;
 };
 
 } // namespace quadrille

@@ -27,12 +27,13 @@ ViewTools::ViewTools(ActionRegistry& actions, QWidget* parent) : QToolBar(parent
     m_interval->setKeyboardTracking(false);
     m_interval->setFocusPolicy(Qt::ClickFocus);
 
-    addTools(actions, {"view.textured", "view.clay", "view.wire", "", "view.grid", "view.trajectory",
-                       "view.names", "", "view.ghosts"});
+    addTools(actions, {"view.textured", "view.clay", "view.wire", "", "view.grid", "view.shadow",
+                       "view.trajectory", "view.names", "", "view.ghosts"});
     QAction* interval = addWidget(m_interval);
     QAction* ghosts = actions.action(QStringLiteral("view.ghosts"));
     interval->setVisible(ghosts->isChecked());
     connect(ghosts, &QAction::toggled, interval, &QAction::setVisible);
+    addTools(actions, {"view.pinGhost"});
     connect(m_interval, &QSpinBox::valueChanged, this, &ViewTools::ghostIntervalChanged);
     m_comparing += addSeparator();
     for (const char* id : {"view.sideBySide", "view.overlay", "view.heatMap"}) {

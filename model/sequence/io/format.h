@@ -18,6 +18,8 @@
 
 namespace quadrille {
 
+class WriteGuard;
+
 /// What the registry and the dialogs need to know of a format.
 struct FormatInfo
 {
@@ -26,6 +28,7 @@ struct FormatInfo
     std::vector<std::string> extensions; ///< lower case with dot; the first is the usual one
     bool onePerFrame = false;            ///< a sequence is a numbered series of files
     bool needsMesh = false;              ///< holds positions only (PC2, MDD, npy)
+    bool texturesBeside = false;         ///< pictures are written beside, see copyTextures
 };
 
 /// A file, or the files of a numbered series in natural order.
@@ -93,9 +96,12 @@ struct ExportOptions
     CoordinateSystem from;
     CoordinateSystem to;
     bool textures = true;
+    bool normals = true; ///< where the format holds them (glTF)
     /// Of pictures and videos; its axes follow `to`.
     RenderSettings render;
     std::optional<SoundTrack> sound; ///< of videos
+    /// Decides what may be written over; null where nothing is asked.
+    WriteGuard* guard = nullptr;
 };
 
 struct ExportResult
@@ -112,8 +118,8 @@ public:
     virtual const FormatInfo& format() const = 0;
     /// Writes a sequence that is already cut, resampled and converted. Nothing half-written is left behind.
     /// \param out the file, or for one file per frame the name that gets numbers: DIR/NAME.ply →
-    /// DIR/NAME_0000.ply. \throws Error WriteFailed, PermissionDenied, FormatCannotStore, Cancelled, and what
-    /// reading frames throws.
+    /// DIR/NAME_0000.ply, see numberedName. \throws Error WriteFailed, PermissionDenied, FormatCannotStore,
+    /// BadArgument (what the guard refuses), Cancelled, and what reading frames throws.
     virtual ExportResult write(const MeshSequence& sequence, const std::filesystem::path& out,
                                const ExportOptions& options, const Progress& progress) const = 0;
 };

@@ -7,15 +7,18 @@
 
 namespace quadrille {
 
-std::uint64_t estimateGlbBytes(const MeshSequence& sequence)
+std::uint64_t estimateGlbBytes(const MeshSequence& sequence, bool normals)
 {
     const auto frames = static_cast<std::uint64_t>(sequence.frameCount());
     const CornerSplit split = splitCorners(sequence.topology->data());
     const std::uint64_t vertices = split.vertexOf.size();
     const std::uint64_t materials = std::max<std::size_t>(1, sequence.topology->data().materials.size());
-    const std::uint64_t perTarget = 600 + 30 * materials; // JSON of a target with its accessor and views
-    return vertices * (sizeof(Vec3f) * frames + sizeof(Vec2f) + sizeof(float)) + split.triangles.size() * 12 +
-           frames * frames * sizeof(float) + frames * perTarget + materials * 500 + 3000;
+    const std::uint64_t attributes = normals ? 2 : 1;
+    // JSON of a target with its accessors and views
+    const std::uint64_t perTarget = attributes * (600 + 30 * materials);
+    return vertices * (attributes * sizeof(Vec3f) * frames + sizeof(Vec2f) + sizeof(float)) +
+           split.triangles.size() * 12 + frames * frames * sizeof(float) + frames * perTarget +
+           materials * 500 + 3000;
 }
 
 } // namespace quadrille

@@ -22,7 +22,10 @@ constexpr std::size_t blockBytes = std::size_t{4} << 20;
 
 [[noreturn]] void failReading(const std::filesystem::path& file, std::optional<FrameIndex> frame = {})
 {
-    throw Error(ErrorCode::ReadFailed, {file, {.frame = frame}, {{"reason", hdf5ErrorText()}}});
+    if (const int number = hdf5SystemError(); number != 0)
+        throwSystemError(file, number, ErrorCode::ReadFailed);
+    throw Error(ErrorCode::ReadFailed,
+                {file, {.frame = frame}, {{"reason", QUADRILLE_MESSAGE("a part of the file is damaged")}}});
 }
 
 /// What a dataset is, as far as it matters here.

@@ -3,6 +3,7 @@
 #include "model/sequence/io/meshwriter.h"
 
 #include "model/core/file.h"
+#include "model/core/seriesname.h"
 
 #include <atomic>
 #include <tbb/parallel_for.h>
@@ -19,8 +20,8 @@ public:
     ExportResult write(const MeshSequence& sequence, const std::filesystem::path& out,
                        const ExportOptions& options, const Progress& progress) const override
     {
-        StagedFiles files(out.parent_path());
-        const std::string stem = out.stem().string();
+        StagedFiles files(out.parent_path(), options.guard);
+        const std::string stem = seriesStem(out);
         CopiedTextures textures;
         if (options.textures)
             textures = copyTextures(sequence, stem, files, progress.part(0, 0.2));

@@ -225,8 +225,11 @@ MeshFile parseObj(std::string_view content, const std::filesystem::path& file)
 
 const FormatInfo& objFormat()
 {
-    static const FormatInfo info{
-        .id = "obj", .name = "Wavefront OBJ", .extensions = {".obj"}, .onePerFrame = true};
+    static const FormatInfo info{.id = "obj",
+                                 .name = "Wavefront OBJ",
+                                 .extensions = {".obj"},
+                                 .onePerFrame = true,
+                                 .texturesBeside = true};
     return info;
 }
 

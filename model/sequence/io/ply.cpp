@@ -244,8 +244,11 @@ MeshFile parsePly(std::string_view content, const std::filesystem::path& file)
 
 const FormatInfo& plyFormat()
 {
-    static const FormatInfo info{
-        .id = "ply", .name = "Stanford PLY", .extensions = {".ply"}, .onePerFrame = true};
+    static const FormatInfo info{.id = "ply",
+                                 .name = "Stanford PLY",
+                                 .extensions = {".ply"},
+                                 .onePerFrame = true,
+                                 .texturesBeside = true};
     return info;
 }
 

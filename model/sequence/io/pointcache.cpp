@@ -3,6 +3,7 @@
 #include "model/sequence/io/pointcache.h"
 
 #include "model/core/error.h"
+#include "model/core/stagedfiles.h"
 #include "model/sequence/io/findtextures.h"
 #include "model/sequence/io/registry.h"
 #include "model/sequence/io/sourcefiles.h"
@@ -220,10 +221,10 @@ class PointCacheExporter : public Exporter
 public:
     explicit PointCacheExporter(PointCacheWriterFormat format) : m_format(std::move(format)) {}
     const FormatInfo& format() const override { return m_format.info; }
-    ExportResult write(const MeshSequence& sequence, const fs::path& out, const ExportOptions& /*options*/,
+    ExportResult write(const MeshSequence& sequence, const fs::path& out, const ExportOptions& options,
                        const Progress& progress) const override
     {
-        writeAtomically(out, [&](const fs::path& temporary) {
+        const auto write = [&](const fs::path& temporary) {
             std::ofstream file(temporary, std::ios::binary);
             if (!file)
                 throwSystemError(out, errno, ErrorCode::WriteFailed);
@@ -231,7 +232,8 @@ public:
             file.close();
             if (!file)
                 throwSystemError(out, errno, ErrorCode::WriteFailed);
-        });
+        };
+        writeGuarded(out, write, options.guard);
         progress.report(1);
         return {{out}, {}};
     }

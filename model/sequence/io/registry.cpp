@@ -4,6 +4,7 @@
 
 #include "model/core/error.h"
 #include "model/core/file.h"
+#include "model/core/message.h"
 #include "model/sequence/io/formats.h"
 #include "model/sequence/io/refused.h"
 #include "model/sequence/io/sourcefiles.h"
@@ -113,10 +114,26 @@ const Exporter& exporterFor(const std::filesystem::path& out)
     throw Error(ErrorCode::FormatUnknown, {out, {}, {}});
 }
 
+void checkOutputName(const FormatInfo& format, const std::filesystem::path& out)
+{
+    if (format.onePerFrame || out.filename().string().find('#') == std::string::npos)
+        return;
+    throw Error(
+        ErrorCode::BadArgument,
+        {out,
+         {},
+         {{"reason", QUADRILLE_MESSAGE("“{name}” has a place for the number of a frame, but {format} is "
+                                       "one file for all frames")},
+          {"remedy", QUADRILLE_MESSAGE("Leave the # out of the name.")},
+          {"name", out.filename().string()},
+          {"format", format.name}}});
+}
+
 ExportResult exportSequence(const MeshSequence& sequence, const std::filesystem::path& out,
                             const ExportOptions& options, const Progress& progress)
 {
     const Exporter& exporter = exporterFor(out);
+    checkOutputName(exporter.format(), out);
     MeshSequence prepared = options.range ? sequence.cutTo(*options.range) : sequence;
     if (options.fps)
         prepared = resampled(prepared, *options.fps);

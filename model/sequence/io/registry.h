@@ -36,6 +36,10 @@ ImportResult openSequences(const std::filesystem::path& path, const ImportOption
 /// \throws Error FormatUnknown.
 const Exporter& exporterFor(const std::filesystem::path& out);
 
+/// Refuses a place for a frame's number ("walk_####.glb") where a format is one file for all frames.
+/// \throws Error BadArgument.
+void checkOutputName(const FormatInfo& format, const std::filesystem::path& out);
+
 /// Cuts, resamples and converts as the options say, then writes.
 ExportResult exportSequence(const MeshSequence& sequence, const std::filesystem::path& out,
                             const ExportOptions& options = {}, const Progress& progress = {});

@@ -4,6 +4,7 @@
 
 #include "model/core/error.h"
 #include "model/core/file.h"
+#include "model/core/seriesname.h"
 #include "model/sequence/io/refused.h"
 #include "model/sequence/io/registry.h"
 
@@ -161,21 +162,6 @@ FolderContent group(const fs::path& path, const fs::path& folder, const std::vec
     return content;
 }
 
-/// Position and length of `####` or `%04d` in a name; length 0 when there is none.
-std::pair<std::size_t, std::size_t> numberHolder(const std::string& name)
-{
-    if (const auto hash = name.find('#'); hash != std::string::npos)
-        return {hash, name.find_first_not_of('#', hash) - hash};
-    for (auto at = name.find('%'); at != std::string::npos; at = name.find('%', at + 1)) {
-        std::size_t end = at + 1;
-        while (end < name.size() && isDigit(name[end]))
-            ++end;
-        if (end < name.size() && name[end] == 'd')
-            return {at, end + 1 - at};
-    }
-    return {0, 0};
-}
-
 std::string describeFound(const FolderContent& content)
 {
     std::vector<std::string> found;
@@ -217,6 +203,20 @@ std::vector<std::string> seriesExtensions()
             extensions.insert(extensions.end(), format.extensions.begin(), format.extensions.end());
     }
     return extensions;
+}
+
+/// The number of a file that a pattern with a place for it means; empty when the file does not fit.
+std::optional<std::int64_t> numberIn(const std::string& file, const SeriesName& pattern)
+{
+    if (file.size() <= pattern.before.size() + pattern.after.size() || !file.starts_with(pattern.before) ||
+        !file.ends_with(pattern.after))
+        return std::nullopt;
+    std::int64_t number = 0;
+    const char* const end = file.data() + file.size() - pattern.after.size();
+    const auto parsed = std::from_chars(file.data() + pattern.before.size(), end, number);
+    if (parsed.ec != std::errc() || parsed.ptr != end || number < 0)
+        return std::nullopt;
+    return number;
 }
 
 SourceFiles findInFolder(const fs::path& folder)
@@ -281,7 +281,14 @@ FolderContent scanFolder(const fs::path& folder, std::span<const std::string> ex
 bool isPattern(const fs::path& path)
 {
     const std::string name = path.filename().string();
-    return name.find_first_of("*?[#") != std::string::npos || numberHolder(name).second > 0;
+    return name.find_first_of("*?[#") != std::string::npos || numberHolder(name).has_value();
+}
+
+bool matchesPattern(const std::string& file, const std::string& pattern)
+{
+    if (numberHolder(pattern))
+        return numberIn(file, seriesName(pattern)).has_value();
+    return ::fnmatch(pattern.c_str(), file.c_str(), FNM_PERIOD) == 0;
 }
 
 SourceFiles findPattern(const fs::path& pattern)
@@ -289,30 +296,22 @@ SourceFiles findPattern(const fs::path& pattern)
     const fs::path folder = pattern.parent_path();
     const std::string name = pattern.filename().string();
     auto names = fileNames(folder);
-    if (const auto [at, length] = numberHolder(name); length > 0) {
-        const std::string before = name.substr(0, at);
-        const std::string after = length < name.size() - at ? name.substr(at + length) : std::string();
+    if (numberHolder(name)) {
+        const SeriesName holder = seriesName(name);
         std::vector<NumberedName> cuts;
         std::map<std::int64_t, std::string> nameByNumber;
         for (const auto& file : names) {
-            if (file.size() <= before.size() + after.size() || !file.starts_with(before) ||
-                !file.ends_with(after))
+            const auto number = numberIn(file, holder);
+            if (!number)
                 continue;
-            NumberedName cut{before, 0, after};
-            const char* const end = file.data() + file.size() - after.size();
-            const auto parsed = std::from_chars(file.data() + before.size(), end, cut.number);
-            if (parsed.ec != std::errc() || parsed.ptr != end || cut.number < 0)
-                continue;
-            cuts.push_back(std::move(cut));
-            nameByNumber.emplace(cuts.back().number, file);
+            cuts.push_back({holder.before, *number, holder.after});
+            nameByNumber.emplace(*number, file);
         }
         if (cuts.empty())
             throw Error(ErrorCode::SeriesEmpty, {pattern, {}, {}});
         return makeSeries(pattern, folder, std::move(cuts), nameByNumber);
     }
-    std::erase_if(names, [&](const std::string& file) {
-        return ::fnmatch(name.c_str(), file.c_str(), FNM_PERIOD) != 0;
-    });
+    std::erase_if(names, [&](const std::string& file) { return !matchesPattern(file, name); });
     auto content = group(pattern, folder, names);
     if (content.series.empty() && content.singles.size() == 1)
         return makeSingle(content.singles.front().files.front());

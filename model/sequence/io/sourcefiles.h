@@ -32,6 +32,9 @@ SourceFiles findPattern(const std::filesystem::path& pattern);
 /// True when the last part of the path has a place holder of `findPattern`.
 bool isPattern(const std::filesystem::path& path);
 
+/// Whether a file name is one of those that the last part of a pattern means.
+bool matchesPattern(const std::string& file, const std::string& pattern);
+
 /// "3, 7–9, 12"; cut short with "…" after a dozen spans.
 std::string describeNumbers(std::span<const std::int64_t> numbers);
 

@@ -92,7 +92,7 @@ public:
 
     ExportResult write(const Progress& progress)
     {
-        StagedFiles files(m_out.parent_path());
+        StagedFiles files(m_out.parent_path(), m_options.guard);
         if (m_options.textures)
             m_textures = copyTextures(m_sequence, m_out.stem().string(), files, progress.part(0, 0.2));
         std::ofstream file(files.add(m_out.filename().string()), std::ios::binary);
@@ -277,7 +277,8 @@ private:
 
 const FormatInfo& UsdExporter::format() const
 {
-    static const FormatInfo info{.id = "usd", .name = "USD (text)", .extensions = {".usda", ".usd"}};
+    static const FormatInfo info{
+        .id = "usd", .name = "USD (text)", .extensions = {".usda", ".usd"}, .texturesBeside = true};
     return info;
 }
 

@@ -1,73 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/jsontext.h"
-#include "tests/model/cli/runquadrille.h"
+#include "tests/model/cli/clifixture.h"
 
 #include <fstream>
-#include <gmock/gmock.h>
 
 using namespace quadrille;
 using namespace quadrille::test;
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-namespace {
-
-/// A square of two triangles that rises by a tenth in each of six frames.
-void writeObjSeries(const TemporaryFolder& folder)
-{
-    for (int f = 0; f < 6; ++f) {
-        const std::string y = "0." + std::to_string(f);
-        std::string text;
-        for (const char* corner : {"0 Y 0", "1 Y 0", "1 Y 1", "0 Y 1"}) {
-            text += "v ";
-            for (const char* c = corner; *c != 0; ++c)
-                text += *c == 'Y' ? y : std::string(1, *c);
-            text += '\n';
-        }
-        text += "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 3/3 2/2\nf 1/1 4/4 3/3\n";
-        folder.write("frames/up_" + std::to_string(f + 8) + ".obj", text);
-    }
-}
-
-class Cli : public ::testing::Test
-{
-protected:
-    Outcome run(const std::vector<std::string>& arguments) const
-    {
-        return runQuadrille(arguments, folder.path());
-    }
-    Json info(const std::vector<std::string>& paths) const
-    {
-        std::vector<std::string> arguments{"info", "--json"};
-        arguments.insert(arguments.end(), paths.begin(), paths.end());
-        const Outcome result = run(arguments);
-        EXPECT_EQ(result.status, 0) << result.err;
-        return Json::parse(result.out);
-    }
-    void importSeries() const
-    {
-        writeObjSeries(folder);
-        const Outcome imported = run({"import", "p.quadrille", "frames", "--name", "rise", "--fps", "10"});
-        ASSERT_EQ(imported.status, 0) << imported.err;
-    }
-    /// Adds exports to p.quadrille.
-    void addExport(const std::string& name, const std::string& path) const
-    {
-        Project project = loadProject(folder / "p.quadrille");
-        ExportEntry entry;
-        entry.name = name;
-        entry.what = "sequences/rise";
-        entry.path = path;
-        project.exports.push_back(entry);
-        saveProject(project, folder / "p.quadrille");
-    }
-
-    TemporaryFolder folder;
-};
-
-} // namespace
 
 TEST_F(Cli, SaysItsVersionAndHelps)
 {
@@ -93,7 +34,6 @@ TEST_F(Cli, WrongUseEndsWithTwo)
         {"convert", "frames", "out.pc2", "--unit", "parsec"},
         {"rebuild", "p.quadrille", "--jobs", "0"},
         {"rebuild", "--sideways", "p.quadrille"},
-        {"data", "p.quadrille", "frames"},
     };
     for (const auto& arguments : wrong) {
         const Outcome result = run(arguments);
@@ -129,7 +69,7 @@ TEST_F(Cli, InfoReadsAsSentences)
     writeObjSeries(folder);
     const std::string text = run({"info", "frames"}).out;
     EXPECT_THAT(text, HasSubstr("4 vertices, 2 triangles, 1 component, 4 boundary edges in 1 loop"));
-    EXPECT_THAT(text, HasSubstr("6 frames at 25 fps (assumed), 0.24 s"));
+    EXPECT_THAT(text, HasSubstr("6 frames, rate unknown"));
     EXPECT_THAT(text, HasSubstr("UVs, no texture"));
     EXPECT_THAT(text, HasSubstr("x 0.000 … 1.000, y 0.000 … 0.500, z 0.000 … 1.000 m, y up"));
 }
@@ -155,9 +95,9 @@ TEST_F(Cli, InfoHasItsDocumentedKeys)
     EXPECT_EQ(rise["vertices"], 4);
     EXPECT_EQ(rise["triangles"], 2);
     EXPECT_EQ(rise["frames"], 6);
-    EXPECT_EQ(rise["fps"], 25);
-    EXPECT_EQ(rise["fps_assumed"], true);
-    EXPECT_DOUBLE_EQ(rise["duration"].get<double>(), 6.0 / 25);
+    EXPECT_EQ(rise["fps"], nullptr); // nothing says it
+    EXPECT_EQ(rise["fps_source"], nullptr);
+    EXPECT_EQ(rise["duration"], nullptr);
     EXPECT_EQ(rise["components"], 1);
     EXPECT_EQ(rise["boundary_edges"], 4);
     EXPECT_EQ(rise["boundary_loops"], 1);
@@ -244,6 +184,8 @@ TEST_F(Cli, DataListsAndWrites)
     const Outcome list = run({"data", "p.quadrille"});
     EXPECT_THAT(list.out, HasSubstr("frames\t6 × 3"));
     EXPECT_THAT(list.out, HasSubstr("sequences/rise/bounds\t6 × 6\tm\t"));
+    EXPECT_THAT(run({"data", "p.quadrille", "frames"}).out,
+                StartsWith("index,sequence,frame (frame)\n0,rise,0\n1,rise,1\n"));
     ASSERT_EQ(run({"data", "p.quadrille", "frames", "-o", "frames.csv"}).status, 0);
     EXPECT_THAT(textOf(folder / "frames.csv"),
                 StartsWith("index,sequence,frame (frame)\n0,rise,0\n1,rise,1\n"));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/project/framenote.h"
 #include "tests/model/project/fullvariation.h"
 #include "tests/model/project/testproject.h"
 
@@ -68,6 +69,7 @@ inline AnimationEntry fullAnimation()
                   .elevation = 10,
                   .fieldOfView = 40};
     animation.camera = {camera};
+    setNotes(animation.unknown, {{.frame = FrameIndex(12), .text = "the left hand slips", .unknown = {}}});
     return animation;
 }
 
@@ -93,6 +95,7 @@ inline Project fullProject()
     talk.labels = {{"talk", {FrameIndex(0), FrameIndex(20)}}, {"nod", {FrameIndex(21), FrameIndex(38)}}};
     talk.contacts = {{"left", {FrameIndex(0), FrameIndex(38)}}};
     talk.jointAngles = "liam/talk_a.bvh";
+    setNotes(talk.unknown, {{.frame = FrameIndex(5), .text = "blinks", .unknown = {}}});
     SequenceEntry again = sequenceOf("again", "clip:sequences/talk");
     again.character = "liam";
     SequenceEntry softly = sequenceOf("softly", "softly.pc2");

@@ -7,6 +7,7 @@
 #include "tests/model/project/stripproject.h"
 
 #include <algorithm>
+#include <array>
 #include <gmock/gmock.h>
 
 using namespace quadrille;
@@ -47,6 +48,28 @@ TEST_F(GraphStages, HoldWhatTheFunctionsCompute)
     for (std::size_t e = 0; e < from.size(); ++e) {
         EXPECT_EQ(from[e], essential.edges()[e].from);
         EXPECT_EQ(weights[e], essential.edges()[e].weight);
+    }
+}
+
+TEST_F(GraphStages, EdgesNameTheSequenceAndTheFrameOfBothEnds)
+{
+    run();
+    const FrameLayout layout = poseDistances(frames()).layout;
+    const std::vector<std::string> names{"slow", "quick"};
+    for (const char* table : {"essential-graph-edges", "motion-graph-edges"}) {
+        const auto ends = {std::array{"i", "from-sequence", "from-frame"},
+                           std::array{"j", "to-sequence", "to-frame"}};
+        for (const auto& [node, sequence, frame] : ends) {
+            const auto nodes = column<std::int64_t>(table, node);
+            const auto sequences = column<std::string>(table, sequence);
+            const auto frames = column<std::int64_t>(table, frame);
+            ASSERT_FALSE(nodes.empty());
+            for (std::size_t e = 0; e < nodes.size(); ++e) {
+                const int s = layout.sequenceOf(static_cast<NodeIndex>(nodes[e]));
+                EXPECT_EQ(sequences[e], names[static_cast<std::size_t>(s)]);
+                EXPECT_EQ(frames[e], nodes[e] - layout.firstOf(s));
+            }
+        }
     }
 }
 

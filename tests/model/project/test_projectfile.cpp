@@ -114,6 +114,42 @@ TEST(ProjectFile, UnknownKeysAreKeptEverywhere)
     EXPECT_EQ(loadProject(folder / "q.quadrille"), project);
 }
 
+TEST(ProjectFile, UnknownKeysArePointedOutButNotesAreNot)
+{
+    const auto problems = readProject(document(R"(  "settings": { "fsp": 30 },
+  "sequences": [ { "name": "s", "source": "s.pc2", "mood": 1, "_why": "a note",
+    "labels": [ { "label": "x", "frames": [0, 1], "colour": "red" } ] } ],
+  "exports": [ { "name": "e", "what": "sequences/s", "path": "e.png", "picture": { "lens": "wide" } } ],
+  "motion_spaces": [])"),
+                                      "p.quadrille")
+                              .problems;
+    std::vector<std::string> texts;
+    for (const ProjectProblem& problem : problems) {
+        EXPECT_EQ(problem.severity, ProjectProblem::Severity::Warning);
+        texts.push_back(problem.toString());
+    }
+    ASSERT_EQ(texts.size(), 5U);
+    EXPECT_EQ(texts[0], "p.quadrille: The key “fsp” is not known here and has no effect. Did you mean “fps”? "
+                        "(line 4, column 17)");
+    EXPECT_THAT(texts[1], testing::HasSubstr("“mood”"));
+    EXPECT_THAT(texts[1], testing::HasSubstr("“_mood”"));
+    EXPECT_THAT(texts[2], testing::HasSubstr("“colour”"));
+    EXPECT_THAT(texts[3], testing::HasSubstr("“lens”"));
+    EXPECT_THAT(texts[4], testing::HasSubstr("“motion_spaces”"));
+}
+
+TEST(ProjectFile, AMissingSectionIsNamedWithItsPlace)
+{
+    const Error error = errorOf(document(R"(  "sequnces": [ { "name": "s", "source": "s.pc2" } ],
+  "animations": [ { "name": "dance", "constraints": [ { "kind": "path", "points": [ [0, 0], [1, 1] ] } ] } ],
+  "exports": [ { "name": "e", "what": "animations/dance", "path": "e.glb" } ])"));
+    EXPECT_EQ(error.code(), ErrorCode::ProjectInvalid);
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr("The section “sequences” is missing, which “animations” needs"));
+    EXPECT_EQ(error.context().place.line, 5);
+    EXPECT_EQ(error.context().place.column, 3);
+}
+
 TEST(ProjectFile, SyntaxErrorsNameLineAndColumn)
 {
     const Error error = errorOf("{\n  \"format\": \"quadrille-project\",\n  \"version\": 1,,\n}");
@@ -211,12 +247,14 @@ TEST(ProjectFile, AMisspeltKeyIsAWarningThatKnowsTheRightOne)
   "sequenecs": [],
   "sequences": [ { "name": "s", "source": "a", "sourceFps": 30 } ])"),
                                      "p.quadrille");
-    ASSERT_EQ(reading.problems.size(), 2U);
+    ASSERT_EQ(reading.problems.size(), 4U);
     EXPECT_FALSE(hasErrors(reading.problems));
     EXPECT_EQ(reading.problems[0].toString(),
-              "p.quadrille: The key “fsp” is not known and has no effect. Did you mean “fps”? "
+              "p.quadrille: The key “fsp” is not known here and has no effect. Did you mean “fps”? "
               "(line 4, column 17)");
-    EXPECT_THAT(reading.problems[1].toString(), HasSubstr("“source_fps”"));
+    EXPECT_THAT(reading.problems[1].toString(), HasSubstr("“_source-note”"));
+    EXPECT_THAT(reading.problems[2].toString(), HasSubstr("“_sequenecs”")); // “sequences” is there
+    EXPECT_THAT(reading.problems[3].toString(), HasSubstr("“source_fps”"));
 }
 
 TEST(ProjectFile, AllProblemsAreReportedInTheOrderOfTheFile)
@@ -315,7 +353,7 @@ TEST(ProjectFile, EmptyCutAndForeignFilesAreRefusedWithTheirName)
     EXPECT_EQ(codeOf(), ErrorCode::FileEmpty);
     fs::remove(file);
     fs::create_directories(file);
-    EXPECT_EQ(codeOf(), ErrorCode::ReadFailed);
+    EXPECT_EQ(codeOf(), ErrorCode::BadArgument);
 }
 
 TEST(ProjectFile, WithoutPermissionNothingIsReadOrWritten)

@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/carryresults.h"
+#include "model/project/resultplaces.h"
 #include "model/project/resultstore.h"
+#include "model/project/stage.h"
 #include "tests/model/project/testproject.h"
 
 #include <cmath>
 #include <fstream>
+#include <set>
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -106,4 +110,145 @@ TEST(ResultStore, TellsFreshFromOtherFromDamagedFromMissing)
     EXPECT_EQ(store.load("sequences/a/statistics", "l").state, ResultStore::State::OtherKey);
     std::ofstream(store.fileOf("sequences/a/statistics"), std::ios::binary).close();
     EXPECT_EQ(store.load("sequences/a/statistics", "k").state, ResultStore::State::Damaged);
+}
+
+namespace {
+
+/// A project in a folder of its own, and a folder of stand-ins that is not the user's.
+class ResultPlacesOf : public ::testing::Test
+{
+protected:
+    ResultPlacesOf() { setResultRoot(folder / "cache"); }
+    ~ResultPlacesOf() override { setResultRoot({}); }
+    /// Nothing can be written beside the project: a file stands where its folder of results should be.
+    void block() const { folder.write("p.quadrille.cache", "in the way"); }
+    ResultStore store() const { return ResultStore(cacheFolder(project)); }
+
+    TemporaryFolder folder;
+    std::filesystem::path project = folder / "p.quadrille";
+};
+
+} // namespace
+
+TEST_F(ResultPlacesOf, AProjectAreBesideItOrWhereItWasChosen)
+{
+    EXPECT_EQ(cacheFolder(project), folder / "p.quadrille.cache");
+    EXPECT_FALSE(resultPlaces(project).isElsewhere);
+    chooseResultFolder(project, folder / "chosen");
+    EXPECT_EQ(cacheFolder(project), folder / "chosen");
+    EXPECT_FALSE(resultPlaces(project).isElsewhere);
+    chooseResultFolder(project, {});
+    EXPECT_EQ(cacheFolder(project), folder / "p.quadrille.cache");
+}
+
+TEST_F(ResultPlacesOf, AProjectThatCannotBeWrittenAreAmongTheUsers)
+{
+    block();
+    const ResultPlaces places = resultPlaces(project);
+    EXPECT_TRUE(places.isElsewhere);
+    EXPECT_EQ(places.written.parent_path(), folder / "cache");
+    EXPECT_NE(places.written, resultPlaces(folder / "q/p.quadrille").written);
+    prepareResults(project, 1000);
+    EXPECT_TRUE(store().save("a/b", "k", fullResult()));
+    EXPECT_EQ(store().load("a/b", "k").state, ResultStore::State::Fresh);
+    std::filesystem::remove(folder / "p.quadrille.cache");
+    recheckResultPlaces(project);
+    EXPECT_FALSE(resultPlaces(project).isElsewhere);
+    EXPECT_FALSE(std::filesystem::exists(folder / "p.quadrille.cache"));
+    EXPECT_EQ(store().load("a/b", "k").state, ResultStore::State::Fresh); // read from where it is
+}
+
+TEST_F(ResultPlacesOf, AProjectThatCannotBeWrittenCountWhenTheyAreBesideIt)
+{
+    EXPECT_TRUE(store().save("a/b", "shared", fullResult()));
+    chooseResultFolder(project, folder / "own");
+    EXPECT_EQ(store().load("a/b", "shared").state, ResultStore::State::Fresh);
+    EXPECT_TRUE(store().save("a/b", "mine", Result()));
+    EXPECT_EQ(store().load("a/b", "shared").result, fullResult());
+    EXPECT_EQ(store().load("a/b", {}).result, Result()); // the newest
+    store().prefer("a/b", "shared");
+    EXPECT_EQ(store().load("a/b", {}).result, fullResult());
+    chooseResultFolder(project, {});
+}
+
+TEST_F(ResultPlacesOf, AProjectAreTriedBeforeAnythingIsComputed)
+{
+    block();
+    prepareResults(project, 0);
+    EXPECT_EQ(cacheFolder(project).parent_path(), folder / "cache");
+    folder.write("nowhere", "in the way, too");
+    setResultRoot(folder / "nowhere");
+    EXPECT_THROW(prepareResults(project, 0), Error);
+    setResultRoot(folder / "cache");
+    std::filesystem::remove(folder / "p.quadrille.cache");
+    prepareResults(project, 0);
+    EXPECT_EQ(cacheFolder(project), folder / "p.quadrille.cache");
+    try {
+        prepareResults(project, std::uint64_t{1} << 60U);
+        FAIL() << "an exabyte was free";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("are free on this disk"), std::string::npos);
+    }
+    prepareResults(project, 0);
+}
+
+TEST_F(ResultPlacesOf, AProjectThatLoseTheirFolderAreStoredAnew)
+{
+    const ResultStore kept = store();
+    EXPECT_TRUE(kept.save("a/b", "k", fullResult()));
+    std::filesystem::remove_all(cacheFolder(project));
+    EXPECT_TRUE(kept.save("a/c", "k", fullResult()));
+    std::filesystem::remove_all(folder / "p.quadrille.cache");
+    block();
+    EXPECT_TRUE(kept.save("a/d", "k", fullResult()));
+    EXPECT_EQ(kept.load("a/d", "k").state, ResultStore::State::Fresh);
+    std::filesystem::remove_all(folder / "p.quadrille.cache");
+    prepareResults(project, 0);
+}
+
+TEST_F(ResultPlacesOf, AProjectThatCannotBeStoredAnywhereStayInMemoryUntilTheyCan)
+{
+    block();
+    setResultRoot(folder.write("nowhere", "in the way, too"));
+    EXPECT_FALSE(store().save("a/b", "k", fullResult()));
+    EXPECT_EQ(unstoredResults(), std::vector<std::string>{"a/b"});
+    EXPECT_EQ(store().load("a/b", "k").result, fullResult());
+    EXPECT_EQ(storeUnstoredResults(), 1U);
+    std::filesystem::remove(folder / "p.quadrille.cache");
+    EXPECT_EQ(storeUnstoredResults(), 0U);
+    EXPECT_EQ(readResultFile(folder / "p.quadrille.cache/a/b.h5"), fullResult());
+    setResultRoot(folder / "cache");
+    prepareResults(project, 0);
+}
+
+TEST_F(ResultPlacesOf, AProjectAreGivenToItsCopyWhole)
+{
+    for (const char* stage : {"graph/edges", "animations/a/clip", "contact-sheet"})
+        EXPECT_TRUE(store().save(stage, "k", fullResult()));
+    folder.write("p.quadrille.cache/media.json", "{}");
+    const auto names = [](const std::filesystem::path& place) {
+        std::set<std::string> found;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(place))
+            found.insert(entry.path().lexically_relative(place).string());
+        return found;
+    };
+    const std::set<std::string> given{"graph", "graph/edges.h5", "animations", "animations/a",
+                                      "animations/a/clip.h5"};
+    ASSERT_TRUE(linkResults(project, folder / "linked/q.quadrille"));
+    EXPECT_EQ(names(folder / "linked/q.quadrille.cache"), given);
+    copyResults(project, folder / "copied/q.quadrille");
+    EXPECT_EQ(names(folder / "copied/q.quadrille.cache"), given);
+    // Writing one anew leaves the other as it is.
+    EXPECT_TRUE(store().save("graph/edges", "l", Result()));
+    for (const char* copy : {"linked/q.quadrille", "copied/q.quadrille"})
+        EXPECT_EQ(ResultStore(cacheFolder(folder / copy)).load("graph/edges", "k").result, fullResult());
+    // Cancelled, nothing of it is there.
+    CancelToken token;
+    const Progress cancelled(token, [&token](double) { token.cancel(); });
+    EXPECT_THROW(copyResults(project, folder / "half/q.quadrille", cancelled), Error);
+    EXPECT_TRUE(!std::filesystem::exists(folder / "half") || names(folder / "half").empty());
+    // What the copy has of its own stays.
+    EXPECT_TRUE(ResultStore(folder / "linked/q.quadrille.cache").save("own", "k", Result()));
+    copyResults(project, folder / "linked/q.quadrille");
+    EXPECT_EQ(names(folder / "linked/q.quadrille.cache").count("own.h5"), 1U);
 }

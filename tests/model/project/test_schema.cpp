@@ -116,6 +116,7 @@ TEST(Schema, KnowsTheKeysThatTheCodeKnows)
     EXPECT_EQ(propertiesOf(definitions["retime"]), keysOf(projectkeys::retime));
     EXPECT_EQ(propertiesOf(definitions["audio"]), keysOf(projectkeys::audio));
     EXPECT_EQ(propertiesOf(definitions["camera_key"]), keysOf(projectkeys::cameraKey));
+    EXPECT_EQ(propertiesOf(definitions["note"]), keysOf(projectkeys::note));
     EXPECT_EQ(propertiesOf(definitions["body_parts"]), keysOf(projectkeys::bodyParts));
     EXPECT_EQ(propertiesOf(definitions["part_curve"]), keysOf(projectkeys::partCurve));
     EXPECT_EQ(propertiesOf(definitions["part"]), keysOf(projectkeys::part));
@@ -161,6 +162,8 @@ TEST(Schema, TheCodeWritesItsKeysInTheirOrder)
     EXPECT_EQ(written(animation["post"]["contact_correction"]), listOf(projectkeys::contactCorrection));
     EXPECT_EQ(written(animation["audio"]), listOf(projectkeys::audio));
     EXPECT_EQ(written(animation["camera"][0]), listOf(projectkeys::cameraKey));
+    EXPECT_EQ(written(animation["notes"][0]), listOf(projectkeys::note));
+    EXPECT_EQ(written(json["sequences"][0]["notes"][0]), listOf(projectkeys::note));
     EXPECT_EQ(written(json["body_parts"][0]), listOf(projectkeys::bodyParts));
     EXPECT_EQ(written(json["body_parts"][0]["curves"][0]), listOf(projectkeys::partCurve));
     EXPECT_EQ(written(json["body_parts"][0]["parts"][1]), listOf(projectkeys::part));
@@ -262,6 +265,11 @@ TEST(Schema, AgreesWithTheReaderOnHandWrittenFiles)
         {walkAnd(R"("camera": [{"time": 0, "target": [0, 1, 0], "distance": 3, "elevation": 91}])"), false},
         {walkAnd(R"("camera": [{"time": 0, "target": [0, 1, 0], "distance": 3, "fov": 0}])"), false},
         {walkAnd(R"("camera": [{"target": [0, 1, 0], "distance": 3}])"), false},
+        {walkAnd(R"("notes": [{"frame": 3, "text": "slips", "by": "me"}])"), true},
+        {walkAnd(R"("notes": [{"frame": -3, "text": "slips"}])"), false},
+        {walkAnd(R"("notes": [{"text": "slips"}])"), false},
+        {walkAnd(R"("notes": ["slips"])"), false},
+        {walkAnd(R"("notes": "slips")"), false},
         {picture(R"({"camera": "fixed", "view": {"eye": [0, 1, 4]}, "mine": 1})"), true},
         {picture(R"({"camera": "drone"})"), false},
         {picture(R"({"width": 0})"), false},

@@ -143,6 +143,69 @@ TEST(Validate, PathsThatHoldOnOneMachineOnlyAreWarnings)
     EXPECT_THAT(problems[1].toString(), HasSubstr("this machine only"));
 }
 
+TEST(Validate, NamesAndPathsFitTheNamesOfFiles)
+{
+    EXPECT_EQ(problemWithName(std::string(longestName, 'a')), std::nullopt);
+    EXPECT_THAT(problemWithName(std::string(longestName + 1, 'a')).value_or(""), HasSubstr("too long"));
+    std::string accents;
+    for (std::size_t i = 0; i <= longestName / 2; ++i)
+        accents += "é"; // two bytes each
+    EXPECT_THAT(problemWithName(accents).value_or(""), HasSubstr("too long"));
+    Project project;
+    project.sequences = {sequenceOf("a", "takes/" + std::string(256, 'b') + ".pc2")};
+    EXPECT_THAT(onlyProblem(project),
+                AllOf(HasSubstr("/sequences/0/source"), HasSubstr("more than 255 bytes")));
+}
+
+TEST(Validate, NumbersThatSizeMemoryAndTimeHaveLimits)
+{
+    using Change = std::function<void(AnimationEntry&)>;
+    const std::vector<std::pair<Change, const char*>> changes{
+        {[](AnimationEntry& entry) { entry.constraints = {KeyEntry{.sequence = "a", .time = 1e5}}; },
+         "/constraints/0/time"},
+        {[](AnimationEntry& entry) {
+             entry.constraints = {ActionEntry{.frames = {.sequence = "a"}, .repeat = 1001}};
+         },
+         "/constraints/0/repeat"},
+        {[](AnimationEntry& entry) {
+             entry.constraints = {ActionEntry{.frames = {.sequence = "a"}, .duration = 3601}};
+         },
+         "/constraints/0/duration"},
+        {[](AnimationEntry& entry) {
+             entry.constraints = {PathEntry{.points = {Vec3d(0, 0, 0), Vec3d(1e6, 0, 0)}}};
+         },
+         "/constraints/0/points/1"},
+        {[](AnimationEntry& entry) { entry.search.budget = 2'000'000'000; }, "/search/budget"},
+        {[](AnimationEntry& entry) {
+             entry.post.steps.loop = LoopSettings();
+             entry.post.steps.repeats = 1'000'000;
+         },
+         "/post/repeats"},
+        {[](AnimationEntry& entry) { entry.post.steps.retime = RetimeSettings{.time = RetimeFactor{1e6}}; },
+         "/post/retime/factor"},
+        {[](AnimationEntry& entry) { entry.post.steps.retime = RetimeSettings{.time = Seconds{1e5}}; },
+         "/post/retime/duration"}};
+    for (const auto& [change, place] : changes) {
+        Project project;
+        project.sequences = {sequenceOf("a", "a.pc2")};
+        AnimationEntry animation{.name = "dance"};
+        animation.constraints = {KeyEntry{.sequence = "a"}};
+        change(animation);
+        project.animations = {animation};
+        EXPECT_THAT(onlyProblem(project), HasSubstr(std::string("/animations/0") + place));
+        EXPECT_TRUE(hasErrors(validate(project))) << place;
+    }
+    Project project;
+    project.settings.fps = 1e-6;
+    EXPECT_THAT(onlyProblem(project), HasSubstr("/settings/fps"));
+    project = {};
+    project.graphs.emplace_back().durations = {1, 1e5};
+    EXPECT_THAT(onlyProblem(project), HasSubstr("/durations"));
+    project = fullProject();
+    project.variations.front().learning.greatestIterations = 2'000'000'000;
+    EXPECT_THAT(onlyProblem(project), HasSubstr("/learning/iterations"));
+}
+
 TEST(Validate, APartNamesTwoDifferentCurves)
 {
     Project project = fullProject();

@@ -3,6 +3,7 @@
 #include "model/core/error.h"
 #include "model/graph/essentialgraph.h"
 #include "model/synthesis/junctionreport.h"
+#include "model/synthesis/junctionspeeds.h"
 #include "model/transition/acceleration.h"
 #include "tests/model/sequence/realtakes.h"
 #include "tests/model/synthesis/cliptest.h"
@@ -105,6 +106,38 @@ TEST(JunctionQuality, FindsJerksAndLeaps)
     EXPECT_FALSE(measures[JunctionCriterion::Acceleration].isGood());
     EXPECT_GT(measures.worstRatio(), 2);
     EXPECT_GE(measures.worstAcceleration, measures[JunctionCriterion::Acceleration].value);
+}
+
+TEST(JunctionSpeeds, FeetSlideAsFastAsTheyAreMoved)
+{
+    const Transition transition = advancingTogether(10, 49, 10);
+    const ClipPlan plan = planClip(subject().roots, Walk{{{5, 10}, {49, 54}}}, std::span(&transition, 1));
+    Clip clip = makeClip(subject().character, plan);
+    clip.fps = 25;
+    const std::size_t vertices = clip.topology->vertexCount();
+    for (std::size_t i = vertices; i < clip.positions.size(); ++i)
+        clip.positions[i] = clip.positions[i - vertices] + Vec3f(0.01F, 0, 0);
+    const auto slide = footSlide(clip, plan, plan.junctions.front(), subject().roots);
+    ASSERT_TRUE(slide.has_value());
+    EXPECT_NEAR(*slide, 0.25, 1e-4); // a centimetre in each of 25 frames; positions are single precision
+}
+
+TEST(JunctionSpeeds, AJumpIsTheDifferenceOfTheVelocitiesAtBothEnds)
+{
+    ClipPlan plan{.up = UpAxis::Y, .frames = std::vector<PlannedFrame>(10)};
+    constexpr double fps = 10;
+    for (std::size_t f = 0; f < 10; ++f) {
+        const auto frame = static_cast<double>(f);
+        // 1 m/s along x, then 3 m/s along z; what happens between counts as little as going up and down.
+        plan.frames[f].centre = f <= 3   ? Vec3d(0.1 * frame, 0.5 * frame, 0)
+                                : f >= 6 ? Vec3d(8, -frame, 0.3 * frame)
+                                         : Vec3d(5, 5, 5);
+    }
+    const ClipPlan::Junction junction{.frames = {3, 20}, .first = 3, .last = 6};
+    ASSERT_TRUE(speedJump(plan, junction, fps).has_value());
+    EXPECT_NEAR(*speedJump(plan, junction, fps), std::sqrt(10.0), 1e-12);
+    EXPECT_FALSE(speedJump(plan, {.frames = {0, 20}, .first = 0, .last = 6}, fps).has_value());
+    EXPECT_FALSE(speedJump(plan, {.frames = {3, 20}, .first = 3, .last = 9}, fps).has_value());
 }
 
 TEST(JunctionReport, DrawsAsManyPairsAsAsked)

@@ -118,7 +118,7 @@ TEST_P(AnyFile, AFolderInItsPlaceHoldsNoSeries)
     EXPECT_EQ(error.code(), ErrorCode::SeriesEmpty);
     EXPECT_EQ(error.context().file, file());
     SourceFiles source{.path = file(), .files = {file()}, .stem = "take"};
-    EXPECT_EQ(errorOf([&] { importerFor(source); }).code(), ErrorCode::ReadFailed);
+    EXPECT_EQ(errorOf([&] { importerFor(source); }).code(), ErrorCode::BadArgument);
 }
 
 TEST_P(AnyFile, SaysThatItMayNotBeRead)

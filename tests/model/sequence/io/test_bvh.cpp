@@ -109,7 +109,7 @@ TEST(Bvh, BadFilesNameTheLine)
     EXPECT_EQ(codeOf([] { readBvh("/no/such/file.bvh"); }), ErrorCode::FileNotFound);
     const TemporaryFolder folder;
     EXPECT_EQ(codeOf([&] { readBvh(folder.write("empty.bvh", "")); }), ErrorCode::FileEmpty);
-    EXPECT_EQ(codeOf([&] { readBvh(folder / ""); }), ErrorCode::ReadFailed); // the folder itself
+    EXPECT_EQ(codeOf([&] { readBvh(folder / ""); }), ErrorCode::BadArgument); // the folder itself
     EXPECT_EQ(codeOf([] { parse("just text"); }), ErrorCode::FileSyntax);
     EXPECT_EQ(codeOf([] { parse(std::string("HIER\0ARCHY", 10)); }), ErrorCode::FileEncoding);
     EXPECT_EQ(codeOf([] { parse(arm.substr(0, 200)); }), ErrorCode::FileSyntax);

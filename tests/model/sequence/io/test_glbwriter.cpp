@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
+#include "model/render/shading.h"
 #include "model/sequence/io/glbwriter.h"
 #include "model/sequence/io/gltf.h"
 #include "tests/model/sequence/io/sceneiotest.h"
 #include "tests/model/sequence/io/testsequence.h"
 
 #include <assimp/Importer.hpp>
+#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <gmock/gmock.h>
 #include <set>
@@ -109,6 +111,47 @@ TEST(GlbWriter, AssimpReadsTheMorphTargetsAndTheirWeights)
         const Vec3f expected = sequence.frame(FrameIndex(f)).positions()[0];
         EXPECT_LT((Vec3f(tip.x, tip.y, tip.z) - expected).norm(), 1e-6F) << f;
     }
+}
+
+TEST(GlbWriter, NormalsTurnWithTheSurfaceInEveryFrame)
+{
+    const TemporaryFolder folder;
+    const MeshSequence sequence = wanderingPyramid(5);
+    GlbExporter().write(sequence, folder / "pyramid.glb", {}, {});
+    Assimp::Importer importer;
+    const aiScene* scene =
+        importer.ReadFile((folder / "pyramid.glb").string(), aiProcess_ValidateDataStructure);
+    ASSERT_TRUE(scene) << importer.GetErrorString();
+    const aiMesh& upper = *scene->mMeshes[0];
+    ASSERT_TRUE(upper.HasNormals());
+    const VertexTriangles neighbours =
+        trianglesOfVertices(sequence.topology->triangles(), sequence.topology->vertexCount());
+    for (int f = 0; f < 5; ++f) {
+        // The tip is the first vertex of the first part.
+        const Frame frame = sequence.frame(FrameIndex(f));
+        const Vec3f expected =
+            vertexNormals(frame.positions(), sequence.topology->triangles(), neighbours)[0];
+        const aiVector3D& tip = f == 0 ? upper.mNormals[0] : upper.mAnimMeshes[f - 1]->mNormals[0];
+        EXPECT_LT((Vec3f(tip.x, tip.y, tip.z) - expected).norm(), 1e-5F) << f;
+        EXPECT_NEAR(expected.norm(), 1, 1e-5F);
+    }
+}
+
+TEST(GlbWriter, NormalsCanBeLeftOut)
+{
+    const TemporaryFolder folder;
+    const MeshSequence sequence = wanderingPyramid(40);
+    ExportOptions options;
+    options.normals = false;
+    GlbExporter().write(sequence, folder / "plain.glb", options, {});
+    GlbExporter().write(sequence, folder / "shaded.glb", {}, {});
+    const auto plain = std::filesystem::file_size(folder / "plain.glb");
+    EXPECT_LT(plain, std::filesystem::file_size(folder / "shaded.glb"));
+    EXPECT_GE(estimateGlbBytes(sequence, false), plain);
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFile((folder / "plain.glb").string(), 0);
+    ASSERT_TRUE(scene) << importer.GetErrorString();
+    EXPECT_FALSE(scene->mMeshes[0]->HasNormals());
 }
 
 TEST(GlbWriter, OtherUnitsAndAxesAreTurnedByANode)

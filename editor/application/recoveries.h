@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/project.h"
+
+#include <QDateTime>
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+namespace quadrille {
+
+/// Edits that were never saved, kept from a run of the program that did not end well.
+struct Recovery
+{
+    QString id;
+    QString projectFile; ///< empty when the project was never saved
+    QDateTime saved;
+    Project project; ///< with absolute paths
+
+    QString title() const;
+    /// Characters, sequences, animations, … that it holds.
+    int entryCount() const;
+};
+
+struct Recoveries
+{
+    std::vector<Recovery> works; ///< newest first
+    /// Where copies lie that could not be read; they were moved there.
+    QStringList unreadable;
+};
+
+/// All copies that no running program holds.
+Recoveries findRecoveries();
+/// Deletes a copy for good.
+void discardRecovery(const QString& id);
+
+/// For who keeps copies: writes one. Copies keep absolute paths: they lie in another folder than the project.
+/// From any thread.
+/// \throws Error as saveProject.
+void writeRecovery(const Project& project, const QString& id, const QString& projectFile);
+/// The file whose lock says that a copy belongs to a running program.
+QString recoveryLockFile(const QString& id);
+
+} // namespace quadrille

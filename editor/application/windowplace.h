@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QByteArray>
+
+class QMainWindow;
+
+namespace quadrille {
+
+/// Gives a window the place and size that it had, as far as the screen of now has room: it is never larger
+/// than the screen, nor beside it.
+/// \param geometry  as QWidget::saveGeometry gave it; an empty one leaves the window as it is.
+void placeWindow(QMainWindow& window, const QByteArray& geometry);
+
+/// Arranges a window's docks. \param state  as QMainWindow::saveState gave it.
+/// \return whether it could be read; otherwise the docks stay as they are.
+bool restoreDocks(QMainWindow& window, const QByteArray& state);
+
+} // namespace quadrille

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/commands/entrynames.h"
+
+#include "editor/commands/entryaccess.h"
+#include "model/core/utf8.h"
+#include "model/project/brokenentry.h"
+#include "model/project/validate.h"
+
+#include <QCoreApplication>
+
+namespace quadrille {
+
+namespace {
+
+struct Texts
+{
+    Q_DECLARE_TR_FUNCTIONS(quadrille::ProjectEdits)
+};
+
+Error refusal(const QString& reason, const QString& remedy)
+{
+    return Error(ErrorCode::BadArgument,
+                 {{}, {}, {{"reason", reason.toStdString()}, {"remedy", remedy.toStdString()}}});
+}
+
+template <typename Entry>
+bool hasName(const Project& project, const QString& name)
+{
+    return std::ranges::find(entriesOf<Entry>(project), name.toStdString(), &Entry::name) !=
+           entriesOf<Entry>(project).end();
+}
+
+/// The key of a section in the file.
+const char* keyOf(Section section)
+{
+    switch (section) {
+    case Section::Characters:
+        return "characters";
+    case Section::Sequences:
+        return "sequences";
+    case Section::Animations:
+        return "animations";
+    case Section::Variations:
+        return "variations";
+    case Section::Exports:
+        return "exports";
+    case Section::Project:
+    case Section::Graphs:
+    case Section::BodyParts:
+        break;
+    }
+    return "";
+}
+
+/// What comes of a text where names take no slashes, control characters, …
+QString usableName(const QString& text)
+{
+    QString name;
+    for (const QChar letter : text)
+        name += letter == QLatin1Char('/') || letter == QLatin1Char('\\') ||
+                        letter.category() == QChar::Other_Control
+                    ? QLatin1Char('-')
+                    : letter;
+    name = name.trimmed();
+    std::string cut = name.toStdString();
+    while (problemWithName(cut) && cut.size() > 1)
+        cut = cutUtf8(cut, cut.size() - 1);
+    return problemWithName(cut) ? QStringLiteral("unnamed") : QString::fromStdString(cut).trimmed();
+}
+
+} // namespace
+
+std::optional<NamedKind> kindOf(Section section)
+{
+    switch (section) {
+    case Section::Characters:
+        return NamedKind::Character;
+    case Section::Sequences:
+        return NamedKind::Sequence;
+    case Section::Animations:
+        return NamedKind::Animation;
+    case Section::Variations:
+        return NamedKind::Variation;
+    case Section::Project:
+    case Section::Graphs:
+    case Section::BodyParts:
+    case Section::Exports:
+        break;
+    }
+    return std::nullopt;
+}
+
+bool isTaken(const Project& project, Section section, const QString& name)
+{
+    for (const BrokenEntry& entry : brokenEntries(project)) {
+        if (entry.section == keyOf(section) && entry.name() == name.toStdString())
+            return true;
+    }
+    switch (section) {
+    case Section::Characters:
+        return hasName<CharacterEntry>(project, name);
+    case Section::Sequences:
+        return hasName<SequenceEntry>(project, name);
+    case Section::Animations:
+        return hasName<AnimationEntry>(project, name);
+    case Section::Variations:
+        return hasName<VariationEntry>(project, name);
+    case Section::Exports:
+        return hasName<ExportEntry>(project, name);
+    case Section::Project:
+    case Section::Graphs:
+    case Section::BodyParts:
+        break;
+    }
+    return false;
+}
+
+QString freeName(const Project& project, Section section, const QString& wanted)
+{
+    const QString usable = usableName(wanted);
+    QString name = usable;
+    for (int i = 2; isTaken(project, section, name); ++i) {
+        QString head = usable;
+        do {
+            name = QStringLiteral("%1 %2").arg(head).arg(i);
+            head.chop(1);
+        } while (problemWithName(name.toStdString()) && !head.isEmpty());
+    }
+    return name;
+}
+
+std::optional<Error> problemWithText(const QString& name)
+{
+    const auto reason = problemWithName(name.trimmed().toStdString());
+    if (!reason)
+        return std::nullopt;
+    return refusal(QString::fromStdString(*reason), {});
+}
+
+std::optional<Error> problemWithRename(const Project& project, const EntryRef& entry, const QString& name)
+{
+    const std::string text = name.trimmed().toStdString();
+    if (auto problem = problemWithText(name))
+        return problem;
+    if (text != entry.name.toStdString() && isTaken(project, entry.section, name.trimmed()))
+        return refusal(Texts::tr("“%1” is taken").arg(name.trimmed()), Texts::tr("Choose another name."));
+    return std::nullopt;
+}
+
+} // namespace quadrille

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+// What is under way for variations: their takes are aligned, their models learned, they are drawn.
+#include "editor/documents/drawnresults.h"
+#include "editor/documents/variationmediaitem.h"
+#include "editor/jobs/jobrunner.h"
+
+#include <QElapsedTimer>
+#include <algorithm>
+#include <utility>
+
+namespace quadrille {
+
+namespace {
+
+/// Between the states of learning that are shown.
+constexpr int showingMilliseconds = 150;
+
+} // namespace
+
+VariationJob VariationMedia::jobOf(const QString& name) const
+{
+    return {m_document.snapshot(), m_document.workingFile(), name.toStdString()};
+}
+
+/// Nothing that is under way counts any more.
+void VariationMedia::end(Item& item)
+{
+    item.run = ++m_runs;
+    if (item.medium.job)
+        item.medium.job->cancel();
+    item.medium.job.clear();
+    item.medium.error.reset();
+}
+
+template <typename Work, typename Done>
+void VariationMedia::start(const QString& text, const QString& name, Item& item, Work work, Done done)
+{
+    const int run = item.run;
+    item.medium.job = m_jobs.start({.name = text,
+                                    .receiver = this,
+                                    .stillStands = [this, name, run] { return itemOf(name, run) != nullptr; },
+                                    .failed =
+                                        [this, name, run](const Error& error) {
+                                            Medium& medium = itemOf(name, run)->medium;
+                                            medium.state = State::Failed;
+                                            medium.error = error;
+                                            emit changed(name);
+                                        }},
+                                   std::move(work), std::move(done));
+    connect(item.medium.job, &Job::ended, this, [this, name, run](Job::State state) {
+        Item* ended = itemOf(name, run);
+        if (state != Job::State::Cancelled || ended == nullptr)
+            return;
+        ended->medium.state = ended->opened == nullptr    ? State::Idle
+                              : ended->learned == nullptr ? State::NotLearned
+                                                          : State::Ready;
+        emit changed(name);
+    });
+    emit changed(name);
+}
+
+void VariationMedia::open(const QString& name, Item& item, const VariationBasis& basis)
+{
+    end(item);
+    item.basis = basis;
+    item.medium.state = State::Opening;
+    start(
+        tr("Aligning “%1”").arg(name), name, item,
+        [job = jobOf(name)](const Progress& progress) {
+            return std::make_shared<const OpenedVariation>(openVariation(job, progress));
+        },
+        [this, name, run = item.run](std::shared_ptr<const OpenedVariation> opened) {
+            Item& done = *itemOf(name, run);
+            done.opened = std::move(opened);
+            done.medium.movement = done.opened->movement;
+            done.medium.state = State::NotLearned;
+            done.drawing.reset();
+            done.medium.drawn.reset();
+            done.medium.parts.clear();
+            done.medium.isStopped = false;
+            done.learned.reset();
+            const auto stopped = std::exchange(done.stopped, nullptr);
+            if (const auto learned = done.opened->learned != nullptr ? done.opened->learned : stopped)
+                takeLearned(name, run, learned);
+            else
+                emit changed(name);
+        });
+}
+
+void VariationMedia::learn(const QString& name)
+{
+    if (m_delay.isActive())
+        update();
+    const auto found = m_items.find(name);
+    if (found == m_items.end() || found->second->medium.state == State::Opening)
+        return;
+    if (found->second->opened == nullptr) {
+        retry(name);
+        return;
+    }
+    Item& item = *found->second;
+    end(item);
+    item.medium.state = State::Learning;
+    item.medium.isStopped = false;
+    item.medium.parts.clear();
+    item.learned.reset();
+    for (const BodyPart& part : item.medium.movement->parts.parts)
+        item.medium.parts.push_back({.part = part.name});
+    start(
+        tr("Learning “%1”").arg(name), name, item,
+        [job = jobOf(name), opened = item.opened, name, run = item.run, mailbox = m_mailbox,
+         parts = item.medium.parts](const Progress& progress) mutable {
+            QElapsedTimer sinceShown;
+            const PartWatch watch = [&](std::size_t part, int /*iteration*/, double objective,
+                                        const GpdmState& state) {
+                parts[part].objective.push_back(objective);
+                parts[part].state = state;
+                if (sinceShown.isValid() && sinceShown.elapsed() < showingMilliseconds)
+                    return;
+                mailbox->postProgress(name, run, parts);
+                sinceShown.start();
+            };
+            mailbox->postLearned(name, run, learnVariation(job, *opened, progress, watch));
+        },
+        [] {});
+}
+
+void VariationMedia::takeLearned(const QString& name, int run,
+                                 std::shared_ptr<const LearnedVariation> learned)
+{
+    Item* item = itemOf(name, run);
+    if (item == nullptr)
+        return;
+    item->learned = std::move(learned);
+    item->medium.parts = item->learned->parts;
+    item->medium.isStopped = std::ranges::any_of(
+        item->medium.parts, [](const PartProgress& part) { return part.stop == GpdmStop::Cancelled; });
+    item->medium.state = State::NotLearned;
+    item->drawing.reset();
+    if (item->learned == item->opened->learned && item->opened->drawn != nullptr) {
+        item->medium.drawn = item->opened->drawn;
+        item->drawing = item->opened->drawing;
+        item->medium.state = State::Ready;
+    }
+    if (m_wanted.contains(name))
+        update(name, *item);
+    emit changed(name);
+}
+
+void VariationMedia::draw(const QString& name, Item& item)
+{
+    end(item);
+    item.drawing = drawingOf(*m_document.variation(name));
+    item.medium.state = State::Drawing;
+    start(
+        tr("Drawing “%1”").arg(name), name, item,
+        [job = jobOf(name), opened = item.opened, learned = item.learned](const Progress& progress) {
+            return drawVariations(job, *opened, *learned, progress);
+        },
+        [this, name, run = item.run, job = jobOf(name)](const Drawing& drawn) {
+            Item& done = *itemOf(name, run);
+            done.medium.drawn = drawn.sets;
+            done.medium.state = State::Ready;
+            // So that it need not be drawn again.
+            if (!done.medium.isStopped)
+                m_jobs.start(
+                    {.name = tr("Keeping “%1”").arg(name), .receiver = this, .background = true},
+                    [job, opened = done.opened, learned = done.learned,
+                     draft = drawn.draft](const Progress& progress) {
+                        keepDrawn(job, *opened, *learned->movement, *draft, progress);
+                    },
+                    [] {});
+            emit changed(name);
+        });
+}
+
+void VariationMedia::stop(const QString& name)
+{
+    const auto found = m_items.find(name);
+    if (found != m_items.end() && found->second->medium.job)
+        found->second->medium.job->cancel();
+}
+
+} // namespace quadrille

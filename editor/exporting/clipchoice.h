@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QStringList>
+
+class QComboBox;
+
+namespace quadrille {
+
+struct Project;
+
+/// Fills a box with what can be exported, "SECTION/NAME" as data: takes, animations and variations, each kind
+/// under its heading where there are several. Where several clips go out together, it has the first only.
+void listClips(QComboBox& box, const Project& project, const QStringList& planned);
+
+} // namespace quadrille

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+// What an export dialog knows of its clips, and how it says it.
+#include "editor/application/editorcontext.h"
+#include "editor/documents/animationresult.h"
+#include "editor/exporting/exportdialog.h"
+#include "editor/exporting/picturefields.h"
+#include "editor/fields/axesfields.h"
+#include "editor/pictures/takepreview.h"
+#include "widgets/controls/messagestrip.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QToolButton>
+
+namespace quadrille {
+
+bool ExportDialog::isDataSet() const
+{
+    return m_plan.clips.front().startsWith(QLatin1String("variations/"));
+}
+
+const MeshSequence* ExportDialog::sequence() const
+{
+    const QString& clip = m_plan.clips.front();
+    if (clip.startsWith(QLatin1String("sequences/")))
+        return m_context.media.sequence(nameOfClip(clip));
+    if (isDataSet())
+        return m_context.variations.clip(nameOfClip(clip), 1);
+    const auto result = m_context.animations.result(nameOfClip(clip));
+    return result && result->isFinal ? &result->sequence : nullptr;
+}
+
+std::optional<std::int64_t> ExportDialog::framesWritten() const
+{
+    const MeshSequence* shown = sequence();
+    if (shown == nullptr)
+        return std::nullopt;
+    const MeshSequence cut = m_plan.entry.range ? shown->cutTo(*m_plan.entry.range) : *shown;
+    return m_plan.entry.fps ? resampled(cut, *m_plan.entry.fps).frameCount() : cut.frameCount();
+}
+
+void ExportDialog::showFacts()
+{
+    const ProjectSettings& settings = m_context.document.project().settings;
+    const bool isPicture = m_plan.isPicture();
+    m_picture->setVisible(isPicture);
+    m_picture->setTransparencyPossible(m_plan.format().id == "png");
+    m_axes->setEnabled(!isPicture);
+    m_textures->setEnabled(!isPicture && !m_plan.format().needsMesh);
+    const auto frames = framesWritten();
+    QString text = m_plan.filesText(m_plan.entries().front(), frames.value_or(1));
+    if (m_plan.clips.size() > 1)
+        text = tr("%1, and %n more", nullptr, static_cast<int>(m_plan.clips.size() - 1)).arg(text);
+    if (isDataSet()) {
+        text = tr("%1 … · all variations that are kept, their latents, and a description").arg(text);
+    } else if (frames) {
+        const double seconds = static_cast<double>(*frames) / m_plan.entry.fps.value_or(settings.fps);
+        text = tr("%1 · %n frame(s), %2 s", "files · frames, seconds", static_cast<int>(*frames))
+                   .arg(text, QLocale().toString(seconds, 'f', 2));
+    }
+    m_files->setText(text);
+    m_export->setEnabled(!m_job && !m_plan.entry.path.empty());
+    warnOfTextures();
+    if (const MeshSequence* shown = sequence()) {
+        RenderOptions look = m_picture->settings().look;
+        look.axes = settings.axes;
+        if (isPicture)
+            m_preview->draw(*shown, look);
+        else
+            m_preview->draw(shown, settings.axes);
+    }
+}
+
+void ExportDialog::warnOfTextures()
+{
+    const MeshSequence* shown = sequence();
+    const bool loses = shown != nullptr && m_plan.format().id == "gltf" && m_plan.entry.textures &&
+                       shown->textures.kind() == TextureSet::Kind::PerFrame && shown->frameCount() > 1;
+    const bool saysMore = !m_strip->isEmpty() && m_strip->kind() == widgets::MessageStrip::Kind::Error;
+    if (m_job || m_isDone || saysMore)
+        return;
+    m_strip->clear();
+    if (loses) {
+        m_strip->show(widgets::MessageStrip::Kind::Warning,
+                      tr("glTF holds one texture: of %n only that of the first frame is written.", nullptr,
+                         static_cast<int>(shown->textures.textures().size())),
+                      tr("USD, OBJ and PLY keep all of them."));
+    }
+}
+
+void ExportDialog::retranslate()
+{
+    setWindowTitle(m_plan.edited.isEmpty() ? tr("Export") : tr("Export “%1”").arg(m_plan.edited));
+    const QStringList labels{tr("Clip"),   tr("Format"), tr("File"), {},
+                             tr("Frames"), tr("Rate"),   tr("Axes"), tr("Textures")};
+    const QList<QWidget*> fields{m_clip, m_format, m_place, m_files, m_first, m_fps, m_axes, m_textures};
+    for (int row = 0; row < labels.size(); ++row) {
+        auto* item = m_form->itemAt(row, QFormLayout::LabelRole);
+        auto* label = item == nullptr ? nullptr : qobject_cast<QLabel*>(item->widget());
+        if (label == nullptr || labels[row].isEmpty())
+            continue;
+        label->setText(labels[row]);
+        label->setBuddy(fields[row]);
+        fields[row]->setAccessibleName(labels[row]);
+    }
+    m_last->setAccessibleName(tr("Last frame"));
+    m_choosePlace->setToolTip(tr("Choose the file"));
+    m_choosePlace->setAccessibleName(tr("Choose the file"));
+    m_fps->setSuffix(tr(" fps"));
+    m_fps->setToolTip(tr("Another rate than the project's is resampled"));
+    m_textures->setText(tr("Write the pictures beside"));
+    m_keep->setText(tr("Keep in the project, so that a rebuild repeats it"));
+    m_progress->setAccessibleName(tr("How far the export is"));
+    m_cancel->setText(m_isDone ? tr("Close") : tr("Cancel"));
+    m_export->setText(m_isDone ? tr("Close") : m_job ? tr("Exporting…") : tr("Export"));
+    showFacts();
+}
+
+} // namespace quadrille

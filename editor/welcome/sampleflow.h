@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/welcome/samplegoal.h"
+
+#include <QObject>
+#include <QPointer>
+#include <filesystem>
+
+namespace quadrille {
+
+class Job;
+class ProjectFiles;
+class WorkspaceTabs;
+struct EditorContext;
+
+/// Puts results that were computed elsewhere beside a project of the same content; those that do not belong
+/// to it are computed again all the same.
+void addResults(const std::filesystem::path& results, const std::filesystem::path& projectFile);
+
+/// Opens the built-in sample, makes it first where it is not there yet, and leads to what somebody wants to
+/// see of it.
+class SampleFlow : public QObject
+{
+    Q_OBJECT
+
+public:
+    SampleFlow(EditorContext& context, ProjectFiles& files, WorkspaceTabs& workspaces,
+               QObject* parent = nullptr);
+
+    /// Asks whether to save what is open before the sample takes its place.
+    void open(SampleGoal goal);
+    /// Stops making the sample.
+    void cancel();
+
+signals:
+    /// The sample is being made. \param fraction 0 … 1.
+    void progressed(quadrille::SampleGoal goal, double fraction);
+    /// It is made, or is not going to be.
+    void ended();
+
+private:
+    void make(SampleGoal goal);
+    void show(const QString& file, SampleGoal goal);
+
+    EditorContext& m_context;
+    ProjectFiles& m_files;
+    WorkspaceTabs& m_workspaces;
+    QPointer<Job> m_job;
+};
+
+} // namespace quadrille

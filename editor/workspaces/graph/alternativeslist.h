@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/transition/framepair.h"
+
+#include <QTreeWidget>
+#include <optional>
+#include <vector>
+
+namespace quadrille {
+
+class FramePictures;
+class GraphExplorer;
+class TransitionSpeeds;
+
+/// Transitions that could be taken instead of one, with pictures of both frames, what they cost and how well
+/// they join.
+class AlternativesList : public QTreeWidget
+{
+    Q_OBJECT
+
+public:
+    AlternativesList(GraphExplorer& explorer, TransitionSpeeds& speeds, FramePictures& pictures,
+                     QWidget* parent = nullptr);
+
+    /// Shows those of a transition; none without one.
+    void show(const std::optional<FramePair>& pair);
+    using QTreeWidget::show;
+    /// Those that are listed, the cheapest first.
+    const std::vector<FramePair>& listed() const { return m_listed; }
+
+signals:
+    void chosen(const quadrille::FramePair& pair);
+
+private:
+    enum Column
+    {
+        Both,
+        Weight,
+        Frames,
+        Slide,
+        Jump,
+        ColumnCount,
+    };
+    void refresh();
+    void showPictures();
+    void showSpeeds();
+    void choose(QTreeWidgetItem* item);
+    void retranslate();
+
+    GraphExplorer& m_explorer;
+    TransitionSpeeds& m_speeds;
+    FramePictures& m_pictures;
+    std::optional<FramePair> m_pair;
+    std::vector<FramePair> m_listed;
+};
+
+/// "0.12" for metres a second; "–" where there is nothing to measure, "…" where it is not measured yet.
+QString speedText(bool isMeasured, const std::optional<double>& speed);
+
+} // namespace quadrille

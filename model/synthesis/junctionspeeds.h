@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/synthesis/clipplan.h"
+
+#include <optional>
+
+namespace quadrille {
+
+/// How fast feet slide in a transition: the mean, over its frames, of the mean horizontal speed of the
+/// vertices that stand in both takes (units of length a second). Nothing where none do.
+/// \param junction  one of the plan's. \param clip  what makeClip makes of the plan.
+std::optional<double> footSlide(const Clip& clip, const ClipPlan& plan, const ClipPlan::Junction& junction,
+                                const RootPoses& roots);
+
+/// By how much the velocity of the body's centre over the ground is another behind a transition than before:
+/// the length of the difference of both, each taken over up to three captured frames, as the clip shows them
+/// (units of length a second). Nothing where there are no frames before or behind.
+std::optional<double> speedJump(const ClipPlan& plan, const ClipPlan::Junction& junction, double fps);
+
+} // namespace quadrille

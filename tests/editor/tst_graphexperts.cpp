@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+// What those do in the Graph workspace who know what they look for.
+#include "editor/commands/animationedits.h"
+#include "editor/playback/player.h"
+#include "editor/workspaces/graph/alternativeslist.h"
+#include "editor/workspaces/graph/framenames.h"
+#include "editor/workspaces/graph/graphbar.h"
+#include "editor/workspaces/graph/transitionpanel.h"
+#include "graphfixture.h"
+#include "widgets/graph/arcview.h"
+#include "widgets/graph/logslider.h"
+#include "widgets/graph/takegraphview.h"
+
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QSplitter>
+#include <QToolButton>
+
+namespace quadrille {
+
+class GraphExpertsTest : public GraphFixture
+{
+    Q_OBJECT
+
+private slots:
+    void selectedTakesFilterMatrixArcsAndLists()
+    {
+        compute();
+        const FramePair pair = someTransition();
+        context().selection.selectSequences({"second"});
+        QCOMPARE(explorer().filter().takes, std::vector<int>{1});
+        context().selection.selectSequences({"first"});
+        QCOMPARE(explorer().filter().takes, std::vector<int>{0});
+        auto* chip = test::find<QToolButton>("takeFilter");
+        QCOMPARE(chip->isVisible(), true);
+        QCOMPARE(chip->text(), QString("Only first"));
+        const NodeIndex second = graph().layout().firstOf(1) + 5;
+        QVERIFY(matrix().passesFilter({pair.source, pair.destination}));
+        QVERIFY(matrix().passesFilter({second, 5}));
+        QVERIFY(!matrix().passesFilter({second, second + 9}));
+        context().actions.action("graph.arcs")->trigger();
+        const auto& arcs = workspace().map().arcs();
+        const auto touchesFirst = [&](const widgets::ArcBundle& bundle) {
+            return bundle.lightest.from < 60 || bundle.lightest.to < 60;
+        };
+        const auto& shown = arcs.shown(widgets::ArcView::Side::Above);
+        QVERIFY(!shown.empty());
+        QVERIFY(std::ranges::all_of(shown, touchesFirst));
+        context().actions.action("graph.matrix")->trigger();
+        // Two takes: what leads from one to the other, and inside them.
+        context().selection.selectSequences({"first", "second"});
+        QVERIFY(!matrix().passesFilter({5, graph().layout().firstOf(2) + 5}));
+        workspace().activate(pair);
+        const auto& listed = test::find<AlternativesList>("transitionAlternatives")->listed();
+        QVERIFY(!listed.empty());
+        for (const FramePair& each : listed)
+            QVERIFY(graph().layout().sequenceOf(each.destination) < 2);
+        QTest::mouseClick(chip, Qt::LeftButton);
+        QVERIFY(explorer().filter().isEmpty());
+        QVERIFY(!chip->isVisible());
+        QVERIFY(matrix().passesFilter({second, second + 9}));
+    }
+
+    void takesShowWithTheTransitionsCountedBetweenThem()
+    {
+        compute();
+        context().actions.action("graph.takes")->trigger();
+        auto& takes = workspace().map().takes();
+        QVERIFY(takes.isVisible());
+        int counted = 0;
+        for (const widgets::TakeLink& link : takes.links())
+            counted += link.count;
+        QCOMPARE(counted, static_cast<int>(explorer().graphs()->essential.count(EdgeKind::Transition)));
+        const auto link = std::ranges::find_if(
+            takes.links(), [](const widgets::TakeLink& each) { return each.from == 0 && each.to == 2; });
+        QVERIFY(link != takes.links().end());
+        QTest::mouseClick(&takes, Qt::LeftButton, {}, takes.nodeRect(1).center().toPoint());
+        QCOMPARE(explorer().filter().takes, std::vector<int>{1});
+        QTest::mouseClick(&takes, Qt::LeftButton, {}, takes.linkMiddle(*link).toPoint());
+        QCOMPARE(explorer().filter().takes, (std::vector<int>{0, 2}));
+    }
+
+    void speedsOfTransitionsAreMeasuredBesideTheInterface()
+    {
+        compute();
+        const FramePair pair = someTransition();
+        workspace().activate(pair);
+        auto* list = test::find<AlternativesList>("transitionAlternatives");
+        constexpr int slideColumn = 3;
+        constexpr int jumpColumn = 4;
+        QCOMPARE(list->topLevelItem(0)->text(jumpColumn), QString("…"));
+        QTRY_VERIFY_WITH_TIMEOUT(text("transitionJump") != "…", 30000);
+        for (int row = 0; row < list->topLevelItemCount(); ++row) {
+            QTRY_VERIFY_WITH_TIMEOUT(list->topLevelItem(row)->text(jumpColumn) != "…", 30000);
+            QVERIFY(list->topLevelItem(row)->text(slideColumn) != "…");
+        }
+        QVERIFY(list->topLevelItem(0)->text(0).contains(" › "));
+        QTRY_VERIFY(!list->topLevelItem(0)->icon(0).isNull());
+        // Other blending, other speeds.
+        context().actions.action("graph.gentle")->setChecked(true);
+        QCOMPARE(text("transitionJump"), QString("…"));
+        QTRY_VERIFY_WITH_TIMEOUT(text("transitionJump") != "…", 30000);
+    }
+
+    void theMenuOfACellBansItsTransition()
+    {
+        compute();
+        const FramePair pair = someTransition();
+        context().selection.select(
+            {Section::Animations, addAnimation(context().document, {.name = "tour", .character = "spire"})});
+        const auto openMenu = [&] {
+            QContextMenuEvent event(QContextMenuEvent::Mouse, placeOf(pair),
+                                    matrix().mapToGlobal(placeOf(pair)));
+            QApplication::sendEvent(&matrix(), &event);
+            return workspace().findChild<QMenu*>("graphCellMenu");
+        };
+        QMenu* menu = openMenu();
+        QVERIFY(menu != nullptr && menu->isVisible());
+        QCOMPARE(test::find<TransitionPanel>("transitionPanel")->shown(), pair);
+        menu->findChild<QAction*>("banInAnimation")->trigger();
+        menu->close();
+        const JunctionEntry junction{graph().nameOf(pair.source), graph().nameOf(pair.destination)};
+        QCOMPARE(context().document.animation("tour")->junctions.banned, std::vector{junction});
+        context().document.undo();
+        QVERIFY(context().document.animation("tour")->junctions.banned.empty());
+        context().actions.action("graph.copyFrames")->trigger();
+        QCOMPARE(QGuiApplication::clipboard()->text(), pairName(explorer(), pair));
+    }
+
+    void theDividerStaysWhereItIs()
+    {
+        compute();
+        m_window->resize(1280, 720);
+        auto* splitter = test::find<QSplitter>("graphSplitter");
+        QTRY_VERIFY(splitter->width() < 1280);
+        const QList<int> sizes = splitter->sizes();
+        const FramePair pair = someTransition();
+        QTest::mouseMove(&matrix(), placeOf(pair));
+        QTRY_VERIFY(!workspace().stage().shown().isEmpty());
+        QTRY_VERIFY(!workspace().stage().isEmpty());
+        QCOMPARE(splitter->sizes(), sizes);
+        QTest::mouseClick(&matrix(), Qt::LeftButton, {}, placeOf(pair));
+        QTRY_VERIFY(workspace().player().isPlaying());
+        QCOMPARE(splitter->sizes(), sizes);
+        context().selection.selectSequences({"first"});
+        QCOMPARE(splitter->sizes(), sizes);
+    }
+
+    void theSliderShowsHowDenseTheGraphBecomes()
+    {
+        compute();
+        const auto& curve = workspace().bar().alpha().curve();
+        QTRY_VERIFY_WITH_TIMEOUT(curve.size() == explorer().comparison().size() && curve.size() > 8, 60000);
+        QCOMPARE(curve.front().x(), explorer().comparison().front().alpha);
+        QVERIFY(curve.front().y() < curve.back().y());
+        QCOMPARE(text("logSliderLow").isEmpty(), false);
+    }
+};
+
+} // namespace quadrille
+
+QTEST_MAIN(quadrille::GraphExpertsTest)
+#include "tst_graphexperts.moc"

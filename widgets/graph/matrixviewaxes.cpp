@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+// What stands along the sides of a table: names and pictures of blocks, numbers of frames.
+#include "widgets/graph/matrixviewprivate.h"
+#include "widgets/theme/theme.h"
+
+#include <QLocale>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille::widgets {
+
+namespace {
+
+constexpr int gap = matrixGap;
+constexpr int tickLength = 4;    // logical pixels
+constexpr double tickRoom = 1.6; // lines of text from one number to the next
+constexpr double nameRoom = 0.9; // of a line of text that a block must have for its name
+constexpr int numberGap = 6;     // logical pixels between the numbers of columns
+constexpr QLatin1String widestNumber("0000");
+
+} // namespace
+
+void MatrixView::Private::layOut(const MatrixView& view)
+{
+    const QFontMetricsF metrics(view.font());
+    double widest = metrics.horizontalAdvance(MatrixView::tr("from ↓ to →"));
+    for (const MatrixBlock& block : blocks)
+        widest = std::max(widest, metrics.horizontalAdvance(block.name));
+    const int line = static_cast<int>(std::ceil(metrics.height()));
+    const int names = static_cast<int>(std::ceil(widest));
+    const int pictureRoom = pictures.empty() ? 0 : blockPictureSide + gap / 2;
+    const int left = std::min(names, view.width() / 6) + 2 * gap + pictureRoom;
+    const int top = std::max(std::min(names, view.height() / 7), line) + 2 * gap + pictureRoom;
+    outer = view.rect().adjusted(left, top, -gap, -(line + 2 * gap));
+    const int numbers = static_cast<int>(std::ceil(metrics.horizontalAdvance(widestNumber))) + tickLength;
+    area = outer.adjusted(numbers, line + tickLength, 0, 0);
+    area.setSize(area.size().expandedTo({16, 16}));
+    const QSizeF fitting = fittingScale();
+    if (isFitted || cell() < std::min(fitting.width(), fitting.height())) {
+        isFitted = true;
+        setScale(fitting, {});
+    } else {
+        keepInView();
+    }
+}
+
+std::pair<double, double> MatrixView::Private::shownBlock(std::size_t block,
+                                                          Qt::Orientation orientation) const
+{
+    const bool isAcross = orientation == Qt::Horizontal;
+    const double from = isAcross ? origin.x() : origin.y();
+    const double each = isAcross ? scale.width() : scale.height();
+    const double room = isAcross ? area.width() : area.height();
+    const double first = std::max(from + blockStarts[block] * each, 0.0);
+    const double last = std::min(from + blockStarts[block + 1] * each, room);
+    return {first, last - first};
+}
+
+double MatrixView::Private::tickDistance(Qt::Orientation orientation, const QFontMetricsF& metrics) const
+{
+    return orientation == Qt::Horizontal ? metrics.horizontalAdvance(widestNumber) + numberGap
+                                         : metrics.height() * tickRoom;
+}
+
+/// Round numbers of frames in each block, as many as there is room for.
+std::vector<MatrixView::Private::Tick> MatrixView::Private::ticks(Qt::Orientation orientation,
+                                                                  double apart) const
+{
+    std::vector<Tick> found;
+    const double each = orientation == Qt::Horizontal ? scale.width() : scale.height();
+    int step = 1;
+    for (int power = 1; step * each < apart; power *= 10) {
+        for (const int factor : {1, 2, 5}) {
+            step = factor * power;
+            if (step * each >= apart)
+                break;
+        }
+    }
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+        // The last number keeps off the first one of the next block; where only the first would show, the
+        // name says as much.
+        const int last = blocks[block].count - 1 - static_cast<int>(apart / each / 2);
+        if (last < step)
+            continue;
+        for (int frame = 0; frame <= last; frame += step) {
+            const double middle = (blockStarts[block] + frame + 0.5) * each;
+            const double place = (orientation == Qt::Horizontal ? origin.x() : origin.y()) + middle;
+            if (place >= 0 && place <= (orientation == Qt::Horizontal ? area.width() : area.height()))
+                found.push_back({blockStarts[block] + frame, frame});
+        }
+    }
+    return found;
+}
+
+void MatrixView::Private::paintTicks(QPainter& painter, const QFontMetricsF& metrics) const
+{
+    const QLocale locale;
+    painter.setPen(Theme::color(ColorRole::TextMuted));
+    for (const Tick& tick : ticks(Qt::Vertical, tickDistance(Qt::Vertical, metrics))) {
+        const double y = rect({tick.index, 0}).center().y();
+        painter.drawLine(QPointF(area.left() - tickLength, y), QPointF(area.left() - 1, y));
+        const QRectF place(outer.left() - gap, y - metrics.height() / 2,
+                           area.left() - tickLength - 2 - outer.left() + gap, metrics.height());
+        painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter, locale.toString(tick.frame));
+    }
+    const double apart = tickDistance(Qt::Horizontal, metrics);
+    for (const Tick& tick : ticks(Qt::Horizontal, apart)) {
+        const double x = rect({0, tick.index}).center().x();
+        painter.drawLine(QPointF(x, area.top() - tickLength), QPointF(x, area.top() - 1));
+        const QRectF place(x - apart / 2, outer.top(), apart, area.top() - tickLength - outer.top());
+        painter.drawText(place, Qt::AlignHCenter | Qt::AlignBottom, locale.toString(tick.frame));
+    }
+}
+
+void MatrixView::Private::paintNames(QPainter& painter, const QFontMetricsF& metrics) const
+{
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+        paintRowName(painter, metrics, block);
+        paintColumnName(painter, metrics, block);
+    }
+    painter.setPen(Theme::color(ColorRole::TextMuted));
+    //: rows of the matrix: where a transition comes from; columns: where it goes to
+    painter.drawText(
+        QRectF(gap, 0, area.left() - 2.0 * gap, outer.top() - 2.0), Qt::AlignLeft | Qt::AlignVCenter,
+        metrics.elidedText(MatrixView::tr("from ↓ to →"), Qt::ElideRight, area.left() - 2.0 * gap));
+}
+
+void MatrixView::Private::paintRowName(QPainter& painter, const QFontMetricsF& metrics,
+                                       std::size_t block) const
+{
+    const auto [top, height] = shownBlock(block, Qt::Vertical);
+    if (height < metrics.height() * nameRoom)
+        return;
+    double right = outer.left() - gap;
+    if (block < pictures.size()) {
+        if (height >= blockPictureSide)
+            painter.drawImage(QRectF(right - blockPictureSide,
+                                     area.top() + top + (height - blockPictureSide) / 2, blockPictureSide,
+                                     blockPictureSide),
+                              pictures[block]);
+        right -= blockPictureSide + gap / 2.0;
+    }
+    const bool isCurrent = current && blockOf(current->row) == static_cast<int>(block);
+    const QRectF place(gap, area.top() + top, right - gap, height);
+    painter.setPen(Theme::color(isCurrent ? ColorRole::Text : ColorRole::TextMuted));
+    painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter,
+                     metrics.elidedText(blocks[block].name, Qt::ElideMiddle, place.width()));
+}
+
+void MatrixView::Private::paintColumnName(QPainter& painter, const QFontMetricsF& metrics,
+                                          std::size_t block) const
+{
+    const auto [left, width] = shownBlock(block, Qt::Horizontal);
+    if (width < metrics.height() * nameRoom)
+        return;
+    double bottom = outer.top() - gap / 2.0;
+    const double middle = area.left() + left + width / 2;
+    if (block < pictures.size()) {
+        if (width >= blockPictureSide)
+            painter.drawImage(QRectF(middle - blockPictureSide / 2.0, bottom - blockPictureSide,
+                                     blockPictureSide, blockPictureSide),
+                              pictures[block]);
+        bottom -= blockPictureSide + gap / 2.0;
+    }
+    const bool isCurrent = current && blockOf(current->column) == static_cast<int>(block);
+    painter.setPen(Theme::color(isCurrent ? ColorRole::Text : ColorRole::TextMuted));
+    const QString& name = blocks[block].name;
+    // The corner at the left says which side is which: there only upright names have room.
+    if (metrics.horizontalAdvance(name) <= width && bottom >= metrics.height()) {
+        painter.drawText(QRectF(area.left() + left, bottom - metrics.height(), width, metrics.height()),
+                         Qt::AlignCenter, name);
+        return;
+    }
+    const double room = bottom - gap / 2.0;
+    painter.save();
+    painter.translate(area.left() + left, bottom);
+    painter.rotate(-90);
+    painter.drawText(QRectF(0, 0, room, width), Qt::AlignLeft | Qt::AlignVCenter,
+                     metrics.elidedText(name, Qt::ElideMiddle, room));
+    painter.restore();
+}
+
+} // namespace quadrille::widgets

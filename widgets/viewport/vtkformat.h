@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QSurfaceFormat>
+
+namespace quadrille::widgets {
+
+/// What VTK needs of an OpenGL context.
+QSurfaceFormat viewFormat();
+
+} // namespace quadrille::widgets
