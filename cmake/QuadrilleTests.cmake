@@ -18,36 +18,40 @@ function(quadrille_model_test name)
     target_compile_definitions(${name} PRIVATE
         QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}"
         QUADRILLE_TEST_DATA_DIR="${CMAKE_SOURCE_DIR}/tests/data")
+    quadrille_unity(${name})
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()
 
-# quadrille_qt_program(NAME source.cpp … [LIBRARIES target …]): one QtTest program, for the functions below.
+# quadrille_qt_program(NAME source.cpp … [LIBRARIES target …]): one program for all QtTest classes of a folder; its first
+# argument says which of them to run (see tests/qt/registry.h).
 function(quadrille_qt_program name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES")
-    find_package(Qt6 REQUIRED COMPONENTS Test)
-    add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
+    find_package(Qt6 REQUIRED COMPONENTS Test Widgets)
+    add_executable(${name} ${arg_UNPARSED_ARGUMENTS} "${CMAKE_SOURCE_DIR}/tests/qt/registry.cpp")
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
     if(QUADRILLE_SANITIZE)
         target_sources(${name} PRIVATE "${CMAKE_SOURCE_DIR}/tests/keeplibraries.cpp")
     endif()
-    target_link_libraries(${name} PRIVATE Qt6::Test ${arg_LIBRARIES})
+    target_link_libraries(${name} PRIVATE Qt6::Test Qt6::Widgets Quadrille::Model ${arg_LIBRARIES})
     target_compile_options(${name} PRIVATE ${QUADRILLE_TEST_OPTIONS})
     target_compile_definitions(${name} PRIVATE
         QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}"
         QUADRILLE_TEST_DATA_DIR="${CMAKE_SOURCE_DIR}/tests/data")
+    quadrille_unity(${name})
 endfunction()
 
-# quadrille_qt_test(NAME source.cpp … [LIBRARIES target …]): one QtTest program, run on a private X display.
-function(quadrille_qt_test name)
-    quadrille_qt_program(${ARGV})
-    add_test(NAME ${name} COMMAND xvfb-run -a -s "-screen 0 1600x1000x24" $<TARGET_FILE:${name}>)
-    set_tests_properties(${name} PROPERTIES TIMEOUT 300)
+# quadrille_qt_tests(PROGRAM test …): test classes of a program, each run for itself on a private X display.
+function(quadrille_qt_tests program)
+    foreach(test IN LISTS ARGN)
+        add_test(NAME ${test} COMMAND xvfb-run -a -s "-screen 0 1600x1000x24" $<TARGET_FILE:${program}> ${test})
+        set_tests_properties(${test} PROPERTIES TIMEOUT 300)
+    endforeach()
 endfunction()
 
-# quadrille_desktop_test(NAME source.cpp … [LIBRARIES target …]): the same on a larger display that has a window
-# manager, as users have one.
-function(quadrille_desktop_test name)
-    quadrille_qt_program(${ARGV})
-    add_test(NAME ${name} COMMAND "${CMAKE_SOURCE_DIR}/tests/desktop/run.sh" $<TARGET_FILE:${name}>)
-    set_tests_properties(${name} PROPERTIES TIMEOUT 900 SKIP_RETURN_CODE 77)
+# quadrille_desktop_tests(PROGRAM test …): the same on a larger display that has a window manager, as users have one.
+function(quadrille_desktop_tests program)
+    foreach(test IN LISTS ARGN)
+        add_test(NAME ${test} COMMAND "${CMAKE_SOURCE_DIR}/tests/desktop/run.sh" $<TARGET_FILE:${program}> ${test})
+        set_tests_properties(${test} PROPERTIES TIMEOUT 900 SKIP_RETURN_CODE 77)
+    endforeach()
 endfunction()

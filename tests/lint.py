@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: MIT
 """lint.py BUILD_DIR [FILE…]: clang-tidy over the sources of model, widgets and editor.
 
-clang-tidy spends most of its time in the headers of Qt, VTK and the standard library, so several sources that are
-compiled alike are read as one. A source that passed is not read again until it, a header of ours that it includes,
-its compiler flags or .clang-tidy change; what passed is kept in BUILD_DIR/lint. Jobs: QUADRILLE_JOBS, or all cores.
+Sources that are compiled together (see quadrille_unity) are read together. What passed is not read again until one of
+its sources, a header of ours that they include, its compiler flags or .clang-tidy change; it is kept in BUILD_DIR/lint.
+Jobs: QUADRILLE_JOBS, or all cores.
 """
 import concurrent.futures
 import hashlib
@@ -18,7 +18,6 @@ import sys
 from pathlib import Path
 
 CLANG_TIDY = "clang-tidy-14"
-BATCH = 24
 ROOT = Path(__file__).resolve().parent.parent
 FOLDERS = ("model/", "widgets/", "editor/")
 
@@ -53,82 +52,38 @@ def dependencies(build):
     return found
 
 
-class Source:
+class Unit:
+    """What the compiler reads at once: a source, or several that one file of the build includes."""
+
     def __init__(self, entry, build, deps, common):
         self.path = Path(entry["file"])
-        self.name = str(self.path.relative_to(ROOT))
+        self.sources = [self.path]
+        if self.path.is_relative_to(build):
+            self.sources = [Path(name) for name in re.findall(r'#include "(/.*\.cpp)"', self.path.read_text())]
         self.flags, target = flags_of(entry["command"])
-        text = self.path.read_text()
-        self.private_names = private_names(text)
         digest = hashlib.sha256(common)
-        digest.update("\0".join((self.name, *self.flags, text)).encode())
+        for source in self.sources:
+            digest.update(source.read_bytes())
+        digest.update("\0".join((self.path.name, *self.flags)).encode())
         for dependency in sorted(deps.get(target, [])):
             path = (build / dependency).resolve()
             if path.is_relative_to(ROOT) and not path.is_relative_to(build):
                 digest.update(path.read_bytes())
-        self.key = digest.hexdigest()[:24] + " " + self.name
+        self.key = digest.hexdigest()[:24] + " " + self.path.name
+
+    def names(self):
+        return {str(source.relative_to(ROOT)) for source in self.sources if source.is_relative_to(ROOT)}
+
+    def is_ours(self):
+        return any(name.startswith(FOLDERS) for name in self.names())
 
 
-def private_names(text):
-    """Names in unnamed namespaces, of file-local functions and macros: sources that share one are not read as one."""
-    names, inside = set(), False
-    for line in text.splitlines():
-        if line == "namespace {":
-            inside = True
-        elif line == "} // namespace":
-            inside = False
-        elif line.startswith("#define "):
-            names.add(re.match(r"#define (\w+)", line)[1])
-        elif (inside or line.startswith("static ")) and line[:1].isalpha():
-            declared = re.findall(r"\w+", re.split(r"[({=;:]", re.sub(r"::|<[^()]*>", "", line), maxsplit=1)[0])
-            names.update(declared[-1:])
-    return names
-
-
-def batches(sources):
-    """Splits sources into groups that can be read as one."""
-    groups = []
-    for source in sorted(sources, key=lambda s: s.name):
-        for group in groups:
-            if (group[0].flags == source.flags and len(group) < BATCH
-                    and not any(source.private_names & other.private_names for other in group)):
-                group.append(source)
-                break
-        else:
-            groups.append([source])
-    return groups
-
-
-class Linter:
-    def __init__(self, build):
-        self.folder = build / "lint"
-        self.folder.mkdir(exist_ok=True)
-        self.stamps = self.folder / "passed"
-
-    def tidy(self, group):
-        """Output of clang-tidy, empty when all is well."""
-        if len(group) == 1:
-            path = group[0].path
-        else:
-            path = self.folder / (hashlib.sha256("".join(s.name for s in group).encode()).hexdigest()[:16] + ".cpp")
-            path.write_text("".join(f'#include "{source.path}"\n' for source in group))
-        command = [CLANG_TIDY, f"--config-file={ROOT / '.clang-tidy'}", "--quiet",
-                   "--checks=-bugprone-suspicious-include", str(path), "--", *group[0].flags,
-                   "-Wno-unknown-warning-option"]
-        result = subprocess.run(command, cwd=self.folder.parent, capture_output=True, text=True)
-        return "" if result.returncode == 0 else result.stdout or result.stderr
-
-    def check(self, group):
-        """Complaints about a group; one that cannot be read as one is halved."""
-        output = self.tidy(group)
-        if not output:
-            with self.stamps.open("a") as stamps:
-                stamps.write("".join(source.key + "\n" for source in group))
-            return ""
-        if len(group) > 1 and "[clang-diagnostic-error]" in output:
-            half = len(group) // 2
-            return self.check(group[:half]) + self.check(group[half:])
-        return output
+def tidy(unit, build):
+    """Output of clang-tidy, empty when all is well."""
+    command = [CLANG_TIDY, f"--config-file={ROOT / '.clang-tidy'}", "--quiet", "--checks=-bugprone-suspicious-include",
+               str(unit.path), "--", *unit.flags, "-Wno-unknown-warning-option"]
+    result = subprocess.run(command, cwd=build, capture_output=True, text=True)
+    return "" if result.returncode == 0 else result.stdout or result.stderr
 
 
 def main():
@@ -137,27 +92,28 @@ def main():
     version = subprocess.run([CLANG_TIDY, "--version"], capture_output=True, check=True).stdout
     common = version + (ROOT / ".clang-tidy").read_bytes()
     deps = dependencies(build)
-    sources = {}
-    for entry in json.loads((build / "compile_commands.json").read_text()):
-        path = Path(entry["file"])
-        if path.is_relative_to(ROOT) and str(path.relative_to(ROOT)).startswith(FOLDERS) and path.exists():
-            source = Source(entry, build, deps, common)
-            sources[source.name] = source
-    for name in chosen - sources.keys():
+    entries = json.loads((build / "compile_commands.json").read_text())
+    units = [Unit(entry, build, deps, common) for entry in entries if Path(entry["file"]).exists()]
+    units = [unit for unit in units if unit.is_ours()]
+    known = set().union(*(unit.names() for unit in units))
+    for name in chosen - known:
         sys.exit(f"error: {name} is not compiled, so it cannot be checked")
-    linter = Linter(build)
-    passed = set(linter.stamps.read_text().splitlines()) if linter.stamps.exists() else set()
-    known = {source.key for source in sources.values()}
-    linter.stamps.write_text("".join(key + "\n" for key in sorted(passed & known)))
-    waiting = [s for s in sources.values() if s.name in chosen or (not chosen and s.key not in passed)]
-    jobs = int(os.environ.get("QUADRILLE_JOBS", os.cpu_count()))
+
+    (build / "lint").mkdir(exist_ok=True)
+    stamps = build / "lint" / "passed"
+    passed = set(stamps.read_text().splitlines()) if stamps.exists() else set()
+    stamps.write_text("".join(unit.key + "\n" for unit in units if unit.key in passed))
+    waiting = [unit for unit in units if (unit.names() & chosen if chosen else unit.key not in passed)]
     failed = False
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        for output in pool.map(linter.check, batches(waiting)):
+    with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("QUADRILLE_JOBS", os.cpu_count()))) as pool:
+        for unit, output in zip(waiting, pool.map(lambda unit: tidy(unit, build), waiting)):
             if output:
                 print(output, flush=True)
                 failed = True
-    print(f"{len(sources)} sources, {len(waiting)} of them checked now")
+            else:
+                with stamps.open("a") as file:
+                    file.write(unit.key + "\n")
+    print(f"{len(known)} sources, {sum(len(unit.names()) for unit in waiting)} of them checked now")
     sys.exit(failed)
 
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int secondsToAnswer = 30;
 
-struct Texts
+struct SettingsTexts
 {
     Q_DECLARE_TR_FUNCTIONS(quadrille::DefaultSettings)
 };
@@ -41,12 +41,12 @@ bool canBeAnswered()
 void pressAfterWaiting(QPushButton& button)
 {
     auto* timer = new QTimer(&button);
-    button.setText(Texts::tr("Default settings (%1)").arg(secondsToAnswer));
+    button.setText(SettingsTexts::tr("Default settings (%1)").arg(secondsToAnswer));
     QObject::connect(timer, &QTimer::timeout, &button, [&button, left = secondsToAnswer]() mutable {
         if (--left == 0)
             button.click();
         else
-            button.setText(Texts::tr("Default settings (%1)").arg(left));
+            button.setText(SettingsTexts::tr("Default settings (%1)").arg(left));
     });
     timer->start(1000);
 }
@@ -64,18 +64,19 @@ bool askForDefaultSettings(int failedStarts)
         return true;
     LanguageManager languages;
     languages.setLanguage(Settings().language());
-    QMessageBox box(QMessageBox::Question, Texts::tr("Quadrille did not start"),
-                    Texts::tr("The last %n start(s) of Quadrille failed. Start with default settings?",
-                              nullptr, failedStarts));
+    QMessageBox box(
+        QMessageBox::Question, SettingsTexts::tr("Quadrille did not start"),
+        SettingsTexts::tr("The last %n start(s) of Quadrille failed. Start with default settings?", nullptr,
+                          failedStarts));
     box.setObjectName(QStringLiteral("startOffer"));
     box.setInformativeText(
-        Texts::tr(
+        SettingsTexts::tr(
             "Shortcuts, theme and the arrangement of windows are as they were at first then. Yours are put "
             "aside as %1.")
             .arg(asideOf(QSettings().fileName())));
     QPushButton* defaults = box.addButton(QString(), QMessageBox::AcceptRole);
     defaults->setObjectName(QStringLiteral("startDefaults"));
-    QPushButton* before = box.addButton(Texts::tr("Start as before"), QMessageBox::RejectRole);
+    QPushButton* before = box.addButton(SettingsTexts::tr("Start as before"), QMessageBox::RejectRole);
     before->setObjectName(QStringLiteral("startAsBefore"));
     box.setDefaultButton(defaults);
     box.setEscapeButton(before);

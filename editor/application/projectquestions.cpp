@@ -14,7 +14,7 @@ namespace quadrille::questions {
 
 namespace {
 
-struct Texts
+struct QuestionTexts
 {
     Q_DECLARE_TR_FUNCTIONS(quadrille::ProjectQuestions)
 };
@@ -59,23 +59,25 @@ Answer ask(QWidget* window, const char* name, const QString& sentence, const QSt
 Locked askLocked(QWidget* window, const QString& title, const QString& holder)
 {
     return ask<Locked>(
-        window, "projectLocked", Texts::tr("“%1” is open elsewhere: %2.").arg(title, holder),
-        Texts::tr("Two who save the same project write over each other's work. Taken over, it cannot be "
-                  "saved there any more without being asked."),
-        {{Locked::OpenCopy, "lockedCopy", Texts::tr("Open a copy")},
-         {Locked::ReadOnly, "lockedReadOnly", Texts::tr("Read only")},
-         {Locked::TakeOver, "lockedTakeOver", Texts::tr("Take over"), QMessageBox::DestructiveRole}},
+        window, "projectLocked", QuestionTexts::tr("“%1” is open elsewhere: %2.").arg(title, holder),
+        QuestionTexts::tr(
+            "Two who save the same project write over each other's work. Taken over, it cannot be "
+            "saved there any more without being asked."),
+        {{Locked::OpenCopy, "lockedCopy", QuestionTexts::tr("Open a copy")},
+         {Locked::ReadOnly, "lockedReadOnly", QuestionTexts::tr("Read only")},
+         {Locked::TakeOver, "lockedTakeOver", QuestionTexts::tr("Take over"), QMessageBox::DestructiveRole}},
         Locked::Cancel);
 }
 
 Unwritable askUnwritable(QWidget* window, const QString& sentence, bool canTakeOver)
 {
-    std::vector<Choice<Unwritable>> choices{{Unwritable::SaveAs, "unwritableSaveAs", Texts::tr("Save as…")}};
+    std::vector<Choice<Unwritable>> choices{
+        {Unwritable::SaveAs, "unwritableSaveAs", QuestionTexts::tr("Save as…")}};
     if (canTakeOver)
-        choices.push_back({Unwritable::TakeOver, "unwritableTakeOver", Texts::tr("Take over and save"),
-                           QMessageBox::DestructiveRole});
+        choices.push_back({Unwritable::TakeOver, "unwritableTakeOver",
+                           QuestionTexts::tr("Take over and save"), QMessageBox::DestructiveRole});
     return ask<Unwritable>(window, "projectUnwritable", sentence,
-                           Texts::tr("Save it under another name to keep your edits."), choices,
+                           QuestionTexts::tr("Save it under another name to keep your edits."), choices,
                            Unwritable::Cancel);
 }
 
@@ -83,29 +85,31 @@ Changed askChanged(QWidget* window, const QString& title)
 {
     return ask<Changed>(
         window, "projectChanged",
-        Texts::tr("The file of “%1” was changed by somebody else since it was opened.").arg(title),
-        Texts::tr("Overwriting it loses their edits; reloading it loses yours."),
-        {{Changed::SaveAs, "changedSaveAs", Texts::tr("Save as…")},
-         {Changed::Overwrite, "changedOverwrite", Texts::tr("Overwrite"), QMessageBox::DestructiveRole},
-         {Changed::Reload, "changedReload", Texts::tr("Reload"), QMessageBox::DestructiveRole}},
+        QuestionTexts::tr("The file of “%1” was changed by somebody else since it was opened.").arg(title),
+        QuestionTexts::tr("Overwriting it loses their edits; reloading it loses yours."),
+        {{Changed::SaveAs, "changedSaveAs", QuestionTexts::tr("Save as…")},
+         {Changed::Overwrite, "changedOverwrite", QuestionTexts::tr("Overwrite"),
+          QMessageBox::DestructiveRole},
+         {Changed::Reload, "changedReload", QuestionTexts::tr("Reload"), QMessageBox::DestructiveRole}},
         Changed::Cancel);
 }
 
 bool mayReload(QWidget* window, const QString& title)
 {
-    return ask<bool>(window, "projectReload", Texts::tr("Reload “%1”?").arg(title),
-                     Texts::tr("Your unsaved edits are lost then."),
-                     {{true, "reloadAccept", Texts::tr("Reload"), QMessageBox::DestructiveRole}}, false);
+    return ask<bool>(window, "projectReload", QuestionTexts::tr("Reload “%1”?").arg(title),
+                     QuestionTexts::tr("Your unsaved edits are lost then."),
+                     {{true, "reloadAccept", QuestionTexts::tr("Reload"), QMessageBox::DestructiveRole}},
+                     false);
 }
 
 bool mayOpenBackup(QWidget* window, const QString& title, const QString& problem, const QDateTime& saved)
 {
     return ask<bool>(
         window, "projectBackup",
-        Texts::tr("“%1” cannot be opened. %2", "project and problem").arg(title, problem),
-        Texts::tr("The backup beside it, of %1, can. It takes the project's place when you save.")
+        QuestionTexts::tr("“%1” cannot be opened. %2", "project and problem").arg(title, problem),
+        QuestionTexts::tr("The backup beside it, of %1, can. It takes the project's place when you save.")
             .arg(QLocale().toString(saved, QLocale::ShortFormat)),
-        {{true, "backupAccept", Texts::tr("Open the backup")}}, false);
+        {{true, "backupAccept", QuestionTexts::tr("Open the backup")}}, false);
 }
 
 } // namespace quadrille::questions

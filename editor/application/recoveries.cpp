@@ -19,7 +19,7 @@ namespace quadrille {
 
 namespace {
 
-struct Texts
+struct RecoveryTexts
 {
     Q_DECLARE_TR_FUNCTIONS(quadrille::Recovery)
 };
@@ -67,7 +67,7 @@ QString projectFileOf(const QString& id)
 
 QString Recovery::title() const
 {
-    return projectFile.isEmpty() ? Texts::tr("Untitled") : QFileInfo(projectFile).completeBaseName();
+    return projectFile.isEmpty() ? RecoveryTexts::tr("Untitled") : QFileInfo(projectFile).completeBaseName();
 }
 
 int Recovery::entryCount() const

@@ -11,7 +11,7 @@ namespace quadrille {
 
 namespace {
 
-struct Texts
+struct AnimationTexts
 {
     Q_DECLARE_TR_FUNCTIONS(quadrille::AnimationEdits)
 };
@@ -20,12 +20,12 @@ struct Texts
 
 QString addAnimation(ProjectDocument& document, AnimationEntry animation)
 {
-    return addEntry(document, Texts::tr("Add animation “%1”"), std::move(animation));
+    return addEntry(document, AnimationTexts::tr("Add animation “%1”"), std::move(animation));
 }
 
 QString duplicateAnimation(ProjectDocument& document, const QString& name)
 {
-    return duplicateEntry<AnimationEntry>(document, Texts::tr("Duplicate “%1”").arg(name), name);
+    return duplicateEntry<AnimationEntry>(document, AnimationTexts::tr("Duplicate “%1”").arg(name), name);
 }
 
 void setAnimation(ProjectDocument& document, const QString& name, const QString& text,

@@ -15,7 +15,7 @@ namespace quadrille {
 
 namespace {
 
-struct Texts
+struct BrokenTexts
 {
     Q_DECLARE_TR_FUNCTIONS(quadrille::BrokenEdits)
 };
@@ -33,8 +33,8 @@ void removeBroken(ProjectDocument& document, const QStringList& titles)
     }
     setBrokenEntries(after, broken);
     const int count = static_cast<int>(titles.size());
-    const QString text = count == 1 ? Texts::tr("Remove “%1”").arg(titles.front())
-                                    : Texts::tr("Remove %n unreadable parts", nullptr, count);
+    const QString text = count == 1 ? BrokenTexts::tr("Remove “%1”").arg(titles.front())
+                                    : BrokenTexts::tr("Remove %n unreadable parts", nullptr, count);
     document.push(std::make_unique<ChangeProject>(document, text, std::move(after)));
 }
 
@@ -57,8 +57,8 @@ bool setBroken(ProjectDocument& document, const QString& title, const QString& j
         EditRefusals::of(document).refuse(error);
         return false;
     }
-    return wasTaken(document, std::make_unique<ChangeProject>(document, Texts::tr("Correct “%1”").arg(title),
-                                                              std::move(changed)));
+    return wasTaken(document, std::make_unique<ChangeProject>(
+                                  document, BrokenTexts::tr("Correct “%1”").arg(title), std::move(changed)));
 }
 
 } // namespace quadrille

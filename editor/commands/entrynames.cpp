@@ -13,7 +13,7 @@ namespace quadrille {
 
 namespace {
 
-struct Texts
+struct EntryTexts
 {
     Q_DECLARE_TR_FUNCTIONS(quadrille::ProjectEdits)
 };
@@ -144,7 +144,8 @@ std::optional<Error> problemWithRename(const Project& project, const EntryRef& e
     if (auto problem = problemWithText(name))
         return problem;
     if (text != entry.name.toStdString() && isTaken(project, entry.section, name.trimmed()))
-        return refusal(Texts::tr("“%1” is taken").arg(name.trimmed()), Texts::tr("Choose another name."));
+        return refusal(EntryTexts::tr("“%1” is taken").arg(name.trimmed()),
+                       EntryTexts::tr("Choose another name."));
     return std::nullopt;
 }
 

@@ -9,7 +9,7 @@ namespace quadrille {
 namespace {
 
 template <typename Entry>
-std::size_t memoryOfAll(const PlacedEntries<Entry>& entries)
+std::size_t memoryOfPlaced(const PlacedEntries<Entry>& entries)
 {
     std::size_t sum = 0;
     for (const auto& [place, entry] : entries)
@@ -34,8 +34,8 @@ void exchange(Project& project, const PlacedEntries<Entry>& part, bool insert)
 
 std::size_t ProjectPart::bytes() const
 {
-    return memoryOfAll(characters) + memoryOfAll(sequences) + memoryOfAll(animations) +
-           memoryOfAll(variations) + memoryOfAll(exports);
+    return memoryOfPlaced(characters) + memoryOfPlaced(sequences) + memoryOfPlaced(animations) +
+           memoryOfPlaced(variations) + memoryOfPlaced(exports);
 }
 
 InsertPart::InsertPart(ProjectDocument& document, const QString& text, ProjectPart part)

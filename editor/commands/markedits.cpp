@@ -11,7 +11,7 @@ namespace quadrille {
 
 namespace {
 
-struct Texts
+struct MarkTexts
 {
     Q_DECLARE_TR_FUNCTIONS(quadrille::MarkEdits)
 };
@@ -25,7 +25,7 @@ void setLabelsOfSequences(ProjectDocument& document,
     for (const auto& [name, spans] : labels)
         entryOf<SequenceEntry>(after, name).labels = spans;
     document.push(std::make_unique<ChangeProject>(
-        document, Texts::tr("Label %n sequences", nullptr, static_cast<int>(labels.size())),
+        document, MarkTexts::tr("Label %n sequences", nullptr, static_cast<int>(labels.size())),
         std::move(after)));
 }
 
@@ -34,7 +34,7 @@ void setSequenceNotes(ProjectDocument& document, const QString& name, std::vecto
 {
     SequenceEntry after = entryOf<SequenceEntry>(document.project(), name);
     setNotes(after.unknown, std::move(notes));
-    setEntry(document, name, Texts::tr("Change the notes of “%1”").arg(name), QStringLiteral("notes"),
+    setEntry(document, name, MarkTexts::tr("Change the notes of “%1”").arg(name), QStringLiteral("notes"),
              std::move(after), phase);
 }
 

@@ -19,7 +19,7 @@ namespace quadrille {
 
 namespace {
 
-struct Texts
+struct ProjectTexts
 {
     Q_DECLARE_TR_FUNCTIONS(quadrille::ProjectEdits)
 };
@@ -55,18 +55,18 @@ QString removalText(Section section, const QStringList& names)
 {
     const int count = static_cast<int>(names.size());
     if (count == 1)
-        return Texts::tr("Remove “%1”").arg(names.front());
+        return ProjectTexts::tr("Remove “%1”").arg(names.front());
     switch (section) {
     case Section::Characters:
-        return Texts::tr("Remove %n characters", nullptr, count);
+        return ProjectTexts::tr("Remove %n characters", nullptr, count);
     case Section::Animations:
-        return Texts::tr("Remove %n animations", nullptr, count);
+        return ProjectTexts::tr("Remove %n animations", nullptr, count);
     case Section::Variations:
-        return Texts::tr("Remove %n variations", nullptr, count);
+        return ProjectTexts::tr("Remove %n variations", nullptr, count);
     case Section::Exports:
-        return Texts::tr("Remove %n exports", nullptr, count);
+        return ProjectTexts::tr("Remove %n exports", nullptr, count);
     default:
-        return Texts::tr("Remove %n sequences", nullptr, count);
+        return ProjectTexts::tr("Remove %n sequences", nullptr, count);
     }
 }
 
@@ -102,8 +102,8 @@ QStringList addSequences(ProjectDocument& document, std::vector<SequenceEntry> s
         preview.sequences.push_back(std::move(sequence));
     }
     const QString text = names.size() == 1
-                             ? Texts::tr("Add “%1”").arg(names.front())
-                             : Texts::tr("Add %n sequences", nullptr, static_cast<int>(names.size()));
+                             ? ProjectTexts::tr("Add “%1”").arg(names.front())
+                             : ProjectTexts::tr("Add %n sequences", nullptr, static_cast<int>(names.size()));
     std::unique_ptr<ProjectCommand> command;
     if (namesCharacter) {
         preview.settings.fps = part.fps.value_or(preview.settings.fps);
@@ -143,7 +143,7 @@ QString duplicateSequence(ProjectDocument& document, const QString& name)
     ProjectPart part;
     part.sequences.emplace_back(original - project.sequences.begin() + 1, std::move(copy));
     auto command =
-        std::make_unique<InsertPart>(document, Texts::tr("Duplicate “%1”").arg(name), std::move(part));
+        std::make_unique<InsertPart>(document, ProjectTexts::tr("Duplicate “%1”").arg(name), std::move(part));
     return wasTaken(document, std::move(command)) ? copyName : QString();
 }
 
@@ -162,7 +162,7 @@ bool renameEntry(ProjectDocument& document, const EntryRef& entry, const QString
     else
         entryOf<ExportEntry>(changed, entry.name).name = name.toStdString();
     auto command = std::make_unique<ChangeProject>(
-        document, Texts::tr("Rename “%1” to “%2”").arg(entry.name, name), std::move(changed),
+        document, ProjectTexts::tr("Rename “%1” to “%2”").arg(entry.name, name), std::move(changed),
         std::pair(EntryRef{entry.section, name}, entry.name));
     return wasTaken(document, std::move(command));
 }
@@ -188,15 +188,16 @@ void setSequenceRange(ProjectDocument& document, const QString& name, std::optio
     });
     setNotes(after.unknown, std::move(notes));
     after.range = range;
-    document.push(std::make_unique<ChangeEntry<SequenceEntry>>(
-        document, Texts::tr("Trim “%1”").arg(name), name, QStringLiteral("range"), std::move(after), phase));
+    document.push(
+        std::make_unique<ChangeEntry<SequenceEntry>>(document, ProjectTexts::tr("Trim “%1”").arg(name), name,
+                                                     QStringLiteral("range"), std::move(after), phase));
 }
 
 void setSequenceFps(ProjectDocument& document, const QString& name, std::optional<double> fps,
                     EditPhase phase)
 {
     editEntry<SequenceEntry>(
-        document, Texts::tr("Change the frame rate of “%1”").arg(name), name, QStringLiteral("fps"),
+        document, ProjectTexts::tr("Change the frame rate of “%1”").arg(name), name, QStringLiteral("fps"),
         [&](SequenceEntry& entry) { entry.sourceFps = fps; }, phase);
 }
 
@@ -204,20 +205,20 @@ void setSequenceAxes(ProjectDocument& document, const QString& name, std::option
                      EditPhase phase)
 {
     editEntry<SequenceEntry>(
-        document, Texts::tr("Change axes or unit of “%1”").arg(name), name, QStringLiteral("axes"),
+        document, ProjectTexts::tr("Change axes or unit of “%1”").arg(name), name, QStringLiteral("axes"),
         [&](SequenceEntry& entry) { entry.sourceAxes = axes; }, phase);
 }
 
 void setSequenceTexture(ProjectDocument& document, const QString& name, const TextureReference& texture)
 {
-    editEntry<SequenceEntry>(document, Texts::tr("Change the texture of “%1”").arg(name), name,
+    editEntry<SequenceEntry>(document, ProjectTexts::tr("Change the texture of “%1”").arg(name), name,
                              QStringLiteral("texture"),
                              [&](SequenceEntry& entry) { entry.texture = texture; });
 }
 
 void setSequenceCharacter(ProjectDocument& document, const QString& name, const QString& character)
 {
-    editEntry<SequenceEntry>(document, Texts::tr("Change the character of “%1”").arg(name), name,
+    editEntry<SequenceEntry>(document, ProjectTexts::tr("Change the character of “%1”").arg(name), name,
                              QStringLiteral("character"),
                              [&](SequenceEntry& entry) { entry.character = character.toStdString(); });
 }
@@ -226,7 +227,7 @@ void setSequenceLabels(ProjectDocument& document, const QString& name, std::vect
                        EditPhase phase)
 {
     editEntry<SequenceEntry>(
-        document, Texts::tr("Label “%1”").arg(name), name, QStringLiteral("labels"),
+        document, ProjectTexts::tr("Label “%1”").arg(name), name, QStringLiteral("labels"),
         [&](SequenceEntry& entry) { entry.labels = std::move(labels); }, phase);
 }
 
@@ -234,40 +235,40 @@ void setSequenceContacts(ProjectDocument& document, const QString& name, std::ve
                          EditPhase phase)
 {
     editEntry<SequenceEntry>(
-        document, Texts::tr("Mark foot contacts of “%1”").arg(name), name, QStringLiteral("contacts"),
+        document, ProjectTexts::tr("Mark foot contacts of “%1”").arg(name), name, QStringLiteral("contacts"),
         [&](SequenceEntry& entry) { entry.contacts = std::move(contacts); }, phase);
 }
 
 void setJointAngles(ProjectDocument& document, const QString& name, const std::string& bvh)
 {
-    editEntry<SequenceEntry>(document, Texts::tr("Change the reference joint angles of “%1”").arg(name), name,
-                             QStringLiteral("jointAngles"),
-                             [&](SequenceEntry& entry) { entry.jointAngles = bvh; });
+    editEntry<SequenceEntry>(
+        document, ProjectTexts::tr("Change the reference joint angles of “%1”").arg(name), name,
+        QStringLiteral("jointAngles"), [&](SequenceEntry& entry) { entry.jointAngles = bvh; });
 }
 
 void setCharacterNotes(ProjectDocument& document, const QString& name, const QString& notes)
 {
-    editEntry<CharacterEntry>(document, Texts::tr("Edit the notes of “%1”").arg(name), name,
+    editEntry<CharacterEntry>(document, ProjectTexts::tr("Edit the notes of “%1”").arg(name), name,
                               QStringLiteral("notes"),
                               [&](CharacterEntry& entry) { entry.notes = notes.toStdString(); });
 }
 
 void setCharacterTexture(ProjectDocument& document, const QString& name, const TextureReference& texture)
 {
-    editEntry<CharacterEntry>(document, Texts::tr("Change the texture of “%1”").arg(name), name,
+    editEntry<CharacterEntry>(document, ProjectTexts::tr("Change the texture of “%1”").arg(name), name,
                               QStringLiteral("texture"),
                               [&](CharacterEntry& entry) { entry.texture = texture; });
 }
 
 void setCharacterMesh(ProjectDocument& document, const QString& name, const std::string& mesh)
 {
-    editEntry<CharacterEntry>(document, Texts::tr("Change the mesh of “%1”").arg(name), name,
+    editEntry<CharacterEntry>(document, ProjectTexts::tr("Change the mesh of “%1”").arg(name), name,
                               QStringLiteral("mesh"), [&](CharacterEntry& entry) { entry.mesh = mesh; });
 }
 
 void setSettings(ProjectDocument& document, const ProjectSettings& settings, EditPhase phase)
 {
-    const QString text = Texts::tr("Change the project settings");
+    const QString text = ProjectTexts::tr("Change the project settings");
     std::vector<BrokenEntry> broken = brokenEntries(document.project());
     const auto count =
         std::erase_if(broken, [](const BrokenEntry& entry) { return entry.section == "settings"; });
@@ -285,18 +286,18 @@ void setSettings(ProjectDocument& document, const ProjectSettings& settings, Edi
 
 QString addExport(ProjectDocument& document, ExportEntry entry)
 {
-    return addEntry(document, Texts::tr("Add export “%1”"), std::move(entry));
+    return addEntry(document, ProjectTexts::tr("Add export “%1”"), std::move(entry));
 }
 
 void setExport(ProjectDocument& document, const QString& name, const ExportEntry& entry)
 {
-    editEntry<ExportEntry>(document, Texts::tr("Change export “%1”").arg(name), name,
+    editEntry<ExportEntry>(document, ProjectTexts::tr("Change export “%1”").arg(name), name,
                            QStringLiteral("export"), [&](ExportEntry& changed) { changed = entry; });
 }
 
 void relinkMedia(ProjectDocument& document, const std::vector<std::pair<std::string, std::string>>& newPaths)
 {
-    document.push(std::make_unique<RelinkMedia>(document, Texts::tr("Relink media"), newPaths));
+    document.push(std::make_unique<RelinkMedia>(document, ProjectTexts::tr("Relink media"), newPaths));
 }
 
 } // namespace quadrille

@@ -10,7 +10,7 @@ namespace quadrille {
 
 namespace {
 
-struct Texts
+struct VariationTexts
 {
     Q_DECLARE_TR_FUNCTIONS(quadrille::VariationEdits)
 };
@@ -24,12 +24,12 @@ bool isBodyOf(const Project& project, const BodyPartsEntry& body, const std::str
 
 QString addVariation(ProjectDocument& document, VariationEntry variation)
 {
-    return addEntry(document, Texts::tr("Add variations “%1”"), std::move(variation));
+    return addEntry(document, VariationTexts::tr("Add variations “%1”"), std::move(variation));
 }
 
 QString duplicateVariation(ProjectDocument& document, const QString& name)
 {
-    return duplicateEntry<VariationEntry>(document, Texts::tr("Duplicate “%1”").arg(name), name);
+    return duplicateEntry<VariationEntry>(document, VariationTexts::tr("Duplicate “%1”").arg(name), name);
 }
 
 void setVariation(ProjectDocument& document, const QString& name, const QString& text,

@@ -17,7 +17,7 @@ namespace {
 using widgets::ColorRole;
 using widgets::Theme;
 
-constexpr int margin = 6;
+constexpr int cardMargin = 6;
 constexpr int gap = 8;
 constexpr int colorWidth = 3; ///< of the sequence's own colour at the left edge
 constexpr int leastStripHeight = 6;
@@ -26,13 +26,13 @@ constexpr int textLines = 3;
 
 QRect pictureRect(const QRect& card)
 {
-    return {card.left() + margin, card.top() + (card.height() - CardPictures::side) / 2, CardPictures::side,
-            CardPictures::side};
+    return {card.left() + cardMargin, card.top() + (card.height() - CardPictures::side) / 2,
+            CardPictures::side, CardPictures::side};
 }
 
 QRect textRect(const QRect& card)
 {
-    return card.adjusted(margin + CardPictures::side + gap, margin, -margin, -margin);
+    return card.adjusted(cardMargin + CardPictures::side + gap, cardMargin, -cardMargin, -cardMargin);
 }
 
 void paintPicture(QPainter& painter, const QRect& place, const QModelIndex& index, int phase)
@@ -145,8 +145,8 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
 QSize CardDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& /*index*/) const
 {
     constexpr int narrowest = 180;
-    const int text = textLines * lineHeight(option) + stripHeight(option) + 2 * margin;
-    return {narrowest, std::max(CardPictures::side + margin, text)};
+    const int text = textLines * lineHeight(option) + stripHeight(option) + 2 * cardMargin;
+    return {narrowest, std::max(CardPictures::side + cardMargin, text)};
 }
 
 void CardDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,

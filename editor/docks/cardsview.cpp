@@ -14,7 +14,7 @@ namespace quadrille {
 namespace {
 
 constexpr int pictureOffset = 12;
-constexpr int margin = 12;
+constexpr int listMargin = 12;
 
 } // namespace
 
@@ -69,7 +69,7 @@ void CardsView::paintEvent(QPaintEvent* event)
         return;
     QPainter painter(viewport());
     painter.setPen(widgets::Theme::color(widgets::ColorRole::TextMuted));
-    painter.drawText(viewport()->rect().adjusted(margin, margin, -margin, -margin),
+    painter.drawText(viewport()->rect().adjusted(listMargin, listMargin, -listMargin, -listMargin),
                      Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, m_emptyText);
 }
 

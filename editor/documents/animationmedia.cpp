@@ -17,9 +17,9 @@ namespace quadrille {
 
 namespace {
 
-constexpr int delayMilliseconds = 20;
+constexpr int searchDelay = 20; // milliseconds
 /// Between the walks that are shown while a better one is sought; making a clip holds the search up.
-constexpr int showingMilliseconds = 700;
+constexpr int searchShowing = 700; // milliseconds
 
 using ResultPointer = std::shared_ptr<const AnimationResult>;
 
@@ -125,7 +125,7 @@ AnimationMedia::AnimationMedia(ProjectDocument& document, GraphMedia& graphs, Jo
 {
     m_mailbox->owner = this;
     m_delay.setSingleShot(true);
-    m_delay.setInterval(delayMilliseconds);
+    m_delay.setInterval(searchDelay);
     connect(&m_delay, &QTimer::timeout, this, qOverload<>(&AnimationMedia::update));
     connect(&document, &ProjectDocument::renamed, this, &AnimationMedia::rename);
     connect(&document, &ProjectDocument::changed, this, &AnimationMedia::follow);
@@ -286,7 +286,7 @@ void AnimationMedia::solve(const QString& name, Item& item, const AnimationEntry
                                         : std::nullopt](const Progress& progress) -> ResultPointer {
         QElapsedTimer sinceShown;
         const auto show = [&](const WalkSolution& solution) {
-            if (sinceShown.isValid() && sinceShown.elapsed() < showingMilliseconds)
+            if (sinceShown.isValid() && sinceShown.elapsed() < searchShowing)
                 return;
             mailbox->post(name, search,
                           makeResult(entry, character, {walkConstraints(entry, character->graph), solution},

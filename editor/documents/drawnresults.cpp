@@ -22,7 +22,7 @@ namespace quadrille {
 
 namespace {
 
-const VariationEntry& entryOf(const VariationJob& job)
+const VariationEntry& drawnEntryOf(const VariationJob& job)
 {
     return *std::ranges::find(job.project.variations, job.name, &VariationEntry::name);
 }
@@ -37,7 +37,7 @@ std::vector<ResultStage> stagesOf(const VariationJob& job)
 std::vector<std::string> samplesStages(const VariationJob& job)
 {
     std::vector<std::string> stages;
-    for (const std::string& part : partNamesOf(job.project, entryOf(job)))
+    for (const std::string& part : partNamesOf(job.project, drawnEntryOf(job)))
         stages.push_back(samplesStageOf(job.name, part));
     return stages;
 }
@@ -93,7 +93,7 @@ public:
             for (std::size_t i = 0; i < draft.selections[set].clips.size(); ++i)
                 m_results[clipStage(job, before + static_cast<int>(i) + 1)] =
                     [this, set, i](const Progress&) { return clip(m_draft.selections[set].clips[i]); };
-            before += entryOf(job).samples[set].count;
+            before += drawnEntryOf(job).samples[set].count;
         }
     }
 
@@ -135,7 +135,7 @@ private:
 
     Result selection(const Progress& progress) const
     {
-        const VariationEntry& entry = entryOf(m_job);
+        const VariationEntry& entry = drawnEntryOf(m_job);
         std::vector<std::vector<PartSpread>> spreads;
         for (std::size_t set = 0; set < m_draft.selections.size(); ++set)
             spreads.push_back(selectionSpread(m_learned, m_draft.latents[set].variations,
@@ -148,7 +148,7 @@ private:
     Result clip(const Clip& made) const
     {
         std::vector<std::string> takes;
-        for (const TrainingEntry& take : entryOf(m_job).training)
+        for (const TrainingEntry& take : drawnEntryOf(m_job).training)
             takes.push_back(take.sequence);
         return clipResult(m_opened.work->inProjectUnit(made), m_opened.work->layout(), takes,
                           unitText(m_job.project.settings.axes.metresPerUnit));
@@ -177,7 +177,7 @@ DrawnSet drawnSetOf(const VariationSelection& selection)
 std::shared_ptr<const std::vector<DrawnSet>> readDrawn(const VariationJob& job, const OpenedVariation& opened,
                                                        const Progress& progress)
 {
-    const VariationEntry& entry = entryOf(job);
+    const VariationEntry& entry = drawnEntryOf(job);
     const std::vector<std::string> samples = samplesStages(job);
     std::vector<std::string> targets = samples;
     targets.push_back(selectionStageOf(job.name));

@@ -13,7 +13,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr int delayMilliseconds = 150;
+constexpr int graphDelay = 150; // milliseconds
 
 } // namespace
 
@@ -21,7 +21,7 @@ GraphMedia::GraphMedia(ProjectDocument& document, JobRunner& jobs, QObject* pare
     : QObject(parent), m_document(document), m_jobs(jobs)
 {
     m_delay.setSingleShot(true);
-    m_delay.setInterval(delayMilliseconds);
+    m_delay.setInterval(graphDelay);
     connect(&m_delay, &QTimer::timeout, this, &GraphMedia::update);
     connect(&document, &ProjectDocument::changed, this, &GraphMedia::follow);
     update();

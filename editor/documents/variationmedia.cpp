@@ -14,7 +14,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr int delayMilliseconds = 200;
+constexpr int variationDelay = 200; // milliseconds
 /// Variations that nobody looks at now and that are kept all the same.
 constexpr std::ptrdiff_t mostKept = 3;
 
@@ -25,7 +25,7 @@ VariationMedia::VariationMedia(ProjectDocument& document, JobRunner& jobs, QObje
 {
     m_mailbox->owner = this;
     m_delay.setSingleShot(true);
-    m_delay.setInterval(delayMilliseconds);
+    m_delay.setInterval(variationDelay);
     connect(&m_delay, &QTimer::timeout, this, qOverload<>(&VariationMedia::update));
     connect(&document, &ProjectDocument::renamed, this, &VariationMedia::rename);
     connect(&document, &ProjectDocument::changed, this, &VariationMedia::follow);

@@ -14,7 +14,7 @@ namespace quadrille {
 namespace {
 
 /// Between the states of learning that are shown.
-constexpr int showingMilliseconds = 150;
+constexpr int variationShowing = 150; // milliseconds
 
 } // namespace
 
@@ -116,7 +116,7 @@ void VariationMedia::learn(const QString& name)
                                         const GpdmState& state) {
                 parts[part].objective.push_back(objective);
                 parts[part].state = state;
-                if (sinceShown.isValid() && sinceShown.elapsed() < showingMilliseconds)
+                if (sinceShown.isValid() && sinceShown.elapsed() < variationShowing)
                     return;
                 mailbox->postProgress(name, run, parts);
                 sinceShown.start();

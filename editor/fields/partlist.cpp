@@ -12,7 +12,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr int rowHeight = 24; // pixels
+constexpr int partHeight = 24; // pixels
 constexpr int mostRows = 6;
 
 } // namespace
@@ -32,10 +32,10 @@ void PartList::fill(const QStringList& texts)
     clear();
     addItems(texts);
     for (int i = 0; i < count(); ++i)
-        item(i)->setSizeHint({0, rowHeight});
+        item(i)->setSizeHint({0, partHeight});
     setCurrentRow(row < count() ? row : -1);
     setVisible(count() > 0);
-    setFixedHeight(std::min(count(), mostRows) * rowHeight + 2 * frameWidth());
+    setFixedHeight(std::min(count(), mostRows) * partHeight + 2 * frameWidth());
 }
 
 void PartList::showRow(int row)

@@ -20,8 +20,8 @@ namespace quadrille {
 namespace {
 
 constexpr int widest = 900;
-constexpr int margin = 16;
-constexpr int gap = 12;
+constexpr int pageMargin = 16;
+constexpr int pageGap = 12;
 constexpr int logoSize = 48;
 
 } // namespace
@@ -44,7 +44,7 @@ WelcomePage::WelcomePage(Settings& settings, QWidget* parent)
     auto* logo = new QLabel;
     logo->setPixmap(widgets::icons::application().pixmap(logoSize));
     auto* top = new QGridLayout;
-    top->setHorizontalSpacing(gap);
+    top->setHorizontalSpacing(pageGap);
     top->setVerticalSpacing(0);
     top->setColumnStretch(1, 1);
     top->addWidget(logo, 0, 0, 2, 1);
@@ -54,18 +54,18 @@ WelcomePage::WelcomePage(Settings& settings, QWidget* parent)
     auto* content = new QWidget;
     content->setMaximumWidth(widest);
     auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(margin, margin, margin, margin);
-    column->setSpacing(gap);
+    column->setContentsMargins(pageMargin, pageMargin, pageMargin, pageMargin);
+    column->setSpacing(pageGap);
     column->addLayout(top);
-    m_notices->setSpacing(gap / 2);
+    m_notices->setSpacing(pageGap / 2);
     column->addLayout(m_notices);
     auto* tiles = new QGridLayout;
-    tiles->setSpacing(gap);
+    tiles->setSpacing(pageGap);
     m_ownTitle = addHeading(*column, QStringLiteral("welcomeOwn"));
     addOwnTiles(*tiles);
     column->addLayout(tiles);
     auto* sampleTiles = new QGridLayout;
-    sampleTiles->setSpacing(gap);
+    sampleTiles->setSpacing(pageGap);
     m_sampleTitle = addHeading(*column, QStringLiteral("welcomeSample"));
     addSampleTiles(*sampleTiles);
     column->addLayout(sampleTiles);
@@ -102,7 +102,7 @@ QLabel* WelcomePage::addHeading(QVBoxLayout& column, const QString& name)
     QFont heavier = font();
     heavier.setWeight(QFont::DemiBold);
     label->setFont(heavier);
-    label->setContentsMargins(0, gap / 2, 0, 0);
+    label->setContentsMargins(0, pageGap / 2, 0, 0);
     column.addWidget(label);
     return label;
 }

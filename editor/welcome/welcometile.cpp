@@ -16,13 +16,13 @@ namespace {
 using widgets::ColorRole;
 using widgets::Theme;
 
-constexpr int margin = 12;
-constexpr int gap = 12;
-constexpr int signSize = 32;
+constexpr int tileMargin = 12;
+constexpr int tileGap = 12;
+constexpr int tileSignSize = 32;
 constexpr int barHeight = 4;
 constexpr int narrowest = 168;
 constexpr int usualWidth = 260;
-constexpr double corner = 6;
+constexpr double tileCorner = 6;
 
 constexpr int textFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
 
@@ -71,8 +71,8 @@ QFont WelcomeTile::nameFont() const
 
 QRect WelcomeTile::textRect(int width) const
 {
-    const int left = margin + signSize + gap;
-    return {left, margin, std::max(width - left - margin, 1), 1};
+    const int left = tileMargin + tileSignSize + tileGap;
+    return {left, tileMargin, std::max(width - left - tileMargin, 1), 1};
 }
 
 int WelcomeTile::heightForWidth(int width) const
@@ -81,7 +81,7 @@ int WelcomeTile::heightForWidth(int width) const
     const QRect text = textRect(width).adjusted(0, 0, 0, plenty);
     const int name = QFontMetrics(nameFont()).boundingRect(text, textFlags, this->text()).height();
     const int sentence = fontMetrics().boundingRect(text, textFlags, m_sentence).height();
-    return std::max(name + 2 + sentence, signSize) + 2 * margin + barHeight;
+    return std::max(name + 2 + sentence, tileSignSize) + 2 * tileMargin + barHeight;
 }
 
 QSize WelcomeTile::sizeHint() const
@@ -105,14 +105,14 @@ void WelcomeTile::paintEvent(QPaintEvent* /*event*/)
                                                            : ColorRole::Raised;
     painter.setBrush(Theme::color(surface));
     painter.setPen(Theme::color(hasFocus() ? ColorRole::AccentText : ColorRole::Divider));
-    painter.drawRoundedRect(frame, corner, corner);
+    painter.drawRoundedRect(frame, tileCorner, tileCorner);
     painter.drawPixmap(
-        QRect(margin, margin, signSize, signSize),
-        widgets::icons::pixmap(m_icon, signSize,
+        QRect(tileMargin, tileMargin, tileSignSize, tileSignSize),
+        widgets::icons::pixmap(m_icon, tileSignSize,
                                Theme::color(isEnabled() ? ColorRole::AccentText : ColorRole::TextDisabled),
                                devicePixelRatioF()));
     QRect text = textRect(width());
-    text.setBottom(height() - margin);
+    text.setBottom(height() - tileMargin);
     painter.setFont(nameFont());
     painter.setPen(Theme::color(isEnabled() ? ColorRole::Text : ColorRole::TextDisabled));
     QRect used;
@@ -127,7 +127,8 @@ void WelcomeTile::paintEvent(QPaintEvent* /*event*/)
 
 void WelcomeTile::paintProgress(QPainter& painter) const
 {
-    const QRectF whole(margin, height() - barHeight - margin / 2.0, width() - 2 * margin, barHeight);
+    const QRectF whole(tileMargin, height() - barHeight - tileMargin / 2.0, width() - 2 * tileMargin,
+                       barHeight);
     painter.setPen(Qt::NoPen);
     painter.setBrush(Theme::color(ColorRole::Divider));
     painter.drawRoundedRect(whole, barHeight / 2.0, barHeight / 2.0);

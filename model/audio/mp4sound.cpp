@@ -17,7 +17,7 @@ namespace {
 /// Frames that lie together.
 constexpr std::size_t chunkFrames = 32;
 
-[[noreturn]] void refuse(const fs::path& file)
+[[noreturn]] void refuseBoxes(const fs::path& file)
 {
     throw Error(ErrorCode::FileSyntax,
                 {file, {}, {{"reason", QUADRILLE_MESSAGE("a box of the MP4 is missing")}}});
@@ -93,7 +93,7 @@ Movie readMovie(const fs::path& file, std::istream& in)
         else if (size == 0)
             size = movie.fileSize - at;
         if (size < 8 || size > movie.fileSize - at)
-            refuse(file);
+            refuseBoxes(file);
         if (head.substr(4, 4) == "moov" && numberAt(head, 0, 4) > 1) {
             movie.at = at;
             movie.moov.resize(size);
@@ -104,7 +104,7 @@ Movie readMovie(const fs::path& file, std::istream& in)
         }
         at += size;
     }
-    refuse(file);
+    refuseBoxes(file);
 }
 
 /// What the movie header says, and where in the moov box its next track's number is.
@@ -118,10 +118,10 @@ MovieHeader headerOf(const fs::path& file, const std::string& moov)
 {
     const std::size_t at = 8;
     if (moov.size() < at + 108 || moov.substr(at + 4, 4) != "mvhd")
-        refuse(file);
+        refuseBoxes(file);
     const bool isLong = moov[at + 8] == 1;
     if (isLong && moov.size() < at + 120)
-        refuse(file);
+        refuseBoxes(file);
     return isLong ? MovieHeader{numberAt(moov, at + 32, 8), at + 116}
                   : MovieHeader{numberAt(moov, at + 24, 4), at + 104};
 }

@@ -43,7 +43,7 @@ struct MemoryFile
     static sf_count_t tell(void* self) { return of(self).at; }
 };
 
-[[noreturn]] void refuse(const std::filesystem::path& file)
+[[noreturn]] void refuseSound(const std::filesystem::path& file)
 {
     throw Error(ErrorCode::FormatRefused, {file,
                                            {},
@@ -66,7 +66,7 @@ Sound readSound(const std::filesystem::path& file, const Progress& progress)
         sf_open_virtual(&access, SFM_READ, &info, &memory), &sf_close);
     if (!opened || info.samplerate <= 0 || info.channels < 1 || info.channels > mostChannels ||
         info.frames < 1)
-        refuse(file);
+        refuseSound(file);
     Sound sound{.rate = info.samplerate, .channels = info.channels, .samples = {}};
     // What the header promises is believed only once it is read.
     std::vector<float> part(static_cast<std::size_t>(atOnce * info.channels));
@@ -77,7 +77,7 @@ Sound readSound(const std::filesystem::path& file, const Progress& progress)
             std::min(1.0, static_cast<double>(sound.frameCount()) / static_cast<double>(info.frames)));
     }
     if (sound.samples.empty())
-        refuse(file);
+        refuseSound(file);
     for (float& sample : sound.samples)
         sample = std::isfinite(sample) ? sample : 0.0F;
     return sound;

@@ -12,7 +12,7 @@ namespace quadrille::cli {
 
 namespace {
 
-struct Arguments
+struct ConvertArguments
 {
     std::string in;
     std::string out;
@@ -39,7 +39,7 @@ MeshSequence chooseClip(ImportResult& imported, const std::string& file)
 }
 
 /// Refuses before minutes of work what would be refused after them.
-void checkOut(const FormatInfo& format, const Arguments& arguments, WriteGuard& guard)
+void checkOut(const FormatInfo& format, const ConvertArguments& arguments, WriteGuard& guard)
 {
     const std::filesystem::path out = arguments.out;
     const SeriesName name = seriesName(out);
@@ -52,7 +52,7 @@ void checkOut(const FormatInfo& format, const Arguments& arguments, WriteGuard& 
 }
 
 /// Where the file names no rate: that of the command line, else of what lies beside it, else a guess.
-void findRate(MeshSequence& sequence, const Arguments& arguments, Console& console)
+void findRate(MeshSequence& sequence, const ConvertArguments& arguments, Console& console)
 {
     if (arguments.sourceFps || sequence.frameCount() < 2)
         return;
@@ -64,7 +64,7 @@ void findRate(MeshSequence& sequence, const Arguments& arguments, Console& conso
     }
 }
 
-void convert(const Arguments& arguments, Session& session)
+void convert(const ConvertArguments& arguments, Session& session)
 {
     ExportOptions out;
     if (!arguments.range.empty())
@@ -119,7 +119,7 @@ void convert(const Arguments& arguments, Session& session)
 void addConvert(CLI::App& app, Session& session)
 {
     auto* command = app.add_subcommand("convert", "Convert a sequence from one format to another");
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<ConvertArguments>();
     command->add_option("IN", arguments->in, "A file, or a folder or pattern that holds a numbered series")
         ->required();
     command->add_option("OUT", arguments->out, "The file to write; its ending chooses the format")

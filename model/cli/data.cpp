@@ -12,7 +12,7 @@ namespace quadrille::cli {
 
 namespace {
 
-struct Arguments
+struct DataArguments
 {
     std::string project;
     std::string name;
@@ -46,7 +46,7 @@ void list(const std::vector<DataItem>& items, Session& session)
     }
 }
 
-const DataItem& choose(const std::vector<DataItem>& items, const Arguments& arguments)
+const DataItem& choose(const std::vector<DataItem>& items, const DataArguments& arguments)
 {
     std::vector<const DataItem*> found;
     std::string known;
@@ -67,7 +67,7 @@ const DataItem& choose(const std::vector<DataItem>& items, const Arguments& argu
     return *found.front();
 }
 
-void run(const Arguments& arguments, Session& session)
+void runData(const DataArguments& arguments, Session& session)
 {
     if (!arguments.store.empty())
         chooseResultFolder(arguments.project, arguments.store);
@@ -109,7 +109,7 @@ void addData(CLI::App& app, Session& session)
 {
     auto* command = app.add_subcommand(
         "data", "List computed data, or write one: as .npy, .csv or .json, or to standard output");
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<DataArguments>();
     command->add_option("PROJECT", arguments->project, "The project file, NAME.quadrille")->required();
     command->add_option("NAME", arguments->name, "What to print or write; the list has the names");
     command->add_option("-o,--output", arguments->out,
@@ -124,7 +124,7 @@ void addData(CLI::App& app, Session& session)
                     "  quadrille data dance.quadrille frames\n"
                     "  quadrille data dance.quadrille frames -o frames.npy\n"
                     "  quadrille data dance.quadrille sequences/walk/bounds -o bounds.npy");
-    command->callback([arguments, &session] { run(*arguments, session); });
+    command->callback([arguments, &session] { runData(*arguments, session); });
 }
 
 } // namespace quadrille::cli

@@ -9,7 +9,7 @@ namespace quadrille::cli {
 
 namespace {
 
-struct Arguments
+struct ImportArguments
 {
     std::string project;
     std::vector<std::string> sources;
@@ -21,7 +21,7 @@ struct Arguments
     bool force = false;
 };
 
-void run(const Arguments& arguments, Session& session)
+void runImport(const ImportArguments& arguments, Session& session)
 {
     if (!arguments.name.empty() && arguments.sources.size() > 1)
         throwUsage("--name is for one source");
@@ -56,7 +56,7 @@ void run(const Arguments& arguments, Session& session)
 void addImport(CLI::App& app, Session& session)
 {
     auto* command = app.add_subcommand("import", "Add sequences to a project; make it where there is none");
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<ImportArguments>();
     command->add_option("PROJECT", arguments->project, "The project file, NAME.quadrille")->required();
     command
         ->add_option("SOURCE", arguments->sources, "Files, or folders or patterns that hold numbered series")
@@ -80,7 +80,7 @@ void addImport(CLI::App& app, Session& session)
         "Examples:\n"
         "  quadrille import man.quadrille takes/*.pc2 --mesh man.obj --fps 30\n"
         "  quadrille import man.quadrille scans/walk_####.obj --name walk --character liam");
-    command->callback([arguments, &session] { run(*arguments, session); });
+    command->callback([arguments, &session] { runImport(*arguments, session); });
 }
 
 } // namespace quadrille::cli

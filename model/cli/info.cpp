@@ -10,14 +10,14 @@ namespace quadrille::cli {
 
 namespace {
 
-struct Arguments
+struct InfoArguments
 {
     std::vector<std::string> paths;
     std::string mesh;
     bool json = false;
 };
 
-void run(const Arguments& arguments, Session& session)
+void runInfo(const InfoArguments& arguments, Session& session)
 {
     Json all = Json::array();
     const auto count = static_cast<double>(arguments.paths.size());
@@ -56,7 +56,7 @@ void run(const Arguments& arguments, Session& session)
 void addInfo(CLI::App& app, Session& session)
 {
     auto* command = app.add_subcommand("info", "Say what files or series of meshes hold");
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<InfoArguments>();
     command->add_option("PATH", arguments->paths, "Files, or folders or patterns that hold numbered series")
         ->required();
     command->add_option("--mesh", arguments->mesh, "Mesh with the faces of files that have positions only");
@@ -71,7 +71,7 @@ void addInfo(CLI::App& app, Session& session)
         "Examples:\n"
         "  quadrille info walk.pc2 --mesh man.obj\n"
         "  quadrille info frames/ fox.glb --json");
-    command->callback([arguments, &session] { run(*arguments, session); });
+    command->callback([arguments, &session] { runInfo(*arguments, session); });
 }
 
 } // namespace quadrille::cli

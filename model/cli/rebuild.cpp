@@ -16,7 +16,7 @@ namespace quadrille::cli {
 
 namespace {
 
-struct Arguments
+struct RebuildArguments
 {
     std::string project;
     RebuildOptions options;
@@ -83,7 +83,7 @@ void sayPlace(const std::string& project, Session& session)
         session.status = 1;
 }
 
-void run(const Arguments& arguments, Session& session)
+void runRebuild(const RebuildArguments& arguments, Session& session)
 {
     Console& console = session.console;
     if (!arguments.store.empty())
@@ -125,7 +125,7 @@ void run(const Arguments& arguments, Session& session)
 void addRebuild(CLI::App& app, Session& session)
 {
     auto* command = app.add_subcommand("rebuild", "Bring results and exports up to date");
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<RebuildArguments>();
     RebuildOptions& options = arguments->options;
     command->add_option("PROJECT", arguments->project, "The project file, NAME.quadrille")->required();
     command->add_option("TARGET", options.targets,
@@ -146,7 +146,7 @@ void addRebuild(CLI::App& app, Session& session)
         "  quadrille rebuild dance.quadrille\n"
         "  quadrille rebuild dance.quadrille exports/walk-glb --jobs 4\n"
         "  quadrille rebuild dance.quadrille --dry-run --json report.json");
-    command->callback([arguments, &session] { run(*arguments, session); });
+    command->callback([arguments, &session] { runRebuild(*arguments, session); });
 }
 
 } // namespace quadrille::cli

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/geometry/indices.h"
 #include "model/geometry/trianglelogs.h"
 
 #include <algorithm>
@@ -10,11 +11,6 @@
 namespace quadrille {
 
 namespace {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 Vec3d axisOf(const TriangleLogs& logs, std::size_t m)
 {

@@ -15,8 +15,6 @@ namespace quadrille {
 
 namespace {
 
-constexpr float infinite = std::numeric_limits<float>::infinity();
-
 CurveNeighbourhood boundedBy(const SurfaceGraph& graph, std::span<const VertexIndex> curve)
 {
     auto found = neighbourhoodOf(graph, curve);
@@ -54,7 +52,7 @@ std::vector<VertexIndex> shortenedCurve(const SurfaceGraph& graph, std::span<con
         within[v] = -reaches[1] <= around.offsets[v] && around.offsets[v] <= reaches[0];
     const OpenedSurface surface{&graph, &around.cut, &within};
     const int climb = around.cut.climbOf(curve);
-    float shortest = infinite;
+    float shortest = std::numeric_limits<float>::infinity();
     std::vector<VertexIndex> best(curve.begin(), curve.end());
     for (const VertexIndex p : around.cut.path()) {
         if (!within[p.value] || blocked[p.value])

@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "model/geometry/faceedges.h"
 
+#include "model/geometry/indices.h"
+
 #include <algorithm>
 #include <unordered_map>
 
 namespace quadrille {
 
 namespace {
-
-std::size_t at(std::int32_t index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 std::uint64_t edgeKey(std::uint32_t from, std::uint32_t to)
 {

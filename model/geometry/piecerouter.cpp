@@ -14,8 +14,6 @@ namespace quadrille {
 
 namespace {
 
-constexpr float infinite = std::numeric_limits<float>::infinity();
-
 [[noreturn]] void fail(ErrorCode code, std::vector<std::pair<std::string, std::string>> values)
 {
     ErrorContext context;
@@ -85,8 +83,8 @@ void PieceRouter::findLimb(const std::vector<VertexIndex>& points)
         m_limb = neighbourhoodOf(*m_graph, *m_loop, m_limbLimit);
     }
     const auto isFar = [&](VertexIndex p) { return !std::isfinite(m_limb->offsets[p.value]); };
-    if (m_limb && m_limbLimit < infinite && std::ranges::any_of(points, isFar)) {
-        m_limbLimit = infinite;
+    if (m_limb && m_limbLimit < noWay && std::ranges::any_of(points, isFar)) {
+        m_limbLimit = noWay;
         m_limb = neighbourhoodOf(*m_graph, *m_loop);
     }
 }
@@ -128,7 +126,7 @@ PieceRouter::Plan PieceRouter::shortestPlan(const OpenedSurface& surface, std::s
 {
     const SheetVertex from{points[piece], 0};
     const VertexIndex end = points[(piece + 1) % points.size()];
-    Plan plan{surface, piece, from, {end, 0}, infinite, SurfaceDistances(surface)};
+    Plan plan{surface, piece, from, {end, 0}, noWay, SurfaceDistances(surface)};
     plan.distances.add(from, 0);
     while (const auto reached = plan.distances.next()) {
         if (reached->vertex == end) {
@@ -149,7 +147,7 @@ bool PieceRouter::leadAround(std::vector<Plan>& plans, int climb)
         return true;
     Plan* best = nullptr;
     int bestSheet = 0;
-    float least = infinite;
+    float least = noWay;
     for (Plan& plan : plans) {
         for (const int wanted : {-1, 1}) {
             const int sheet = plan.to.sheet + wanted - climb;

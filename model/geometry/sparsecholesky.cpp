@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/geometry/sparsecholesky.h"
 
+#include "model/geometry/indices.h"
+
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <algorithm>
@@ -12,11 +14,6 @@ namespace quadrille {
 namespace {
 
 constexpr int vectorLength = 8;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 using Neighbours = std::vector<std::vector<int>>;
 

@@ -10,14 +10,13 @@ namespace quadrille {
 
 namespace {
 
-constexpr float infinite = std::numeric_limits<float>::infinity();
 /// A correction below this share is rounding.
 constexpr float leastGain = 1e-5F;
 
 } // namespace
 
 SurfaceDistances::SurfaceDistances(const OpenedSurface& surface)
-    : m_surface(surface), m_distances(surface.places(), infinite), m_before(surface.places())
+    : m_surface(surface), m_distances(surface.places(), noWay), m_before(surface.places())
 {
 }
 
@@ -29,7 +28,7 @@ void SurfaceDistances::add(SheetVertex source, float distance)
 void SurfaceDistances::push(SheetVertex v, float distance, VertexIndex before)
 {
     const std::size_t place = m_surface.place(v);
-    if (m_distances[place] < infinite && !(distance < m_distances[place] * (1 - leastGain)))
+    if (m_distances[place] < noWay && !(distance < m_distances[place] * (1 - leastGain)))
         return;
     m_distances[place] = distance;
     m_before[place] = before;
@@ -64,7 +63,7 @@ float SurfaceDistances::growUntil(SheetVertex target, float limit)
         next();
     const float reached = at(target);
     if (reached > limit)
-        return infinite;
+        return noWay;
     growTo(1.02F * reached + 2 * m_surface.graph->meanEdge());
     return at(target);
 }
@@ -94,7 +93,7 @@ void SurfaceDistances::across(SheetVertex a, SheetVertex b, SheetVertex to)
 {
     const float fromA = at(a);
     const float fromB = at(b);
-    if (!(fromB < infinite))
+    if (!(fromB < noWay))
         return;
     const Positions pose = m_surface.graph->pose();
     const Vec3f ab = pose[b.vertex.value] - pose[a.vertex.value];

@@ -4,10 +4,14 @@
 
 #include "model/geometry/crosscut.h"
 
+#include <limits>
 #include <optional>
 #include <vector>
 
 namespace quadrille {
+
+/// The length of a way where there is none, metres.
+constexpr float noWay = std::numeric_limits<float>::infinity();
 
 /// A vertex on one of the sheets of an opened surface; 0 is where ways begin.
 struct SheetVertex

@@ -12,8 +12,6 @@ namespace quadrille {
 
 namespace {
 
-constexpr float infinite = std::numeric_limits<float>::infinity();
-
 /// What an edge costs, in its length: more, the farther it lies from where the way should be; beyond four
 /// times its own length it makes no difference any more, so that detours around obstacles stay short.
 float costOf(const SurfaceGraph::Edge& edge, float deviation, float creases)
@@ -35,7 +33,7 @@ public:
         : m_surface(surface)
         , m_deviation(deviation)
         , m_rules(rules)
-        , m_costs(surface.places(), infinite)
+        , m_costs(surface.places(), noWay)
         , m_before(surface.places())
     {
     }
@@ -156,19 +154,19 @@ std::optional<std::vector<VertexIndex>> shortestRoute(const OpenedSurface& surfa
                                                       SheetVertex from, SheetVertex to,
                                                       const RouteRules& rules)
 {
-    const float length = forward.growUntil(to, infinite);
+    const float length = forward.growUntil(to, noWay);
     SurfaceDistances backward(surface);
     backward.add(to, 0);
-    backward.growUntil(from, infinite);
-    if (!(length < infinite))
+    backward.growUntil(from, noWay);
+    if (!(length < noWay))
         return std::nullopt;
     // Beside the shortest way the distances from both ends sum to more than its length: to what a triangle
     // of this height would have.
     const auto deviation = [&](std::size_t place) {
         const float from0 = forward.at(place);
         const float excess = from0 + backward.at(place) - length;
-        if (!(excess < infinite))
-            return infinite;
+        if (!(excess < noWay))
+            return noWay;
         if (excess <= 0 || length <= 0)
             return 0.0F;
         return 2 * excess * std::max(from0 * (length - from0) / length, excess / 2);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/geometry/symmetrygrowth.h"
 
+#include "model/geometry/indices.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,11 +14,6 @@ namespace quadrille {
 namespace {
 
 constexpr std::uint32_t unknown = ~std::uint32_t{0};
-
-std::size_t at(std::int32_t index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 /// Maps of one connected component onto another, or itself.
 class Growth

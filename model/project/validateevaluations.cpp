@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/validateevaluations.h"
 
+#include "model/core/contains.h"
 #include "model/project/madeclips.h"
 #include "model/project/opensequence.h"
 #include "model/project/validationtexts.h"
@@ -13,12 +14,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr std::int64_t greatestCount = 100'000;
-
-bool contains(const std::vector<std::string>& names, const std::string& name)
-{
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
+constexpr std::int64_t greatestRepeats = 100'000;
 
 std::string listed(const std::vector<std::string>& names)
 {
@@ -78,7 +74,7 @@ void validateEvaluation(const Project& project, const EvaluationEntry& evaluatio
     if (std::any_of(evaluation.alphas.begin(), evaluation.alphas.end(),
                     [](double alpha) { return !(alpha >= 0); }))
         invalid("/alphas", "Alpha is below zero", "Write 0.01, or more to favour short walks.");
-    if (evaluation.count && (*evaluation.count < 1 || *evaluation.count > greatestCount))
+    if (evaluation.count && (*evaluation.count < 1 || *evaluation.count > greatestRepeats))
         invalid("/count", "The count must be from 1 to 100000", "");
     if (evaluation.seed < 0)
         invalid("/seed", "The seed is below zero", "Write a whole number from 0.");

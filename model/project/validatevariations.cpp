@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/validatevariations.h"
 
+#include "model/core/contains.h"
 #include "model/project/blendedges.h"
 #include "model/project/opensequence.h"
 #include "model/project/validate.h"
@@ -20,11 +21,6 @@ constexpr int greatestDimensions = 10;
 constexpr double greatestSpread = 3;
 constexpr int greatestRestarts = 100;
 constexpr int greatestCount = 10'000;
-
-bool contains(const std::vector<std::string>& names, const std::string& name)
-{
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 /// What both sections have in common.
 class SectionValidator

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/variedrepeats.h"
 
+#include "model/core/contains.h"
 #include "model/core/error.h"
 #include "model/core/message.h"
 #include "model/project/characterstages.h"
@@ -21,11 +22,6 @@
 namespace quadrille {
 
 namespace {
-
-bool contains(const std::vector<std::string>& names, const std::string& name)
-{
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 /// The take that samples vary frame by frame; nothing where it is a blend, which has frames of its own.
 std::optional<std::string> singleTake(const SamplesEntry& samples)

@@ -19,11 +19,11 @@ constexpr std::int64_t takeFrames = 50;
 CharacterFrames takes(std::int64_t frames)
 {
     constexpr std::uint32_t around = 50;
-    static const auto topology = testing::tubeTopology(around, 54);
+    static const auto topology = test::tubeTopology(around, 54);
     std::vector<MeshSequence> sequences;
     for (std::int64_t first = 0; first < frames; first += takeFrames)
-        sequences.push_back(testing::swayingTube(topology, around, takeFrames,
-                                                 0.05 + 0.002 * static_cast<double>(first % 1000)));
+        sequences.push_back(test::swayingTube(topology, around, takeFrames,
+                                              0.05 + 0.002 * static_cast<double>(first % 1000)));
     return CharacterFrames(sequences);
 }
 

@@ -16,9 +16,9 @@ namespace {
 constexpr std::uint32_t around = 50;
 constexpr std::uint32_t rings = 200;
 
-const testing::Surface& limb()
+const test::Surface& limb()
 {
-    static const testing::Surface only = testing::jittered(testing::makeCapsule(around, rings), 0.02F, 1);
+    static const test::Surface only = test::jittered(test::makeCapsule(around, rings), 0.02F, 1);
     return only;
 }
 
@@ -50,14 +50,14 @@ void movePoint(benchmark::State& state)
 
 void shorten(benchmark::State& state)
 {
-    const auto ring = testing::ring(around, 100);
+    const auto ring = test::ring(around, 100);
     for (auto _ : state)
         benchmark::DoNotOptimize(shortenedCurve(*graph(), ring, 0.5).data());
 }
 
 void layBeside(benchmark::State& state)
 {
-    const auto ring = testing::ring(around, 100);
+    const auto ring = test::ring(around, 100);
     for (auto _ : state)
         benchmark::DoNotOptimize(parallelCurve(*graph(), ring, 0.5, CurveSide::Smaller).data());
 }
@@ -69,8 +69,8 @@ void cutParts(benchmark::State& state)
     std::vector<PartDescription> parts{{.name = "0", .parent = {}, .curves = {}}};
     for (std::uint32_t i = 1; i < 5; ++i) {
         const std::string name = std::to_string(i);
-        curves.push_back({name + "a", testing::ring(around, 40 * i)});
-        curves.push_back({name + "b", testing::ring(around, 40 * i + 8)});
+        curves.push_back({name + "a", test::ring(around, 40 * i)});
+        curves.push_back({name + "b", test::ring(around, 40 * i + 8)});
         parts.push_back({name, std::to_string(i - 1), {name + "a", name + "b"}});
     }
     const auto topology = limb().topology();

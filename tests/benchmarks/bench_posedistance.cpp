@@ -9,7 +9,7 @@
 #include <tbb/task_arena.h>
 
 using namespace quadrille;
-using namespace quadrille::testing;
+using namespace quadrille::test;
 
 namespace {
 

@@ -20,8 +20,8 @@ namespace {
 
 struct Subject
 {
-    const MeshSequence& take = testing::sampleTake("walk 1");
-    Clip clip = testing::clipOf(take);
+    const MeshSequence& take = test::sampleTake("walk 1");
+    Clip clip = test::clipOf(take);
     std::vector<ContactSpan> contacts = detectContacts(take);
     Legs legs =
         findLegs(*clip.topology, upright(clip.positions, clip.topology->vertexCount(), UpAxis::Y), 0.07);
@@ -50,8 +50,8 @@ void deformLegPlainly(benchmark::State& state)
     const Subject& s = subject();
     for (auto _ : state) {
         std::vector<Vec3f> pose(s.clip.frame(7).begin(), s.clip.frame(7).end());
-        testing::deformLegPlainly(*s.clip.topology, s.legs.vertices[0], s.legs.feet[0].vertices,
-                                  s.legs.reference, s.shift, Ground(UpAxis::Y), pose);
+        test::deformLegPlainly(*s.clip.topology, s.legs.vertices[0], s.legs.feet[0].vertices,
+                               s.legs.reference, s.shift, Ground(UpAxis::Y), pose);
         benchmark::DoNotOptimize(pose.data());
     }
 }

@@ -8,7 +8,7 @@
 #include <benchmark/benchmark.h>
 
 using namespace quadrille;
-using namespace quadrille::testing;
+using namespace quadrille::test;
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include <cmath>
 
 using namespace quadrille;
-using namespace quadrille::testing;
+using namespace quadrille::test;
 
 namespace {
 

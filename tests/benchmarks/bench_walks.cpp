@@ -12,7 +12,7 @@
 #include <random>
 
 using namespace quadrille;
-using testing::RealCharacter;
+using test::RealCharacter;
 
 namespace {
 
@@ -36,7 +36,7 @@ std::vector<PoseKey> tenKeys(const WalkGraph& graph, std::uint32_t seed)
 
 void keys(benchmark::State& state)
 {
-    const RealCharacter* character = testing::realCharacter();
+    const RealCharacter* character = test::realCharacter();
     if (!character) {
         state.SkipWithError("no real takes");
         return;
@@ -83,7 +83,7 @@ double secondsSince(Clock::time_point begin)
 /// The product's search: when its first walk was there, and what it had after two seconds and in the end.
 void path(benchmark::State& state)
 {
-    const RealCharacter* character = testing::realCharacter();
+    const RealCharacter* character = test::realCharacter();
     if (!character) {
         state.SkipWithError("no real takes");
         return;
@@ -127,7 +127,7 @@ void path(benchmark::State& state)
 /// The paper's incremental branch and bound, look-ahead 20 frames, from one start after the other for 20 s.
 void incremental(benchmark::State& state)
 {
-    const RealCharacter* character = testing::realCharacter();
+    const RealCharacter* character = test::realCharacter();
     if (!character) {
         state.SkipWithError("no real takes");
         return;
@@ -148,7 +148,7 @@ void incremental(benchmark::State& state)
         MoveMotions motions(graph, motion, course);
         PathProblem problem{graph, stages, course, costs, motions, starts, 0.1};
         const Clock::time_point begin = Clock::now();
-        testing::BranchAndBound search(
+        test::BranchAndBound search(
             problem, [&] { return secondsSince(begin) > static_cast<double>(state.range(1)); });
         state.counters["cost"] = search.incrementalFromAll(20);
         state.counters["expansions"] = static_cast<double>(search.expansions());

@@ -11,6 +11,7 @@
 #include "editor/workspaces/animate/keysmodel.h"
 #include "editor/workspaces/animate/keyspanel.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
+#include "tests/qt/registry.h"
 #include "widgets/timeline/timeline.h"
 
 #include <QAbstractItemModelTester>
@@ -335,5 +336,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::AnimateKeysTest)
+QUADRILLE_QT_TEST(quadrille::AnimateKeysTest);
 #include "tst_animatekeys.moc"

@@ -6,6 +6,7 @@
 #include "model/project/pathcurve.h"
 #include "model/synthesis/pathfollowing.h"
 #include "pathfixture.h"
+#include "tests/qt/viewapplication.h"
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/pathgeometry.h"
 
@@ -305,12 +306,6 @@ private slots:
 
 } // namespace quadrille
 
-int main(int argc, char** argv)
-{
-    quadrille::widgets::VtkView::setDefaultFormat();
-    QApplication application(argc, argv);
-    quadrille::AnimatePathTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+QUADRILLE_QT_TEST_IN(quadrille::test::ViewApplication, quadrille::AnimatePathTest);
 
 #include "tst_animatepath.moc"

@@ -6,6 +6,7 @@
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/jobs/jobrunner.h"
+#include "tests/qt/registry.h"
 
 #include <QSignalSpy>
 #include <memory>
@@ -196,5 +197,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::AnimationMediaTest)
+QUADRILLE_QT_TEST(quadrille::AnimationMediaTest);
 #include "tst_animationmedia.moc"

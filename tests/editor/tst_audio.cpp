@@ -6,6 +6,7 @@
 #include "editor/workspaces/animate/animateworkspace.h"
 #include "editor/workspaces/animate/animationsound.h"
 #include "tests/model/audio/tone.h"
+#include "tests/qt/registry.h"
 #include "widgets/timeline/soundlane.h"
 
 #include <QSignalSpy>
@@ -221,5 +222,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::AudioTest)
+QUADRILLE_QT_TEST(quadrille::AudioTest);
 #include "tst_audio.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Curves drawn on a body, and the parts that they bound.
 #include "bodypartsfixture.h"
+#include "tests/qt/viewapplication.h"
 
 namespace quadrille {
 
@@ -237,12 +238,6 @@ private slots:
 
 } // namespace quadrille
 
-int main(int argc, char** argv)
-{
-    quadrille::widgets::VtkView::setDefaultFormat();
-    QApplication application(argc, argv);
-    quadrille::BodyPartsTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+QUADRILLE_QT_TEST_IN(quadrille::test::ViewApplication, quadrille::BodyPartsTest);
 
 #include "tst_bodyparts.moc"

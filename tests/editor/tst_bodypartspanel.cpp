@@ -6,6 +6,7 @@
 #include "editor/documents/projectpaths.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "model/sample/sample.h"
+#include "tests/qt/viewapplication.h"
 
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
@@ -316,12 +317,6 @@ private slots:
 
 } // namespace quadrille
 
-int main(int argc, char** argv)
-{
-    quadrille::widgets::VtkView::setDefaultFormat();
-    QApplication application(argc, argv);
-    quadrille::BodyPartsPanelTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+QUADRILLE_QT_TEST_IN(quadrille::test::ViewApplication, quadrille::BodyPartsPanelTest);
 
 #include "tst_bodypartspanel.moc"

@@ -5,6 +5,7 @@
 #include "editor/playback/player.h"
 #include "editor/workspaces/animate/animateworkspace.h"
 #include "editor/workspaces/animate/animationcamera.h"
+#include "tests/qt/registry.h"
 #include "widgets/timeline/momentlane.h"
 
 #include <QAction>
@@ -184,5 +185,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::CameraKeysTest)
+QUADRILLE_QT_TEST(quadrille::CameraKeysTest);
 #include "tst_camerakeys.moc"

@@ -7,6 +7,7 @@
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
+#include "tests/qt/registry.h"
 #include "widgets/viewport/viewport.h"
 
 #include <QContextMenuEvent>
@@ -243,5 +244,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::CardsTest)
+QUADRILLE_QT_TEST(quadrille::CardsTest);
 #include "tst_cards.moc"

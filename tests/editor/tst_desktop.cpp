@@ -7,6 +7,7 @@
 #include "editor/application/startguard.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
+#include "tests/qt/registry.h"
 
 #include <QDir>
 #include <QDockWidget>
@@ -388,5 +389,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::DesktopTest)
+QUADRILLE_QT_TEST(quadrille::DesktopTest);
 #include "tst_desktop.moc"

@@ -9,6 +9,7 @@
 #include "model/project/jsontext.h"
 #include "model/project/projectjson.h"
 #include "model/project/usableproject.h"
+#include "tests/qt/registry.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -378,5 +379,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_GUILESS_MAIN(quadrille::EditFuzzTest)
+QUADRILLE_QT_TEST_IN(QCoreApplication, quadrille::EditFuzzTest);
 #include "tst_editfuzz.moc"

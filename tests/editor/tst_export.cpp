@@ -7,6 +7,7 @@
 #include "model/project/rebuild.h"
 #include "model/render/clipcamera.h"
 #include "model/sequence/io/registry.h"
+#include "tests/qt/registry.h"
 
 #include <QCheckBox>
 #include <QDir>
@@ -272,5 +273,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::ExportTest)
+QUADRILLE_QT_TEST(quadrille::ExportTest);
 #include "tst_export.moc"

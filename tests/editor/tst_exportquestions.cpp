@@ -4,6 +4,7 @@
 // project.
 #include "exportfixture.h"
 #include "model/core/file.h"
+#include "tests/qt/registry.h"
 
 #include <QAbstractButton>
 #include <QCheckBox>
@@ -168,5 +169,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::ExportQuestionsTest)
+QUADRILLE_QT_TEST(quadrille::ExportQuestionsTest);
 #include "tst_exportquestions.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What all fields of the window have in common: the wheel, and undoing while one is edited.
 #include "editor/workspaces/workspace.h"
+#include "tests/qt/registry.h"
 #include "variationsfixture.h"
 
 #include <QAbstractSlider>
@@ -169,5 +170,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::FieldsTest)
+QUADRILLE_QT_TEST(quadrille::FieldsTest);
 #include "tst_fields.moc"

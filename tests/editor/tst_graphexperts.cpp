@@ -8,6 +8,7 @@
 #include "editor/workspaces/graph/graphbar.h"
 #include "editor/workspaces/graph/transitionpanel.h"
 #include "graphfixture.h"
+#include "tests/qt/registry.h"
 #include "widgets/graph/arcview.h"
 #include "widgets/graph/logslider.h"
 #include "widgets/graph/takegraphview.h"
@@ -161,5 +162,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::GraphExpertsTest)
+QUADRILLE_QT_TEST(quadrille::GraphExpertsTest);
 #include "tst_graphexperts.moc"

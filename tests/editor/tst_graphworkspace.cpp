@@ -8,6 +8,7 @@
 #include "editor/workspaces/graph/transitionpanel.h"
 #include "graphfixture.h"
 #include "model/graph/shortestpath.h"
+#include "tests/qt/registry.h"
 #include "widgets/graph/arcview.h"
 #include "widgets/graph/chartscale.h"
 #include "widgets/graph/linechart.h"
@@ -327,5 +328,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::GraphWorkspaceTest)
+QUADRILLE_QT_TEST(quadrille::GraphWorkspaceTest);
 #include "tst_graphworkspace.moc"

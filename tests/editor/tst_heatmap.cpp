@@ -8,6 +8,7 @@
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editortest.h"
 #include "model/transition/posedistance.h"
+#include "tests/qt/registry.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/viewport/viewport.h"
 
@@ -175,5 +176,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::HeatMapTest)
+QUADRILLE_QT_TEST(quadrille::HeatMapTest);
 #include "tst_heatmap.moc"

@@ -3,6 +3,7 @@
 #include "editor/help/helppages.h"
 #include "editor/help/helpviewer.h"
 #include "editor/language/languagemanager.h"
+#include "tests/qt/registry.h"
 
 #include <QDir>
 #include <QFile>
@@ -229,5 +230,5 @@ void HelpTest::linkOpensAndBackReturns()
     QCOMPARE(viewer.page(), QString("importing"));
 }
 
-QTEST_MAIN(HelpTest)
+QUADRILLE_QT_TEST(HelpTest);
 #include "tst_help.moc"

@@ -4,6 +4,7 @@
 #include "editor/importing/importflow.h"
 #include "editor/importing/taketable.h"
 #include "editortest.h"
+#include "tests/qt/registry.h"
 #include "widgets/controls/messagestrip.h"
 
 #include <QComboBox>
@@ -224,5 +225,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::ImportTest)
+QUADRILLE_QT_TEST(quadrille::ImportTest);
 #include "tst_import.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/jobs/joblistmodel.h"
 #include "editor/jobs/jobrunner.h"
+#include "tests/qt/registry.h"
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
@@ -361,5 +362,5 @@ void JobRunnerTest::timeLeftIsRounded()
     QVERIFY(timeLeftText({61}).startsWith("2 "));
 }
 
-QTEST_GUILESS_MAIN(JobRunnerTest)
+QUADRILLE_QT_TEST_IN(QCoreApplication, JobRunnerTest);
 #include "tst_jobrunner.moc"

@@ -6,6 +6,7 @@
 #include "editor/workspaces/animate/animateworkspace.h"
 #include "editor/workspaces/animate/junctions.h"
 #include "editor/workspaces/animate/transitionpreview.h"
+#include "tests/qt/registry.h"
 #include "widgets/controls/messagestrip.h"
 
 #include <QDockWidget>
@@ -245,5 +246,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::JunctionPanelTest)
+QUADRILLE_QT_TEST(quadrille::JunctionPanelTest);
 #include "tst_junctionpanel.moc"

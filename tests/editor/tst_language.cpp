@@ -4,6 +4,7 @@
 #include "editor/errors/issuespanel.h"
 #include "editor/language/languagemanager.h"
 #include "editor/language/retranslate.h"
+#include "tests/qt/registry.h"
 
 #include <QAbstractItemModelTester>
 #include <QLabel>
@@ -178,5 +179,5 @@ void LanguageTest::issuesPanelShowsAndJumps()
     QVERIFY(!list->isVisible());
 }
 
-QTEST_MAIN(LanguageTest)
+QUADRILLE_QT_TEST(LanguageTest);
 #include "tst_language.moc"

@@ -12,6 +12,7 @@
 #include "model/project/rebuild.h"
 #include "model/project/stage.h"
 #include "model/sample/sample.h"
+#include "tests/qt/registry.h"
 
 #include <QStandardPaths>
 
@@ -130,5 +131,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::MainWindowTest)
+QUADRILLE_QT_TEST(quadrille::MainWindowTest);
 #include "tst_mainwindow.moc"

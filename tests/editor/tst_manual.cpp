@@ -12,6 +12,7 @@
 #include "editor/workspaces/variations/partcurvetool.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "model/sample/sample.h"
+#include "tests/qt/registry.h"
 #include "variedproject.h"
 #include "widgets/graph/matrixview.h"
 #include "widgets/theme/theme.h"
@@ -188,5 +189,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::ManualTest)
+QUADRILLE_QT_TEST(quadrille::ManualTest);
 #include "tst_manual.moc"

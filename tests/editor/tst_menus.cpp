@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Menus, the palette of actions, panels and their layouts.
+#include "tests/qt/registry.h"
 #include "widgets/controls/actionpalette.h"
 #include "windowfixture.h"
 
@@ -189,5 +190,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::MenusTest)
+QUADRILLE_QT_TEST(quadrille::MenusTest);
 #include "tst_menus.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Paths of animations, edited in numbers.
 #include "pathfixture.h"
+#include "tests/qt/viewapplication.h"
 
 #include <QDoubleSpinBox>
 #include <QListWidget>
@@ -123,12 +124,6 @@ private slots:
 
 } // namespace quadrille
 
-int main(int argc, char** argv)
-{
-    quadrille::widgets::VtkView::setDefaultFormat();
-    QApplication application(argc, argv);
-    quadrille::PathPanelTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+QUADRILLE_QT_TEST_IN(quadrille::test::ViewApplication, quadrille::PathPanelTest);
 
 #include "tst_pathpanel.moc"

@@ -6,6 +6,7 @@
 #include "editor/commands/projectedits.h"
 #include "editor/commands/variationedits.h"
 #include "editor/workspaces/animate/animateworkspace.h"
+#include "tests/qt/registry.h"
 #include "variedproject.h"
 #include "widgets/charts/curveeditor.h"
 
@@ -344,5 +345,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::PostPanelTest)
+QUADRILLE_QT_TEST(quadrille::PostPanelTest);
 #include "tst_postpanel.moc"

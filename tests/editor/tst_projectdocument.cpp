@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
+#include "tests/qt/registry.h"
 
 #include <QFile>
 #include <QSignalSpy>
@@ -117,5 +118,5 @@ private:
 
 } // namespace quadrille
 
-QTEST_GUILESS_MAIN(quadrille::TestProjectDocument)
+QUADRILLE_QT_TEST_IN(QCoreApplication, quadrille::TestProjectDocument);
 #include "tst_projectdocument.moc"

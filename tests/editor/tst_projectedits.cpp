@@ -4,6 +4,7 @@
 #include "editor/commands/variationedits.h"
 #include "editor/documents/sequencemedia.h"
 #include "editor/jobs/jobrunner.h"
+#include "tests/qt/registry.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -340,5 +341,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_GUILESS_MAIN(quadrille::TestProjectEdits)
+QUADRILLE_QT_TEST_IN(QCoreApplication, quadrille::TestProjectEdits);
 #include "tst_projectedits.moc"

@@ -4,6 +4,7 @@
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
 #include "projectfilesfixture.h"
+#include "tests/qt/registry.h"
 #include "widgets/controls/fieldnote.h"
 
 #include <QLabel>
@@ -283,5 +284,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::ProjectFilesTest)
+QUADRILLE_QT_TEST(quadrille::ProjectFilesTest);
 #include "tst_projectfiles.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/docks/projecttreemodel.h"
 #include "editortest.h"
+#include "tests/qt/registry.h"
 #include "widgets/controls/fieldnote.h"
 
 #include <QLineEdit>
@@ -101,5 +102,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::ProjectPanelTest)
+QUADRILLE_QT_TEST(quadrille::ProjectPanelTest);
 #include "tst_projectpanel.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/commands/projectedits.h"
 #include "editortest.h"
+#include "tests/qt/registry.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -117,5 +118,5 @@ private:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::PropertiesTest)
+QUADRILLE_QT_TEST(quadrille::PropertiesTest);
 #include "tst_properties.moc"

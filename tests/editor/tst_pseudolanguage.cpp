@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/language/pseudolanguage.h"
 #include "tests/editor/editortest.h"
+#include "tests/qt/registry.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -287,5 +288,5 @@ void PseudoLanguageTest::everyActionSpeaksIt()
     QVERIFY2(complaints.isEmpty(), qPrintable(complaints.join('\n')));
 }
 
-QTEST_MAIN(PseudoLanguageTest)
+QUADRILLE_QT_TEST(PseudoLanguageTest);
 #include "tst_pseudolanguage.moc"

@@ -6,6 +6,7 @@
 #include "editor/documents/projectpaths.h"
 #include "model/project/brokenentry.h"
 #include "projectfilesfixture.h"
+#include "tests/qt/registry.h"
 
 #include <QLabel>
 #include <QMessageBox>
@@ -117,5 +118,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::RecoveryTest)
+QUADRILLE_QT_TEST(quadrille::RecoveryTest);
 #include "tst_recovery.moc"

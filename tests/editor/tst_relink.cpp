@@ -6,6 +6,7 @@
 #include "editortest.h"
 #include "model/project/rebuild.h"
 #include "model/project/resultplaces.h"
+#include "tests/qt/registry.h"
 #include "widgets/controls/messagestrip.h"
 
 #include <QFileDialog>
@@ -347,5 +348,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::RelinkTest)
+QUADRILLE_QT_TEST(quadrille::RelinkTest);
 #include "tst_relink.moc"

@@ -6,6 +6,7 @@
 #include "editor/workspaces/animate/animateworkspace.h"
 #include "editor/workspaces/animate/report.h"
 #include "editor/workspaces/animate/reportpanel.h"
+#include "tests/qt/registry.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/graph/linechart.h"
 
@@ -195,5 +196,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::ReportPanelTest)
+QUADRILLE_QT_TEST(quadrille::ReportPanelTest);
 #include "tst_reportpanel.moc"

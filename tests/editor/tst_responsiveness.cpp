@@ -10,6 +10,7 @@
 #include "editor/workspaces/workspacetabs.h"
 #include "eventprobe.h"
 #include "model/sample/sample.h"
+#include "tests/qt/registry.h"
 
 #include <memory>
 
@@ -99,10 +100,5 @@ private slots:
 
 } // namespace quadrille
 
-int main(int argc, char** argv)
-{
-    const quadrille::test::MeasuredApplication application(argc, argv);
-    quadrille::ResponsivenessTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+QUADRILLE_QT_TEST_IN(quadrille::test::MeasuredApplication, quadrille::ResponsivenessTest);
 #include "tst_responsiveness.moc"

@@ -5,6 +5,7 @@
 #include "editor/jobs/jobrunner.h"
 #include "editortest.h"
 #include "model/project/rebuild.h"
+#include "tests/qt/registry.h"
 
 #include <numeric>
 
@@ -131,5 +132,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::SequenceMediaTest)
+QUADRILLE_QT_TEST(quadrille::SequenceMediaTest);
 #include "tst_sequencemedia.moc"

@@ -6,6 +6,7 @@
 #include "editor/playback/sequencestage.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editortest.h"
+#include "tests/qt/registry.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/timeline/timeline.h"
 #include "widgets/viewport/viewport.h"
@@ -367,5 +368,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::SequencesTest)
+QUADRILLE_QT_TEST(quadrille::SequencesTest);
 #include "tst_sequences.moc"

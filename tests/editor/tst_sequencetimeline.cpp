@@ -5,6 +5,7 @@
 #include "editor/workspaces/sequences/labeltakes.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editortest.h"
+#include "tests/qt/registry.h"
 #include "widgets/timeline/timeline.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/vtkview.h"
@@ -244,5 +245,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::SequenceTimelineTest)
+QUADRILLE_QT_TEST(quadrille::SequenceTimelineTest);
 #include "tst_sequencetimeline.moc"

@@ -11,6 +11,7 @@
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
+#include "tests/qt/registry.h"
 #include "widgets/controls/actionpalette.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/viewport/viewport.h"
@@ -337,5 +338,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::ShellTest)
+QUADRILLE_QT_TEST(quadrille::ShellTest);
 #include "tst_shell.moc"

@@ -13,6 +13,7 @@
 #include "editor/workspaces/graph/graphworkspace.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editor/workspaces/workspacetabs.h"
+#include "tests/qt/registry.h"
 
 #include <QElapsedTimer>
 #include <QFile>
@@ -154,5 +155,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::SoakTest)
+QUADRILLE_QT_TEST(quadrille::SoakTest);
 #include "tst_soak.moc"

@@ -11,6 +11,7 @@
 #include "editor/workspaces/animate/constraintedits.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "model/core/file.h"
+#include "tests/qt/registry.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -263,5 +264,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::StoriesTest)
+QUADRILLE_QT_TEST(quadrille::StoriesTest);
 #include "tst_stories.moc"

@@ -7,6 +7,7 @@
 #include "editor/workspaces/animate/animateworkspace.h"
 #include "editor/workspaces/animate/constraintedits.h"
 #include "editor/workspaces/animate/keysandstoryboard.h"
+#include "tests/qt/registry.h"
 #include "widgets/storyboard/rangestrip.h"
 #include "widgets/storyboard/storyboard.h"
 #include "widgets/timeline/timeline.h"
@@ -202,5 +203,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::StoryboardPanelTest)
+QUADRILLE_QT_TEST(quadrille::StoryboardPanelTest);
 #include "tst_storyboardpanel.moc"

@@ -7,6 +7,7 @@
 #include "editor/playback/sequencestage.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editortest.h"
+#include "tests/qt/registry.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/controls/textureview.h"
 #include "widgets/viewport/viewport.h"
@@ -296,5 +297,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::TexturePanelTest)
+QUADRILLE_QT_TEST(quadrille::TexturePanelTest);
 #include "tst_texturepanel.moc"

@@ -7,6 +7,7 @@
 #include "editor/workspaces/variations/latentpanel.h"
 #include "model/project/opensequence.h"
 #include "model/project/rebuild.h"
+#include "tests/qt/registry.h"
 #include "variationsfixture.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/graph/linechart.h"
@@ -307,5 +308,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::VariationsTest)
+QUADRILLE_QT_TEST(quadrille::VariationsTest);
 #include "tst_variations.moc"

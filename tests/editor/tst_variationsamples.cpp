@@ -4,6 +4,7 @@
 #include "editor/documents/projectpaths.h"
 #include "model/project/opensequence.h"
 #include "model/project/rebuild.h"
+#include "tests/qt/registry.h"
 #include "variationsfixture.h"
 
 #include <QCheckBox>
@@ -204,5 +205,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::VariationSamplesTest)
+QUADRILLE_QT_TEST(quadrille::VariationSamplesTest);
 #include "tst_variationsamples.moc"

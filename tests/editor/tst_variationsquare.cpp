@@ -3,6 +3,7 @@
 // Blends of four takes: chosen, moved on the pad, learned, removed.
 #include "editor/commands/variationedits.h"
 #include "model/project/validate.h"
+#include "tests/qt/registry.h"
 #include "variationsfixture.h"
 #include "widgets/controls/weightspad.h"
 
@@ -154,5 +155,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::VariationSquareTest)
+QUADRILLE_QT_TEST(quadrille::VariationSquareTest);
 #include "tst_variationsquare.moc"

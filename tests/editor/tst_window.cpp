@@ -5,6 +5,7 @@
 #include "editor/application/defaultsettings.h"
 #include "editor/application/startguard.h"
 #include "editor/commands/projectedits.h"
+#include "tests/qt/registry.h"
 #include "widgets/timeline/timeline.h"
 #include "widgets/viewport/viewport.h"
 #include "windowfixture.h"
@@ -322,5 +323,5 @@ private slots:
 
 } // namespace quadrille
 
-QTEST_MAIN(quadrille::WindowTest)
+QUADRILLE_QT_TEST(quadrille::WindowTest);
 #include "tst_window.moc"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// The largest distance of a vertex between two frames, or frames one after the other; infinite where they
 /// are not as many.
@@ -21,4 +21,4 @@ inline double largestDistance(Positions a, Positions b)
     return largest;
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/qt/registry.h"
 #include "widgets/graph/arcview.h"
 
 #include <QSignalSpy>
@@ -133,5 +134,5 @@ void TestArcView::zoomShowsArcsThatWereJoined()
         QCOMPARE(bundle.count, 1);
 }
 
-QTEST_MAIN(TestArcView)
+QUADRILLE_QT_TEST(TestArcView);
 #include "tst_arcview.moc"

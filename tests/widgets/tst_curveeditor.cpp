@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/qt/registry.h"
 #include "widgets/charts/curveeditor.h"
 #include "widgets/theme/theme.h"
 
@@ -201,5 +202,5 @@ void TestCurveEditor::drawsTheCurveThatItIsGiven()
     QVERIFY(!isCurve(1.03, 0.515));
 }
 
-QTEST_MAIN(TestCurveEditor)
+QUADRILLE_QT_TEST(TestCurveEditor);
 #include "tst_curveeditor.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/qt/viewapplication.h"
 #include "widgets/latent/latentview.h"
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/vtkview.h"
@@ -192,15 +193,15 @@ private slots:
     }
 };
 
+/// Views of VTK in the colours of the program.
+class ThemedApplication : public test::ViewApplication
+{
+public:
+    ThemedApplication(int& argc, char** argv) : ViewApplication(argc, argv) { Theme::instance().install(); }
+};
+
 } // namespace quadrille::widgets
 
-int main(int argc, char** argv)
-{
-    quadrille::widgets::VtkView::setDefaultFormat();
-    QApplication application(argc, argv);
-    quadrille::widgets::Theme::instance().install();
-    quadrille::widgets::TestLatentView test;
-    return QTest::qExec(&test, argc, argv);
-}
+QUADRILLE_QT_TEST_IN(quadrille::widgets::ThemedApplication, quadrille::widgets::TestLatentView);
 
 #include "tst_latentview.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/qt/registry.h"
 #include "widgets/graph/linechart.h"
 #include "widgets/graph/logslider.h"
 
@@ -240,5 +241,5 @@ void TestLineChart::aSliderNamesItsEndsBeforeACurve()
     QVERIFY(std::abs(slider.curvePosition({0.01, 0}).x() - middle) < 2);
 }
 
-QTEST_MAIN(TestLineChart)
+QUADRILLE_QT_TEST(TestLineChart);
 #include "tst_linechart.moc"

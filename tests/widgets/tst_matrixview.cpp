@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/qt/registry.h"
 #include "widgets/graph/matrixview.h"
 
 #include <QContextMenuEvent>
@@ -358,5 +359,5 @@ void TestMatrixView::anEmptyViewSaysSo()
     QVERIFY(!m_view->currentCell());
 }
 
-QTEST_MAIN(TestMatrixView)
+QUADRILLE_QT_TEST(TestMatrixView);
 #include "tst_matrixview.moc"

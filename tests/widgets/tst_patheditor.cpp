@@ -3,6 +3,8 @@
 // Paths that are drawn, dragged and seen; the rest is in tst_patheditorparts.cpp.
 #include "tst_patheditor.h"
 
+#include "tests/qt/viewapplication.h"
+
 #include <QApplication>
 
 void TestPathEditor::init()
@@ -241,10 +243,4 @@ void TestPathEditor::draggingNothingTurnsTheCamera()
     QCOMPARE(m_edits + m_previews, 0);
 }
 
-int main(int argc, char** argv)
-{
-    VtkView::setDefaultFormat();
-    QApplication application(argc, argv);
-    TestPathEditor test;
-    return QTest::qExec(&test, argc, argv);
-}
+QUADRILLE_QT_TEST_IN(quadrille::test::ViewApplication, TestPathEditor);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/qt/registry.h"
 #include "widgets/timeline/playbackclock.h"
 
 #include <QTest>
@@ -144,5 +145,5 @@ void TestPlaybackClock::saysWhenTheNextFrameIsDue()
     QVERIFY(std::abs(clock.untilNext(0.04) - 0.04) < 1e-9);
 }
 
-QTEST_APPLESS_MAIN(TestPlaybackClock)
+QUADRILLE_QT_TEST_IN(QCoreApplication, TestPlaybackClock);
 #include "tst_playbackclock.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/qt/registry.h"
 #include "widgets/storyboard/rangestrip.h"
 #include "widgets/storyboard/storyboard.h"
 
@@ -246,5 +247,5 @@ void TestStoryboard::escapePutsARangeBack()
     QCOMPARE(edited.last(), (QVariantList{20, 59, true}));
 }
 
-QTEST_MAIN(TestStoryboard)
+QUADRILLE_QT_TEST(TestStoryboard);
 #include "tst_storyboard.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Curves that are drawn on a surface, and points that are dragged.
 #include "surfacecurvefixture.h"
+#include "tests/qt/registry.h"
 #include "widgets/viewport/smoothline.h"
 
 #include <cmath>
@@ -225,5 +226,5 @@ void TestSurfaceCurveEditor::pointsBehindTheBodyCannotBeGrabbed()
     QCOMPARE(m_editor->partAt(pixel(vertexAt(4, 12))), (SurfaceCurvePart{Kind::Point, 0, 2}));
 }
 
-QTEST_MAIN(TestSurfaceCurveEditor)
+QUADRILLE_QT_TEST(TestSurfaceCurveEditor);
 #include "tst_surfacecurveeditor.moc"

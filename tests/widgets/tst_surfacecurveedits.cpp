@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Curves on a surface that are chosen, edited by keys and shown.
 #include "surfacecurvefixture.h"
+#include "tests/qt/registry.h"
 
 using namespace quadrille::test;
 using namespace quadrille::widgets;
@@ -166,5 +167,5 @@ void TestSurfaceCurveEdits::trianglesGetColoursWithAKey()
     QCOMPARE(blues(true), 0);
 }
 
-QTEST_MAIN(TestSurfaceCurveEdits)
+QUADRILLE_QT_TEST(TestSurfaceCurveEdits);
 #include "tst_surfacecurveedits.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/qt/registry.h"
 #include "widgets/controls/textureview.h"
 #include "widgets/theme/theme.h"
 
@@ -280,5 +281,5 @@ void TestTextureView::saysWhatIsMissingAndOffersHelp()
     QCOMPARE(m_view->uvAt(m_view->positionOf({0.25, 0.5})), QPointF(0.25, 0.5));
 }
 
-QTEST_MAIN(TestTextureView)
+QUADRILLE_QT_TEST(TestTextureView);
 #include "tst_textureview.moc"

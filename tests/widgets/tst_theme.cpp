@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/qt/registry.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
 
@@ -125,5 +126,5 @@ void TestTheme::everyIconDrawsSomething()
     QVERIFY(!icons::application().isNull());
 }
 
-QTEST_MAIN(TestTheme)
+QUADRILLE_QT_TEST(TestTheme);
 #include "tst_theme.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/qt/registry.h"
 #include "widgets/controls/elidedpair.h"
 #include "widgets/timeline/timeline.h"
 #include "widgets/timeline/timelinezoombar.h"
@@ -290,13 +291,19 @@ void TestTimeline::namesOfTransitionsShowBothEnds()
     QVERIFY(elidedPair(uneven, metrics, metrics.horizontalAdvance(uneven) - 8).startsWith("a › "));
 }
 
-int main(int argc, char** argv)
+namespace {
+
+/// Lines that lie between pixels are where painting goes wrong.
+class ScaledApplication : public QApplication
 {
-    // Lines that lie between pixels are where painting goes wrong.
-    qputenv("QT_SCALE_FACTOR", "1.25");
-    const QApplication application(argc, argv);
-    TestTimeline test;
-    return QTest::qExec(&test, argc, argv);
-}
+public:
+    ScaledApplication(int& argc, char** argv) : QApplication((qputenv("QT_SCALE_FACTOR", "1.25"), argc), argv)
+    {
+    }
+};
+
+} // namespace
+
+QUADRILLE_QT_TEST_IN(ScaledApplication, TestTimeline);
 
 #include "tst_timeline.moc"

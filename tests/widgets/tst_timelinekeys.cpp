@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/qt/registry.h"
 #include "widgets/timeline/timeline.h"
 
 #include <QDragEnterEvent>
@@ -263,5 +264,5 @@ void TestTimelineKeys::junctionsAreFoundByPointerAndByKeyboard()
     QVERIFY(deleted.isEmpty());
 }
 
-QTEST_MAIN(TestTimelineKeys)
+QUADRILLE_QT_TEST(TestTimelineKeys);
 #include "tst_timelinekeys.moc"

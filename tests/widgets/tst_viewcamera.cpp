@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // How the mouse, the axes and framing move the camera of a view.
+#include "tests/qt/viewapplication.h"
 #include "viewportfixture.h"
 #include "widgets/viewport/axesgizmo.h"
 
@@ -154,11 +155,5 @@ void TestViewCamera::framesAFigureWithThePathAboutIt()
     QVERIFY(!isSeen({9, 0, 0}) || !isSeen({-1, 2, 0}));
 }
 
-int main(int argc, char** argv)
-{
-    VtkView::setDefaultFormat();
-    QApplication application(argc, argv);
-    TestViewCamera test;
-    return QTest::qExec(&test, argc, argv);
-}
+QUADRILLE_QT_TEST_IN(quadrille::test::ViewApplication, TestViewCamera);
 #include "tst_viewcamera.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/qt/viewapplication.h"
 #include "viewportfixture.h"
 #include "widgets/viewport/viewportoverlay.h"
 
@@ -304,11 +305,5 @@ void TestViewport::theGovernorDoesNotGoBackAndForth()
     QVERIFY2(changes <= 3, qPrintable(QString::number(changes)));
 }
 
-int main(int argc, char** argv)
-{
-    VtkView::setDefaultFormat();
-    QApplication application(argc, argv);
-    TestViewport test;
-    return QTest::qExec(&test, argc, argv);
-}
+QUADRILLE_QT_TEST_IN(quadrille::test::ViewApplication, TestViewport);
 #include "tst_viewport.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/qt/registry.h"
 #include "widgets/controls/weightspad.h"
 #include "widgets/theme/theme.h"
 
@@ -173,5 +174,5 @@ void TestWeightsPad::namesItsCorners()
     QVERIFY(m_pad->accessibleDescription().contains(QStringLiteral("80")));
 }
 
-QTEST_MAIN(TestWeightsPad)
+QUADRILLE_QT_TEST(TestWeightsPad);
 #include "tst_weightspad.moc"

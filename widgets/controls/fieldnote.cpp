@@ -14,7 +14,7 @@ namespace quadrille::widgets {
 namespace {
 
 constexpr int widest = 320;
-constexpr int gap = 4;
+constexpr int noteGap = 4;
 constexpr int lingeringMilliseconds = 8000;
 
 /// Keys that do not edit: they may just have asked for what was refused.
@@ -82,9 +82,9 @@ void FieldNote::placeIt()
     const QPoint corner = m_field->mapTo(parentWidget(), field.topLeft());
     const int width = std::min({widest, room.width(), sizeHint().width()});
     const int height = hasHeightForWidth() ? heightForWidth(width) : sizeHint().height();
-    int top = corner.y() + field.height() + gap;
+    int top = corner.y() + field.height() + noteGap;
     if (top + height > room.height())
-        top = std::max(0, corner.y() - gap - height);
+        top = std::max(0, corner.y() - noteGap - height);
     const int left = isRightToLeft() ? corner.x() + field.width() - width : corner.x();
     setGeometry(std::clamp(left, 0, std::max(0, room.width() - width)), top, width, height);
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double barWidth = 12.0;
 constexpr double barHeight = 140.0;
-constexpr double gap = 8.0;
+constexpr double legendGap = 8.0;
 constexpr int ticks = 5;
 
 QString heading(const ScalarRange& range)
@@ -44,8 +44,8 @@ QSizeF legendSize(const QFont& font, const ScalarRange& range)
     for (int tick = 0; tick < ticks; ++tick)
         widest = std::max(widest, metrics.horizontalAdvance(tickText(range, tick)));
     const bool titled = !heading(range).isEmpty();
-    return {std::max(barWidth + gap + widest, metrics.horizontalAdvance(heading(range))),
-            (titled ? metrics.height() + gap : 0.0) + barHeight + metrics.height()};
+    return {std::max(barWidth + legendGap + widest, metrics.horizontalAdvance(heading(range))),
+            (titled ? metrics.height() + legendGap : 0.0) + barHeight + metrics.height()};
 }
 
 void paintLegend(QPainter& painter, const QRectF& place, const ScalarRange& range, const QColor& text)
@@ -55,7 +55,7 @@ void paintLegend(QPainter& painter, const QRectF& place, const ScalarRange& rang
     painter.setPen(text);
     if (!heading(range).isEmpty()) {
         painter.drawText(QPointF(place.left(), place.top() + metrics.ascent()), heading(range));
-        bar.translate(0.0, metrics.height() + gap);
+        bar.translate(0.0, metrics.height() + legendGap);
     }
     bar.setBottom(place.bottom() - metrics.height() / 2.0);
     QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
@@ -67,8 +67,9 @@ void paintLegend(QPainter& painter, const QRectF& place, const ScalarRange& rang
     for (int tick = 0; tick < ticks; ++tick) {
         const double y = bar.bottom() - bar.height() * tick / (ticks - 1);
         painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 3.0, y));
-        painter.drawText(QPointF(bar.right() + gap, y + metrics.ascent() / 2.0 - metrics.descent() / 2.0),
-                         tickText(range, tick));
+        painter.drawText(
+            QPointF(bar.right() + legendGap, y + metrics.ascent() / 2.0 - metrics.descent() / 2.0),
+            tickText(range, tick));
     }
 }
 

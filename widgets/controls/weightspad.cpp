@@ -20,7 +20,7 @@ constexpr int side = 132;     // pixels, of the square as it likes to be
 constexpr int leastSide = 80; // pixels
 constexpr double radius = 6;  // pixels, of the point
 constexpr double reach = 6;   // pixels about a node that the point clings in
-constexpr double gap = 4;     // pixels between the square and the names
+constexpr double nameGap = 4; // pixels between the square and the names
 constexpr double step = 0.01; // of an arrow
 constexpr double leap = 0.1;  // of an arrow with Shift
 constexpr double percent = 100;
@@ -101,9 +101,9 @@ void WeightsPad::setWeights(const QPointF& weights)
 QRectF WeightsPad::square() const
 {
     const double line = fontMetrics().height();
-    const double height = this->height() - 2 * (line + gap);
+    const double height = this->height() - 2 * (line + nameGap);
     const double size = std::max(1.0, std::min<double>(height, width() - 2 * radius) - 2);
-    return {(width() - size) / 2, line + gap + (height - size) / 2, size, size};
+    return {(width() - size) / 2, line + nameGap + (height - size) / 2, size, size};
 }
 
 QPointF WeightsPad::positionOf(const QPointF& weights) const
@@ -126,12 +126,12 @@ QPointF WeightsPad::weightsAt(const QPointF& position) const
 
 QSize WeightsPad::sizeHint() const
 {
-    return {side, side + 2 * (fontMetrics().height() + static_cast<int>(gap))};
+    return {side, side + 2 * (fontMetrics().height() + static_cast<int>(nameGap))};
 }
 
 QSize WeightsPad::minimumSizeHint() const
 {
-    return {leastSide, leastSide + 2 * (fontMetrics().height() + static_cast<int>(gap))};
+    return {leastSide, leastSide + 2 * (fontMetrics().height() + static_cast<int>(nameGap))};
 }
 
 void WeightsPad::move(const QPointF& weights, bool isFinal)
@@ -220,13 +220,13 @@ void WeightsPad::paintNames(QPainter& painter) const
 {
     const QRectF place = square();
     const double line = fontMetrics().height();
-    const double half = width() / 2.0 - gap;
+    const double half = width() / 2.0 - nameGap;
     painter.setPen(Theme::color(isEnabled() ? ColorRole::TextMuted : ColorRole::TextDisabled));
     for (std::size_t c = 0; c < m_corners.size(); ++c) {
         const bool isRight = (c & 1U) != 0;
         const bool isTop = (c & 2U) != 0;
         const QRectF rect(isRight ? width() - half : 0,
-                          isTop ? place.top() - gap - line : place.bottom() + gap, half, line);
+                          isTop ? place.top() - nameGap - line : place.bottom() + nameGap, half, line);
         painter.drawText(rect, (isRight ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
                          fontMetrics().elidedText(m_corners[c], Qt::ElideMiddle, static_cast<int>(half)));
     }

@@ -20,11 +20,8 @@ namespace {
 
 constexpr double bundlePixels = 3; // arcs whose ends are nearer than that look the same
 constexpr int mostBundles = 300;   // on each side
-constexpr double hitReach = 6;     // pixels about an arc that take hold of it
-constexpr double margin = 8;
-constexpr double keyZoom = 1.25;
-constexpr double wheelZoom = 1.2;
-constexpr double notch = 120; // eighths of a degree
+constexpr double arcReach = 6;     // pixels about an arc that take hold of it
+constexpr double arcMargin = 8;
 
 } // namespace
 
@@ -106,13 +103,13 @@ double ArcView::barTop() const
 
 double ArcView::xOf(double frame) const
 {
-    return margin + m_scale.xOf(frame);
+    return arcMargin + m_scale.xOf(frame);
 }
 
 ArcCurve ArcView::curve(Side side, const Arc& arc) const
 {
     const bool isAbove = side == Side::Above;
-    const double line = QFontMetricsF(font()).height() + margin; // title
+    const double line = QFontMetricsF(font()).height() + arcMargin; // title
     const double room = std::max(barTop() - line, 8.0);
     const double from = xOf(arc.from + 0.5);
     const double to = xOf(arc.to + 0.5);
@@ -133,7 +130,7 @@ std::optional<ArcView::Place> ArcView::arcAt(const QPointF& position) const
     const double middle = barTop() + barHeight() / 2;
     const Side side = position.y() < middle ? Side::Above : Side::Below;
     std::optional<Place> nearest;
-    double least = hitReach;
+    double least = arcReach;
     for (const ArcBundle& bundle : shown(side)) {
         const double distance = curve(side, bundle.lightest).distance(position);
         if (distance < least) {
@@ -146,7 +143,7 @@ std::optional<ArcView::Place> ArcView::arcAt(const QPointF& position) const
 
 void ArcView::viewChanged()
 {
-    m_scale.setWidth(width() - 2 * margin);
+    m_scale.setWidth(width() - 2 * arcMargin);
     const int each = std::max(static_cast<int>(std::lround(bundlePixels / m_scale.pixelsPerFrame())), 1);
     for (Half& half : m_halves)
         half.shown =
@@ -214,7 +211,8 @@ void ArcView::changeEvent(QEvent* event)
 
 void ArcView::wheelEvent(QWheelEvent* event)
 {
-    m_scale.zoom(std::pow(wheelZoom, event->angleDelta().y() / notch), event->position().x() - margin);
+    m_scale.zoom(std::pow(chartWheelZoom, event->angleDelta().y() / wheelNotch),
+                 event->position().x() - arcMargin);
     viewChanged();
     event->accept();
 }
@@ -304,7 +302,7 @@ void ArcView::keyPressEvent(QKeyEvent* event)
     } else if (!isEmpty() && (key == Qt::Key_Up || key == Qt::Key_Down)) {
         changeSide(key == Qt::Key_Up ? Side::Above : Side::Below);
     } else if (!isEmpty() && isZoom) {
-        zoomBy(key == Qt::Key_Minus ? 1 / keyZoom : keyZoom);
+        zoomBy(key == Qt::Key_Minus ? 1 / chartKeyZoom : chartKeyZoom);
     } else if (!isEmpty() && key == Qt::Key_0) {
         m_scale.fit();
         viewChanged();

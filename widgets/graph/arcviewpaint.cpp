@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "widgets/graph/arcview.h"
+#include "widgets/graph/chartscale.h"
 #include "widgets/theme/theme.h"
 
 #include <QLocale>
@@ -13,7 +14,6 @@ namespace quadrille::widgets {
 
 namespace {
 
-constexpr double gap = 8; // logical pixels
 constexpr float opacityOfOne = 0.35F;
 constexpr double widthPerDoubling = 0.35; // of a bundle's line
 
@@ -102,11 +102,11 @@ void ArcView::paintTitles(QPainter& painter) const
                                  //: name of a graph; how many edges show; how many there are
                                  : tr("%1: %2 of %3 transitions, the cheapest")
                                        .arg(own.title, locale.toString(edges), locale.toString(all));
-        const double y = side == Side::Above ? gap / 2 : height() - metrics.height() - gap / 2;
+        const double y = side == Side::Above ? chartGap / 2 : height() - metrics.height() - chartGap / 2;
         painter.setPen(Theme::color(ColorRole::TextMuted));
-        painter.drawText(QRectF(gap, y, width() - 2 * gap, metrics.height()),
+        painter.drawText(QRectF(chartGap, y, width() - 2 * chartGap, metrics.height()),
                          Qt::AlignLeft | Qt::AlignVCenter,
-                         metrics.elidedText(text, Qt::ElideRight, width() - 2 * gap));
+                         metrics.elidedText(text, Qt::ElideRight, width() - 2 * chartGap));
     }
 }
 
@@ -130,7 +130,7 @@ void ArcView::paintCurrent(QPainter& painter) const
                    QPointF(place.to + 5, place.base + 9 * direction)}));
     const QFontMetricsF metrics(font());
     const QString text = arcText(m_current->arc);
-    QRectF box(0, 0, metrics.horizontalAdvance(text) + 2 * gap, metrics.height() + gap);
+    QRectF box(0, 0, metrics.horizontalAdvance(text) + 2 * chartGap, metrics.height() + chartGap);
     box.moveCenter({(place.from + place.to) / 2, place.base - place.height});
     box.moveLeft(std::clamp(box.left(), 2.0, std::max(width() - box.width() - 2, 2.0)));
     box.moveTop(std::clamp(box.top(), 2.0, std::max(height() - box.height() - 2, 2.0)));

@@ -20,6 +20,11 @@ struct ChartScale
     double value(double position) const;
 };
 
+constexpr double chartGap = 8;         ///< between the parts of a chart, logical pixels
+constexpr double chartKeyZoom = 1.25;  ///< for one press of + or −
+constexpr double chartWheelZoom = 1.2; ///< for one notch of the wheel
+constexpr double wheelNotch = 120;     ///< eighths of a degree
+
 /// Round values between minimum and maximum: 1, 2, 5, 10, … apart, or powers of ten and maybe their double
 /// and fivefold. \param most  how many there is room for.
 std::vector<double> chartTicks(const ChartScale& scale, int most);

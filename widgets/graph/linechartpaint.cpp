@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "widgets/graph/chartscale.h"
 #include "widgets/graph/linechart.h"
 #include "widgets/theme/theme.h"
 
@@ -12,7 +13,6 @@ namespace quadrille::widgets {
 
 namespace {
 
-constexpr double gap = 8;         // logical pixels
 constexpr double tickWidth = 44;  // room for a number along x
 constexpr double tickHeight = 28; // along y
 constexpr double signRadius = 3;  //
@@ -56,13 +56,13 @@ std::vector<QPointF> LineChart::legendPlaces() const
 {
     const QFontMetricsF metrics(Theme::tabularFont(font()));
     std::vector<QPointF> places;
-    QPointF place(gap, gap / 2 + metrics.height() * 1.5 + 2);
+    QPointF place(chartGap, chartGap / 2 + metrics.height() * 1.5 + 2);
     for (const ChartSeries& series : m_series) {
-        const double width = swatch + gap / 2 + metrics.horizontalAdvance(series.name);
-        if (place.x() > gap && place.x() + width > this->width() - gap)
-            place = {gap, place.y() + metrics.height()};
+        const double width = swatch + chartGap / 2 + metrics.horizontalAdvance(series.name);
+        if (place.x() > chartGap && place.x() + width > this->width() - chartGap)
+            place = {chartGap, place.y() + metrics.height()};
         places.push_back(place);
-        place.rx() += width + 2 * gap;
+        place.rx() += width + 2 * chartGap;
     }
     return places;
 }
@@ -74,12 +74,13 @@ QRectF LineChart::plotArea() const
     const double line = metrics.height();
     const auto places = legendPlaces();
     const double legend = places.empty() ? 0.0 : places.back().y() - places.front().y();
-    QRectF plot = QRectF(rect()).adjusted(0, 2 * line + gap + gap / 2 + legend, -2 * gap, -(2 * line + gap));
+    QRectF plot = QRectF(rect()).adjusted(0, 2 * line + chartGap + chartGap / 2 + legend, -2 * chartGap,
+                                          -(2 * line + chartGap));
     const ChartScale y = yScale(plot.bottom(), plot.top());
     double widest = std::max(metrics.horizontalAdvance(QStringLiteral("0.0000")), 40.0);
     for (const double tick : chartTicks(y, ticksIn(plot.height(), tickHeight)))
         widest = std::max(widest, metrics.horizontalAdvance(chartNumber(tick)));
-    plot.setLeft(widest + gap + gap / 2);
+    plot.setLeft(widest + chartGap + chartGap / 2);
     return plot;
 }
 
@@ -128,7 +129,7 @@ void LineChart::paintAxes(QPainter& painter) const
         painter.setPen(Theme::color(ColorRole::Divider));
         painter.drawLine(QPointF(plot.left(), at), QPointF(plot.right(), at));
         painter.setPen(Theme::color(ColorRole::TextMuted));
-        painter.drawText(QRectF(0, at - metrics.height() / 2, plot.left() - gap / 2, metrics.height()),
+        painter.drawText(QRectF(0, at - metrics.height() / 2, plot.left() - chartGap / 2, metrics.height()),
                          Qt::AlignRight | Qt::AlignVCenter, chartNumber(tick));
     }
     painter.setPen(QPen(Theme::color(ColorRole::Line), 1.0));
@@ -136,16 +137,16 @@ void LineChart::paintAxes(QPainter& painter) const
     painter.drawLine(plot.bottomLeft(), plot.topLeft());
     painter.setPen(Theme::color(ColorRole::TextMuted));
     painter.drawText(
-        QRectF(plot.left(), height() - metrics.height() - gap / 2, plot.width(), metrics.height()),
+        QRectF(plot.left(), height() - metrics.height() - chartGap / 2, plot.width(), metrics.height()),
         Qt::AlignCenter, heading(m_x));
     QFont bold = painter.font();
     bold.setWeight(QFont::DemiBold);
     painter.save();
     painter.setFont(bold);
     painter.setPen(Theme::color(ColorRole::Text));
-    painter.drawText(QRectF(gap, gap / 2, width() - 2 * gap, metrics.height()),
+    painter.drawText(QRectF(chartGap, chartGap / 2, width() - 2 * chartGap, metrics.height()),
                      Qt::AlignLeft | Qt::AlignVCenter,
-                     QFontMetricsF(bold).elidedText(heading(m_y), Qt::ElideRight, width() - 2 * gap));
+                     QFontMetricsF(bold).elidedText(heading(m_y), Qt::ElideRight, width() - 2 * chartGap));
     painter.restore();
 }
 
@@ -197,9 +198,9 @@ void LineChart::paintLegend(QPainter& painter) const
         painter.setPen(linePen(series));
         painter.drawLine(QPointF(left, middle), QPointF(left + swatch, middle));
         paintSign(painter, series.sign, {left + swatch / 2, middle}, series.color);
-        left += swatch + gap / 2;
+        left += swatch + chartGap / 2;
         painter.setPen(Theme::color(ColorRole::Text));
-        const double room = std::max(width() - left - gap, 0.0);
+        const double room = std::max(width() - left - chartGap, 0.0);
         painter.drawText(QPointF(left, middle + metrics.ascent() / 2 - metrics.descent() / 2),
                          metrics.elidedText(series.name, Qt::ElideRight, room));
     }
@@ -218,16 +219,16 @@ void LineChart::paintReadOut(QPainter& painter) const
     double widest = 0;
     for (const QString& line : lines)
         widest = std::max(widest, metrics.horizontalAdvance(line));
-    const QSizeF size(widest + 2 * gap, metrics.height() * static_cast<double>(lines.size()) + gap);
-    const bool isLeft = at + gap + size.width() > plot.right();
-    QRectF box({isLeft ? at - gap - size.width() : at + gap, plot.top() + gap / 2}, size);
+    const QSizeF size(widest + 2 * chartGap, metrics.height() * static_cast<double>(lines.size()) + chartGap);
+    const bool isLeft = at + chartGap + size.width() > plot.right();
+    QRectF box({isLeft ? at - chartGap - size.width() : at + chartGap, plot.top() + chartGap / 2}, size);
     box.moveLeft(std::max(box.left(), 0.0));
     painter.setPen(QPen(Theme::color(ColorRole::Line), 1.0));
     painter.setBrush(Theme::color(ColorRole::Window));
     painter.drawRoundedRect(box, 4, 4);
     painter.setPen(Theme::color(ColorRole::Text));
-    painter.drawText(box.adjusted(gap, gap / 2, -gap, -gap / 2), Qt::AlignLeft | Qt::AlignVCenter,
-                     lines.join(u'\n'));
+    painter.drawText(box.adjusted(chartGap, chartGap / 2, -chartGap, -chartGap / 2),
+                     Qt::AlignLeft | Qt::AlignVCenter, lines.join(u'\n'));
 }
 
 } // namespace quadrille::widgets

@@ -13,7 +13,6 @@ namespace quadrille::widgets {
 
 namespace {
 
-constexpr int gap = matrixGap;
 constexpr int tickLength = 4;    // logical pixels
 constexpr double tickRoom = 1.6; // lines of text from one number to the next
 constexpr double nameRoom = 0.9; // of a line of text that a block must have for its name
@@ -30,10 +29,10 @@ void MatrixView::Private::layOut(const MatrixView& view)
         widest = std::max(widest, metrics.horizontalAdvance(block.name));
     const int line = static_cast<int>(std::ceil(metrics.height()));
     const int names = static_cast<int>(std::ceil(widest));
-    const int pictureRoom = pictures.empty() ? 0 : blockPictureSide + gap / 2;
-    const int left = std::min(names, view.width() / 6) + 2 * gap + pictureRoom;
-    const int top = std::max(std::min(names, view.height() / 7), line) + 2 * gap + pictureRoom;
-    outer = view.rect().adjusted(left, top, -gap, -(line + 2 * gap));
+    const int pictureRoom = pictures.empty() ? 0 : blockPictureSide + matrixGap / 2;
+    const int left = std::min(names, view.width() / 6) + 2 * matrixGap + pictureRoom;
+    const int top = std::max(std::min(names, view.height() / 7), line) + 2 * matrixGap + pictureRoom;
+    outer = view.rect().adjusted(left, top, -matrixGap, -(line + 2 * matrixGap));
     const int numbers = static_cast<int>(std::ceil(metrics.horizontalAdvance(widestNumber))) + tickLength;
     area = outer.adjusted(numbers, line + tickLength, 0, 0);
     area.setSize(area.size().expandedTo({16, 16}));
@@ -101,8 +100,8 @@ void MatrixView::Private::paintTicks(QPainter& painter, const QFontMetricsF& met
     for (const Tick& tick : ticks(Qt::Vertical, tickDistance(Qt::Vertical, metrics))) {
         const double y = rect({tick.index, 0}).center().y();
         painter.drawLine(QPointF(area.left() - tickLength, y), QPointF(area.left() - 1, y));
-        const QRectF place(outer.left() - gap, y - metrics.height() / 2,
-                           area.left() - tickLength - 2 - outer.left() + gap, metrics.height());
+        const QRectF place(outer.left() - matrixGap, y - metrics.height() / 2,
+                           area.left() - tickLength - 2 - outer.left() + matrixGap, metrics.height());
         painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter, locale.toString(tick.frame));
     }
     const double apart = tickDistance(Qt::Horizontal, metrics);
@@ -124,8 +123,9 @@ void MatrixView::Private::paintNames(QPainter& painter, const QFontMetricsF& met
     painter.setPen(Theme::color(ColorRole::TextMuted));
     //: rows of the matrix: where a transition comes from; columns: where it goes to
     painter.drawText(
-        QRectF(gap, 0, area.left() - 2.0 * gap, outer.top() - 2.0), Qt::AlignLeft | Qt::AlignVCenter,
-        metrics.elidedText(MatrixView::tr("from ↓ to →"), Qt::ElideRight, area.left() - 2.0 * gap));
+        QRectF(matrixGap, 0, area.left() - 2.0 * matrixGap, outer.top() - 2.0),
+        Qt::AlignLeft | Qt::AlignVCenter,
+        metrics.elidedText(MatrixView::tr("from ↓ to →"), Qt::ElideRight, area.left() - 2.0 * matrixGap));
 }
 
 void MatrixView::Private::paintRowName(QPainter& painter, const QFontMetricsF& metrics,
@@ -134,17 +134,17 @@ void MatrixView::Private::paintRowName(QPainter& painter, const QFontMetricsF& m
     const auto [top, height] = shownBlock(block, Qt::Vertical);
     if (height < metrics.height() * nameRoom)
         return;
-    double right = outer.left() - gap;
+    double right = outer.left() - matrixGap;
     if (block < pictures.size()) {
         if (height >= blockPictureSide)
             painter.drawImage(QRectF(right - blockPictureSide,
                                      area.top() + top + (height - blockPictureSide) / 2, blockPictureSide,
                                      blockPictureSide),
                               pictures[block]);
-        right -= blockPictureSide + gap / 2.0;
+        right -= blockPictureSide + matrixGap / 2.0;
     }
     const bool isCurrent = current && blockOf(current->row) == static_cast<int>(block);
-    const QRectF place(gap, area.top() + top, right - gap, height);
+    const QRectF place(matrixGap, area.top() + top, right - matrixGap, height);
     painter.setPen(Theme::color(isCurrent ? ColorRole::Text : ColorRole::TextMuted));
     painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter,
                      metrics.elidedText(blocks[block].name, Qt::ElideMiddle, place.width()));
@@ -156,14 +156,14 @@ void MatrixView::Private::paintColumnName(QPainter& painter, const QFontMetricsF
     const auto [left, width] = shownBlock(block, Qt::Horizontal);
     if (width < metrics.height() * nameRoom)
         return;
-    double bottom = outer.top() - gap / 2.0;
+    double bottom = outer.top() - matrixGap / 2.0;
     const double middle = area.left() + left + width / 2;
     if (block < pictures.size()) {
         if (width >= blockPictureSide)
             painter.drawImage(QRectF(middle - blockPictureSide / 2.0, bottom - blockPictureSide,
                                      blockPictureSide, blockPictureSide),
                               pictures[block]);
-        bottom -= blockPictureSide + gap / 2.0;
+        bottom -= blockPictureSide + matrixGap / 2.0;
     }
     const bool isCurrent = current && blockOf(current->column) == static_cast<int>(block);
     painter.setPen(Theme::color(isCurrent ? ColorRole::Text : ColorRole::TextMuted));
@@ -174,7 +174,7 @@ void MatrixView::Private::paintColumnName(QPainter& painter, const QFontMetricsF
                          Qt::AlignCenter, name);
         return;
     }
-    const double room = bottom - gap / 2.0;
+    const double room = bottom - matrixGap / 2.0;
     painter.save();
     painter.translate(area.left() + left, bottom);
     painter.rotate(-90);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "widgets/graph/chartscale.h"
 #include "widgets/graph/matrixviewprivate.h"
 
 #include <QApplication>
@@ -19,10 +20,7 @@ namespace quadrille::widgets {
 
 namespace {
 
-constexpr double keyZoom = 1.25;  // for one press of + or −
-constexpr double wheelZoom = 1.2; // for one notch of the wheel
-constexpr double notch = 120;     // eighths of a degree
-constexpr int largeStep = 10;     // cells for one press of an arrow with Shift
+constexpr int largeStep = 10; // cells for one press of an arrow with Shift
 
 bool isZoomKey(int key)
 {
@@ -93,7 +91,7 @@ void MatrixView::wheelEvent(QWheelEvent* event)
         event->ignore();
         return;
     }
-    zoomAbout(event->position(), std::pow(wheelZoom, event->angleDelta().y() / notch));
+    zoomAbout(event->position(), std::pow(chartWheelZoom, event->angleDelta().y() / wheelNotch));
     hover(cellAt(event->position()));
     event->accept();
 }
@@ -168,9 +166,9 @@ void MatrixView::keyPressEvent(QKeyEvent* event)
         return;
     }
     if (key == Qt::Key_Plus || key == Qt::Key_Equal)
-        zoomAbout(middle, keyZoom);
+        zoomAbout(middle, chartKeyZoom);
     else if (key == Qt::Key_Minus)
-        zoomAbout(middle, 1 / keyZoom);
+        zoomAbout(middle, 1 / chartKeyZoom);
     else if (key == Qt::Key_0)
         fit();
     else if ((key == Qt::Key_Return || key == Qt::Key_Enter) && d->current)

@@ -13,7 +13,6 @@ namespace quadrille::widgets {
 
 namespace {
 
-constexpr int gap = matrixGap;
 constexpr double barLength = 96;     // of the legend
 constexpr double markDistance = 9;   // logical pixels between marks at the least
 constexpr double smallestRadius = 2; // of marks
@@ -250,7 +249,7 @@ double MatrixView::Private::paintColors(QPainter& painter, double left, double m
     const auto text = [&](const QString& words) {
         painter.setPen(Theme::color(ColorRole::Text));
         painter.drawText(QPointF(left, middle + (metrics.ascent() - metrics.descent()) / 2), words);
-        left += metrics.horizontalAdvance(words) + gap;
+        left += metrics.horizontalAdvance(words) + matrixGap;
     };
     //: title of a legend, then its unit
     text(range.unit.isEmpty() ? range.title : MatrixView::tr("%1 (%2)").arg(range.title, range.unit));
@@ -262,26 +261,26 @@ double MatrixView::Private::paintColors(QPainter& painter, double left, double m
         colors.setColorAt(static_cast<double>(i) / stops,
                           mapColor(range.map, static_cast<double>(i) / stops));
     painter.fillRect(bar, colors);
-    left += barLength + gap;
+    left += barLength + matrixGap;
     text(QStringLiteral("≥ %1").arg(chartNumber(range.maximum)));
-    return left + gap;
+    return left + matrixGap;
 }
 
 void MatrixView::Private::paintLegend(QPainter& painter, const MatrixView& view) const
 {
     const QFontMetricsF metrics(view.font());
-    const double middle = view.height() - gap - metrics.height() / 2;
-    double left = paintColors(painter, gap, middle);
+    const double middle = view.height() - matrixGap - metrics.height() / 2;
+    double left = paintColors(painter, matrixGap, middle);
     for (std::size_t i = 0; i < layers.size(); ++i) {
         if (layers[i].title.isEmpty() || !layers[i].isVisible)
             continue;
         paintMatrixMark(painter, static_cast<Layer>(i), {left + 5, middle}, 4);
-        left += 2.0 * gap;
+        left += 2.0 * matrixGap;
         painter.setPen(Theme::color(ColorRole::Text));
-        const double room = std::max(view.width() - left - gap, 0.0);
+        const double room = std::max(view.width() - left - matrixGap, 0.0);
         painter.drawText(QPointF(left, middle + (metrics.ascent() - metrics.descent()) / 2),
                          metrics.elidedText(layers[i].title, Qt::ElideRight, room));
-        left += metrics.horizontalAdvance(layers[i].title) + 2.0 * gap;
+        left += metrics.horizontalAdvance(layers[i].title) + 2.0 * matrixGap;
     }
 }
 

@@ -21,10 +21,10 @@ namespace {
 
 constexpr double largestPicture = 64; // logical pixels
 constexpr double smallestPicture = 20;
-constexpr double margin = 8;
-constexpr double hitReach = 10; // breadth about a link that takes hold of it
-constexpr double bend = 0.16;   // of the distance between two nodes, to the right of the way
-constexpr double broadest = 9;  // of links
+constexpr double graphMargin = 8;
+constexpr double linkReach = 10; // breadth about a link that takes hold of it
+constexpr double bend = 0.16;    // of the distance between two nodes, to the right of the way
+constexpr double broadest = 9;   // of links
 constexpr double narrowest = 1.2;
 
 double length(const QPointF& vector)
@@ -93,14 +93,14 @@ QSizeF TakeGraphView::ring() const
     double widest = pictureSide();
     for (const TakeNode& node : m_nodes)
         widest = std::max(widest, std::min(metrics.horizontalAdvance(node.name), 2 * largestPicture));
-    const double across = (width() - widest) / 2 - 2 * margin;
-    const double down = (height() - pictureSide() - metrics.height()) / 2 - metrics.height() - margin;
+    const double across = (width() - widest) / 2 - 2 * graphMargin;
+    const double down = (height() - pictureSide() - metrics.height()) / 2 - metrics.height() - graphMargin;
     return {std::max(across, 16.0), std::max(down, 16.0)};
 }
 
 QPointF TakeGraphView::middleOf(int node) const
 {
-    const QPointF centre(width() / 2.0, (height() + QFontMetricsF(font()).height()) / 2.0 - margin);
+    const QPointF centre(width() / 2.0, (height() + QFontMetricsF(font()).height()) / 2.0 - graphMargin);
     if (m_nodes.size() < 2)
         return centre;
     const double angle = 2 * std::numbers::pi * node / static_cast<double>(m_nodes.size());
@@ -180,7 +180,7 @@ std::optional<TakeLink> TakeGraphView::linkAt(const QPointF& position) const
         if (link.from == link.to)
             continue;
         QPainterPathStroker stroker;
-        stroker.setWidth(std::max(linkWidth(link), hitReach));
+        stroker.setWidth(std::max(linkWidth(link), linkReach));
         if (stroker.createStroke(pathOf(link)).contains(position))
             return link;
     }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "widgets/graph/chartscale.h"
 #include "widgets/graph/takegraphview.h"
 #include "widgets/theme/theme.h"
 
@@ -12,7 +13,6 @@ namespace quadrille::widgets {
 
 namespace {
 
-constexpr double gap = 8;              // logical pixels
 constexpr float faint = 0.12F;         // what is not chosen
 constexpr float plain = 0.6F;          // links
 constexpr std::size_t mostCounts = 40; // with more links only those that are pointed at have their number
@@ -39,9 +39,9 @@ void TakeGraphView::paintEvent(QPaintEvent* /*event*/)
         painter.setPen(Theme::color(ColorRole::TextMuted));
         //: what is counted in the overview of takes: the transitions of a graph
         const QString title = tr("%1: transitions between takes").arg(m_title);
-        painter.drawText(QRectF(gap, gap / 2, width() - 2 * gap, metrics.height()),
+        painter.drawText(QRectF(chartGap, chartGap / 2, width() - 2 * chartGap, metrics.height()),
                          Qt::AlignLeft | Qt::AlignVCenter,
-                         metrics.elidedText(title, Qt::ElideRight, width() - 2 * gap));
+                         metrics.elidedText(title, Qt::ElideRight, width() - 2 * chartGap));
     }
     if (hasFocus()) {
         painter.setPen(QPen(Theme::color(ColorRole::AccentText), 1.0));
@@ -84,7 +84,7 @@ void TakeGraphView::paintCount(QPainter& painter, const TakeLink& link) const
     const QString count = QLocale().toString(link.count);
     //: how many transitions lead from frames of a take to others of the same take
     const QString text = link.from == link.to ? tr("↻ %1").arg(count) : count;
-    QRectF box(0, 0, metrics.horizontalAdvance(text) + gap, metrics.height());
+    QRectF box(0, 0, metrics.horizontalAdvance(text) + chartGap, metrics.height());
     box.moveCenter(linkMiddle(link));
     painter.setPen(QPen(Theme::color(isPointedAt ? ColorRole::Text : ColorRole::Line), 1.0));
     painter.setBrush(Theme::color(ColorRole::Window));

@@ -16,7 +16,7 @@ namespace quadrille::widgets {
 
 namespace {
 
-constexpr int margin = 6;
+constexpr int stripMargin = 6;
 constexpr int stripHeight = 28;
 constexpr int handleReach = 7;
 
@@ -54,12 +54,12 @@ void RangeStrip::setSpans(std::vector<TimelineSpan> spans)
 
 double RangeStrip::xOf(int frame) const
 {
-    return margin + static_cast<double>(frame) * (width() - 2.0 * margin) / m_frames;
+    return stripMargin + static_cast<double>(frame) * (width() - 2.0 * stripMargin) / m_frames;
 }
 
 int RangeStrip::frameAt(int x) const
 {
-    const double share = (x - margin) / std::max(1.0, width() - 2.0 * margin);
+    const double share = (x - stripMargin) / std::max(1.0, width() - 2.0 * stripMargin);
     return std::clamp(static_cast<int>(std::floor(share * m_frames)), 0, m_frames - 1);
 }
 
@@ -134,8 +134,8 @@ void RangeStrip::mouseMoveEvent(QMouseEvent* event)
         moveTo(m_dragged, m_before.first + frameAt(x) - m_grabbed, 0, false);
     else {
         // An end lies between two frames.
-        const double perFrame = (width() - 2.0 * margin) / m_frames;
-        const int edge = static_cast<int>(std::lround((x - margin) / perFrame));
+        const double perFrame = (width() - 2.0 * stripMargin) / m_frames;
+        const int edge = static_cast<int>(std::lround((x - stripMargin) / perFrame));
         moveTo(m_dragged, edge, edge - 1, false);
     }
 }
@@ -209,7 +209,7 @@ void RangeStrip::paintEvent(QPaintEvent* /*event*/)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QRectF ground = QRectF(rect()).adjusted(margin, 4.5, -margin, -4.5);
+    const QRectF ground = QRectF(rect()).adjusted(stripMargin, 4.5, -stripMargin, -4.5);
     painter.setPen(QPen(Theme::color(ColorRole::Line), 1.0));
     painter.setBrush(Theme::color(ColorRole::Base));
     painter.drawRoundedRect(ground, 3.0, 3.0);

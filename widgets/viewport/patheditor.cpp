@@ -4,6 +4,7 @@
 
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/patheditorprivate.h"
+#include "widgets/viewport/pixeldistances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,20 +18,6 @@ namespace {
 constexpr double pointReach = 12.0; // pixels
 constexpr double edgeReach = 8.0;
 constexpr double liftDistance = 26.0; // pixels beside its point
-
-double distanceBetween(const QPointF& a, const QPointF& b)
-{
-    return std::hypot(a.x() - b.x(), a.y() - b.y());
-}
-
-/// \param t  where the nearest place is, 0 … 1.
-double distanceToSegment(const QPointF& point, const QPointF& a, const QPointF& b, double* t)
-{
-    const QPointF along = b - a;
-    const double squared = QPointF::dotProduct(along, along);
-    *t = squared > 0.0 ? std::clamp(QPointF::dotProduct(point - a, along) / squared, 0.0, 1.0) : 0.0;
-    return distanceBetween(point, a + *t * along);
-}
 
 } // namespace
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "widgets/viewport/pixeldistances.h"
 #include "widgets/viewport/surfacecurveeditor.h"
 #include "widgets/viewport/surfacevisibility.h"
 
@@ -12,10 +13,6 @@ namespace quadrille::widgets {
 
 inline constexpr double surfacePointReach = 12.0; // pixels
 inline constexpr double surfaceCurveReach = 8.0;
-
-/// In pixels.
-double distanceBetween(const QPointF& a, const QPointF& b);
-double distanceToSegment(const QPointF& point, const QPointF& a, const QPointF& b);
 
 /// A point that is being moved by the mouse.
 struct SurfaceDrag

@@ -10,20 +10,6 @@
 
 namespace quadrille::widgets {
 
-double distanceBetween(const QPointF& a, const QPointF& b)
-{
-    return std::hypot(a.x() - b.x(), a.y() - b.y());
-}
-
-double distanceToSegment(const QPointF& point, const QPointF& a, const QPointF& b)
-{
-    const QPointF along = b - a;
-    const double squared = QPointF::dotProduct(along, along);
-    const double t =
-        squared > 0.0 ? std::clamp(QPointF::dotProduct(point - a, along) / squared, 0.0, 1.0) : 0.0;
-    return distanceBetween(point, a + t * along);
-}
-
 std::optional<FigureShape> SurfaceCurveEditor::Private::shape() const
 {
     const auto found = viewport.figureShape(figure);

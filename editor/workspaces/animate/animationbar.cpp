@@ -20,7 +20,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr int gap = 8;
+constexpr int barGap = 8;
 
 } // namespace
 
@@ -38,12 +38,12 @@ AnimationBar::AnimationBar(CurrentAnimation& animation, QWidget* parent)
     m_stop = makeActionButton(actions.action("animate.stop"));
     m_solve = makeActionButton(actions.action("animate.solve"));
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(gap, gap / 2, gap, gap / 2);
-    row->setSpacing(gap / 2);
+    row->setContentsMargins(barGap, barGap / 2, barGap, barGap / 2);
+    row->setSpacing(barGap / 2);
     row->addWidget(m_names);
     row->addWidget(makeActionButton(actions.action("animate.new")));
     row->addWidget(makeActionButton(actions.action("animate.duplicate")));
-    row->addSpacing(gap);
+    row->addSpacing(barGap);
     row->addWidget(m_stop);
     row->addWidget(m_solve);
     row->addWidget(m_state, 1);

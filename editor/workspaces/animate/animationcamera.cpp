@@ -23,7 +23,7 @@ double rounded(double value)
 }
 
 /// What is seen, as a key.
-CameraKey keyOf(const widgets::Turntable& camera, double time)
+CameraKey cameraKeyOf(const widgets::Turntable& camera, double time)
 {
     return {.time = rounded(time),
             .target = {rounded(static_cast<double>(camera.target.x())),
@@ -46,7 +46,7 @@ widgets::Turntable turntableOf(const CameraKey& key, widgets::UpAxis up)
             .upAxis = up};
 }
 
-std::vector<CameraKey> keysOf(const AnimationEntry& entry)
+std::vector<CameraKey> cameraKeysOf(const AnimationEntry& entry)
 {
     std::vector<CameraKey> keys;
     for (const CameraKeyEntry& each : entry.camera)
@@ -165,7 +165,7 @@ void AnimationCamera::addKey()
 
 void AnimationCamera::addKeyAt(double time)
 {
-    const CameraKey key = keyOf(m_animation.view().viewport().camera(), time);
+    const CameraKey key = cameraKeyOf(m_animation.view().viewport().camera(), time);
     int place = 0;
     m_animation.edit(tr("Add camera key"), QStringLiteral("camera"), [&](AnimationEntry& entry) {
         auto& keys = entry.camera;
@@ -188,7 +188,7 @@ void AnimationCamera::replaceKey()
         return;
     m_animation.edit(tr("Replace camera key"), QStringLiteral("camera"), [&](AnimationEntry& entry) {
         CameraKey& key = entry.camera.at(static_cast<std::size_t>(chosen)).key;
-        key = keyOf(m_animation.view().viewport().camera(), key.time);
+        key = cameraKeyOf(m_animation.view().viewport().camera(), key.time);
     });
 }
 
@@ -239,7 +239,7 @@ void AnimationCamera::look()
     if (!m_looksThrough || entry == nullptr || entry->camera.empty())
         return;
     widgets::Viewport& viewport = m_animation.view().viewport();
-    viewport.setCamera(turntableOf(cameraAt(keysOf(*entry), playhead()), viewport.camera().upAxis));
+    viewport.setCamera(turntableOf(cameraAt(cameraKeysOf(*entry), playhead()), viewport.camera().upAxis));
 }
 
 } // namespace quadrille

@@ -12,7 +12,7 @@ namespace {
 
 using OriginKey = std::tuple<NodeIndex, NodeIndex, double, std::int32_t, std::int32_t>;
 
-OriginKey keyOf(const FrameOrigin& origin)
+OriginKey originKeyOf(const FrameOrigin& origin)
 {
     return {origin.source, origin.destination, origin.lambda, origin.sourceVariation,
             origin.destinationVariation};
@@ -40,14 +40,14 @@ std::vector<std::int64_t> plannedFrames(const AnimationResult& result)
 {
     std::map<OriginKey, std::vector<std::int64_t>> places;
     for (std::int64_t k = 0; k < result.plan.frameCount(); ++k)
-        places[keyOf(result.plan.frames[static_cast<std::size_t>(k)].origin)].push_back(k);
+        places[originKeyOf(result.plan.frames[static_cast<std::size_t>(k)].origin)].push_back(k);
     std::vector<std::int64_t> planned;
     planned.reserve(result.origins.size());
     // A frame that the walk comes to several times is the next of them after what was shown before.
     std::int64_t last = 0;
     bool isFirst = true;
     for (const FrameOrigin& origin : result.origins) {
-        const auto found = places.find(keyOf(origin));
+        const auto found = places.find(originKeyOf(origin));
         if (found == places.end()) {
             planned.push_back(-1);
             continue;

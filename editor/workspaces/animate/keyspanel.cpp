@@ -32,7 +32,7 @@ namespace quadrille {
 namespace {
 
 constexpr int pictureSide = 32;
-constexpr int margin = 8;
+constexpr int keysMargin = 8;
 
 /// Edits times in steps of a frame.
 class TimeDelegate : public QStyledItemDelegate
@@ -172,25 +172,25 @@ void KeysPanel::arrange()
     connect(add, &QAction::changed, m_addFirst, [this, add] { m_addFirst->setEnabled(add->isEnabled()); });
     m_addFirst->setEnabled(add->isEnabled());
     auto* emptyRow = new QHBoxLayout(emptyPage);
-    emptyRow->setContentsMargins(2 * margin, margin / 2, 2 * margin, margin / 2);
-    emptyRow->setSpacing(2 * margin);
+    emptyRow->setContentsMargins(2 * keysMargin, keysMargin / 2, 2 * keysMargin, keysMargin / 2);
+    emptyRow->setSpacing(2 * keysMargin);
     emptyRow->addWidget(m_empty, 1);
     emptyRow->addWidget(m_addFirst);
     m_table->setMinimumHeight(2 * pictureSide);
 
     auto* tools = new QHBoxLayout;
-    tools->setContentsMargins(margin, 0, margin, margin / 2);
-    tools->setSpacing(margin / 2);
+    tools->setContentsMargins(keysMargin, 0, keysMargin, keysMargin / 2);
+    tools->setSpacing(keysMargin / 2);
     tools->addWidget(m_add);
     tools->addWidget(m_remove);
-    tools->addSpacing(margin);
+    tools->addSpacing(keysMargin);
     tools->addWidget(m_global);
     tools->addStretch();
     tools->addWidget(m_summary);
     auto* page = new QWidget;
     auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(margin / 2);
+    column->setSpacing(keysMargin / 2);
     column->addWidget(m_table, 1);
     column->addLayout(tools);
     m_pages->addWidget(emptyPage);

@@ -27,8 +27,8 @@ using widgets::PathPart;
 
 namespace {
 
-constexpr int margin = 12;
-constexpr int gap = 8;
+constexpr int pathMargin = 12;
+constexpr int pathGap = 8;
 
 QToolButton* buttonFor(const EditorContext& context, const char* action)
 {
@@ -50,7 +50,7 @@ QLabel* heading()
 QHBoxLayout* titleRow(QLabel* title, const QList<QToolButton*>& buttons)
 {
     auto* row = new QHBoxLayout;
-    row->setContentsMargins(margin, gap, gap, 0);
+    row->setContentsMargins(pathMargin, pathGap, pathGap, 0);
     row->setSpacing(4);
     row->addWidget(title, 1);
     for (QToolButton* button : buttons)
@@ -100,8 +100,8 @@ QWidget* PathPanel::makeEmptyPage()
             m_tool.animation().context().actions.action(QStringLiteral("animate.path.draw")),
             &QAction::trigger);
     auto* column = new QVBoxLayout(page);
-    column->setContentsMargins(2 * margin, margin, 2 * margin, margin);
-    column->setSpacing(margin);
+    column->setContentsMargins(2 * pathMargin, pathMargin, 2 * pathMargin, pathMargin);
+    column->setSpacing(pathMargin);
     column->addStretch(1);
     column->addWidget(m_emptyText);
     column->addWidget(m_draw, 0, Qt::AlignHCenter);
@@ -114,7 +114,7 @@ QWidget* PathPanel::makeTools()
     const EditorContext& context = m_tool.animation().context();
     auto* tools = new QWidget;
     auto* row = new QHBoxLayout(tools);
-    row->setContentsMargins(gap, 4, gap, 0);
+    row->setContentsMargins(pathGap, 4, pathGap, 0);
     row->setSpacing(4);
     for (const char* action : {"animate.path.draw", "animate.path.reverse", "animate.path.close"})
         row->addWidget(buttonFor(context, action));
@@ -128,13 +128,13 @@ QWidget* PathPanel::makeContent()
     const EditorContext& context = m_tool.animation().context();
     const auto inset = [](QWidget* widget) {
         auto* row = new QHBoxLayout;
-        row->setContentsMargins(margin, 4, margin, 0);
+        row->setContentsMargins(pathMargin, 4, pathMargin, 0);
         row->addWidget(widget);
         return row;
     };
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(0, 0, 0, gap);
+    column->setContentsMargins(0, 0, 0, pathGap);
     column->setSpacing(0);
     column->addWidget(makeTools());
     column->addWidget(m_form);

@@ -25,8 +25,6 @@ namespace quadrille {
 namespace {
 
 constexpr double alphaStep = 1.25;
-constexpr double leastAlpha = 1e-4;
-constexpr double greatestAlpha = 1;
 
 } // namespace
 
@@ -202,7 +200,8 @@ void GraphWorkspace::updateActions()
 
 void GraphWorkspace::stepAlpha(double factor)
 {
-    m_bar->editAlpha(std::clamp(m_bar->alpha().value() * factor, leastAlpha, greatestAlpha), true);
+    m_bar->editAlpha(
+        std::clamp(m_bar->alpha().value() * factor, GraphBar::leastAlpha, GraphBar::greatestAlpha), true);
 }
 
 void GraphWorkspace::saveTables()

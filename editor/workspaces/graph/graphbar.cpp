@@ -24,8 +24,6 @@ namespace quadrille {
 
 namespace {
 
-constexpr double leastAlpha = 1e-4;
-constexpr double greatestAlpha = 1;
 constexpr int gap = 8;
 
 } // namespace

@@ -23,6 +23,10 @@ class GraphBar : public QWidget
     Q_OBJECT
 
 public:
+    /// The ends of the slider of α.
+    static constexpr double leastAlpha = 1e-4;
+    static constexpr double greatestAlpha = 1;
+
     GraphBar(EditorContext& context, GraphExplorer& explorer, QWidget* parent = nullptr);
 
     /// The character whose graph is shown.

@@ -29,8 +29,8 @@ using widgets::MessageStrip;
 
 namespace {
 
-constexpr int margin = 12;
-constexpr int gap = 8;
+constexpr int partsMargin = 12;
+constexpr int partsGap = 8;
 
 QAction* actionOf(const PartCurveTool& tool, const char* id)
 {
@@ -94,8 +94,8 @@ QWidget* BodyPartsPanel::makeEmptyPage()
             &QAction::trigger);
     connect(m_draw, &QPushButton::clicked, actionOf(m_tool, "variations.curve.draw"), &QAction::trigger);
     auto* column = new QVBoxLayout(page);
-    column->setContentsMargins(2 * margin, margin, 2 * margin, margin);
-    column->setSpacing(gap);
+    column->setContentsMargins(2 * partsMargin, partsMargin, 2 * partsMargin, partsMargin);
+    column->setSpacing(partsGap);
     column->addWidget(m_emptyNotice);
     column->addStretch(1);
     column->addWidget(m_emptyText);
@@ -110,7 +110,7 @@ QWidget* BodyPartsPanel::makeTools()
 {
     auto* tools = new QWidget;
     auto* row = new QHBoxLayout(tools);
-    row->setContentsMargins(gap, 4, gap, 4);
+    row->setContentsMargins(partsGap, 4, partsGap, 4);
     row->setSpacing(4);
     const auto add = [this, row](const char* id) {
         QToolButton* button = makeActionButton(actionOf(m_tool, id));
@@ -141,8 +141,8 @@ QWidget* BodyPartsPanel::makeSettings()
     m_takePose->setObjectName(QStringLiteral("takePose"));
     auto* settings = new QWidget;
     auto* grid = new QGridLayout(settings);
-    grid->setContentsMargins(margin, gap, margin, gap);
-    grid->setHorizontalSpacing(gap);
+    grid->setContentsMargins(partsMargin, partsGap, partsMargin, partsGap);
+    grid->setHorizontalSpacing(partsGap);
     grid->setVerticalSpacing(4);
     grid->setColumnStretch(0, 1);
     grid->addWidget(m_snaps, 0, 0);
@@ -150,7 +150,7 @@ QWidget* BodyPartsPanel::makeSettings()
     grid->addWidget(m_overlapLabel, 1, 0);
     grid->addWidget(m_overlap, 1, 1);
     auto* pose = new QHBoxLayout;
-    pose->setSpacing(gap);
+    pose->setSpacing(partsGap);
     pose->addWidget(m_poseLabel);
     pose->addWidget(m_pose, 1);
     pose->addWidget(m_takePose);
@@ -168,7 +168,7 @@ QWidget* BodyPartsPanel::makeContent()
 {
     const auto inset = [](QWidget* widget) {
         auto* row = new QHBoxLayout;
-        row->setContentsMargins(gap, 0, gap, 4);
+        row->setContentsMargins(partsGap, 0, partsGap, 4);
         row->addWidget(widget);
         return row;
     };

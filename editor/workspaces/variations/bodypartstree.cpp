@@ -20,7 +20,7 @@ using widgets::Theme;
 
 namespace {
 
-enum Column
+enum PartsColumn
 {
     NameColumn,
     VerticesColumn,

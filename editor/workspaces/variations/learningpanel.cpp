@@ -26,7 +26,7 @@ namespace quadrille {
 
 namespace {
 
-enum Column
+enum LearningColumn
 {
     PartColumn,
     ObjectiveColumn,
@@ -38,7 +38,7 @@ enum Column
 constexpr double millimetres = 1000;
 constexpr int partsHeight = 180; // pixels, as proportions
 constexpr int chartHeight = 160;
-constexpr int leastHeight = 72; // of each on a small screen
+constexpr int leastChartHeight = 72; // of each on a small screen
 constexpr int settingsHeight = 130;
 
 /// Without the tenths of large ones, that leave no room for the names of parts.
@@ -162,7 +162,7 @@ void LearningPanel::arrangeWidgets()
     for (QWidget* part : std::initializer_list<QWidget*>{upper, m_chart, new LearningSettings(m_variation)})
         splitter->addWidget(part);
     for (QWidget* part : std::initializer_list<QWidget*>{m_parts, m_chart})
-        part->setMinimumHeight(leastHeight);
+        part->setMinimumHeight(leastChartHeight);
     // Parts first, then how far they are; settings are seldom touched.
     splitter->setStretchFactor(0, 1);
     splitter->setSizes({partsHeight, chartHeight, settingsHeight});

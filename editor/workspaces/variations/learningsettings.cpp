@@ -14,7 +14,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr double percent = 100;
+constexpr double inPercent = 100;
 constexpr double million = 1e6;
 
 } // namespace
@@ -151,18 +151,18 @@ void LearningSettings::addChain()
                10'000, 1, 0, [] { return tr("proposals"); }});
     addNumber({"chainLeast", [] { return tr("Accepted, at least"); },
                [] { return tr("The step size is made smaller where fewer proposals are accepted"); },
-               [](const VariationEntry& entry) { return entry.chain.leastAcceptance * percent; },
+               [](const VariationEntry& entry) { return entry.chain.leastAcceptance * inPercent; },
                [](VariationEntry& entry, double value) {
-                   entry.chain.leastAcceptance = std::min(value / percent, entry.chain.greatestAcceptance);
+                   entry.chain.leastAcceptance = std::min(value / inPercent, entry.chain.greatestAcceptance);
                },
-               1, 99, 5, 0, [] { return tr("%", "percent"); }});
+               1, 99, 5, 0, [] { return tr("%", "inPercent"); }});
     addNumber({"chainGreatest", [] { return tr("Accepted, at most"); },
                [] { return tr("The step size is made greater where more proposals are accepted"); },
-               [](const VariationEntry& entry) { return entry.chain.greatestAcceptance * percent; },
+               [](const VariationEntry& entry) { return entry.chain.greatestAcceptance * inPercent; },
                [](VariationEntry& entry, double value) {
-                   entry.chain.greatestAcceptance = std::max(value / percent, entry.chain.leastAcceptance);
+                   entry.chain.greatestAcceptance = std::max(value / inPercent, entry.chain.leastAcceptance);
                },
-               1, 99, 5, 0, [] { return tr("%", "percent"); }});
+               1, 99, 5, 0, [] { return tr("%", "inPercent"); }});
 }
 
 void LearningSettings::addLimits()
@@ -173,30 +173,30 @@ void LearningSettings::addLimits()
                    return tr("How far the worst pose may be from the nearest one that was learned from, in "
                              "sizes of the figure");
                },
-               [](const VariationEntry& entry) { return entry.limits.poseDistance * percent; },
-               [](VariationEntry& entry, double value) { entry.limits.poseDistance = value / percent; }, 0.1,
-               1000, 1, 1, [] { return tr("% of size", "percent"); }});
+               [](const VariationEntry& entry) { return entry.limits.poseDistance * inPercent; },
+               [](VariationEntry& entry, double value) { entry.limits.poseDistance = value / inPercent; },
+               0.1, 1000, 1, 1, [] { return tr("% of size", "inPercent"); }});
     addNumber({"limitSkate", [] { return tr("Skate"); },
                [] {
                    return tr("How much faster standing feet may slide than in the take, in sizes of the "
                              "figure a second");
                },
-               [](const VariationEntry& entry) { return entry.limits.skate * percent; },
-               [](VariationEntry& entry, double value) { entry.limits.skate = value / percent; }, 0, 10'000,
-               5, 1, [] { return tr("% of size/s", "percent"); }});
+               [](const VariationEntry& entry) { return entry.limits.skate * inPercent; },
+               [](VariationEntry& entry, double value) { entry.limits.skate = value / inPercent; }, 0, 10'000,
+               5, 1, [] { return tr("% of size/s", "inPercent"); }});
     addNumber({"limitCrossings", [] { return tr("Crossings"); },
                [] {
                    return tr("How many more triangles may go through each other than in the take, as a share "
                              "of all");
                },
-               [](const VariationEntry& entry) { return entry.limits.intersections * percent; },
-               [](VariationEntry& entry, double value) { entry.limits.intersections = value / percent; }, 0,
-               100, 0.5, 2, [] { return tr("% of triangles", "percent"); }});
+               [](const VariationEntry& entry) { return entry.limits.intersections * inPercent; },
+               [](VariationEntry& entry, double value) { entry.limits.intersections = value / inPercent; }, 0,
+               100, 0.5, 2, [] { return tr("% of triangles", "inPercent"); }});
     addNumber({"limitVolume", [] { return tr("Volume"); },
                [] { return tr("How far the body’s volume may leave that of the takes"); },
-               [](const VariationEntry& entry) { return entry.limits.volumeChange * percent; },
-               [](VariationEntry& entry, double value) { entry.limits.volumeChange = value / percent; }, 0,
-               1000, 0.5, 2, [] { return tr("%", "percent"); }});
+               [](const VariationEntry& entry) { return entry.limits.volumeChange * inPercent; },
+               [](VariationEntry& entry, double value) { entry.limits.volumeChange = value / inPercent; }, 0,
+               1000, 0.5, 2, [] { return tr("%", "inPercent"); }});
 }
 
 void LearningSettings::addPoses()

@@ -30,7 +30,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr int margin = 12; // pixels
+constexpr int movementMargin = 12; // pixels
 constexpr int takeColumn = 0;
 constexpr int framesColumn = 1;
 constexpr int usedColumn = 2;
@@ -106,7 +106,7 @@ MovementPanel::MovementPanel(CurrentVariation& variation, QWidget* parent)
     lowerColumn->setSpacing(0);
     lowerColumn->addWidget(m_form);
     auto* blends = new QVBoxLayout;
-    blends->setContentsMargins(margin, 0, margin, margin);
+    blends->setContentsMargins(movementMargin, 0, movementMargin, movementMargin);
     blends->setSpacing(4);
     blends->addWidget(m_blendHeading);
     blends->addWidget(m_blends);
@@ -116,7 +116,7 @@ MovementPanel::MovementPanel(CurrentVariation& variation, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    m_hint->setContentsMargins(margin, 8, margin, 8);
+    m_hint->setContentsMargins(movementMargin, 8, movementMargin, 8);
     column->addWidget(m_hint);
     column->addWidget(m_takes, 1);
     column->addWidget(scroll, 1);

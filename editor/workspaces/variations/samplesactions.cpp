@@ -47,7 +47,7 @@ QString faultsText(const DrawnSet& set)
     return lines.join(QLatin1Char('\n'));
 }
 
-QIcon swatch(const QColor& color)
+QIcon setSwatch(const QColor& color)
 {
     constexpr int side = 12;
     QPixmap pixmap(side, side);
@@ -206,7 +206,7 @@ void SamplesPanel::refreshVariations()
 void SamplesPanel::showVariation(QTreeWidgetItem& item, const DrawnVariation& drawn)
 {
     item.setText(0, QLocale().toString(drawn.inSet));
-    item.setIcon(0, swatch(CurrentVariation::colorOf(drawn.inSet)));
+    item.setIcon(0, setSwatch(CurrentVariation::colorOf(drawn.inSet)));
     item.setData(0, Qt::UserRole, drawn.inSet);
     const bool isShown = !drawn.isDiscarded && !m_variation.isHidden(drawn.inSet);
     item.setCheckState(0, isShown ? Qt::Checked : Qt::Unchecked);

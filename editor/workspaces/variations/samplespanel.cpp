@@ -32,8 +32,8 @@ namespace quadrille {
 
 namespace {
 
-constexpr int margin = 12;       // pixels
-constexpr int leastHeight = 130; // of the variations, pixels: a few of them and the header
+constexpr int samplesMargin = 12;    // pixels
+constexpr int leastListHeight = 130; // of the variations, pixels: a few of them and the header
 constexpr int mostVariations = 10'000;
 constexpr int greatestSeed = 999'999;
 constexpr double greatestSpread = 3;
@@ -140,7 +140,7 @@ QWidget* SamplesPanel::makeSets()
     seedRow->addWidget(m_again);
     auto* page = new QWidget;
     auto* grid = new QGridLayout(page);
-    grid->setContentsMargins(margin, 4, margin, 0);
+    grid->setContentsMargins(samplesMargin, 4, samplesMargin, 0);
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(4);
     grid->setColumnStretch(1, 1);
@@ -189,7 +189,7 @@ QWidget* SamplesPanel::makeVariations()
     m_summary->setObjectName(QStringLiteral("samplesSummary"));
     m_summary->setWordWrap(true);
     m_summary->setForegroundRole(QPalette::PlaceholderText);
-    m_summary->setContentsMargins(margin, 0, margin, 0);
+    m_summary->setContentsMargins(samplesMargin, 0, samplesMargin, 0);
     m_variations->setObjectName(QStringLiteral("drawnVariations"));
     m_variations->setRootIsDecorated(false);
     m_variations->setUniformRowHeights(true);
@@ -197,14 +197,14 @@ QWidget* SamplesPanel::makeVariations()
     m_variations->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_variations->setFrameShape(QFrame::NoFrame);
     m_variations->setColumnCount(5);
-    m_variations->setMinimumHeight(leastHeight);
+    m_variations->setMinimumHeight(leastListHeight);
     m_variations->header()->setTextElideMode(Qt::ElideRight);
     m_variations->header()->setStretchLastSection(false);
     m_variations->header()->setSectionResizeMode(QHeaderView::Stretch);
     m_variations->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     m_variations->installEventFilter(this);
     auto* buttons = new QHBoxLayout;
-    buttons->setContentsMargins(margin, 0, margin, 4);
+    buttons->setContentsMargins(samplesMargin, 0, samplesMargin, 4);
     buttons->setSpacing(4);
     for (const char* id :
          {"variations.keep", "variations.discard", "variations.addSequence", "variations.export"}) {

@@ -18,7 +18,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr int gap = 8;
+constexpr int barGap = 8;
 
 } // namespace
 
@@ -41,12 +41,12 @@ VariationBar::VariationBar(CurrentVariation& variation, QWidget* parent)
     m_learn = makeActionButton(actions.action("variations.learn"));
     m_stop = makeActionButton(actions.action("variations.stop"));
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(gap, gap / 2, gap, gap / 2);
-    row->setSpacing(gap / 2);
+    row->setContentsMargins(barGap, barGap / 2, barGap, barGap / 2);
+    row->setSpacing(barGap / 2);
     row->addWidget(m_names);
     row->addWidget(makeActionButton(actions.action("variations.new")));
     row->addWidget(makeActionButton(actions.action("variations.duplicate")));
-    row->addSpacing(gap);
+    row->addSpacing(barGap);
     for (QToolButton* button : {m_learn, m_stop}) {
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         row->addWidget(button);

@@ -36,7 +36,7 @@ QString nameOf(const DrawnVariation& drawn)
 }
 
 /// The takes that the variations of a set are of: one, or those of its blend.
-QStringList takesOf(const SamplesEntry& set)
+QStringList takesOfSet(const SamplesEntry& set)
 {
     const AcrossSamplesEntry across = set.across.value_or(AcrossSamplesEntry());
     QStringList takes;
@@ -246,7 +246,7 @@ void VariationsWorkspace::followResult()
     const std::vector<DrawnVariation> all =
         m_isCutting ? std::vector<DrawnVariation>() : m_variation->drawn();
     if (m_variation->isOriginalShown() && !all.empty())
-        names += takesOf(*set);
+        names += takesOfSet(*set);
     for (const DrawnVariation& drawn : all) {
         if (!drawn.isDiscarded && !m_variation->isHidden(drawn.inSet))
             names += nameOf(drawn);

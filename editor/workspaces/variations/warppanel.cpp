@@ -22,7 +22,7 @@ namespace quadrille {
 namespace {
 
 /// As in the latent view.
-constexpr int firstTakeColor = 7;
+constexpr int firstWarpColor = 7;
 constexpr double whole = 100; // percent
 constexpr double degrees = 57.29577951308232;
 
@@ -113,7 +113,7 @@ void WarpPanel::refreshChart()
             continue;
         series.push_back(
             {.name = QString::fromStdString(movement->take(i).name),
-             .color = widgets::Theme::categorical(firstTakeColor + static_cast<int>(i)),
+             .color = widgets::Theme::categorical(firstWarpColor + static_cast<int>(i)),
              .sign = i % 2 == 0 ? widgets::ChartSeries::Sign::Circle : widgets::ChartSeries::Sign::Diamond,
              .isDashed = i == movement->alignment.reference,
              .points = lineOf(movement->take(i).warp)});

@@ -18,7 +18,7 @@ namespace quadrille {
 
 namespace {
 
-using Json = GlbParts::Json;
+using OrderedJson = GlbParts::Json;
 
 constexpr int floatType = GlbParts::floatType;
 constexpr int uintType = GlbParts::uintType;
@@ -32,7 +32,7 @@ enum class Attribute
     Normal,
 };
 
-Json toJson(const Vec3f& v)
+OrderedJson toJson(const Vec3f& v)
 {
     return {v.x(), v.y(), v.z()};
 }
@@ -118,7 +118,7 @@ private:
                   {{"text", "GLB cannot change textures: only that of the first frame was written."}}}});
         }
         for (std::size_t m = 0; m < std::max<std::size_t>(1, names.size()); ++m) {
-            Json material = {{"name", m < names.size() ? names[m] : m_sequence.name}};
+            OrderedJson material = {{"name", m < names.size() ? names[m] : m_sequence.name}};
             material["pbrMetallicRoughness"] = {{"metallicFactor", 0}, {"roughnessFactor", 1}};
             const int index = textures.indexFor(m_sequence.sourceFrame(FrameIndex(0)), static_cast<int>(m));
             const Texture texture =
@@ -229,12 +229,12 @@ private:
     void planMorphTargets(const Progress& progress)
     {
         const std::int64_t frames = m_sequence.frameCount();
-        Json targets = Json::array();
+        OrderedJson targets = OrderedJson::array();
         for (std::int64_t f = 1; f < frames; ++f) {
             progress.report(f, frames);
             const FrameIndex frame(f);
             const std::vector<Vec3f> offsets = offsetsOf(Attribute::Position, frame);
-            Json position = accessorOf(Attribute::Position, frame, offsets);
+            OrderedJson position = accessorOf(Attribute::Position, frame, offsets);
             Vec3f low = offsets.front();
             Vec3f high = low;
             for (const Vec3f& offset : offsets) {
@@ -244,7 +244,7 @@ private:
             position["min"] = toJson(low);
             position["max"] = toJson(high);
             const bool isDense = position.contains("bufferView");
-            Json target = {{"POSITION", m_parts.addAccessor(std::move(position))}};
+            OrderedJson target = {{"POSITION", m_parts.addAccessor(std::move(position))}};
             // Where nearly all vertices move, nearly all normals turn: they need not be counted.
             if (m_options.normals && isDense)
                 target["NORMAL"] = m_parts.addAccessor(denseAccessor(Attribute::Normal, frame));
@@ -255,19 +255,19 @@ private:
         }
         if (targets.empty())
             return;
-        for (Json& primitive : m_primitives)
+        for (OrderedJson& primitive : m_primitives)
             primitive["targets"] = targets;
         planAnimation(static_cast<std::size_t>(frames));
     }
 
-    Json emptyAccessor() const
+    OrderedJson emptyAccessor() const
     {
         return {{"componentType", floatType}, {"count", m_split.vertexOf.size()}, {"type", "VEC3"}};
     }
 
-    Json denseAccessor(Attribute attribute, FrameIndex frame)
+    OrderedJson denseAccessor(Attribute attribute, FrameIndex frame)
     {
-        Json accessor = emptyAccessor();
+        OrderedJson accessor = emptyAccessor();
         accessor["bufferView"] = m_parts.addView(
             m_split.vertexOf.size() * sizeof(Vec3f),
             [this, attribute, frame](std::ostream& out) { writeValues(out, offsetsOf(attribute, frame)); });
@@ -275,7 +275,7 @@ private:
     }
 
     /// Sparse where that is smaller.
-    Json accessorOf(Attribute attribute, FrameIndex frame, const std::vector<Vec3f>& offsets)
+    OrderedJson accessorOf(Attribute attribute, FrameIndex frame, const std::vector<Vec3f>& offsets)
     {
         const std::uint64_t count = std::max<std::size_t>(1, movedIn(offsets).size());
         if (count * (sizeof(std::uint32_t) + sizeof(Vec3f)) >= offsets.size() * sizeof(Vec3f))
@@ -290,7 +290,7 @@ private:
                 std::erase(all, Vec3f(Vec3f::Zero()));
                 writeValues(out, orOne(std::move(all), Vec3f(Vec3f::Zero())));
             });
-        Json accessor = emptyAccessor();
+        OrderedJson accessor = emptyAccessor();
         accessor["sparse"] = {{"count", count},
                               {"indices", {{"bufferView", indices}, {"componentType", uintType}}},
                               {"values", {{"bufferView", values}}}};
@@ -322,7 +322,7 @@ private:
     /// glTF is y up and in metres; a sequence in another system gets a node that turns and scales it.
     void planNodes()
     {
-        Json node = {{"name", m_sequence.name}, {"mesh", 0}};
+        OrderedJson node = {{"name", m_sequence.name}, {"mesh", 0}};
         if (m_options.to != CoordinateSystem()) {
             Eigen::Matrix4f matrix = Eigen::Matrix4f::Identity();
             matrix.topLeftCorner<3, 3>() = conversionMatrix(m_options.to, CoordinateSystem());
@@ -330,8 +330,9 @@ private:
         }
         m_parts.json["scene"] = 0;
         m_parts.json["scenes"] = {{{"nodes", {0}}}};
-        m_parts.json["nodes"] = Json::array({std::move(node)});
-        m_parts.json["meshes"] = Json::array({{{"name", m_sequence.name}, {"primitives", m_primitives}}});
+        m_parts.json["nodes"] = OrderedJson::array({std::move(node)});
+        m_parts.json["meshes"] =
+            OrderedJson::array({{{"name", m_sequence.name}, {"primitives", m_primitives}}});
         if (m_sequence.frameCount() > 1)
             m_parts.json["meshes"][0]["weights"] =
                 std::vector<int>(static_cast<std::size_t>(m_sequence.frameCount() - 1), 0);
@@ -344,8 +345,8 @@ private:
     VertexTriangles m_neighbours;
     std::array<std::vector<Vec3f>, 2> m_first; ///< by attribute: what the first frame has
     GlbParts m_parts;
-    Json m_attributes;
-    Json m_primitives = Json::array();
+    OrderedJson m_attributes;
+    OrderedJson m_primitives = OrderedJson::array();
     std::map<int, std::size_t> m_textureOf;
     ExportResult m_result;
 };

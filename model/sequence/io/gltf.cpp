@@ -12,7 +12,7 @@ namespace quadrille {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = GltfDocument::Json;
 
 template <std::size_t count>
 std::optional<std::array<double, count>> numbers(const Json& node, const char* key)

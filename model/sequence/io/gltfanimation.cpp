@@ -13,7 +13,7 @@ namespace quadrille {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = GltfDocument::Json;
 
 KeyInterpolation interpolationOf(const GltfDocument& document, const Json& sampler)
 {

@@ -14,7 +14,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr std::uint32_t magic = 0x46546c67;       // "glTF"
+constexpr std::uint32_t glbMagic = 0x46546c67;    // "glTF"
 constexpr std::uint32_t jsonChunk = 0x4e4f534a;   // "JSON"
 constexpr std::uint32_t binaryChunk = 0x004e4942; // "BIN"
 
@@ -83,7 +83,7 @@ void GltfDocument::parse(FileContent content)
     m_content = std::move(content);
     std::string_view text = m_content.text();
     const auto bytes = m_content.bytes();
-    if (bytes.size() >= 4 && load<std::uint32_t>(bytes.data()) == magic) {
+    if (bytes.size() >= 4 && load<std::uint32_t>(bytes.data()) == glbMagic) {
         std::size_t offset = 12;
         const auto chunk = [&](std::uint32_t type) -> std::span<const std::byte> {
             if (offset + 8 > bytes.size())

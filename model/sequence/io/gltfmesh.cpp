@@ -12,7 +12,7 @@ namespace quadrille {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = GltfDocument::Json;
 
 constexpr std::size_t maxMaterials = 65535;
 

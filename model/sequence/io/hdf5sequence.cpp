@@ -17,7 +17,7 @@ namespace quadrille {
 namespace {
 
 /// Deflate packs at most about a thousand to one: more values than that cannot be in the file.
-constexpr double largestPacking = 1100;
+constexpr double largestRatio = 1100;
 constexpr std::size_t blockBytes = std::size_t{4} << 20;
 
 [[noreturn]] void failReading(const std::filesystem::path& file, std::optional<FrameIndex> frame = {})
@@ -79,7 +79,7 @@ void checkSize(const Hdf5Handle& file, const DatasetShape& shape, const std::fil
         values *= static_cast<double>(n);
         count += (count.empty() ? "" : " × ") + std::to_string(n);
     }
-    if (values > largestPacking * static_cast<double>(InputFile(path).size())) {
+    if (values > largestRatio * static_cast<double>(InputFile(path).size())) {
         throw Error(ErrorCode::CountTooLarge,
                     {path, {}, {{"count", count}, {"what", "values of “" + shape.name + "”"}}});
     }

@@ -37,7 +37,7 @@ void appendBigEndian(std::string& text, std::uint32_t bits)
     text.append(bytes.data(), bytes.size());
 }
 
-std::string headerOf(const MeshSequence& sequence)
+std::string mddHeaderOf(const MeshSequence& sequence)
 {
     std::string header;
     appendBigEndian(header, static_cast<std::uint32_t>(sequence.frameCount()));
@@ -82,7 +82,7 @@ std::unique_ptr<Importer> makeMddImporter()
 
 std::unique_ptr<Exporter> makeMddExporter()
 {
-    return makePointCacheExporter({.info = mddFormat(), .header = headerOf, .isBigEndian = true});
+    return makePointCacheExporter({.info = mddFormat(), .header = mddHeaderOf, .isBigEndian = true});
 }
 
 } // namespace quadrille

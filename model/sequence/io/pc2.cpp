@@ -30,7 +30,7 @@ const FormatInfo& pc2Format()
     return format;
 }
 
-std::string headerOf(const MeshSequence& sequence)
+std::string pc2HeaderOf(const MeshSequence& sequence)
 {
     Pc2Header header{{},   1,    static_cast<std::int32_t>(sequence.topology->vertexCount()),
                      0.0F, 1.0F, static_cast<std::int32_t>(sequence.frameCount())};
@@ -71,7 +71,7 @@ std::unique_ptr<Importer> makePc2Importer()
 
 std::unique_ptr<Exporter> makePc2Exporter()
 {
-    return makePointCacheExporter({.info = pc2Format(), .header = headerOf});
+    return makePointCacheExporter({.info = pc2Format(), .header = pc2HeaderOf});
 }
 
 } // namespace quadrille

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/sequence/io/appendbytes.h"
 #include "model/sequence/io/meshwriter.h"
 #include "model/sequence/io/ply.h"
 
@@ -11,13 +12,6 @@ namespace quadrille {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary PLY is written as it lies in memory");
-
-template <typename Value>
-void appendBytes(std::string& text, const Value& value)
-{
-    const auto bytes = std::bit_cast<std::array<char, sizeof(Value)>>(value);
-    text.append(bytes.data(), bytes.size());
-}
 
 class PlyFrameWriter : public FrameWriter
 {

@@ -3,6 +3,7 @@
 #include "model/sequence/io/scenesequences.h"
 
 #include "model/core/message.h"
+#include "model/sequence/io/appendbytes.h"
 #include "model/sequence/io/meshfile.h"
 #include "model/sequence/io/skinning.h"
 #include "model/sequence/io/weld.h"
@@ -19,15 +20,6 @@ namespace quadrille {
 namespace {
 
 constexpr double maxClipFrames = 1e7;
-
-template <typename Value>
-void appendBytes(std::string& row, const Value& value)
-{
-    static_assert(std::is_trivially_copyable_v<Value>);
-    char bytes[sizeof(Value)];
-    std::memcpy(bytes, &value, sizeof(Value));
-    row.append(bytes, sizeof(Value));
-}
 
 void appendVector(std::string& row, const Vec3f& v)
 {

@@ -205,6 +205,6 @@ TEST_F(RealData, WhatCannotBeReadSaysWhatToConvertItTo)
     for (const auto& [name, sentence] : refused) {
         const Outcome run = runQuadrille({"info", (dataFolder / name).string()}, folder.path());
         EXPECT_EQ(run.status, 1) << name;
-        EXPECT_THAT(run.err, testing::HasSubstr(sentence)) << name;
+        EXPECT_THAT(run.err, ::testing::HasSubstr(sentence)) << name;
     }
 }

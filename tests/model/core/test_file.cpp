@@ -15,8 +15,8 @@
 
 using namespace quadrille;
 using namespace quadrille::test;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 namespace {
 

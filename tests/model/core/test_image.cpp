@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 using namespace quadrille;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 namespace {
 
@@ -35,7 +35,7 @@ std::unique_ptr<Error> errorOf(std::span<const std::byte> encoded)
         decodeImage(encoded, "picture.png");
     } catch (const Error& error) {
         EXPECT_EQ(error.context().file, "picture.png");
-        EXPECT_THAT(error.what(), testing::Not(HasSubstr("{")));
+        EXPECT_THAT(error.what(), ::testing::Not(HasSubstr("{")));
         return std::make_unique<Error>(error);
     }
     return nullptr;
@@ -47,7 +47,7 @@ void put(std::vector<std::byte>& bytes, std::size_t at, std::initializer_list<un
         bytes.at(at++) = static_cast<std::byte>(value);
 }
 
-class EncodedImage : public testing::TestWithParam<const char*>
+class EncodedImage : public ::testing::TestWithParam<const char*>
 {
 protected:
     std::vector<std::byte> encoded() const { return encodeImage(detailed(), GetParam()); }
@@ -82,7 +82,7 @@ TEST_P(EncodedImage, NeverFailsOtherwiseWhereAByteIsWrong)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, EncodedImage, testing::Values(".png", ".jpg", ".tif"),
+INSTANTIATE_TEST_SUITE_P(Formats, EncodedImage, ::testing::Values(".png", ".jpg", ".tif"),
                          [](const auto& format) { return std::string(format.param + 1); });
 
 TEST(Image, AnAbsurdSizeIsNotBelieved)

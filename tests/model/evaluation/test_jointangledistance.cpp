@@ -12,7 +12,7 @@ using ::testing::ElementsAre;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 JointAngles anglesOf(std::vector<std::string> joints, std::vector<double> angles)
 {

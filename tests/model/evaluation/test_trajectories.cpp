@@ -9,8 +9,6 @@ using namespace quadrille;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// An upright tetrahedron that walks along an arc, facing where it goes; y is up.
 MeshSequence walkOnArc(int frames, double turnPerFrame)
 {
@@ -39,7 +37,7 @@ TEST(MeasureCurve, OfACornerAndAReversal)
     const CurveMeasures measures = measureCurve(points);
     EXPECT_DOUBLE_EQ(measures.length, 2.5);
     EXPECT_DOUBLE_EQ(measures.distance, std::hypot(1, 0.5));
-    EXPECT_DOUBLE_EQ(measures.greatestTurn, pi);
+    EXPECT_DOUBLE_EQ(measures.greatestTurn, std::numbers::pi);
     EXPECT_EQ(measures.reversals, 1);
 }
 

@@ -4,7 +4,7 @@
 
 #include "tests/model/geometry/surfaces.h"
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// Each vertex once, each next to the following one.
 inline bool isSimpleLoop(const SurfaceGraph& graph, const std::vector<VertexIndex>& curve)
@@ -20,4 +20,4 @@ inline bool separates(const SurfaceGraph& graph, const std::vector<VertexIndex>&
     return curveSides(graph.topology(), graph.around(), curve).has_value();
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

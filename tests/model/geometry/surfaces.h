@@ -13,7 +13,7 @@
 #include <set>
 #include <vector>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// A mesh in one pose.
 struct Surface
@@ -187,4 +187,4 @@ inline std::set<VertexIndex> setOf(const std::vector<VertexIndex>& vertices)
     return {vertices.begin(), vertices.end()};
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

@@ -10,7 +10,7 @@
 namespace quadrille {
 namespace {
 
-using namespace testing;
+using namespace test;
 using test::codeOf;
 
 constexpr std::uint32_t around = 24;

@@ -12,7 +12,7 @@
 namespace quadrille {
 namespace {
 
-using namespace testing;
+using namespace test;
 using test::codeOf;
 
 constexpr float infinite = std::numeric_limits<float>::infinity();

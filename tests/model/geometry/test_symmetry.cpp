@@ -15,7 +15,7 @@
 namespace quadrille {
 namespace {
 
-using testing::errorCodeOf;
+using test::errorCodeOf;
 
 Triangle triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c)
 {

@@ -18,7 +18,7 @@ double plainDetour(const Table<double>& weights, NodeIndex from, NodeIndex to)
     return bellmanFord(weights, from, to)[static_cast<std::size_t>(to)];
 }
 
-struct Case
+struct DetourCase
 {
     NodeIndex nodes;
     double density;
@@ -27,11 +27,11 @@ struct Case
 
 using Search = Table<double> (*)(const Table<double>&, const Progress&);
 
-class Detours : public testing::TestWithParam<std::tuple<Case, Search>>
+class Detours : public ::testing::TestWithParam<std::tuple<DetourCase, Search>>
 {
 };
 
-class DetourSearch : public testing::TestWithParam<Search>
+class DetourSearch : public ::testing::TestWithParam<Search>
 {
 };
 
@@ -51,22 +51,24 @@ Table<double> sparseDetours(const Table<double>& weights, const Progress& progre
     return detours;
 }
 
-const auto searches = testing::Values(&denseDetours, &sparseDetours, &cheapestDetours);
+const auto searches = ::testing::Values(&denseDetours, &sparseDetours, &cheapestDetours);
 
 // Sizes around those of tiles (16 columns, 4 rows), bands and lanes (32 rows) and rounds (64 nodes).
 INSTANTIATE_TEST_SUITE_P(
     Sizes, Detours,
-    testing::Combine(testing::Values(Case{1, 1, 0}, Case{2, 1, 0}, Case{5, 0.5, 3}, Case{16, 0.3, 0},
-                                     Case{17, 0.3, 5}, Case{33, 0.1, 0}, Case{63, 0.2, 4}, Case{64, 0.05, 0},
-                                     Case{65, 0.1, 6}, Case{130, 0.03, 3}, Case{147, 0.5, 0}),
-                     searches));
+    ::testing::Combine(::testing::Values(DetourCase{1, 1, 0}, DetourCase{2, 1, 0}, DetourCase{5, 0.5, 3},
+                                         DetourCase{16, 0.3, 0}, DetourCase{17, 0.3, 5},
+                                         DetourCase{33, 0.1, 0}, DetourCase{63, 0.2, 4},
+                                         DetourCase{64, 0.05, 0}, DetourCase{65, 0.1, 6},
+                                         DetourCase{130, 0.03, 3}, DetourCase{147, 0.5, 0}),
+                       searches));
 INSTANTIATE_TEST_SUITE_P(Searches, DetourSearch, searches);
 
 } // namespace
 
 TEST_P(Detours, AreTheCheapestWaysRoundAnEdge)
 {
-    const auto [nodes, density, levels] = std::get<Case>(GetParam());
+    const auto [nodes, density, levels] = std::get<DetourCase>(GetParam());
     const Table<double> weights =
         weightTable(randomDigraph(static_cast<std::uint32_t>(nodes), nodes, density, levels));
     const Table<double> detours = std::get<Search>(GetParam())(weights, {});

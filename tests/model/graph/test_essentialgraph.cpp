@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/graph/essentialgraph.h"
+#include "noedge.h"
 #include "tests/model/graph/randomtransitions.h"
 
 #include <array>
@@ -12,7 +13,6 @@ using namespace quadrille;
 
 namespace {
 
-constexpr float none = std::numeric_limits<float>::infinity();
 constexpr double tie = 1e-7;
 
 /// Sequences of two frames, with given transitions that weigh their cost alone (α is 0.01, L 1, so 0.01
@@ -20,7 +20,7 @@ constexpr double tie = 1e-7;
 TransitionCosts pairsOfFrames(int sequences, const std::vector<Edge>& transitions)
 {
     const std::vector<std::int64_t> counts(static_cast<std::size_t>(sequences), 2);
-    Table<float> cost = Table<float>::Constant(sequences * 2, sequences * 2, none);
+    Table<float> cost = Table<float>::Constant(sequences * 2, sequences * 2, noEdge);
     Table<std::uint16_t> length = Table<std::uint16_t>::Zero(sequences * 2, sequences * 2);
     for (const Edge& edge : transitions) {
         cost(edge.from, edge.to) = static_cast<float>(edge.weight);
@@ -74,21 +74,21 @@ struct Case
     double alpha;
 };
 
-class Essential : public testing::TestWithParam<Case>
+class Essential : public ::testing::TestWithParam<Case>
 {
 };
 
 // All weights of these are sums of powers of two, so that ties are exact.
 INSTANTIATE_TEST_SUITE_P(
     Random, Essential,
-    testing::Values(Case{{.seed = 1, .counts = {5, 1, 7}}, 0.01},
-                    Case{{.seed = 2, .counts = {20, 20}, .missing = 0.5, .levels = 4}, 1.0 / 64},
-                    Case{{.seed = 3, .counts = {40}, .missing = 0, .levels = 8, .shortest = 3}, 1.0 / 32},
-                    Case{{.seed = 4, .counts = {9, 3, 12, 4}, .missing = 0.9}, 0.2},
-                    Case{{.seed = 5, .counts = std::vector<std::int64_t>(30, 1), .levels = 16}, 1.0 / 16},
-                    Case{{.seed = 6, .counts = {30, 40}, .missing = 0.1, .levels = 64}, 1.0 / 1024},
-                    Case{{.seed = 7, .counts = {10, 10}, .missing = 1}, 0.01},
-                    Case{{.seed = 8, .counts = {25, 25}, .missing = 0.05}, 1}));
+    ::testing::Values(Case{{.seed = 1, .counts = {5, 1, 7}}, 0.01},
+                      Case{{.seed = 2, .counts = {20, 20}, .missing = 0.5, .levels = 4}, 1.0 / 64},
+                      Case{{.seed = 3, .counts = {40}, .missing = 0, .levels = 8, .shortest = 3}, 1.0 / 32},
+                      Case{{.seed = 4, .counts = {9, 3, 12, 4}, .missing = 0.9}, 0.2},
+                      Case{{.seed = 5, .counts = std::vector<std::int64_t>(30, 1), .levels = 16}, 1.0 / 16},
+                      Case{{.seed = 6, .counts = {30, 40}, .missing = 0.1, .levels = 64}, 1.0 / 1024},
+                      Case{{.seed = 7, .counts = {10, 10}, .missing = 1}, 0.01},
+                      Case{{.seed = 8, .counts = {25, 25}, .missing = 0.05}, 1}));
 
 } // namespace
 
@@ -173,7 +173,7 @@ TEST(EssentialGraph, PrefersTheLongerWalkOnATie)
     // 0 → 2 weighs 1 as 0 → 1 → 2 does, exactly, or nearly.
     const auto hasShortcut = [](float cost) {
         const FrameLayout layout(std::array<std::int64_t, 3>{2, 1, 1});
-        Table<float> costs = Table<float>::Constant(4, 4, none);
+        Table<float> costs = Table<float>::Constant(4, 4, noEdge);
         costs(1, 2) = 0.25F;
         costs(0, 2) = cost;
         const Table<std::uint16_t> lengths = Table<std::uint16_t>::Constant(4, 4, 1);
@@ -199,7 +199,7 @@ TEST(EssentialGraph, OfOneFrameHasNoEdges)
 {
     const FrameLayout layout(std::array<std::int64_t, 1>{1});
     const EssentialGraph essential = essentialGraph(
-        {Table<float>::Constant(1, 1, none), Table<std::uint16_t>::Zero(1, 1), 0, layout}, 0.01);
+        {Table<float>::Constant(1, 1, noEdge), Table<std::uint16_t>::Zero(1, 1), 0, layout}, 0.01);
     EXPECT_EQ(essential.graph, Digraph(1, {}));
     EXPECT_EQ(essential.pathCosts(0, 0), 0);
 }

@@ -3,6 +3,7 @@
 #include "model/graph/alternatives.h"
 #include "model/graph/gaps.h"
 #include "model/graph/motiongraph.h"
+#include "noedge.h"
 #include "tests/model/graph/randomtransitions.h"
 
 #include <gtest/gtest.h>
@@ -11,14 +12,12 @@ using namespace quadrille;
 
 namespace {
 
-constexpr float none = std::numeric_limits<float>::infinity();
-
 /// Two sequences of four frames.
 struct TwoTakes
 {
     TwoTakes()
     {
-        cost.setConstant(none);
+        cost.setConstant(noEdge);
         length.setZero();
         distances.setConstant(9);
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/graph/motiongraph.h"
+#include "noedge.h"
 #include "tests/model/graph/randomtransitions.h"
 
 #include <algorithm>
@@ -13,8 +14,6 @@
 using namespace quadrille;
 
 namespace {
-
-constexpr float none = std::numeric_limits<float>::infinity();
 
 bool areInOneBlock(const FrameLayout& layout, NodeIndex i, NodeIndex j, NodeIndex a, NodeIndex b)
 {
@@ -62,16 +61,16 @@ std::vector<FramePair> plainMinima(const TransitionCosts& costs, int reach)
     return minima;
 }
 
-class Minima : public testing::TestWithParam<RandomTransitions>
+class Minima : public ::testing::TestWithParam<RandomTransitions>
 {
 };
 
 INSTANTIATE_TEST_SUITE_P(Random, Minima,
-                         testing::Values(RandomTransitions{.seed = 1, .counts = {5, 1, 7}},
-                                         RandomTransitions{.seed = 2, .counts = {20, 13}, .levels = 6},
-                                         RandomTransitions{.seed = 3, .counts = {30}, .missing = 0},
-                                         RandomTransitions{.seed = 4, .counts = {8, 8, 8}, .missing = 0.7},
-                                         RandomTransitions{.seed = 5, .counts = {4, 4}, .missing = 1}));
+                         ::testing::Values(RandomTransitions{.seed = 1, .counts = {5, 1, 7}},
+                                           RandomTransitions{.seed = 2, .counts = {20, 13}, .levels = 6},
+                                           RandomTransitions{.seed = 3, .counts = {30}, .missing = 0},
+                                           RandomTransitions{.seed = 4, .counts = {8, 8, 8}, .missing = 0.7},
+                                           RandomTransitions{.seed = 5, .counts = {4, 4}, .missing = 1}));
 
 } // namespace
 
@@ -86,7 +85,7 @@ TEST_P(Minima, AreThoseOfAPlainScan)
 TEST(CostMinima, OfATableSolvedByHand)
 {
     const FrameLayout layout(std::array<std::int64_t, 2>{3, 3});
-    Table<float> cost = Table<float>::Constant(6, 6, none);
+    Table<float> cost = Table<float>::Constant(6, 6, noEdge);
     // Source frames 0 … 2, destinations 3 … 5: a minimum in a corner, two alike that are none, one at an
     // edge.
     cost.block(0, 3, 3, 3) << 1, 5, 6, //

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
+#include "noedge.h"
 #include "tests/model/codeof.h"
 #include "tests/model/graph/randomtransitions.h"
 
@@ -13,11 +14,9 @@ namespace {
 
 using test::codeOf;
 
-constexpr float none = std::numeric_limits<float>::infinity();
-
 TransitionCosts onePair(float cost, double largestDistance)
 {
-    Table<float> costs = Table<float>::Constant(4, 4, none);
+    Table<float> costs = Table<float>::Constant(4, 4, noEdge);
     Table<std::uint16_t> lengths = Table<std::uint16_t>::Zero(4, 4);
     costs(1, 3) = cost;
     lengths(1, 3) = 2;
@@ -57,7 +56,7 @@ TEST(TransitionCosts, RefuseALargestDistanceThatCannotBe)
 TEST(TransitionCosts, MayBeOfPosesThatAreAllAlike)
 {
     EXPECT_DOUBLE_EQ(onePair(0, 0).weight(1, 3, 0.5), 1);
-    EXPECT_EQ(onePair(none, 0).weight(1, 3, 0.5), unreachable);
+    EXPECT_EQ(onePair(noEdge, 0).weight(1, 3, 0.5), unreachable);
 }
 
 TEST(CompleteWeights, RefuseAnAlphaBelowZeroOrNaN)

@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 
 using namespace quadrille;
-using testing::ElementsAre;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 namespace {
 
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view triangle = "v 0 0 0\nv 1 0 0\nv 0 170 0\nf 1 2 3\n";
 
-class ImportSurvey : public testing::Test
+class ImportSurvey : public ::testing::Test
 {
 protected:
     fs::path write(const std::string& name, std::string_view text = triangle) const

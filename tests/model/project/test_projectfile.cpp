@@ -131,11 +131,11 @@ TEST(ProjectFile, UnknownKeysArePointedOutButNotesAreNot)
     ASSERT_EQ(texts.size(), 5U);
     EXPECT_EQ(texts[0], "p.quadrille: The key “fsp” is not known here and has no effect. Did you mean “fps”? "
                         "(line 4, column 17)");
-    EXPECT_THAT(texts[1], testing::HasSubstr("“mood”"));
-    EXPECT_THAT(texts[1], testing::HasSubstr("“_mood”"));
-    EXPECT_THAT(texts[2], testing::HasSubstr("“colour”"));
-    EXPECT_THAT(texts[3], testing::HasSubstr("“lens”"));
-    EXPECT_THAT(texts[4], testing::HasSubstr("“motion_spaces”"));
+    EXPECT_THAT(texts[1], ::testing::HasSubstr("“mood”"));
+    EXPECT_THAT(texts[1], ::testing::HasSubstr("“_mood”"));
+    EXPECT_THAT(texts[2], ::testing::HasSubstr("“colour”"));
+    EXPECT_THAT(texts[3], ::testing::HasSubstr("“lens”"));
+    EXPECT_THAT(texts[4], ::testing::HasSubstr("“motion_spaces”"));
 }
 
 TEST(ProjectFile, AMissingSectionIsNamedWithItsPlace)
@@ -145,7 +145,7 @@ TEST(ProjectFile, AMissingSectionIsNamedWithItsPlace)
   "exports": [ { "name": "e", "what": "animations/dance", "path": "e.glb" } ])"));
     EXPECT_EQ(error.code(), ErrorCode::ProjectInvalid);
     EXPECT_THAT(error.what(),
-                testing::HasSubstr("The section “sequences” is missing, which “animations” needs"));
+                ::testing::HasSubstr("The section “sequences” is missing, which “animations” needs"));
     EXPECT_EQ(error.context().place.line, 5);
     EXPECT_EQ(error.context().place.column, 3);
 }

@@ -100,8 +100,8 @@ TEST(References, OfTheSameNameInOtherSectionsStay)
     EXPECT_EQ(project.animations.front().name, "talk");
     EXPECT_EQ(project.sequences[4].source, "clip:animations/talk");
     EXPECT_EQ(project.sequences[1].source, "clip:sequences/speech");
-    EXPECT_THAT(namesIn(project.exports), testing::ElementsAre("sequences/speech", "animations/talk",
-                                                               "sequences/part", "sequences/leap"));
+    EXPECT_THAT(namesIn(project.exports), ::testing::ElementsAre("sequences/speech", "animations/talk",
+                                                                 "sequences/part", "sequences/leap"));
 }
 
 TEST(References, ToASequenceGoWithItAndLeaveTheRestOfAnAnimation)
@@ -110,7 +110,7 @@ TEST(References, ToASequenceGoWithItAndLeaveTheRestOfAnAnimation)
     removeEntries(project, NamedKind::Sequence, {"talk"});
     // “again” shows “talk”.
     EXPECT_THAT(namesIn(project.exports),
-                testing::ElementsAre("animations/tour", "sequences/part", "sequences/leap"));
+                ::testing::ElementsAre("animations/tour", "sequences/part", "sequences/leap"));
     ASSERT_EQ(project.animations.size(), 1U);
     const AnimationEntry& tour = project.animations.front();
     EXPECT_FALSE(tour.start);
@@ -127,7 +127,7 @@ TEST(References, ToAnAnimationTakeWhatShowsIt)
     Project project = referringProject();
     removeEntries(project, NamedKind::Animation, {"tour"});
     EXPECT_EQ(project.sequences.size(), 5U);
-    EXPECT_THAT(namesIn(project.exports), testing::ElementsAre("sequences/talk", "sequences/leap"));
+    EXPECT_THAT(namesIn(project.exports), ::testing::ElementsAre("sequences/talk", "sequences/leap"));
     EXPECT_FALSE(hasErrors(validate(project)));
 }
 
@@ -140,7 +140,7 @@ TEST(References, ToACharacterTakeAllThatIsMadeOfIt)
     EXPECT_TRUE(project.graphs.empty());
     EXPECT_TRUE(project.animations.empty());
     EXPECT_TRUE(project.evaluations.empty());
-    EXPECT_THAT(namesIn(project.exports), testing::ElementsAre("sequences/leap"));
+    EXPECT_THAT(namesIn(project.exports), ::testing::ElementsAre("sequences/leap"));
     EXPECT_FALSE(hasErrors(validate(project)));
 }
 

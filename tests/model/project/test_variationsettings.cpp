@@ -14,7 +14,7 @@
 
 using namespace quadrille;
 using namespace quadrille::test;
-using quadrille::testing::largestDistance;
+using quadrille::test::largestDistance;
 using ::testing::Contains;
 using ::testing::Each;
 using ::testing::ElementsAre;

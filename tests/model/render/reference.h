@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// The plainest rasteriser there is: one thread, one triangle after the other, double precision, a texture
 /// sampled bilinearly at its full size, no light, one sample per pixel. What the real one must agree with.
@@ -108,4 +108,4 @@ inline std::shared_ptr<const Image> smoothTexture(int width, int height)
     return texture;
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

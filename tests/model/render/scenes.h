@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// Triangles with their corners.
 struct Mesh
@@ -148,4 +148,4 @@ inline std::uint64_t hashOf(const Image& image)
     return hash;
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

@@ -16,7 +16,7 @@
 #include <tbb/global_control.h>
 
 using namespace quadrille;
-using namespace quadrille::testing;
+using namespace quadrille::test;
 namespace fs = std::filesystem;
 
 namespace {

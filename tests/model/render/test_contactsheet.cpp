@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 using namespace quadrille;
-using namespace quadrille::testing;
+using namespace quadrille::test;
 
 namespace {
 

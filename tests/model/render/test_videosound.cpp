@@ -103,7 +103,7 @@ protected:
     }
 
     TemporaryFolder folder;
-    MeshSequence sequence = quadrille::testing::ball(6, 12);
+    MeshSequence sequence = quadrille::test::ball(6, 12);
     ExportOptions options;
     FileContent content;
 };

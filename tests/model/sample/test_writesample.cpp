@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class WriteSample : public testing::Test
+class WriteSample : public ::testing::Test
 {
 protected:
     void SetUp() override

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// A take of rb_m04, a man driven by motion capture, 30 fps; nothing where the real data are not there.
 inline std::optional<MeshSequence> realTake(const std::string& name)
@@ -23,4 +23,4 @@ inline std::optional<MeshSequence> realTake(const std::string& name)
     return openSequences(folder / (name + ".pc2"), options).sequences.front();
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

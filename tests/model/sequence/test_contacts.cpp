@@ -216,10 +216,10 @@ TEST(Contacts, canBeCancelled)
 
 TEST(Contacts, ofRealWalksAlternateBetweenTheFeet)
 {
-    if (!testing::realTake("walk_1"))
+    if (!test::realTake("walk_1"))
         GTEST_SKIP() << "no real takes";
     for (const char* take : {"walk_1", "walk_slow", "walk_fast"}) {
-        const MeshSequence sequence = *testing::realTake(take);
+        const MeshSequence sequence = *test::realTake(take);
         const auto spans = detectContacts(sequence);
         ASSERT_GE(spans.size(), 3U) << take;
         for (std::size_t i = 1; i < spans.size(); ++i)

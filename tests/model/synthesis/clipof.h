@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// A sequence as a clip of captured frames.
 inline Clip clipOf(const MeshSequence& sequence)
@@ -35,4 +35,4 @@ inline const MeshSequence& sampleTake(const std::string& name)
     throw std::out_of_range(name);
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// The sequence with every frame turned and moved over the ground, z up.
 inline MeshSequence movedOverGround(const MeshSequence& sequence, const GroundMotion& motion)
@@ -80,4 +80,4 @@ inline Transition advancingTogether(NodeIndex source, NodeIndex destination, int
     return transition;
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

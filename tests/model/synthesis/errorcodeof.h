@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// The code of the error that a call throws; nothing where it throws none.
 inline std::optional<ErrorCode> errorCodeOf(const std::function<void()>& call)
@@ -20,4 +20,4 @@ inline std::optional<ErrorCode> errorCodeOf(const std::function<void()>& call)
     return {};
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

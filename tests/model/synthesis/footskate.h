@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// Horizontal speed, m/s, of the vertices of a foot that are at most 1 cm above its lowest in two frames, for
 /// each step inside its contacts.
@@ -58,4 +58,4 @@ inline double meanOf(const std::vector<double>& values)
     return sum;
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 std::optional<BranchAndBound::State> BranchAndBound::begin(NodeIndex node) const
 {
@@ -110,4 +110,4 @@ double BranchAndBound::incrementalFromAll(std::int32_t lookAhead)
     return best;
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// Depth-first branch and bound along a path, as SMCAS §4.3 has it; stages are those of constraints without
 /// anything but the path. `isOver` is asked at every state and ends the search.
@@ -47,4 +47,4 @@ private:
     std::int64_t m_expansions = 0;
 };
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// As-rigid-as-possible deformation of a leg as a textbook has it: everything anew at each call, general
 /// linear solver, rotations by singular value decomposition.
@@ -104,4 +104,4 @@ inline void deformLegPlainly(const Topology& topology, const std::vector<std::ui
         pose[v] = now[v].cast<float>();
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

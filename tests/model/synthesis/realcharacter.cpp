@@ -9,7 +9,7 @@
 #include <memory>
 #include <set>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 namespace {
 
@@ -69,4 +69,4 @@ const RealCharacter* realCharacter()
     return character.get();
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

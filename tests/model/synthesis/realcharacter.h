@@ -9,7 +9,7 @@
 
 #include <map>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// The 21 takes of rb_m04, 1,150 frames, with all that walks are made from.
 struct RealCharacter
@@ -32,4 +32,4 @@ struct RealCharacter
 /// Computed once, in some seconds; null where the data are missing.
 const RealCharacter* realCharacter();
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

@@ -7,7 +7,7 @@
 #include "tests/model/largestdistance.h"
 #include "tests/model/transition/swayingtube.h"
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// A tube (z up) that sways through the same poses again and again and goes over the ground at an even pace.
 struct Stride
@@ -54,4 +54,4 @@ inline std::vector<Vec3f> movedBy(const GroundMotion& motion, Positions position
     return moved;
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

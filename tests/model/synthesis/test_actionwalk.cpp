@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 using namespace quadrille;
-using quadrille::testing::everyWalk;
-using quadrille::testing::WalkWorld;
+using quadrille::test::everyWalk;
+using quadrille::test::WalkWorld;
 
 namespace {
 

@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 using namespace quadrille;
-using namespace quadrille::testing;
+using namespace quadrille::test;
 
 namespace {
 
-const TubeTakes& takes()
+const TubeTakes& planTakes()
 {
     static const TubeTakes only(threeTakes());
     return only;
@@ -27,7 +27,7 @@ std::vector<FrameOrigin> originsOf(const ClipPlan& plan)
 std::string messageOf(const Walk& walk)
 {
     try {
-        takes().plan(walk);
+        planTakes().plan(walk);
     } catch (const Error& error) {
         return error.what();
     }
@@ -40,7 +40,7 @@ TEST(ClipPlan, ShowsTheEndsOfATransitionOnce)
 {
     const Walk walk{{{3, 5}, {27, 28}}};
     const std::vector<Transition> transitions{advancingTogether(5, 27, 4)};
-    const ClipPlan plan = planClip(takes().roots, walk, transitions);
+    const ClipPlan plan = planClip(planTakes().roots, walk, transitions);
     const std::vector<FrameOrigin> expected{{3, 3},           {4, 4},   {5, 5},  {6, 25, 1.0 / 3},
                                             {7, 26, 2.0 / 3}, {27, 27}, {28, 28}};
     EXPECT_EQ(originsOf(plan), expected);
@@ -56,8 +56,8 @@ TEST(ClipPlan, ShowsTheEndsOfATransitionOnce)
 TEST(ClipPlan, SpansOfOneFrameJoinTransitions)
 {
     const Walk walk{{{0, 0}, {27, 27}, {44, 44}}};
-    const ClipPlan plan =
-        planClip(takes().roots, walk, std::vector{advancingTogether(0, 27, 4), advancingTogether(27, 44, 3)});
+    const ClipPlan plan = planClip(planTakes().roots, walk,
+                                   std::vector{advancingTogether(0, 27, 4), advancingTogether(27, 44, 3)});
     const std::vector<FrameOrigin> expected{{0, 0},   {1, 25, 1.0 / 3}, {2, 26, 2.0 / 3},
                                             {27, 27}, {28, 43, 0.5},    {44, 44}};
     EXPECT_EQ(originsOf(plan), expected);
@@ -68,38 +68,38 @@ TEST(ClipPlan, SpansOfOneFrameJoinTransitions)
 TEST(ClipPlan, TransitionsOfOneFrameShowThePoseThatTheyLeave)
 {
     const Walk walk{{{2, 3}, {27, 28}, {44, 44}}};
-    const ClipPlan plan =
-        planClip(takes().roots, walk, std::vector{advancingTogether(3, 27, 1), advancingTogether(28, 44, 1)});
+    const ClipPlan plan = planClip(planTakes().roots, walk,
+                                   std::vector{advancingTogether(3, 27, 1), advancingTogether(28, 44, 1)});
     EXPECT_EQ(originsOf(plan), (std::vector<FrameOrigin>{{2, 2}, {3, 3}, {28, 28}}));
     EXPECT_EQ(plan.spanStarts, (std::vector<std::int64_t>{0, 1, 2}));
     EXPECT_EQ(plan.junctions[0].first, plan.junctions[0].last);
     // The next frame goes on from the pose that is not shown.
     const Ground ground(UpAxis::Z);
     const auto groundOf = [&](NodeIndex node) {
-        return ground.of(takes().roots.centres[static_cast<std::size_t>(node)]);
+        return ground.of(planTakes().roots.centres[static_cast<std::size_t>(node)]);
     };
     EXPECT_TRUE(plan.frames[2].placeSource(groundOf(27)).isApprox(groundOf(3), 1e-9));
-    EXPECT_NEAR(plan.frames[2].placeSource.turn, static_cast<double>(takes().roots.turns(3, 27)), 1e-9);
+    EXPECT_NEAR(plan.frames[2].placeSource.turn, static_cast<double>(planTakes().roots.turns(3, 27)), 1e-9);
 }
 
 TEST(ClipPlan, LastsAsLongAsItsParts)
 {
     const Walk walk{{{2, 5}, {30, 33}, {50, 50}, {12, 19}}};
-    const ClipPlan plan = takes().plan(walk);
+    const ClipPlan plan = planTakes().plan(walk);
     std::int64_t expected = 4 + 4 + 1 + 8;
     for (std::size_t t = 0; t < 3; ++t)
-        expected += takes().paths.get(walk.transition(t)).length() - 2;
+        expected += planTakes().paths.get(walk.transition(t)).length() - 2;
     EXPECT_EQ(plan.frameCount(), expected);
     for (std::size_t t = 0; t < 3; ++t) {
         const ClipPlan::Junction& junction = plan.junctions[t];
         const auto originAt = [&](std::int64_t frame) {
             return plan.frames[static_cast<std::size_t>(frame)].origin;
         };
-        EXPECT_EQ(junction.last - junction.first + 1, takes().paths.get(walk.transition(t)).length());
+        EXPECT_EQ(junction.last - junction.first + 1, planTakes().paths.get(walk.transition(t)).length());
         EXPECT_EQ(originAt(junction.first), (FrameOrigin{walk.spans[t].last, walk.spans[t].last}));
         EXPECT_EQ(originAt(junction.last), (FrameOrigin{walk.spans[t + 1].first, walk.spans[t + 1].first}));
         EXPECT_EQ(junction.last, plan.spanStarts[t + 1]);
-        EXPECT_EQ(junction.cost, takes().paths.get(walk.transition(t)).cost);
+        EXPECT_EQ(junction.cost, planTakes().paths.get(walk.transition(t)).cost);
     }
 }
 
@@ -107,7 +107,7 @@ TEST(ClipPlan, BlendsOfAFrameWithItselfAreCaptured)
 {
     Transition transition = advancingTogether(5, 8, 4);
     transition.path = {{5, 5}, {6, 6}, {7, 7}, {8, 8}};
-    const ClipPlan plan = planClip(takes().roots, {{{5, 5}, {8, 8}}}, std::vector{transition});
+    const ClipPlan plan = planClip(planTakes().roots, {{{5, 5}, {8, 8}}}, std::vector{transition});
     EXPECT_EQ(originsOf(plan), (std::vector<FrameOrigin>{{5, 5}, {6, 6}, {7, 7}, {8, 8}}));
 }
 
@@ -125,11 +125,11 @@ TEST(ClipPlan, RefusesWhatCannotBePlayed)
 
 TEST(CentreTrajectories, AreThoseOfTheThreeAlignments)
 {
-    const Transition transition = takes().paths.get({4, 33});
-    const CentreTrajectories trajectories = centreTrajectories(takes().roots, transition, 0.5);
+    const Transition transition = planTakes().paths.get({4, 33});
+    const CentreTrajectories trajectories = centreTrajectories(planTakes().roots, transition, 0.5);
     const auto expectSame = [&](const std::vector<Vec3d>& points, BlendAlignment alignment) {
         const TransitionMotion motion =
-            transitionMotion(takes().roots, transition, {.alignment = alignment, .constantWeight = 0.5});
+            transitionMotion(planTakes().roots, transition, {.alignment = alignment, .constantWeight = 0.5});
         ASSERT_EQ(points.size(), motion.steps.size());
         for (std::size_t t = 0; t < points.size(); ++t)
             EXPECT_EQ(points[t], motion.steps[t].centre);

@@ -16,12 +16,12 @@
 namespace quadrille {
 namespace {
 
-using testing::clipOf;
-using testing::errorCodeOf;
-using testing::footSkate;
-using testing::largestDistance;
-using testing::movedBy;
-using testing::sampleTake;
+using test::clipOf;
+using test::errorCodeOf;
+using test::footSkate;
+using test::largestDistance;
+using test::movedBy;
+using test::sampleTake;
 
 FrameRange frames(std::int64_t first, std::int64_t last)
 {
@@ -128,8 +128,8 @@ TEST(LegDeformation, IsThatOfTheTextbook)
         std::vector<Vec3f> ours(clip.frame(7).begin(), clip.frame(7).end());
         std::vector<Vec3f> plain = ours;
         deformation.apply(shift, ground, ours);
-        testing::deformLegPlainly(*clip.topology, legs.vertices[side], foot, legs.reference, shift, ground,
-                                  plain);
+        test::deformLegPlainly(*clip.topology, legs.vertices[side], foot, legs.reference, shift, ground,
+                               plain);
         // Single precision of the result; a billionth part is added to the diagonal of ours.
         EXPECT_LT(largestDistance(ours, plain), 1e-5);
         EXPECT_GT(largestDistance(ours, clip.frame(7)), 0.04);
@@ -142,8 +142,8 @@ TEST(ContactCorrection, MakesFeetStand)
     const Clip result = contactsCorrected(s.clip, s.contacts);
     ASSERT_EQ(s.figure.feet.size(), 2U);
     for (const Foot& foot : s.figure.feet) {
-        const double before = testing::meanOf(footSkate(s.clip, foot, s.contacts));
-        const double after = testing::meanOf(footSkate(result, foot, s.contacts));
+        const double before = test::meanOf(footSkate(s.clip, foot, s.contacts));
+        const double after = test::meanOf(footSkate(result, foot, s.contacts));
         EXPECT_GT(before, 0.15) << foot.name;
         EXPECT_LT(after, 0.15 * before) << foot.name;
     }
@@ -303,7 +303,7 @@ TEST(ContactCorrection, KnowsTheLegsOfACharacterThatDoesNotStand)
 TEST(ContactCorrection, SaysWhatItCannotDo)
 {
     const Slipping& s = slipping();
-    EXPECT_EQ(errorCodeOf([] { contactsCorrected(testing::stridingTube({}), {}, {}, {.up = UpAxis::Z}); }),
+    EXPECT_EQ(errorCodeOf([] { contactsCorrected(test::stridingTube({}), {}, {}, {.up = UpAxis::Z}); }),
               ErrorCode::NoFeet);
     for (double ContactCorrectionSettings::*field :
          {&ContactCorrectionSettings::strength, &ContactCorrectionSettings::easeSeconds,
@@ -323,18 +323,18 @@ TEST(ContactCorrection, SaysWhatItCannotDo)
 
 TEST(ContactCorrection, OfRealTakes)
 {
-    if (!testing::realTake("walk_1"))
+    if (!test::realTake("walk_1"))
         GTEST_SKIP() << "no real takes";
     for (const char* take : {"walk_1", "run_1", "kick_1", "walk_turn_left_1"}) {
-        const MeshSequence sequence = *testing::realTake(take);
+        const MeshSequence sequence = *test::realTake(take);
         const Clip clip = clipOf(sequence);
         const std::vector<ContactSpan> contacts = detectContacts(sequence);
         const Clip result = contactsCorrected(clip, contacts);
         const Figure figure = findFigure(
             *clip.topology, upright(clip.positions, clip.topology->vertexCount(), UpAxis::Y), 0.07);
         for (const Foot& foot : figure.feet) {
-            EXPECT_LT(testing::meanOf(footSkate(result, foot, contacts)), 0.03) << take << " " << foot.name;
-            EXPECT_GT(testing::meanOf(footSkate(clip, foot, contacts)), 0.1) << take << " " << foot.name;
+            EXPECT_LT(test::meanOf(footSkate(result, foot, contacts)), 0.03) << take << " " << foot.name;
+            EXPECT_GT(test::meanOf(footSkate(clip, foot, contacts)), 0.1) << take << " " << foot.name;
         }
     }
 }

@@ -12,7 +12,7 @@
 #include <numeric>
 
 namespace quadrille {
-using namespace testing;
+using namespace test;
 
 namespace {
 

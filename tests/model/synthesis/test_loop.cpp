@@ -13,26 +13,26 @@
 namespace quadrille {
 namespace {
 
-using testing::errorCodeOf;
-using testing::largestDistance;
-using testing::movedBy;
-using testing::stridingTube;
+using test::errorCodeOf;
+using test::largestDistance;
+using test::movedBy;
+using test::stridingTube;
 
-const BlendMethod upright{.up = UpAxis::Z, .pose = {}, .transitions = {}};
+const BlendMethod uprightBlend{.up = UpAxis::Z, .pose = {}, .transitions = {}};
 
 /// A curved walk of three periods and a half.
-const testing::Stride curved{.frames = 70, .period = 20, .pace = {0.03, Vec2d(0.04, 0.01)}};
+const test::Stride curved{.frames = 70, .period = 20, .pace = {0.03, Vec2d(0.04, 0.01)}};
 
 TEST(Loop, OfAPeriodicMotionIsAWholeNumberOfPeriods)
 {
     const Clip clip = stridingTube(curved);
-    const Loop loop = seamlessLoop(clip, {}, upright);
+    const Loop loop = seamlessLoop(clip, {}, uprightBlend);
     const auto count = static_cast<int>(loop.cycle.frameCount());
     EXPECT_EQ(count % curved.period, 0);
     EXPECT_EQ(count, 60); // the longest that fits
     // Two cycles are the motion itself, played on.
     const Clip twice = repeated(loop, 2, UpAxis::Z);
-    testing::Stride longer = curved;
+    test::Stride longer = curved;
     longer.frames = 200;
     const Clip expected = stridingTube(longer);
     for (int f = 0; f < 2 * count; ++f)
@@ -44,7 +44,7 @@ TEST(Loop, OfAPeriodicMotionIsAWholeNumberOfPeriods)
 TEST(Loop, NamesTheOriginsOfItsFrames)
 {
     const Clip clip = stridingTube(curved);
-    BlendMethod plain = upright;
+    BlendMethod plain = uprightBlend;
     plain.blend = {};
     const Loop loop = seamlessLoop(clip, {}, plain);
     const auto [last, first] = loop.closure.frames;
@@ -61,13 +61,13 @@ TEST(Loop, NamesTheOriginsOfItsFrames)
 
 TEST(Loop, HasNoSeamWhereTheMotionIsNotQuitePeriodic)
 {
-    testing::Stride growing = curved;
+    test::Stride growing = curved;
     growing.growth = 0.01;
     const Clip clip = stridingTube(growing);
     double captured = 0;
     for (std::int64_t f = 1; f < clip.frameCount(); ++f)
         captured = std::max(captured, largestDistance(clip.frame(f - 1), clip.frame(f)));
-    const Clip twice = repeated(seamlessLoop(clip, {}, upright), 2, UpAxis::Z);
+    const Clip twice = repeated(seamlessLoop(clip, {}, uprightBlend), 2, UpAxis::Z);
     for (std::int64_t f = 1; f < twice.frameCount(); ++f)
         EXPECT_LT(largestDistance(twice.frame(f - 1), twice.frame(f)), 1.2 * captured) << f;
 }
@@ -76,7 +76,7 @@ TEST(Loop, CutsNoMoreThanItMay)
 {
     const Clip clip = stridingTube(curved);
     const LoopSettings settings{.cutStart = Seconds{0.4}, .cutEnd = Seconds{0.6}};
-    const Loop loop = seamlessLoop(clip, settings, upright);
+    const Loop loop = seamlessLoop(clip, settings, uprightBlend);
     EXPECT_LE(loop.closure.frames.destination, 10);
     EXPECT_GE(loop.closure.frames.source, clip.frameCount() - 1 - 15);
 }
@@ -84,8 +84,8 @@ TEST(Loop, CutsNoMoreThanItMay)
 TEST(Loop, MovesWithItsClip)
 {
     const GroundMotion elsewhere{2, Vec2d(-3, 8)};
-    const Loop here = seamlessLoop(stridingTube(curved), {}, upright);
-    const Loop there = seamlessLoop(stridingTube(curved, elsewhere), {}, upright);
+    const Loop here = seamlessLoop(stridingTube(curved), {}, uprightBlend);
+    const Loop there = seamlessLoop(stridingTube(curved, elsewhere), {}, uprightBlend);
     ASSERT_EQ(here.closure.frames, there.closure.frames);
     for (std::int64_t f = 0; f < here.cycle.frameCount(); ++f)
         EXPECT_LT(largestDistance(movedBy(elsewhere, here.cycle.frame(f), UpAxis::Z), there.cycle.frame(f)),
@@ -98,7 +98,7 @@ TEST(Loop, InPlaceComesBackToWhereItBegan)
 {
     LoopSettings settings;
     settings.inPlace = true;
-    const Loop loop = seamlessLoop(stridingTube(curved), settings, upright);
+    const Loop loop = seamlessLoop(stridingTube(curved), settings, uprightBlend);
     EXPECT_EQ(loop.travel, GroundMotion());
     const Ground ground(UpAxis::Z);
     const Clip around = repeated(loop, 2, UpAxis::Z);
@@ -113,27 +113,28 @@ TEST(Loop, InPlaceComesBackToWhereItBegan)
 
 TEST(Loop, SaysWhatItNeeds)
 {
-    testing::Stride brief = curved;
+    test::Stride brief = curved;
     brief.frames = 17;
-    EXPECT_EQ(errorCodeOf([&] { seamlessLoop(stridingTube(brief), {}, upright); }), ErrorCode::LoopTooShort);
+    EXPECT_EQ(errorCodeOf([&] { seamlessLoop(stridingTube(brief), {}, uprightBlend); }),
+              ErrorCode::LoopTooShort);
     const Clip clip = stridingTube(curved);
     const auto cutting = [&](double seconds) {
         return errorCodeOf(
-            [&] { seamlessLoop(clip, {.cutStart = Seconds{seconds}, .cutEnd = {}}, upright); });
+            [&] { seamlessLoop(clip, {.cutStart = Seconds{seconds}, .cutEnd = {}}, uprightBlend); });
     };
     EXPECT_EQ(cutting(0.1), ErrorCode::LoopCutTooShort);
     EXPECT_EQ(cutting(-1), ErrorCode::BadArgument);
     EXPECT_EQ(cutting(std::numeric_limits<double>::quiet_NaN()), ErrorCode::BadArgument);
-    const Loop loop = seamlessLoop(clip, {}, upright);
+    const Loop loop = seamlessLoop(clip, {}, uprightBlend);
     for (const int cycles : {0, -1, 100000})
         EXPECT_EQ(errorCodeOf([&] { repeated(loop, cycles, UpAxis::Z); }), ErrorCode::BadArgument);
 }
 
 TEST(Loop, OfTheShortestClipThatCanBeBlended)
 {
-    testing::Stride brief = curved;
+    test::Stride brief = curved;
     brief.frames = 18;
-    const Loop loop = seamlessLoop(stridingTube(brief), {}, upright);
+    const Loop loop = seamlessLoop(stridingTube(brief), {}, uprightBlend);
     EXPECT_GE(loop.cycle.frameCount(), 9);
 }
 
@@ -141,16 +142,16 @@ TEST(Loop, LeavesAClipThatGoesRoundAsItIs)
 {
     // Two periods, without and with the frame that begins the third one.
     for (const int frames : {40, 41}) {
-        testing::Stride whole = curved;
+        test::Stride whole = curved;
         whole.frames = frames;
         const Clip clip = stridingTube(whole);
-        const Loop loop = seamlessLoop(clip, {}, upright);
+        const Loop loop = seamlessLoop(clip, {}, uprightBlend);
         EXPECT_EQ(loop.cycle.frameCount(), 40);
         EXPECT_TRUE(loop.closure.path.empty());
         EXPECT_EQ(loop.cycle.origins.front(), clip.origins.front());
         for (std::int64_t f = 0; f < 40; ++f)
             EXPECT_EQ(largestDistance(loop.cycle.frame(f), clip.frame(f)), 0);
-        testing::Stride longer = curved;
+        test::Stride longer = curved;
         longer.frames = 80;
         const Clip twice = repeated(loop, 2, UpAxis::Z);
         const Clip expected = stridingTube(longer);
@@ -170,15 +171,15 @@ TEST(Loop, DoesNotTakeAWayBackForARound)
         clip.positions.insert(clip.positions.end(), there.frame(f).begin(), there.frame(f).end());
     }
     EXPECT_FALSE(ownPeriod(clip, UpAxis::Z, {}));
-    EXPECT_FALSE(seamlessLoop(clip, {}, upright).closure.path.empty());
+    EXPECT_FALSE(seamlessLoop(clip, {}, uprightBlend).closure.path.empty());
 }
 
 TEST(Loop, IsNotFrozenByMeanCosts)
 {
-    if (!testing::realTake("walk_1"))
+    if (!test::realTake("walk_1"))
         GTEST_SKIP() << "no real takes";
     for (const char* take : {"walk_1", "walk_fast", "run_1"}) {
-        const Clip clip = testing::clipOf(*testing::realTake(take));
+        const Clip clip = test::clipOf(*test::realTake(take));
         double least = 1;
         for (std::int64_t f = 1; f < clip.frameCount(); ++f)
             least = std::min(least, largestDistance(clip.frame(f - 1), clip.frame(f)));
@@ -198,7 +199,7 @@ TEST(Loop, StopsWhenCancelled)
 {
     CancelToken token;
     token.cancel();
-    EXPECT_EQ(errorCodeOf([&] { seamlessLoop(stridingTube(curved), {}, upright, Progress(token)); }),
+    EXPECT_EQ(errorCodeOf([&] { seamlessLoop(stridingTube(curved), {}, uprightBlend, Progress(token)); }),
               ErrorCode::Cancelled);
 }
 

@@ -9,11 +9,11 @@
 #include <tbb/global_control.h>
 
 using namespace quadrille;
-using namespace quadrille::testing;
+using namespace quadrille::test;
 
 namespace {
 
-const TubeTakes& takes()
+const TubeTakes& clipTakes()
 {
     static const TubeTakes only(threeTakes());
     return only;
@@ -36,11 +36,11 @@ std::vector<MeshSequence> twice(const GroundMotion& elsewhere)
 
 TEST(MakeClip, PlaysCapturedFramesAsTheyAre)
 {
-    const Clip clip = takes().clip({{{22, 30}}});
+    const Clip clip = clipTakes().clip({{{22, 30}}});
     ASSERT_EQ(clip.frameCount(), 9);
     EXPECT_EQ(clip.fps, 25);
     for (int f = 0; f < 9; ++f) {
-        EXPECT_TRUE(std::ranges::equal(clip.frame(f), takes().character.frame(22 + f).positions()));
+        EXPECT_TRUE(std::ranges::equal(clip.frame(f), clipTakes().character.frame(22 + f).positions()));
         EXPECT_EQ(clip.origins[static_cast<std::size_t>(f)], (FrameOrigin{22 + f, 22 + f}));
     }
 }
@@ -59,24 +59,24 @@ TEST(MakeClip, JoinsOneMotionThatLiesElsewhereWithoutATrace)
 
 TEST(MakeClip, ShowsTheEndsOfTransitionsExactly)
 {
-    const ClipPlan plan = takes().plan(someWalk());
-    const Clip clip = makeClip(takes().character, plan);
+    const ClipPlan plan = clipTakes().plan(someWalk());
+    const Clip clip = makeClip(clipTakes().character, plan);
     EXPECT_EQ(clip.frameCount(), plan.frameCount());
     for (std::size_t f = 0; f < plan.frames.size(); ++f) {
         const PlannedFrame& planned = plan.frames[f];
         EXPECT_EQ(clip.origins[f], planned.origin);
         if (planned.origin.isCaptured()) {
             EXPECT_TRUE(std::ranges::equal(clip.frame(static_cast<std::int64_t>(f)),
-                                           takes().placed(planned.origin.source, planned.placeSource)));
+                                           clipTakes().placed(planned.origin.source, planned.placeSource)));
         }
     }
-    const Transition transition = takes().paths.get({5, 30});
-    const Clip blended = blendTransition(takes().character, takes().roots, transition);
+    const Transition transition = clipTakes().paths.get({5, 30});
+    const Clip blended = blendTransition(clipTakes().character, clipTakes().roots, transition);
     ASSERT_EQ(blended.frameCount(), transition.length());
-    EXPECT_TRUE(std::ranges::equal(blended.frame(0), takes().character.frame(5).positions()));
-    const TransitionMotion motion = transitionMotion(takes().roots, transition);
+    EXPECT_TRUE(std::ranges::equal(blended.frame(0), clipTakes().character.frame(5).positions()));
+    const TransitionMotion motion = transitionMotion(clipTakes().roots, transition);
     EXPECT_TRUE(
-        std::ranges::equal(blended.frame(blended.frameCount() - 1), takes().placed(30, motion.exit())));
+        std::ranges::equal(blended.frame(blended.frameCount() - 1), clipTakes().placed(30, motion.exit())));
 }
 
 TEST(MakeClip, KeepsTheCentreOnThePlan)
@@ -84,8 +84,8 @@ TEST(MakeClip, KeepsTheCentreOnThePlan)
     for (const BlendAlignment alignment :
          {BlendAlignment::EveryStep, BlendAlignment::MidWindow, BlendAlignment::None}) {
         const PlanOptions options{.start = {0.7, Vec2d(4, -1)}, .blend = {.alignment = alignment}};
-        const ClipPlan plan = takes().plan(someWalk(), options);
-        const Clip clip = makeClip(takes().character, plan);
+        const ClipPlan plan = clipTakes().plan(someWalk(), options);
+        const Clip clip = makeClip(clipTakes().character, plan);
         double largestStep = 0;
         for (std::size_t f = 0; f < plan.frames.size(); ++f) {
             // Single precision, some metres from the origin.
@@ -97,11 +97,11 @@ TEST(MakeClip, KeepsTheCentreOnThePlan)
                     std::max(largestStep, (plan.frames[f].centre - plan.frames[f - 1].centre).norm());
         }
         double largestCaptured = 0;
-        for (NodeIndex node = 1; node < takes().character.frameCount(); ++node) {
+        for (NodeIndex node = 1; node < clipTakes().character.frameCount(); ++node) {
             if (node % 20 != 0)
                 largestCaptured =
-                    std::max(largestCaptured, (takes().roots.centres[static_cast<std::size_t>(node)] -
-                                               takes().roots.centres[static_cast<std::size_t>(node) - 1])
+                    std::max(largestCaptured, (clipTakes().roots.centres[static_cast<std::size_t>(node)] -
+                                               clipTakes().roots.centres[static_cast<std::size_t>(node) - 1])
                                                   .norm());
         }
         if (alignment == BlendAlignment::EveryStep) {
@@ -113,12 +113,12 @@ TEST(MakeClip, KeepsTheCentreOnThePlan)
 TEST(MakeClip, MovesRigidlyWithItsInputs)
 {
     const std::vector<MeshSequence> original = threeTakes();
-    const Clip expected = takes().clip(someWalk());
+    const Clip expected = clipTakes().clip(someWalk());
     const GroundMotion elsewhere{-1.9, Vec2d(3, 8)};
     const auto expectSame = [&](const std::vector<MeshSequence>& moved, const GroundMotion& start) {
         const TubeTakes other(moved);
         std::vector<Transition> transitions =
-            transitionsOf(someWalk(), takes().character.layout(), takes().paths);
+            transitionsOf(someWalk(), clipTakes().character.layout(), clipTakes().paths);
         const Clip clip = makeClip(other.character, planClip(other.roots, someWalk(), transitions, {start}));
         ASSERT_EQ(clip.frameCount(), expected.frameCount());
         // Positions of some metres in single precision, turns in single precision.
@@ -131,21 +131,21 @@ TEST(MakeClip, MovesRigidlyWithItsInputs)
 
 TEST(MakeClip, InterpolatesByTheMethodAskedFor)
 {
-    const ClipPlan plan = takes().plan({{{2, 5}, {30, 33}}});
-    const Clip linear = makeClip(takes().character, plan, InterpolationMethod::Linear);
+    const ClipPlan plan = clipTakes().plan({{{2, 5}, {30, 33}}});
+    const Clip linear = makeClip(clipTakes().character, plan, InterpolationMethod::Linear);
     const auto f = static_cast<std::size_t>(plan.junctions[0].first + 2);
     const PlannedFrame& planned = plan.frames[f];
-    const std::vector<Vec3f> source = takes().placed(planned.origin.source, planned.placeSource);
+    const std::vector<Vec3f> source = clipTakes().placed(planned.origin.source, planned.placeSource);
     const std::vector<Vec3f> destination =
-        takes().placed(planned.origin.destination, planned.placeDestination);
+        clipTakes().placed(planned.origin.destination, planned.placeDestination);
     std::vector<Vec3f> expected;
     for (std::size_t v = 0; v < source.size(); ++v)
         expected.push_back(((1 - planned.origin.lambda) * source[v].cast<double>() +
                             planned.origin.lambda * destination[v].cast<double>())
                                .cast<float>());
     EXPECT_LT(largestDistance(linear.frame(static_cast<std::int64_t>(f)), expected), 1e-6);
-    EXPECT_NE(linear.positions, makeClip(takes().character, plan).positions);
-    EXPECT_NE(makeClip(takes().character, plan, InterpolationMethod::Slerp).positions, linear.positions);
+    EXPECT_NE(linear.positions, makeClip(clipTakes().character, plan).positions);
+    EXPECT_NE(makeClip(clipTakes().character, plan, InterpolationMethod::Slerp).positions, linear.positions);
 }
 
 TEST(MakeClip, IsTheSameOnAnyNumberOfThreads)
@@ -154,21 +154,21 @@ TEST(MakeClip, IsTheSameOnAnyNumberOfThreads)
     Walk walk;
     for (int k = 0; k < 80; ++k)
         walk.spans.push_back({k % 3 * 20 + 9, k % 3 * 20 + 9 + k % 2});
-    const ClipPlan plan = takes().plan(walk);
-    const Clip parallel = makeClip(takes().character, plan);
+    const ClipPlan plan = clipTakes().plan(walk);
+    const Clip parallel = makeClip(clipTakes().character, plan);
     ASSERT_GT(std::ranges::count_if(plan.frames, [](const auto& f) { return !f.origin.isCaptured(); }), 128);
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    EXPECT_EQ(makeClip(takes().character, plan).positions, parallel.positions);
-    const ClipPlayer player(takes().character, plan);
+    EXPECT_EQ(makeClip(clipTakes().character, plan).positions, parallel.positions);
+    const ClipPlayer player(clipTakes().character, plan);
     for (std::int64_t f = 0; f < player.frameCount(); f += 3)
         EXPECT_TRUE(std::ranges::equal(player.frame(f), parallel.frame(f))) << f;
 }
 
 TEST(MakeClip, StopsWhenCancelled)
 {
-    const ClipPlan plan = takes().plan(someWalk());
+    const ClipPlan plan = clipTakes().plan(someWalk());
     std::atomic<double> last = 0;
-    makeClip(takes().character, plan, InterpolationMethod::Poisson,
+    makeClip(clipTakes().character, plan, InterpolationMethod::Poisson,
              Progress({}, [&](double fraction) { last = fraction; }));
     EXPECT_EQ(last, 1.0);
     for (const double when : {0.0, 0.05, 0.5}) {
@@ -178,7 +178,7 @@ TEST(MakeClip, StopsWhenCancelled)
                 token.cancel();
         });
         try {
-            makeClip(takes().character, plan, InterpolationMethod::Poisson, progress);
+            makeClip(clipTakes().character, plan, InterpolationMethod::Poisson, progress);
             ADD_FAILURE() << when;
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ErrorCode::Cancelled);

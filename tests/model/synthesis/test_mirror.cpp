@@ -12,12 +12,12 @@
 namespace quadrille {
 namespace {
 
-using testing::clipOf;
-using testing::errorCodeOf;
-using testing::largestDistance;
-using testing::movedBy;
-using testing::sample;
-using testing::sampleTake;
+using test::clipOf;
+using test::errorCodeOf;
+using test::largestDistance;
+using test::movedBy;
+using test::sample;
+using test::sampleTake;
 
 const Symmetry& sampleSymmetry()
 {
@@ -117,7 +117,7 @@ TEST(Mirror, OfALoopGoesOnAsItDoes)
 
 TEST(Mirror, RefusesTheSymmetryOfAnotherMesh)
 {
-    const Clip tube = testing::stridingTube({.frames = 3});
+    const Clip tube = test::stridingTube({.frames = 3});
     EXPECT_EQ(errorCodeOf([&] { mirrored(tube, sampleSymmetry(), {}, UpAxis::Z); }),
               ErrorCode::VertexCountMismatch);
 }

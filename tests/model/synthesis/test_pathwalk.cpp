@@ -11,8 +11,8 @@
 #include <numeric>
 
 using namespace quadrille;
-using quadrille::testing::BranchAndBound;
-using quadrille::testing::WalkWorld;
+using quadrille::test::BranchAndBound;
+using quadrille::test::WalkWorld;
 
 namespace {
 
@@ -81,7 +81,8 @@ Deviations plainDeviations(const WalkWorld& world, const WalkSolution& solution,
     return result;
 }
 
-WalkSolution find(const WalkWorld& world, const WalkConstraints& constraints, const SearchSettings& settings)
+WalkSolution findPathWalk(const WalkWorld& world, const WalkConstraints& constraints,
+                          const SearchSettings& settings)
 {
     return findWalk(world.material(), constraints, settings);
 }
@@ -94,7 +95,7 @@ TEST(PathWalk, AccountsForEveryFrame)
     for (const bool inSpace : {false, true}) {
         PathConstraint path = curve(1.5);
         path.inSpace = inSpace;
-        const WalkSolution solution = find(world, {.path = path}, {.budget = 5000});
+        const WalkSolution solution = findPathWalk(world, {.path = path}, {.budget = 5000});
         const Deviations plain = plainDeviations(world, solution, path);
         // Single precision of the steps of transitions.
         EXPECT_NEAR(solution.cost.deviation, plain.squares, 1e-5);
@@ -125,7 +126,7 @@ TEST(PathWalk, IsAsGoodAsBranchAndBoundOnSmallCases)
         const double expected = reference.exact();
         if (expected == unreachable)
             continue;
-        const WalkSolution solution = find(world, {.path = path}, {.budget = 60'000});
+        const WalkSolution solution = findPathWalk(world, {.path = path}, {.budget = 60'000});
         EXPECT_GE(solution.totalCost, expected - 1e-9) << seed;
         // States that nearly agree are one, which may lose a little.
         EXPECT_LE(solution.totalCost, 1.01 * expected) << seed;
@@ -138,8 +139,8 @@ TEST(PathWalk, DependsOnItsBudgetAlone)
 {
     const WalkWorld world({.seed = 4, .counts = {20, 25, 15, 30}, .missing = 0.4, .shortest = 4});
     const WalkConstraints constraints{.path = curve(2.5)};
-    const WalkSolution once = find(world, constraints, {.budget = 3000});
-    EXPECT_EQ(once, find(world, constraints, {.budget = 3000}));
+    const WalkSolution once = findPathWalk(world, constraints, {.budget = 3000});
+    EXPECT_EQ(once, findPathWalk(world, constraints, {.budget = 3000}));
     EXPECT_LE(once.expansions, 3000);
     std::vector<WalkSolution> found;
     const WalkSolution best = findWalk(world.material(), constraints, {.budget = 40'000}, {},
@@ -161,7 +162,7 @@ TEST(PathWalk, ShowsDemandedFramesAndKeepsTime)
     PathConstraint path = curve(3);
     path.spans = {{.from = 1, .to = 1.8, .demanded = world.sequence(1, "jump")},
                   {.from = 2, .to = 2.6, .duration = 19}};
-    const WalkSolution solution = find(world, {.path = path}, {.beta = 1, .budget = 40'000});
+    const WalkSolution solution = findPathWalk(world, {.path = path}, {.beta = 1, .budget = 40'000});
     // Every frame in the span is of the sequence, or of a transition that begins or ends in it.
     const std::vector<Vec3d> centres = centresOf(world, solution);
     std::vector<FramePair> origins;
@@ -187,7 +188,7 @@ TEST(PathWalk, ShowsDemandedFramesAndKeepsTime)
     EXPECT_NEAR(solution.cost.timing, std::abs(static_cast<double>(solution.spans[1].count()) - 19), 1e-9);
     // Without the demand, none of it is shown there as a matter of course.
     path.spans.erase(path.spans.begin());
-    const WalkSolution slower = find(world, {.path = path}, {.beta = 1, .budget = 40'000});
+    const WalkSolution slower = findPathWalk(world, {.path = path}, {.beta = 1, .budget = 40'000});
     EXPECT_LE(slower.totalCost, solution.totalCost + 1e-9);
 }
 
@@ -195,10 +196,10 @@ TEST(PathWalk, GoesAroundObstacles)
 {
     const WalkWorld world({.seed = 6, .counts = {40, 40, 40, 40, 40}, .missing = 0.2, .shortest = 4});
     PathConstraint path = curve(3);
-    const WalkSolution free = find(world, {.path = path}, {.budget = 20'000});
+    const WalkSolution free = findPathWalk(world, {.path = path}, {.budget = 20'000});
     path.obstacles = {{.name = "pillar", .outline = {{1.5, 0.12}}, .radius = 0.05, .clearance = 0.1},
                       {.name = "wall", .outline = {{2.2, -2}, {2.3, -2}, {2.3, -0.05}}}};
-    const WalkSolution around = find(world, {.path = path}, {.budget = 20'000});
+    const WalkSolution around = findPathWalk(world, {.path = path}, {.budget = 20'000});
     const auto nearest = [&](const WalkSolution& solution, const Obstacle& obstacle) {
         double distance = unreachable;
         for (const Vec3d& centre : centresOf(world, solution))
@@ -217,7 +218,7 @@ TEST(PathWalk, MeetsKeysAndActionsOnTheWay)
     const WalkConstraints constraints{.keys = {{pose, 25}},
                                       .path = curve(3),
                                       .actions = {{.frames = world.sequence(1, "kick"), .leastShare = 0.6}}};
-    const WalkSolution solution = find(world, constraints, {.budget = 60'000});
+    const WalkSolution solution = findPathWalk(world, constraints, {.budget = 60'000});
     ASSERT_EQ(solution.keys.size(), 1U);
     EXPECT_NEAR(static_cast<double>(solution.keys[0].obtained), 25, 8);
     std::int64_t longest = 0;
@@ -240,7 +241,7 @@ TEST(PathWalk, SaysWhatIsInTheWay)
                       {.name = "fence", .outline = {{-1, 0.3}, {1, 0.3}, {1, 1}, {-1, 1}}},
                       {.name = "fence", .outline = {{-1, -1}, {1, -1}, {1, -0.3}, {-1, -0.3}}}};
     try {
-        find(world, {.path = path}, {.budget = 2000});
+        findPathWalk(world, {.path = path}, {.budget = 2000});
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::WalkPathBlocked);
@@ -251,7 +252,7 @@ TEST(PathWalk, SaysWhatIsInTheWay)
     path.obstacles.clear();
     path.spans = {{.from = 1, .to = 1.5, .demanded = FrameSet{"blink", {{7, 7}}}}};
     try {
-        find(world, {.path = path}, {.budget = 2000});
+        findPathWalk(world, {.path = path}, {.budget = 2000});
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::WalkDemandUnmet);

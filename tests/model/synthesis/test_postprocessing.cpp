@@ -17,11 +17,11 @@
 namespace quadrille {
 namespace {
 
-using testing::clipOf;
-using testing::errorCodeOf;
-using testing::footSkate;
-using testing::largestDistance;
-using testing::sampleTake;
+using test::clipOf;
+using test::errorCodeOf;
+using test::footSkate;
+using test::largestDistance;
+using test::sampleTake;
 
 const Clip& walk()
 {
@@ -74,7 +74,7 @@ TEST(PostProcessing, FollowsItsOrder)
     const PostProcessingInputs inputs;
     const PostProcessed result = postProcessed(walk(), settings, inputs);
     Loop loop = contactsCorrected(seamlessLoop(walk(), {}, {}), {}, inputs);
-    const Symmetry symmetry = findSymmetry(*walk().topology, testing::sample().body.rest);
+    const Symmetry symmetry = findSymmetry(*walk().topology, test::sample().body.rest);
     loop = mirrored(loop, symmetry, mirrorLine(loop.cycle, symmetry, UpAxis::Y), UpAxis::Y);
     const Loop twice{repeated(loop, 2, UpAxis::Y), repeatedTravel(loop.travel, 2), {}};
     const Loop expected = retimed(twice, *settings.retime, UpAxis::Y);
@@ -99,7 +99,7 @@ TEST(PostProcessing, WithoutALoopDoesTheRest)
     };
     inputs.symmetry = [&asked](const Progress&) {
         ++asked;
-        return findSymmetry(*walk().topology, testing::sample().body.rest);
+        return findSymmetry(*walk().topology, test::sample().body.rest);
     };
     const PostProcessed result = postProcessed(walk(), settings, inputs);
     EXPECT_EQ(asked, 2);
@@ -116,7 +116,7 @@ TEST(PostProcessing, OfALoopCorrectsContactsAcrossItsSeam)
     EXPECT_EQ(corrected.travel, loop.travel);
     const Clip before = repeated(loop, 3, UpAxis::Y);
     const Clip after = repeated(corrected, 3, UpAxis::Y);
-    EXPECT_LT(testing::meanOf(skateOf(after)), 0.5 * testing::meanOf(skateOf(before)));
+    EXPECT_LT(test::meanOf(skateOf(after)), 0.5 * test::meanOf(skateOf(before)));
     EXPECT_LT(largestFrameStep(after), 1.1 * largestFrameStep(before));
 }
 
@@ -185,7 +185,7 @@ TEST(PostProcessing, SaysWhatItCannotDo)
         inputs.method.up = UpAxis::Z;
         return errorCodeOf([&] { postProcessed(clip, settings, inputs, progress); });
     };
-    const Clip tube = testing::stridingTube({});
+    const Clip tube = test::stridingTube({});
     PostProcessing repeats;
     repeats.repeats = 2;
     EXPECT_EQ(code(tube, repeats), ErrorCode::BadArgument);
@@ -200,17 +200,17 @@ TEST(PostProcessing, SaysWhatItCannotDo)
 
 TEST(PostProcessing, OfRealWalks)
 {
-    if (!testing::realTake("walk_1"))
+    if (!test::realTake("walk_1"))
         GTEST_SKIP() << "no real takes";
     for (const char* take : {"walk_1", "walk_fast", "jog_1", "run_1"}) {
-        const Clip clip = clipOf(*testing::realTake(take));
+        const Clip clip = clipOf(*test::realTake(take));
         const PostProcessed plain = postProcessed(clip, {.loop = LoopSettings()}, {});
         const PostProcessed result =
             postProcessed(clip, {.loop = LoopSettings(), .contacts = ContactCorrectionSettings()}, {});
         const Clip around = repeated({result.clip, *result.travel, {}}, 3, UpAxis::Y);
         EXPECT_LT(largestFrameStep(around), 1.3 * largestFrameStep(clip)) << take;
         const std::vector<double> before = skateOf(clip);
-        EXPECT_LT(testing::meanOf(skateOf(around)), 0.3 * testing::meanOf(before)) << take;
+        EXPECT_LT(test::meanOf(skateOf(around)), 0.3 * test::meanOf(before)) << take;
         EXPECT_GT(result.travel->shift.norm(), 0.5) << take;
         EXPECT_EQ(plain.clip.frameCount(), result.clip.frameCount());
     }

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 using namespace quadrille;
-using quadrille::testing::RealCharacter;
-using quadrille::testing::realCharacter;
+using quadrille::test::RealCharacter;
+using quadrille::test::realCharacter;
 
 namespace {
 

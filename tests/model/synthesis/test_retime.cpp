@@ -13,12 +13,12 @@
 namespace quadrille {
 namespace {
 
-using testing::errorCodeOf;
-using testing::largestDistance;
-using testing::movedBy;
-using testing::stridingTube;
+using test::errorCodeOf;
+using test::largestDistance;
+using test::movedBy;
+using test::stridingTube;
 
-const testing::Stride stride{.frames = 21, .period = 20, .pace = {0.02, Vec2d(0.05, 0)}};
+const test::Stride stride{.frames = 21, .period = 20, .pace = {0.02, Vec2d(0.05, 0)}};
 
 RetimeSettings by(double factor, bool keepsRootSpeed = false)
 {

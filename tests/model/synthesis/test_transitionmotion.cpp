@@ -59,8 +59,8 @@ TEST(Ground, AxesAreRightHanded)
 
 TEST(RootPoses, FindsHowPosesAreTurned)
 {
-    const auto topology = testing::tubeTopology(12, 9);
-    const MeshSequence tube = testing::swayingTube(topology, 12, 3, 0.2);
+    const auto topology = test::tubeTopology(12, 9);
+    const MeshSequence tube = test::swayingTube(topology, 12, 3, 0.2);
     const Ground ground(UpAxis::Z);
     std::vector<Vec3f> positions;
     const std::vector<double> angles{0, 1, -2.5};

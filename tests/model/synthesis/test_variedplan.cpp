@@ -11,12 +11,12 @@
 #include <tbb/global_control.h>
 
 using namespace quadrille;
-using namespace quadrille::testing;
+using namespace quadrille::test;
 using ::testing::ElementsAre;
 
 namespace {
 
-const TubeTakes& takes()
+const TubeTakes& variedTakes()
 {
     static const TubeTakes only(threeTakes());
     return only;
@@ -34,7 +34,7 @@ TakeVariation bulging(NodeIndex first, NodeIndex last, double size, const Ground
 {
     TakeVariation variation{.name = "variations/tube/1", .first = first, .last = last, .positions = {}};
     for (NodeIndex node = first; node <= last; ++node) {
-        std::vector<Vec3f> pose = takes().placed(node, {});
+        std::vector<Vec3f> pose = variedTakes().placed(node, {});
         const double swell = size * (1 + 0.3 * std::sin(0.4 * node));
         for (Vec3f& p : pose)
             p.x() *= static_cast<float>(1 + swell * p.z());
@@ -47,7 +47,8 @@ TakeVariation bulging(NodeIndex first, NodeIndex last, double size, const Ground
 std::vector<std::optional<std::size_t>> chosen(const Walk& walk, std::span<const TakeVariation> variations)
 {
     std::vector<std::optional<std::size_t>> chosen;
-    for (const SpanDraw& span : drawRepeats(takes().plan(walk), takes().character.layout(), variations))
+    for (const SpanDraw& span :
+         drawRepeats(variedTakes().plan(walk), variedTakes().character.layout(), variations))
         chosen.push_back(span.variation);
     return chosen;
 }
@@ -55,9 +56,9 @@ std::vector<std::optional<std::size_t>> chosen(const Walk& walk, std::span<const
 VariedPlan varied(const Walk& walk, std::span<const TakeVariation> variations,
                   const VariedPlanSettings& settings = {})
 {
-    ClipPlan plan = takes().plan(walk);
-    const auto spans = drawRepeats(plan, takes().character.layout(), variations);
-    return variedPlan(takes().character, std::move(plan), spans, variations, {}, settings);
+    ClipPlan plan = variedTakes().plan(walk);
+    const auto spans = drawRepeats(plan, variedTakes().character.layout(), variations);
+    return variedPlan(variedTakes().character, std::move(plan), spans, variations, {}, settings);
 }
 
 Clip clipOf(const VariedPlan& varied)
@@ -103,7 +104,7 @@ TEST(Repeats, AreOnlyWhatWasShownBefore)
     // Those of another take do not count.
     const std::vector<TakeVariation> other{bulging(20, 39, 0.1)};
     EXPECT_THAT(chosen(walk, other), ElementsAre(captured, captured, captured));
-    const auto spans = drawRepeats(takes().plan(walk), takes().character.layout(), other);
+    const auto spans = drawRepeats(variedTakes().plan(walk), variedTakes().character.layout(), other);
     EXPECT_TRUE(!spans[0].isRepeat && !spans[1].isRepeat && spans[2].isRepeat);
     EXPECT_EQ(spans[2].frames, (WalkSpan{5, 11}));
 }
@@ -111,8 +112,8 @@ TEST(Repeats, AreOnlyWhatWasShownBefore)
 TEST(VariedPlan, ShowsVariationsFrameByFrame)
 {
     const std::vector<TakeVariation> variations{bulging(4, 14, 0.1)};
-    const ClipPlan before = takes().plan(returningWalk());
-    const Clip plain = makeClip(takes().character, before);
+    const ClipPlan before = variedTakes().plan(returningWalk());
+    const Clip plain = makeClip(variedTakes().character, before);
     const VariedPlan made = varied(returningWalk(), variations, {.easeSeconds = 0.08});
     const Clip clip = clipOf(made);
     ASSERT_EQ(clip.frameCount(), plain.frameCount());
@@ -143,7 +144,7 @@ TEST(VariedPlan, ShowsVariationsFrameByFrame)
 
 TEST(VariedPlan, LaysVariationsOntoWhatWasCaptured)
 {
-    const Clip plain = makeClip(takes().character, takes().plan(returningWalk()));
+    const Clip plain = makeClip(variedTakes().character, variedTakes().plan(returningWalk()));
     for (const auto& [first, last] : {std::pair(0, 19), std::pair(5, 12)}) {
         const std::vector<TakeVariation> elsewhere{bulging(first, last, 0, {0.8, Vec2d(3, -2)})};
         const Clip clip = clipOf(varied(returningWalk(), elsewhere));
@@ -156,10 +157,10 @@ TEST(VariedPlan, SharesOutWhatTheWayOfAVariationIsOff)
 {
     // A variation that drifts evenly sideways by 0.19 m.
     TakeVariation drifting = bulging(0, 19, 0);
-    const std::size_t vertices = takes().character.vertexCount();
+    const std::size_t vertices = variedTakes().character.vertexCount();
     for (std::size_t v = 0; v < drifting.positions.size(); ++v)
         drifting.positions[v].x() += 0.01F * static_cast<float>(v / vertices);
-    const Clip plain = makeClip(takes().character, takes().plan(returningWalk()));
+    const Clip plain = makeClip(variedTakes().character, variedTakes().plan(returningWalk()));
     const Clip clip = clipOf(varied(returningWalk(), std::vector{drifting}));
     for (std::int64_t f = 0; f < clip.frameCount(); ++f)
         EXPECT_LT(largestDistance(clip.frame(f), plain.frame(f)), 5e-5) << f;
@@ -168,7 +169,7 @@ TEST(VariedPlan, SharesOutWhatTheWayOfAVariationIsOff)
 TEST(VariedPlan, EvensOutAWayByFitsAndStarts)
 {
     TakeVariation jumping = bulging(0, 19, 0);
-    const std::size_t vertices = takes().character.vertexCount();
+    const std::size_t vertices = variedTakes().character.vertexCount();
     for (std::size_t v = 0; v < jumping.positions.size(); ++v)
         jumping.positions[v].y() += v / vertices < 10 ? 0.F : 0.1F;
     // As the first and the last frame stay, 0.1 m come back over 19 steps.
@@ -190,7 +191,7 @@ TEST(VariedPlan, EvensOutAWayByFitsAndStarts)
 TEST(VariedPlan, EasesFromCapturedFramesToVariedOnesAndBack)
 {
     const Walk walk{{{3, 15}, {5, 16}}};
-    const std::int64_t first = takes().plan(walk).spanStarts[1];
+    const std::int64_t first = variedTakes().plan(walk).spanStarts[1];
     const auto clipWith = [&](double size, double ease) {
         return clipOf(varied(walk, std::vector{bulging(6, 15, size)}, {.easeSeconds = ease}));
     };

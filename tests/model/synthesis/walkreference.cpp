@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 namespace {
 
@@ -71,4 +71,4 @@ double exhaustiveOverAllKeys(const WalkGraph& graph, const std::vector<NodeIndex
     return best;
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// Calls back for every walk from a node that takes at most so many frames, itself included.
 void everyWalk(const WalkGraph& graph, NodeIndex start, std::int32_t longest,
@@ -18,4 +18,4 @@ double exhaustiveLeg(const WalkGraph& graph, const std::vector<NodeIndex>& sourc
 double exhaustiveOverAllKeys(const WalkGraph& graph, const std::vector<NodeIndex>& starts,
                              const std::vector<PoseKey>& keys, double beta, std::int32_t longest);
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

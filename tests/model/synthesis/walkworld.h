@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// A small character for walks: every sequence goes over the ground (z up) at its own speed and bends its own
 /// way; transitions between them are random.
@@ -73,4 +73,4 @@ struct WalkWorld
     }
 };
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <span>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// The rotation that turns b onto a, centroids removed (Kabsch, by SVD).
 inline Eigen::Matrix3d plainProcrustes(Positions a, Positions b)
@@ -68,4 +68,4 @@ inline double plainEuclideanDistance(Positions a, Positions b)
     return sum / static_cast<double>(a.size());
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

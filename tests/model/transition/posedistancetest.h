@@ -10,7 +10,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 using test::codeOf;
 
@@ -67,4 +67,4 @@ inline Eigen::Affine3d someMotion()
     return Eigen::Translation3d(4, -2, 1) * Eigen::AngleAxisd(2.5, Vec3d(1, 2, -1).normalized());
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// A tube of a man's size and some slanting of its triangles, 2 · around · (rings − 1) of them.
 inline std::shared_ptr<const Topology> tubeTopology(std::uint32_t around, std::uint32_t rings)
@@ -57,4 +57,4 @@ inline MeshSequence swayingTube(const std::shared_ptr<const Topology>& topology,
                         std::make_shared<MemoryFrames>(std::move(positions), topology->vertexCount()), 25);
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

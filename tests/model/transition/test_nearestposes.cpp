@@ -7,7 +7,7 @@
 #include "tests/model/transition/swayingtube.h"
 
 using namespace quadrille;
-using namespace quadrille::testing;
+using namespace quadrille::test;
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <random>
 
 using namespace quadrille;
-using namespace quadrille::testing;
+using namespace quadrille::test;
 
 namespace {
 

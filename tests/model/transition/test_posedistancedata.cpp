@@ -9,7 +9,7 @@
 #include <sstream>
 
 using namespace quadrille;
-using namespace quadrille::testing;
+using namespace quadrille::test;
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <tbb/task_arena.h>
 
 using namespace quadrille;
-using namespace quadrille::testing;
+using namespace quadrille::test;
 
 TEST(PoseDistances, DoesNotDependOnTilesThreadsAndSequences)
 {

@@ -339,10 +339,10 @@ TEST(PoseInterpolation, RefusesPosesOfOtherMeshes)
 
 TEST(PoseInterpolation, AgreesWithThePlainReferenceOnRealTakes)
 {
-    if (!testing::realTake("walk_1"))
+    if (!test::realTake("walk_1"))
         GTEST_SKIP() << "no real takes";
-    const MeshSequence walk = *testing::realTake("walk_1");
-    const MeshSequence jump = *testing::realTake("jump_long");
+    const MeshSequence walk = *test::realTake("walk_1");
+    const MeshSequence jump = *test::realTake("jump_long");
     const auto system = std::make_shared<const PoissonSystem>(walk.topology);
     for (const auto& [first, second] : {std::pair{10, 30}, {25, 12}}) {
         const auto source =

@@ -52,7 +52,7 @@ void expectReference(const Table<float>& distances, const FrameLayout& layout,
 
 } // namespace
 
-class TransitionTables : public testing::TestWithParam<std::tuple<int, TransitionCost>>
+class TransitionTables : public ::testing::TestWithParam<std::tuple<int, TransitionCost>>
 {
 protected:
     TransitionSettings with(int shortest, int longest) const
@@ -115,8 +115,8 @@ TEST_P(TransitionTables, EqualBruteForceWhereLongWindowsWin)
 }
 
 INSTANTIATE_TEST_SUITE_P(Slopes, TransitionTables,
-                         testing::Combine(testing::Values(2, 3, 4, 5),
-                                          testing::Values(TransitionCost::Sum, TransitionCost::Mean)),
+                         ::testing::Combine(::testing::Values(2, 3, 4, 5),
+                                            ::testing::Values(TransitionCost::Sum, TransitionCost::Mean)),
                          [](const auto& instance) {
                              return (std::get<1>(instance.param) == TransitionCost::Sum ? "Sum" : "Mean") +
                                     std::to_string(std::get<0>(instance.param));

@@ -10,7 +10,7 @@
 #include <map>
 #include <vector>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// Tells how sharply a surface bends at its edges.
 class EdgeNormals
@@ -47,4 +47,4 @@ private:
     std::map<std::pair<VertexIndex, VertexIndex>, std::vector<std::size_t>> m_triangles;
 };
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

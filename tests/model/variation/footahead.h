@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// How far the left foot is ahead of the right one in each frame, metres: known from the mesh alone. Which
 /// vertices are feet is read from a pose at rest that looks along z, y up.
@@ -70,4 +70,4 @@ inline double agreement(const std::vector<double>& a, const TakeWarp& warpA, con
            std::sqrt((squaresA - sumA * sumA / count) * (squaresB - sumB * sumB / count));
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// A part by its triangles.
 struct HandmadePart
@@ -145,4 +145,4 @@ struct PartedBar
     }
 };
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 using Pose = std::vector<Vec3f>;
 
@@ -57,4 +57,4 @@ inline std::vector<Pose> variousPoses(const PartedBar& parted, double amount)
     return cutDifferently(parted, wholes);
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

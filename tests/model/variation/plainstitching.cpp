@@ -14,7 +14,7 @@
 #include <set>
 #include <tuple>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 namespace {
 
@@ -222,4 +222,4 @@ std::vector<Vec3f> plainStitch(const Topology& topology, const BodyParts& parts,
     return out;
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// A closed curve around a band and what it costs.
 struct PlainSeam
@@ -28,4 +28,4 @@ std::vector<Vec3f> plainStitch(const Topology& topology, const BodyParts& parts,
                                std::span<const Positions> poses,
                                std::span<const std::vector<VertexIndex>> seams);
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

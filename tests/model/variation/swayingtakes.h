@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace quadrille::testing {
+namespace quadrille::test {
 
 /// The pose of a tube at a phase, radians: never the same twice within a turn.
 inline std::vector<Vec3f> swayedTube(double phase, double size = 1)
@@ -68,4 +68,4 @@ inline double angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond
     return a.angularDistance(b);
 }
 
-} // namespace quadrille::testing
+} // namespace quadrille::test

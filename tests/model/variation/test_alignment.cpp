@@ -12,9 +12,9 @@
 namespace quadrille {
 namespace {
 
+using test::strideAt;
+using test::swayingTake;
 using ::testing::HasSubstr;
-using testing::strideAt;
-using testing::swayingTake;
 
 constexpr int frames = 40;
 
@@ -62,7 +62,7 @@ TEST(Alignment, WarpsAWarpedCopyAsItWasWarped)
     for (int f = 0; f < 55; ++f)
         EXPECT_NEAR(warp.playback[static_cast<std::size_t>(f)], warped(f), 1) << f;
     for (std::size_t f = 0; f < alignment.takes[1].placements.size(); ++f)
-        EXPECT_LT(testing::largestDistance(alignment.takes[0].pose(f), alignment.takes[1].pose(f)), 0.12);
+        EXPECT_LT(test::largestDistance(alignment.takes[0].pose(f), alignment.takes[1].pose(f)), 0.12);
 }
 
 TEST(Alignment, OfIdenticalTakesIsTheIdentity)
@@ -88,7 +88,7 @@ TEST(Alignment, MovingATakeChangesNothingButItsPlacements)
     const Alignment a = align({reachingTake(), take});
     const Alignment b = align({reachingTake(), elsewhere});
     EXPECT_EQ(a.reports[1].path, b.reports[1].path);
-    EXPECT_LT(testing::largestDistance(a.takes[1].poses, b.takes[1].poses), 1e-5);
+    EXPECT_LT(test::largestDistance(a.takes[1].poses, b.takes[1].poses), 1e-5);
     for (std::size_t f = 0; f < a.takes[1].placements.size(); ++f) {
         const RigidMotion& p = a.takes[1].placements[f];
         const RigidMotion& q = b.takes[1].placements[f];
@@ -104,12 +104,12 @@ TEST(Alignment, PlacementsPutPosesBackWhereTheyWereCaptured)
     EXPECT_LT(centroid(alignment.templatePose).norm(), 1e-6);
     const AlignedTake& aligned = alignment.takes[0];
     const std::vector<Vec3f> again = played(aligned.poses, aligned.placements, aligned.warp);
-    EXPECT_LT(testing::largestDistance(again, loadFrames(take)), 1e-5);
+    EXPECT_LT(test::largestDistance(again, loadFrames(take)), 1e-5);
 }
 
 TEST(Alignment, LaysFramesOntoTheTemplateThatIsGiven)
 {
-    const std::vector<Vec3f> pose = testing::swayedTube(0.7);
+    const std::vector<Vec3f> pose = test::swayedTube(0.7);
     const Alignment alignment = align({reachingTake()}, {}, pose);
     ASSERT_EQ(alignment.templatePose.size(), pose.size());
     for (std::size_t f = 0; f < alignment.takes[0].placements.size(); ++f) {
@@ -129,13 +129,13 @@ TEST(Alignment, LaysFramesByTheirAnchor)
         anchor.emplace_back(v);
     std::vector<Vec3f> positions;
     for (int f = 0; f < 12; ++f) {
-        const std::vector<Vec3f> swung = testing::swayedTube(0.5 * f, 2);
-        std::vector<Vec3f> pose = testing::swayedTube(0);
+        const std::vector<Vec3f> swung = test::swayedTube(0.5 * f, 2);
+        std::vector<Vec3f> pose = test::swayedTube(0);
         std::copy(swung.begin() + 24, swung.end(), pose.begin() + 24);
         for (const Vec3f& p : pose)
             positions.push_back(strideAt(f)(p.cast<double>()).cast<float>());
     }
-    const MeshSequence take = makeSequence("limb", testing::swayingTopology(),
+    const MeshSequence take = makeSequence("limb", test::swayingTopology(),
                                            std::make_shared<MemoryFrames>(std::move(positions), 56), 25);
     const std::vector<TrainingTake> takes = {{take, {}}};
     const AlignedTake byAnchor = alignTakes(takes, 0, {.anchor = anchor}).takes[0];
@@ -289,7 +289,7 @@ TEST(Alignment, RefusesBadArguments)
     EXPECT_EQ(test::codeOf([] { align({reachingTake()}, {.postureShare = 2}); }), ErrorCode::BadArgument);
     EXPECT_EQ(test::codeOf([] { align({reachingTake()}, {.contactWeight = -1}); }), ErrorCode::BadArgument);
     const MeshSequence other =
-        makeSequence("other", testing::tubeTopology(5, 4),
+        makeSequence("other", test::tubeTopology(5, 4),
                      std::make_shared<MemoryFrames>(std::vector<Vec3f>(200, Vec3f::Zero()), 20), 25);
     EXPECT_EQ(test::codeOf([&] { align({reachingTake(), other}); }), ErrorCode::CharacterTopologyMismatch);
 }

@@ -12,8 +12,8 @@
 namespace quadrille {
 namespace {
 
-using testing::agreement;
-using testing::footAhead;
+using test::agreement;
+using test::footAhead;
 
 const SampleCharacter& sample()
 {

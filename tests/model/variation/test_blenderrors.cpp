@@ -9,16 +9,16 @@
 namespace quadrille {
 namespace {
 
-constexpr Eigen::Index frames = 12;
+constexpr Eigen::Index blendFrames = 12;
 const std::vector<double> weights = {0, 0.5, 1};
 
 /// One vertex on a circle whose radius is 1 + weight.
 AlignedTake trueBlend(double weight)
 {
     AlignedTake take{
-        .name = "blend", .warp = {}, .poses = {}, .placements = std::vector<RigidMotion>(frames)};
-    for (int f = 0; f < frames; ++f) {
-        const double angle = 2 * std::numbers::pi * f / frames;
+        .name = "blend", .warp = {}, .poses = {}, .placements = std::vector<RigidMotion>(blendFrames)};
+    for (int f = 0; f < blendFrames; ++f) {
+        const double angle = 2 * std::numbers::pi * f / blendFrames;
         take.poses.push_back((Vec3d(std::cos(angle), std::sin(angle), 0) * (1 + weight)).cast<float>());
     }
     return take;
@@ -36,18 +36,18 @@ struct Learned
     explicit Learned(double radius)
     {
         const auto count = static_cast<Eigen::Index>(weights.size());
-        rows.resize(count * frames, 3);
-        state.latents.resize(count * frames, 3);
+        rows.resize(count * blendFrames, 3);
+        state.latents.resize(count * blendFrames, 3);
         for (Eigen::Index b = 0; b < count; ++b) {
             const AlignedTake truth = trueBlend(weights[static_cast<std::size_t>(b)]);
-            RowMatrix latents(frames, 3);
-            for (Eigen::Index f = 0; f < frames; ++f) {
-                rows.row(b * frames + f) = truth.poses[static_cast<std::size_t>(f)].cast<double>();
-                latents.row(f) = rows.row(b * frames + f);
+            RowMatrix latents(blendFrames, 3);
+            for (Eigen::Index f = 0; f < blendFrames; ++f) {
+                rows.row(b * blendFrames + f) = truth.poses[static_cast<std::size_t>(f)].cast<double>();
+                latents.row(f) = rows.row(b * blendFrames + f);
                 if (b == 1)
                     latents.row(f) *= radius / 1.5;
             }
-            state.latents.middleRows(b * frames, frames) = latents;
+            state.latents.middleRows(b * blendFrames, blendFrames) = latents;
             blends.push_back(latents);
         }
         state.hyperparameters.alpha3 = 1e6;
@@ -71,7 +71,7 @@ TEST(BlendErrors, AreThoseOfTheTrainingPosesAtLearnedWeights)
     for (const double weight : weights)
         EXPECT_LT(learned.errors(weight).meanFromNearby(), 1e-3);
     EXPECT_EQ(learned.errors(0).fromTakes, learned.errors(0).fromNearby);
-    EXPECT_EQ(learned.errors(0.3).fromTakes.size(), std::size_t{frames});
+    EXPECT_EQ(learned.errors(0.3).fromTakes.size(), std::size_t{blendFrames});
 }
 
 TEST(BlendErrors, AreSmallerBesideALearnedBlendThatDoesNotLieInTheMiddle)

@@ -10,7 +10,7 @@
 namespace quadrille {
 namespace {
 
-using namespace testing;
+using namespace test;
 using test::codeOf;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;

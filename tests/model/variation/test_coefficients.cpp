@@ -10,7 +10,7 @@
 namespace quadrille {
 namespace {
 
-using testing::swayingTake;
+using test::swayingTake;
 
 double phaseAt(int frame, int frames)
 {
@@ -32,7 +32,7 @@ std::vector<TrainingTake> twoTakes(bool hasCoefficients)
     for (const auto& [frames, size] : {std::pair(20, 1.0), std::pair(30, 1.3)}) {
         const auto phase = [count = frames](int f) { return phaseAt(f, count); };
         TrainingTake& take = takes.emplace_back();
-        take.sequence = swayingTake("take " + std::to_string(frames), frames, phase, testing::strideAt, size);
+        take.sequence = swayingTake("take " + std::to_string(frames), frames, phase, test::strideAt, size);
         if (hasCoefficients)
             take.coefficients = {coefficientsOf(frames, size)};
     }
@@ -41,10 +41,10 @@ std::vector<TrainingTake> twoTakes(bool hasCoefficients)
 
 std::shared_ptr<const Movement> movementOf(const std::vector<TrainingTake>& takes, MovementSettings settings)
 {
-    const auto pose = testing::swayedTube(0);
+    const auto pose = test::swayedTube(0);
     settings.alignment.cycles = false;
     return std::make_shared<const Movement>(
-        makeMovement(takes, 0, cutIntoParts(*testing::swayingTopology(), pose, {}, {}),
+        makeMovement(takes, 0, cutIntoParts(*test::swayingTopology(), pose, {}, {}),
                      {{.from = 0, .to = 1, .weights = {0.5}, .across = {}}}, settings));
 }
 

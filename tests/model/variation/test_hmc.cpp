@@ -45,18 +45,18 @@ Gaussian correlatedGaussian(Eigen::Index dimensions)
     return target;
 }
 
-struct Moments
+struct ChainMoments
 {
     Eigen::VectorXd mean;
     Eigen::MatrixXd covariance;
 };
 
-Moments momentsOf(const std::vector<Eigen::VectorXd>& samples)
+ChainMoments chainMomentsOf(const std::vector<Eigen::VectorXd>& samples)
 {
     Eigen::MatrixXd values(samples.front().size(), std::ssize(samples));
     for (Eigen::Index i = 0; i < values.cols(); ++i)
         values.col(i) = samples[static_cast<std::size_t>(i)];
-    Moments moments{.mean = values.rowwise().mean()};
+    ChainMoments moments{.mean = values.rowwise().mean()};
     values.colwise() -= moments.mean;
     moments.covariance = values * values.transpose() / static_cast<double>(values.cols());
     return moments;
@@ -67,7 +67,7 @@ Moments momentsOf(const std::vector<Eigen::VectorXd>& samples)
 void expectMoments(const HmcChain& chain, const Gaussian& target)
 {
     const double n = std::min(chain.report.effectiveSampleSize, static_cast<double>(chain.samples.size()));
-    const Moments found = momentsOf(chain.samples);
+    const ChainMoments found = chainMomentsOf(chain.samples);
     for (Eigen::Index i = 0; i < target.mean.size(); ++i) {
         EXPECT_NEAR(found.mean[i], target.mean[i], 5 * std::sqrt(target.covariance(i, i) / n)) << i;
         for (Eigen::Index j = 0; j <= i; ++j) {

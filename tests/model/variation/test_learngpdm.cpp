@@ -120,7 +120,8 @@ TEST(GpdmVariables, AreSmoothWhereTheyAreStraight)
     state.latents << 1, 2, 3, 4, 5;
     Eigen::VectorXd values(11);
     GpdmVariables(std::span(&span, 1), 1, 10).write(state, values.data());
-    EXPECT_THAT(std::vector<double>(values.data(), values.data() + 5), testing::ElementsAre(-9, 2, 3, 4, 15));
+    EXPECT_THAT(std::vector<double>(values.data(), values.data() + 5),
+                ::testing::ElementsAre(-9, 2, 3, 4, 15));
 }
 
 TEST(GpdmVariables, HyperparametersNearBoundsAreNamed)
@@ -130,7 +131,7 @@ TEST(GpdmVariables, HyperparametersNearBoundsAreNamed)
     parameters.alpha3 = 0.9999e6;
     parameters.beta3 = 1.0001e-6;
     parameters.beta1 = 1e5;
-    EXPECT_THAT(hyperparametersAtBounds(parameters), testing::ElementsAre("alpha3", "beta3"));
+    EXPECT_THAT(hyperparametersAtBounds(parameters), ::testing::ElementsAre("alpha3", "beta3"));
 }
 
 TEST(GpdmLearning, FindsWhatPrincipalComponentsCannot)

@@ -11,7 +11,7 @@
 namespace quadrille {
 namespace {
 
-using testing::strideAt;
+using test::strideAt;
 
 std::vector<RigidMotion> stride(int frames)
 {

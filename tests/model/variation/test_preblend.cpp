@@ -13,8 +13,8 @@
 namespace quadrille {
 namespace {
 
-using testing::strideAt;
-using testing::swayingTake;
+using test::strideAt;
+using test::swayingTake;
 
 /// Two takes of different length that face different ways; the second goes faster.
 Alignment twoTakes(const std::vector<VertexIndex>& anchor = {})
@@ -38,14 +38,14 @@ Alignment twoTakes(const std::vector<VertexIndex>& anchor = {})
 TEST(PreBlend, AtItsEndsIsTheTakes)
 {
     const Alignment alignment = twoTakes();
-    const auto system = std::make_shared<PoissonSystem>(testing::swayingTopology());
+    const auto system = std::make_shared<PoissonSystem>(test::swayingTopology());
     for (const double weight : {0.0, 1e-9, 1 - 1e-9, 1.0}) {
         const AlignedTake blend =
             blendedTake(system, alignment.takes[0], alignment.takes[1], weight, "blend");
         const AlignedTake& take = alignment.takes[weight < 0.5 ? 0 : 1];
         EXPECT_EQ(blend.name, "blend");
         EXPECT_EQ(blend.warp.frames.count(), take.warp.frames.count());
-        EXPECT_LT(testing::largestDistance(blend.poses, take.poses), 2e-5);
+        EXPECT_LT(test::largestDistance(blend.poses, take.poses), 2e-5);
         for (std::size_t f = 0; f < take.placements.size(); ++f) {
             EXPECT_LT((blend.placements[f].translation - take.placements[f].translation).norm(), 1e-6);
             EXPECT_LT(blend.placements[f].rotation.angularDistance(take.placements[f].rotation), 1e-6);
@@ -58,23 +58,23 @@ TEST(PreBlend, AtItsEndsIsTheTakes)
 TEST(PreBlend, InterpolatesPosesNonLinearlyFrameByFrame)
 {
     const Alignment alignment = twoTakes();
-    const auto system = std::make_shared<PoissonSystem>(testing::swayingTopology());
+    const auto system = std::make_shared<PoissonSystem>(test::swayingTopology());
     const AlignedTake blend = blendedTake(system, alignment.takes[0], alignment.takes[1], 0.3, "blend");
     EXPECT_EQ(blend.warp.frames.count(), 23);
     for (const std::size_t f : {0U, 7U, 19U}) {
-        std::vector<Vec3f> expected = interpolatePoses(testing::swayingTopology(), alignment.takes[0].pose(f),
+        std::vector<Vec3f> expected = interpolatePoses(test::swayingTopology(), alignment.takes[0].pose(f),
                                                        alignment.takes[1].pose(f), 0.3);
         const RigidMotion onto = rigidProcrustes(expected, alignment.templatePose);
         for (Vec3f& p : expected)
             p = onto(p.cast<double>()).cast<float>();
-        EXPECT_LT(testing::largestDistance(blend.pose(f), expected), 1e-6);
+        EXPECT_LT(test::largestDistance(blend.pose(f), expected), 1e-6);
     }
 }
 
 TEST(PreBlend, OfFourTakesIsThatOfTwoWhereTheOthersHaveNoShare)
 {
     const Alignment alignment = twoTakes();
-    const auto system = std::make_shared<PoissonSystem>(testing::swayingTopology());
+    const auto system = std::make_shared<PoissonSystem>(test::swayingTopology());
     const AlignedTake& a = alignment.takes[0];
     const AlignedTake& b = alignment.takes[1];
     const std::vector<TakeShare> edge{{&b, 0}, {&a, 0.75}, {&a, 0}, {&b, 0.25}};
@@ -89,14 +89,14 @@ TEST(PreBlend, OfFourTakesIsThatOfTwoWhereTheOthersHaveNoShare)
 TEST(PreBlend, OfFourTakesThatAreTwoIsTheBlendOfThem)
 {
     const Alignment alignment = twoTakes();
-    const auto system = std::make_shared<PoissonSystem>(testing::swayingTopology());
+    const auto system = std::make_shared<PoissonSystem>(test::swayingTopology());
     const AlignedTake& a = alignment.takes[0];
     const AlignedTake& b = alignment.takes[1];
     // Both pairs are the same, so where between them does not matter.
     const std::vector<TakeShare> four{{&a, 0.28}, {&b, 0.12}, {&a, 0.42}, {&b, 0.18}};
     const AlignedTake blend = blendedTake(system, four, "four");
     const AlignedTake pair = blendedTake(system, a, b, 0.3, "two");
-    EXPECT_LT(testing::largestDistance(blend.poses, pair.poses), 1e-4);
+    EXPECT_LT(test::largestDistance(blend.poses, pair.poses), 1e-4);
     for (std::size_t f = 0; f < pair.placements.size(); ++f) {
         EXPECT_LT((blend.placements[f].translation - pair.placements[f].translation).norm(), 1e-9);
         EXPECT_LT(blend.placements[f].rotation.angularDistance(pair.placements[f].rotation), 1e-9);
@@ -106,7 +106,7 @@ TEST(PreBlend, OfFourTakesThatAreTwoIsTheBlendOfThem)
 TEST(PreBlend, RefusesSharesThatAreNoBlend)
 {
     const Alignment alignment = twoTakes();
-    const auto system = std::make_shared<PoissonSystem>(testing::swayingTopology());
+    const auto system = std::make_shared<PoissonSystem>(test::swayingTopology());
     const AlignedTake& a = alignment.takes[0];
     const AlignedTake& b = alignment.takes[1];
     for (const auto& [first, second] :
@@ -123,7 +123,7 @@ TEST(PreBlend, LiesOnTheTemplateByItsAnchor)
     for (unsigned v = 0; v < 24; ++v)
         anchor.emplace_back(v);
     const Alignment alignment = twoTakes(anchor);
-    const auto system = std::make_shared<PoissonSystem>(testing::swayingTopology());
+    const auto system = std::make_shared<PoissonSystem>(test::swayingTopology());
     const AlignedTake blend = blendedTake(system, alignment.takes[0], alignment.takes[1], 0.5, "blend");
     for (std::size_t f = 0; f < blend.placements.size(); ++f) {
         const RigidMotion rest = alignment.takes[0].laidOnto->onto(blend.pose(f));
@@ -162,7 +162,7 @@ TEST(PreBlend, GoesAheadBetweenItsTakesAndKeepsUpright)
 TEST(PreBlend, RefusesBadWeightsAndOtherMeshesAndCanBeCancelled)
 {
     const Alignment alignment = twoTakes();
-    const auto system = std::make_shared<PoissonSystem>(testing::swayingTopology());
+    const auto system = std::make_shared<PoissonSystem>(test::swayingTopology());
     const auto blend = [&](const std::shared_ptr<const PoissonSystem>& of, double weight,
                            const Progress& progress = {}) {
         return test::codeOf(
@@ -171,7 +171,7 @@ TEST(PreBlend, RefusesBadWeightsAndOtherMeshesAndCanBeCancelled)
     EXPECT_EQ(blend(system, -0.1), ErrorCode::BadArgument);
     EXPECT_EQ(blend(system, 1.1), ErrorCode::BadArgument);
     EXPECT_EQ(blend(system, std::nan("")), ErrorCode::BadArgument);
-    EXPECT_EQ(blend(std::make_shared<PoissonSystem>(testing::tubeTopology(5, 4)), 0.5),
+    EXPECT_EQ(blend(std::make_shared<PoissonSystem>(test::tubeTopology(5, 4)), 0.5),
               ErrorCode::VertexCountMismatch);
     CancelToken token;
     token.cancel();

@@ -14,7 +14,7 @@
 namespace quadrille {
 namespace {
 
-using namespace testing;
+using namespace test;
 using test::codeOf;
 
 struct Character

@@ -13,7 +13,7 @@
 #include <tbb/parallel_for.h>
 
 using namespace quadrille;
-using namespace quadrille::testing;
+using namespace quadrille::test;
 
 namespace {
 

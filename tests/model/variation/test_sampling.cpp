@@ -41,18 +41,18 @@ Eigen::VectorXd laterPositions(const RowMatrix& trajectory)
                                              trajectory.size() - trajectory.cols());
 }
 
-struct Moments
+struct SampleMoments
 {
     Eigen::VectorXd mean;
     Eigen::VectorXd variance;
 };
 
 template <typename Samples>
-Moments momentsOf(const Samples& samples)
+SampleMoments momentsOf(const Samples& samples)
 {
     const auto n = static_cast<double>(samples.size());
-    Moments moments{.mean = Eigen::VectorXd::Zero(samples[0].size()),
-                    .variance = Eigen::VectorXd::Zero(samples[0].size())};
+    SampleMoments moments{.mean = Eigen::VectorXd::Zero(samples[0].size()),
+                          .variance = Eigen::VectorXd::Zero(samples[0].size())};
     for (const Eigen::VectorXd& sample : samples)
         moments.mean += sample / n;
     for (const Eigen::VectorXd& sample : samples)
@@ -111,7 +111,7 @@ TEST(TrajectorySamples, ofTwoFramesHaveTheVarianceOfThePrediction)
         ASSERT_EQ(trajectory.row(0), start.row(0));
         later.push_back(laterPositions(trajectory));
     }
-    const Moments moments = momentsOf(later);
+    const SampleMoments moments = momentsOf(later);
     // The first 24 say where the middle is.
     for (Eigen::Index d = 0; d < 3; ++d) {
         EXPECT_NEAR(moments.mean[d], start(1, d), 5 * std::sqrt(variance / 24));
@@ -137,8 +137,8 @@ TEST(TrajectorySamples, haveTheVariancesOfAChainInPositions)
     std::vector<Eigen::VectorXd> later;
     for (const RowMatrix& sample : samples.trajectories)
         later.push_back(laterPositions(sample) / samples.report.scale);
-    const Moments expected = momentsOf(inPositions.samples);
-    const Moments found = momentsOf(later);
+    const SampleMoments expected = momentsOf(inPositions.samples);
+    const SampleMoments found = momentsOf(later);
     const double n = std::min(1500.0, inPositions.report.effectiveSampleSize);
     for (Eigen::Index i = 0; i < expected.mean.size(); ++i)
         EXPECT_NEAR(found.variance[i], expected.variance[i], 5 * 2 * expected.variance[i] / std::sqrt(n))

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 using namespace quadrille;
-using namespace quadrille::testing;
+using namespace quadrille::test;
 
 namespace {
 

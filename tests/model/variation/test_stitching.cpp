@@ -15,7 +15,7 @@
 #include <tbb/global_control.h>
 
 using namespace quadrille;
-using namespace quadrille::testing;
+using namespace quadrille::test;
 using quadrille::test::codeOf;
 
 // A hundredth of what is asked for; positions are stored to 6e-8 of their size.

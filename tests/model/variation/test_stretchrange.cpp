@@ -128,12 +128,12 @@ TEST(StretchRange, LetsTrianglesWithoutAreaBe)
 // A part that a model made half as long again. The bend alone stretches by a tenth.
 TEST(StretchRange, KeepsStitchedPartsToTheShapesThatAreGiven)
 {
-    const quadrille::testing::PartedBar parted;
+    const quadrille::test::PartedBar parted;
     const Pose& rest = parted.bar.positions;
     const Pose other = bent(rest, 2.0, 1.5);
     const auto stitched = [&](const Stitching& stitching, const std::vector<Pose>& poses) {
         Pose out(rest.size());
-        stitching.stitch(quadrille::testing::viewed(poses), out);
+        stitching.stitch(quadrille::test::viewed(poses), out);
         return out;
     };
     const auto largestDistance = [](const Pose& a, const Pose& b) {
@@ -144,7 +144,7 @@ TEST(StretchRange, KeepsStitchedPartsToTheShapesThatAreGiven)
     };
     const Stitching kept(parted.bar.topology, parted.parts, rest, std::vector<Positions>{rest, other});
     const Stitching free(parted.bar.topology, parted.parts, rest);
-    std::vector<Pose> poses = quadrille::testing::cutPose(parted.parts, other);
+    std::vector<Pose> poses = quadrille::test::cutPose(parted.parts, other);
     EXPECT_LT(largestDistance(stitched(kept, poses), other), 2e-6F);
     for (Vec3f& position : poses[3])
         position *= 1.5F;

@@ -10,8 +10,8 @@
 namespace quadrille {
 namespace {
 
-using testing::strideAt;
-using testing::swayedTube;
+using test::strideAt;
+using test::swayedTube;
 
 AlignedTake takeOf(int frames, double start)
 {

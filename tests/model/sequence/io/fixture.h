@@ -19,12 +19,12 @@
 namespace quadrille {
 
 /// A folder of its own for each test, removed afterwards.
-class FolderTest : public testing::Test
+class FolderTest : public ::testing::Test
 {
 protected:
     FolderTest()
     {
-        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
         std::string name = std::string("quadrille-") + info->test_suite_name() + "-" + info->name() + "-" +
                            std::to_string(::getpid());
         std::replace(name.begin(), name.end(), '/', '-'); // of parametrised tests

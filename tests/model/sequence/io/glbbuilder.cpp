@@ -2,22 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "tests/model/sequence/io/glbbuilder.h"
 
+#include "model/sequence/io/appendbytes.h"
+
 #include <cstring>
 #include <map>
 
 namespace quadrille {
-
-namespace {
-
-template <typename T>
-void append(std::string& bytes, T value)
-{
-    char raw[sizeof(T)];
-    std::memcpy(raw, &value, sizeof(T));
-    bytes.append(raw, sizeof(T));
-}
-
-} // namespace
 
 GlbBuilder::GlbBuilder()
 {
@@ -50,7 +40,7 @@ int GlbBuilder::floats(const std::vector<float>& values, const std::string& type
 {
     std::string data;
     for (const float value : values)
-        append(data, value);
+        appendBytes(data, value);
     bytes(data);
     return accessor(5126, values.size(), type);
 }
@@ -68,11 +58,11 @@ int GlbBuilder::integers(const std::vector<std::uint32_t>& values, const std::st
     std::string data;
     for (const std::uint32_t value : values) {
         if (bytesEach == 1)
-            append(data, static_cast<std::uint8_t>(value));
+            appendBytes(data, static_cast<std::uint8_t>(value));
         else if (bytesEach == 2)
-            append(data, static_cast<std::uint16_t>(value));
+            appendBytes(data, static_cast<std::uint16_t>(value));
         else
-            append(data, value);
+            appendBytes(data, value);
     }
     bytes(data);
     return accessor(bytesEach == 1 ? 5121 : bytesEach == 2 ? 5123 : 5125, values.size(), type);
@@ -95,12 +85,12 @@ std::string GlbBuilder::glb() const
     std::string binary = buffer;
     binary.resize((binary.size() + 3) / 4 * 4);
     std::string file = "glTF";
-    append(file, std::uint32_t{2});
-    append(file, static_cast<std::uint32_t>(28 + text.size() + binary.size()));
-    append(file, static_cast<std::uint32_t>(text.size()));
+    appendBytes(file, std::uint32_t{2});
+    appendBytes(file, static_cast<std::uint32_t>(28 + text.size() + binary.size()));
+    appendBytes(file, static_cast<std::uint32_t>(text.size()));
     file += "JSON";
     file += text;
-    append(file, static_cast<std::uint32_t>(binary.size()));
+    appendBytes(file, static_cast<std::uint32_t>(binary.size()));
     file += std::string("BIN\0", 4);
     return file + binary;
 }

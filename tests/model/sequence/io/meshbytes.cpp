@@ -4,6 +4,7 @@
 
 #include "model/core/file.h"
 #include "model/core/hdf5.h"
+#include "model/sequence/io/appendbytes.h"
 #include "tests/model/sequence/io/glbbuilder.h"
 
 #include <cstdint>
@@ -17,18 +18,10 @@ namespace quadrille {
 
 namespace {
 
-template <typename Value>
-void append(std::string& bytes, Value value)
-{
-    char raw[sizeof(Value)];
-    std::memcpy(raw, &value, sizeof(Value));
-    bytes.append(raw, sizeof(Value));
-}
-
-void append(std::string& bytes, const Vec3f& point)
+void appendPoint(std::string& bytes, const Vec3f& point)
 {
     for (const float x : {point.x(), point.y(), point.z()})
-        append(bytes, x);
+        appendBytes(bytes, x);
 }
 
 /// Values with something between them; a point is three values.
@@ -84,11 +77,11 @@ std::string plyBinary(const RawMesh& mesh)
 {
     std::string bytes = plyHeader(mesh, "binary_little_endian");
     for (const Vec3f& p : mesh.points)
-        append(bytes, p);
+        appendPoint(bytes, p);
     for (const auto& face : mesh.faces) {
-        append(bytes, static_cast<std::uint8_t>(face.size()));
+        appendBytes(bytes, static_cast<std::uint8_t>(face.size()));
         for (const int corner : face)
-            append(bytes, std::int32_t{corner});
+            appendBytes(bytes, std::int32_t{corner});
     }
     return bytes;
 }
@@ -114,11 +107,11 @@ std::string stlText(const RawMesh& mesh)
 std::string stlBinary(const RawMesh& mesh)
 {
     std::string bytes(80, ' ');
-    append(bytes, static_cast<std::uint32_t>(mesh.faces.size()));
+    appendBytes(bytes, static_cast<std::uint32_t>(mesh.faces.size()));
     for (const auto& face : mesh.faces) {
-        append(bytes, Vec3f(0, 0, 1));
+        appendPoint(bytes, Vec3f(0, 0, 1));
         for (const int corner : face)
-            append(bytes, mesh.points.at(static_cast<std::size_t>(corner)));
+            appendPoint(bytes, mesh.points.at(static_cast<std::size_t>(corner)));
         bytes.append(2, '\0');
     }
     return bytes;
@@ -127,14 +120,14 @@ std::string stlBinary(const RawMesh& mesh)
 std::string anime(const RawMesh& mesh)
 {
     std::string bytes;
-    append(bytes, std::int32_t{3}); // frames
-    append(bytes, static_cast<std::int32_t>(mesh.points.size()));
-    append(bytes, static_cast<std::int32_t>(mesh.faces.size()));
+    appendBytes(bytes, std::int32_t{3}); // frames
+    appendBytes(bytes, static_cast<std::int32_t>(mesh.points.size()));
+    appendBytes(bytes, static_cast<std::int32_t>(mesh.faces.size()));
     for (const Vec3f& p : mesh.points)
-        append(bytes, p);
+        appendPoint(bytes, p);
     for (const auto& face : mesh.faces) {
         for (const int corner : face)
-            append(bytes, std::int32_t{corner});
+            appendBytes(bytes, std::int32_t{corner});
     }
     bytes.append(mesh.points.size() * 2 * sizeof(Vec3f), '\0');
     return bytes;
@@ -242,7 +235,7 @@ struct FbxProperties
     FbxProperties& number(char type, auto value)
     {
         bytes += type;
-        append(bytes, value);
+        appendBytes(bytes, value);
         ++count;
         return *this;
     }
@@ -256,10 +249,10 @@ struct FbxProperties
     FbxProperties& array(char type, const std::vector<Value>& values)
     {
         number(type, static_cast<std::uint32_t>(values.size()));
-        append(bytes, std::uint32_t{0}); // not packed
-        append(bytes, static_cast<std::uint32_t>(values.size() * sizeof(Value)));
+        appendBytes(bytes, std::uint32_t{0}); // not packed
+        appendBytes(bytes, static_cast<std::uint32_t>(values.size() * sizeof(Value)));
         for (const Value value : values)
-            append(bytes, value);
+            appendBytes(bytes, value);
         return *this;
     }
 };
@@ -268,10 +261,10 @@ void fbxNode(std::string& out, const std::string& name, const FbxProperties& pro
              const std::function<void()>& children = {})
 {
     const std::size_t start = out.size();
-    append(out, std::uint32_t{0});
-    append(out, properties.count);
-    append(out, static_cast<std::uint32_t>(properties.bytes.size()));
-    append(out, static_cast<std::uint8_t>(name.size()));
+    appendBytes(out, std::uint32_t{0});
+    appendBytes(out, properties.count);
+    appendBytes(out, static_cast<std::uint32_t>(properties.bytes.size()));
+    appendBytes(out, static_cast<std::uint8_t>(name.size()));
     out += name + properties.bytes;
     if (children) {
         children();
@@ -294,7 +287,7 @@ std::string fbxBinary(const RawMesh& mesh)
         corners.back() = -1 - corners.back();
     }
     std::string out("Kaydara FBX Binary  \0\x1a\0", 23);
-    append(out, std::uint32_t{7400});
+    appendBytes(out, std::uint32_t{7400});
     const auto number = [](std::int32_t value) { return FbxProperties().number('I', value); };
     const auto link = [&](std::int64_t from, std::int64_t to) {
         fbxNode(out, "C", FbxProperties().text("OO").number('L', from).number('L', to));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/sequence/io/anime.h"
+#include "model/sequence/io/appendbytes.h"
 #include "tests/model/sequence/io/sceneiotest.h"
 
 #include <limits>
@@ -10,29 +11,26 @@ using namespace quadrille;
 
 namespace {
 
-ImportResult open(const std::filesystem::path& path)
+ImportResult openAnime(const std::filesystem::path& path)
 {
     return AnimeImporter().open(fileSource(path), {}, {});
 }
 
 template <typename T>
-void append(std::string& bytes, std::initializer_list<T> values)
+void appendAll(std::string& bytes, std::initializer_list<T> values)
 {
-    for (const T value : values) {
-        char raw[sizeof(T)];
-        std::memcpy(raw, &value, sizeof(T));
-        bytes.append(raw, sizeof(T));
-    }
+    for (const T value : values)
+        appendBytes(bytes, value);
 }
 
 /// Two frames of one triangle; the second is raised by 2 along z.
 std::string triangleFile()
 {
     std::string file;
-    append<std::int32_t>(file, {2, 3, 1});
-    append<float>(file, {0, 0, 0, 1, 0, 0, 0, 1, 0});
-    append<std::int32_t>(file, {0, 1, 2});
-    append<float>(file, {0, 0, 2, 0, 0, 2, 0, 0, 2});
+    appendAll<std::int32_t>(file, {2, 3, 1});
+    appendAll<float>(file, {0, 0, 0, 1, 0, 0, 0, 1, 0});
+    appendAll<std::int32_t>(file, {0, 1, 2});
+    appendAll<float>(file, {0, 0, 2, 0, 0, 2, 0, 0, 2});
     return file;
 }
 
@@ -41,7 +39,7 @@ std::string triangleFile()
 TEST(Anime, OffsetsAreAddedToTheFirstFrame)
 {
     const TemporaryFolder folder;
-    const ImportResult result = open(folder.write("jump.anime", triangleFile()));
+    const ImportResult result = openAnime(folder.write("jump.anime", triangleFile()));
     const MeshSequence& sequence = result.sequences.at(0);
     EXPECT_EQ(sequence.name, "jump");
     ASSERT_EQ(sequence.frameCount(), 2);
@@ -55,7 +53,7 @@ TEST(Anime, TheFoxEqualsItsPointCache)
     const auto file = dataDirectory() / "raw/fox_walk.anime";
     if (!std::filesystem::exists(file))
         GTEST_SKIP() << "no data";
-    const ImportResult result = open(file);
+    const ImportResult result = openAnime(file);
     const auto expected = readPointCache(dataDirectory() / "characters/fox/walk.pc2");
     const MeshSequence& sequence = result.sequences.at(0);
     ASSERT_EQ(sequence.frameCount(), static_cast<std::int64_t>(expected.frames));
@@ -71,16 +69,16 @@ TEST(Anime, BadFilesAreRefused)
 {
     const TemporaryFolder folder;
     const auto codeOfFile = [&](const std::string& content) {
-        return codeOf([&] { open(folder.write("bad.anime", content)); });
+        return codeOf([&] { openAnime(folder.write("bad.anime", content)); });
     };
     const std::string good = triangleFile();
-    EXPECT_EQ(codeOf([&] { open(folder / "none.anime"); }), ErrorCode::FileNotFound);
+    EXPECT_EQ(codeOf([&] { openAnime(folder / "none.anime"); }), ErrorCode::FileNotFound);
     EXPECT_EQ(codeOfFile(""), ErrorCode::FileEmpty);
     EXPECT_EQ(codeOfFile(good.substr(0, 8)), ErrorCode::FileTruncated);
     EXPECT_EQ(codeOfFile(good.substr(0, good.size() - 1)), ErrorCode::FileTruncated);
     const auto header = [&](std::int32_t frames, std::int32_t vertices, std::int32_t triangles) {
         std::string file;
-        append<std::int32_t>(file, {frames, vertices, triangles});
+        appendAll<std::int32_t>(file, {frames, vertices, triangles});
         return file + good.substr(12);
     };
     EXPECT_EQ(codeOfFile(header(2, 2000000000, 1)), ErrorCode::CountTooLarge);
@@ -101,7 +99,7 @@ TEST(Anime, AFrameThatIsNotFiniteIsNamed)
     std::string content = triangleFile();
     const float nan = std::numeric_limits<float>::quiet_NaN();
     std::memcpy(content.data() + content.size() - 4, &nan, 4);
-    const ImportResult result = open(folder.write("nan.anime", content));
+    const ImportResult result = openAnime(folder.write("nan.anime", content));
     EXPECT_NO_THROW(result.sequences.at(0).frame(FrameIndex(0)));
     EXPECT_EQ(codeOf([&] { result.sequences.at(0).frame(FrameIndex(1)); }), ErrorCode::NonFiniteCoordinate);
 }
@@ -110,7 +108,7 @@ TEST(Anime, AFileThatShrinksMeanwhileIsAnError)
 {
     const TemporaryFolder folder;
     const auto path = folder.write("shrinks.anime", triangleFile());
-    const ImportResult result = open(path);
+    const ImportResult result = openAnime(path);
     std::filesystem::resize_file(path, 70);
     EXPECT_EQ(codeOf([&] { result.sequences.at(0).frame(FrameIndex(1)); }), ErrorCode::FileTruncated);
 }

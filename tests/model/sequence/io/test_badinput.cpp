@@ -13,9 +13,9 @@
 #include <optional>
 
 using namespace quadrille;
-using testing::AnyOf;
-using testing::ContainsRegex;
-using testing::Not;
+using ::testing::AnyOf;
+using ::testing::ContainsRegex;
+using ::testing::Not;
 
 namespace {
 
@@ -57,7 +57,7 @@ std::vector<GoodFile> goodFiles()
     return files;
 }
 
-class AnyFile : public FolderTest, public testing::WithParamInterface<GoodFile>
+class AnyFile : public FolderTest, public ::testing::WithParamInterface<GoodFile>
 {
 protected:
     AnyFile()
@@ -190,12 +190,12 @@ TEST_P(AnyFile, ThatShrinksWhileItIsOpenIsAnErrorAtMost)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, AnyFile, testing::ValuesIn(goodFiles()),
+INSTANTIATE_TEST_SUITE_P(Formats, AnyFile, ::testing::ValuesIn(goodFiles()),
                          [](const auto& format) { return format.param.name; });
 
 namespace {
 
-class AnyMesh : public FolderTest, public testing::WithParamInterface<RawFormat>
+class AnyMesh : public FolderTest, public ::testing::WithParamInterface<RawFormat>
 {
 protected:
     std::filesystem::path file() const { return folder() / (std::string("mesh") + GetParam().extension); }
@@ -367,5 +367,5 @@ TEST_P(AnyMesh, NamesTheFrameOfASeriesThatDiffers)
     EXPECT_EQ(gone.context().place.frame, FrameIndex(1));
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, AnyMesh, testing::ValuesIn(rawFormats()),
+INSTANTIATE_TEST_SUITE_P(Formats, AnyMesh, ::testing::ValuesIn(rawFormats()),
                          [](const auto& format) { return format.param.name; });

@@ -71,7 +71,7 @@ TEST(Bvh, HierarchyAndMotionAreRead)
 TEST(Bvh, JointAnglesAreTheRotationsWithoutTheRoot)
 {
     const JointAngles angles = jointAngles(parse(arm));
-    EXPECT_THAT(angles.joints, testing::ElementsAre("Upper Arm", "Hand"));
+    EXPECT_THAT(angles.joints, ::testing::ElementsAre("Upper Arm", "Hand"));
     EXPECT_EQ(jointAngles(parse(arm), false).joints.size(), 3U);
     ASSERT_EQ(angles.frameCount, 3);
     const auto hand = angles.at(1, 1);

@@ -11,7 +11,7 @@ using namespace quadrille;
 
 namespace {
 
-class CacheWriter : public FolderTest, public testing::WithParamInterface<std::string>
+class CacheWriter : public FolderTest, public ::testing::WithParamInterface<std::string>
 {
 public:
     std::filesystem::path out(const std::string& name) const { return folder() / (name + GetParam()); }
@@ -24,7 +24,7 @@ std::string plain(const std::string& extension)
 
 } // namespace
 
-INSTANTIATE_TEST_SUITE_P(Formats, CacheWriter, testing::Values(".pc2", ".mdd", ".npy"),
+INSTANTIATE_TEST_SUITE_P(Formats, CacheWriter, ::testing::Values(".pc2", ".mdd", ".npy"),
                          [](const auto& format) { return plain(format.param); });
 
 TEST_P(CacheWriter, ReadsBackBitByBit)
@@ -121,7 +121,7 @@ TEST_P(CacheWriter, NamesBothNumbersWhenTheMeshDiffers)
     const auto error = errorOf([&] { openSequences(out("take"), {.mesh = mesh}); });
     EXPECT_EQ(error.code(), ErrorCode::VertexCountMismatch);
     EXPECT_THAT(error.what(),
-                testing::HasSubstr("3 vertices where 7 (" + out("take").filename().string() + ") are"));
+                ::testing::HasSubstr("3 vertices where 7 (" + out("take").filename().string() + ") are"));
 }
 
 using Mdd = FolderTest;

@@ -45,7 +45,7 @@ const std::string risingQuad = R"(<?xml version="1.0" encoding="utf-8"?>
 </COLLADA>
 )";
 
-ImportResult open(const std::filesystem::path& path)
+ImportResult openCollada(const std::filesystem::path& path)
 {
     ImportOptions options;
     options.fps = 10;
@@ -57,7 +57,7 @@ ImportResult open(const std::filesystem::path& path)
 TEST(Collada, AMovingNodeIsBakedInMetresAndYUp)
 {
     const TemporaryFolder folder;
-    const ImportResult result = open(folder.write("lift.dae", risingQuad));
+    const ImportResult result = openCollada(folder.write("lift.dae", risingQuad));
     ASSERT_EQ(result.sequences.size(), 1U);
     const MeshSequence& sequence = result.sequences.front();
     EXPECT_EQ(sequence.topology->vertexCount(), 4U);
@@ -76,10 +76,10 @@ TEST(Collada, AMovingNodeIsBakedInMetresAndYUp)
 TEST(Collada, BadFilesAreRefused)
 {
     const TemporaryFolder folder;
-    EXPECT_EQ(codeOf([&] { open(folder / "none.dae"); }), ErrorCode::FileNotFound);
-    EXPECT_EQ(codeOf([&] { open(folder.write("empty.dae", "")); }), ErrorCode::FileEmpty);
-    EXPECT_EQ(codeOf([&] { open(folder.write("text.dae", "hello")); }), ErrorCode::FileSyntax);
-    EXPECT_EQ(codeOf([&] { open(folder.write("cut.dae", risingQuad.substr(0, 900))); }),
+    EXPECT_EQ(codeOf([&] { openCollada(folder / "none.dae"); }), ErrorCode::FileNotFound);
+    EXPECT_EQ(codeOf([&] { openCollada(folder.write("empty.dae", "")); }), ErrorCode::FileEmpty);
+    EXPECT_EQ(codeOf([&] { openCollada(folder.write("text.dae", "hello")); }), ErrorCode::FileSyntax);
+    EXPECT_EQ(codeOf([&] { openCollada(folder.write("cut.dae", risingQuad.substr(0, 900))); }),
               ErrorCode::FileSyntax);
 }
 
@@ -89,5 +89,5 @@ TEST(Collada, ASceneWithoutAMeshSaysSo)
     std::string text = risingQuad;
     const std::string instance = "<instance_geometry url=\"#quad\"/>";
     text.erase(text.find(instance), instance.size());
-    EXPECT_EQ(codeOf([&] { open(folder.write("bones.dae", text)); }), ErrorCode::SceneWithoutMesh);
+    EXPECT_EQ(codeOf([&] { openCollada(folder.write("bones.dae", text)); }), ErrorCode::SceneWithoutMesh);
 }

@@ -45,7 +45,7 @@ TEST(GlbWriter, ARoundTripKeepsOrderUvsMaterialsAndPositions)
     sequence.textures = TextureSet::perMaterial({{{}, plainImage(10)}, {{}, plainImage(200)}});
     const auto file = folder / "pyramid.glb";
     const ExportResult written = GlbExporter().write(sequence, file, {}, {});
-    EXPECT_THAT(written.files, testing::ElementsAre(file));
+    EXPECT_THAT(written.files, ::testing::ElementsAre(file));
     EXPECT_TRUE(written.issues.empty());
 
     const ImportResult result = reopen(file, 24);

@@ -13,7 +13,7 @@ using namespace quadrille;
 
 namespace {
 
-ImportResult open(const std::filesystem::path& path, double fps = 30, const std::string& clip = {})
+ImportResult openGltf(const std::filesystem::path& path, double fps = 30, const std::string& clip = {})
 {
     ImportOptions options;
     options.fps = fps;
@@ -36,7 +36,7 @@ TEST(Gltf, TheFoxEqualsItsPointCaches)
     const auto file = dataDirectory() / "raw/fox-animations.glb";
     if (!std::filesystem::exists(file))
         GTEST_SKIP() << "no data";
-    const ImportResult result = open(file);
+    const ImportResult result = openGltf(file);
     ASSERT_EQ(result.sequences.size(), 14U);
     const Topology& topology = *result.sequences.front().topology;
     EXPECT_EQ(topology.vertexCount(), 833U);
@@ -67,7 +67,7 @@ namespace {
 
 ErrorCode codeOfScene(const TemporaryFolder& folder, const std::string& content)
 {
-    return codeOf([&] { open(folder.write("bad.glb", content)); });
+    return codeOf([&] { openGltf(folder.write("bad.glb", content)); });
 }
 
 } // namespace
@@ -75,7 +75,7 @@ ErrorCode codeOfScene(const TemporaryFolder& folder, const std::string& content)
 TEST(Gltf, ASkinIsBakedFromFirstToLastKey)
 {
     const TemporaryFolder folder;
-    const ImportResult result = open(folder.write("quad.glb", skinnedQuad().glb()), 4);
+    const ImportResult result = openGltf(folder.write("quad.glb", skinnedQuad().glb()), 4);
     ASSERT_EQ(result.sequences.size(), 1U);
     const MeshSequence& sequence = result.sequences.front();
     EXPECT_EQ(sequence.name, "Slide");
@@ -99,9 +99,9 @@ TEST(Gltf, TextWithADataUriOrAFileReadsTheSame)
     const TemporaryFolder folder;
     const GlbBuilder quad = skinnedQuad();
     folder.write("my buffer.bin", quad.buffer);
-    const auto frames = loadFrames(open(folder.write("a.glb", quad.glb())).sequences.at(0));
+    const auto frames = loadFrames(openGltf(folder.write("a.glb", quad.glb())).sequences.at(0));
     const auto file = folder.write("b.gltf", quad.gltf("my%20buffer.bin"));
-    EXPECT_EQ(loadFrames(open(file).sequences.at(0)), frames);
+    EXPECT_EQ(loadFrames(openGltf(file).sequences.at(0)), frames);
     std::string base64;
     const std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (std::size_t i = 0; i < quad.buffer.size(); i += 3) {
@@ -113,7 +113,7 @@ TEST(Gltf, TextWithADataUriOrAFileReadsTheSame)
             base64 += letters[bits >> shift & 63];
     }
     const auto data = folder.write("c.gltf", quad.gltf("data:application/octet-stream;base64," + base64));
-    EXPECT_EQ(loadFrames(open(data).sequences.at(0)), frames);
+    EXPECT_EQ(loadFrames(openGltf(data).sequences.at(0)), frames);
 }
 
 TEST(Gltf, NodeMotionIsBakedRigidlyAndMeshesAreMerged)
@@ -123,7 +123,7 @@ TEST(Gltf, NodeMotionIsBakedRigidlyAndMeshesAreMerged)
     quad.json.erase("skins");
     quad.json["nodes"] = {{{"mesh", 0}, {"scale", {2, 2, 2}}}, {{"mesh", 0}}, {{"children", {1}}}};
     quad.json["scenes"] = {{{"nodes", {0, 2}}}};
-    const MeshSequence sequence = open(folder.write("two.glb", quad.glb()), 1).sequences.at(0);
+    const MeshSequence sequence = openGltf(folder.write("two.glb", quad.glb()), 1).sequences.at(0);
     ASSERT_EQ(sequence.topology->vertexCount(), 8U);
     ASSERT_EQ(sequence.frameCount(), 2);
     EXPECT_LT((sequence.frame(FrameIndex(1)).positions()[1] - Vec3f(2, 0, 0)).norm(), 1e-6F);
@@ -147,11 +147,11 @@ TEST(Gltf, MorphTargetsFollowTheirWeights)
         {{"name", "Up"},
          {"samplers", {{{"input", times}, {"output", weights}}}},
          {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}}};
-    const MeshSequence moving = open(folder.write("morph.glb", quad.glb()), 2).sequences.at(0);
+    const MeshSequence moving = openGltf(folder.write("morph.glb", quad.glb()), 2).sequences.at(0);
     ASSERT_EQ(moving.frameCount(), 3);
     EXPECT_NEAR(moving.frame(FrameIndex(1)).positions()[0].z(), 0.5, 1e-6);
     quad.json.erase("animations");
-    const MeshSequence still = open(folder.write("still.glb", quad.glb())).sequences.at(0);
+    const MeshSequence still = openGltf(folder.write("still.glb", quad.glb())).sequences.at(0);
     EXPECT_EQ(still.name, "still");
     EXPECT_NEAR(still.frame(FrameIndex(0)).positions()[0].z(), 0.25, 1e-6);
 }
@@ -162,7 +162,7 @@ TEST(Gltf, StepAndCubicKeysAreUnderstood)
     GlbBuilder quad = skinnedQuad();
     quad.json["animations"][0]["samplers"][0]["interpolation"] = "STEP";
     auto x = [&](double frame) {
-        const ImportResult result = open(folder.write("k.glb", quad.glb()), 4);
+        const ImportResult result = openGltf(folder.write("k.glb", quad.glb()), 4);
         return result.sequences.at(0).frame(FrameIndex(static_cast<int>(frame))).positions()[1].x();
     };
     EXPECT_NEAR(x(3), 1, 1e-6);
@@ -187,16 +187,16 @@ TEST(Gltf, PicturesInsideAndBesideTheFileAreFound)
     GlbBuilder inside = quad;
     const int view = inside.bytes(std::string(reinterpret_cast<const char*>(png.data()), png.size()));
     inside.json["images"] = {{{"bufferView", view}, {"mimeType", "image/png"}}};
-    const auto embedded = open(folder.write("in.glb", inside.glb())).sequences.at(0);
+    const auto embedded = openGltf(folder.write("in.glb", inside.glb())).sequences.at(0);
     EXPECT_EQ(*embedded.texture(FrameIndex(0)), red);
     EXPECT_EQ(embedded.topology->data().materials, std::vector<std::string>{"skin"});
 
     quad.json["images"] = {{{"uri", "red.png"}}};
-    const ImportResult missing = open(folder.write("beside.glb", quad.glb()));
+    const ImportResult missing = openGltf(folder.write("beside.glb", quad.glb()));
     EXPECT_EQ(missing.sequences.at(0).textures.kind(), TextureSet::Kind::None);
     EXPECT_EQ(missing.issues.at(0).code, Issue::Code::TextureMissing);
     writeImage(red, folder / "red.png");
-    EXPECT_EQ(*open(folder / "beside.glb").sequences.at(0).texture(FrameIndex(0)), red);
+    EXPECT_EQ(*openGltf(folder / "beside.glb").sequences.at(0).texture(FrameIndex(0)), red);
 }
 
 TEST(Gltf, OneClipCanBeChosen)
@@ -205,27 +205,27 @@ TEST(Gltf, OneClipCanBeChosen)
     GlbBuilder quad = skinnedQuad();
     quad.json["animations"].push_back(quad.json["animations"][0]);
     const auto file = folder.write("clips.glb", quad.glb());
-    const ImportResult both = open(file);
+    const ImportResult both = openGltf(file);
     ASSERT_EQ(both.sequences.size(), 2U);
     EXPECT_EQ(both.sequences[1].name, "Slide 2");
-    EXPECT_EQ(open(file, 30, "Slide").sequences.size(), 1U);
-    EXPECT_EQ(codeOf([&] { open(file, 30, "Jump"); }), ErrorCode::BadArgument);
-    EXPECT_EQ(codeOf([&] { open(file, 0); }), ErrorCode::BadArgument);
+    EXPECT_EQ(openGltf(file, 30, "Slide").sequences.size(), 1U);
+    EXPECT_EQ(codeOf([&] { openGltf(file, 30, "Jump"); }), ErrorCode::BadArgument);
+    EXPECT_EQ(codeOf([&] { openGltf(file, 0); }), ErrorCode::BadArgument);
 }
 
 TEST(Gltf, DamagedFilesAreRefused)
 {
     const TemporaryFolder folder;
     const std::string good = skinnedQuad().glb();
-    EXPECT_EQ(codeOf([&] { open(folder / "none.glb"); }), ErrorCode::FileNotFound);
+    EXPECT_EQ(codeOf([&] { openGltf(folder / "none.glb"); }), ErrorCode::FileNotFound);
     EXPECT_EQ(codeOfScene(folder, ""), ErrorCode::FileEmpty);
     EXPECT_EQ(codeOfScene(folder, "glTF"), ErrorCode::FileSyntax);
     EXPECT_EQ(codeOfScene(folder, "no magic here"), ErrorCode::FileSyntax);
     EXPECT_EQ(codeOfScene(folder, good.substr(0, 300)), ErrorCode::FileTruncated);
     EXPECT_EQ(codeOfScene(folder, good.substr(0, good.size() - 8)), ErrorCode::FileTruncated);
-    EXPECT_EQ(codeOf([&] { open(folder.write("lost.gltf", skinnedQuad().gltf("lost.bin"))); }),
+    EXPECT_EQ(codeOf([&] { openGltf(folder.write("lost.gltf", skinnedQuad().gltf("lost.bin"))); }),
               ErrorCode::FileNotFound);
-    EXPECT_EQ(codeOf([&] { open(folder.write("bare.gltf", skinnedQuad().gltf(""))); }),
+    EXPECT_EQ(codeOf([&] { openGltf(folder.write("bare.gltf", skinnedQuad().gltf(""))); }),
               ErrorCode::FileTruncated);
 }
 

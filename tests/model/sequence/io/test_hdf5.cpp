@@ -12,15 +12,15 @@ using namespace quadrille;
 
 namespace {
 
-ImportResult open(const std::filesystem::path& path, const std::string& clip = {})
+ImportResult openFaust(const std::filesystem::path& path, const std::string& clip = {})
 {
     ImportOptions options;
     options.clip = clip;
     return Hdf5Importer().open(fileSource(path), options, {});
 }
 
-void writeDataset(const Hdf5Handle& file, const char* name, std::vector<hsize_t> size, hid_t type,
-                  const void* values)
+void addDataset(const Hdf5Handle& file, const char* name, std::vector<hsize_t> size, hid_t type,
+                const void* values)
 {
     const Hdf5Handle space(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
     const Hdf5Handle dataset(
@@ -57,9 +57,9 @@ std::filesystem::path writeFaust(const std::filesystem::path& path,
             first[f * vertices * 3 + i] = value(f, i / 3, i % 3);
         }
     }
-    writeDataset(file, "50002_walk", {vertices, 3, frames}, H5T_NATIVE_FLOAT, last.data());
-    writeDataset(file, "by_frame", {frames, vertices, 3}, H5T_NATIVE_FLOAT, first.data());
-    writeDataset(file, "faces", {faces.size() / 3, 3}, H5T_NATIVE_INT32, faces.data());
+    addDataset(file, "50002_walk", {vertices, 3, frames}, H5T_NATIVE_FLOAT, last.data());
+    addDataset(file, "by_frame", {frames, vertices, 3}, H5T_NATIVE_FLOAT, first.data());
+    addDataset(file, "faces", {faces.size() / 3, 3}, H5T_NATIVE_INT32, faces.data());
     return path;
 }
 
@@ -68,7 +68,7 @@ std::filesystem::path writeFaust(const std::filesystem::path& path,
 TEST(Hdf5, EachDatasetBecomesASequence)
 {
     const TemporaryFolder folder;
-    const ImportResult result = open(writeFaust(folder / "registrations.hdf5"));
+    const ImportResult result = openFaust(writeFaust(folder / "registrations.hdf5"));
     ASSERT_EQ(result.sequences.size(), 2U);
     EXPECT_EQ(result.sequences[0].name, "50002_walk");
     EXPECT_EQ(result.sequences[1].name, "by_frame");
@@ -82,8 +82,8 @@ TEST(Hdf5, EachDatasetBecomesASequence)
                 EXPECT_EQ(frame.positions()[v], Vec3f(value(f, v, 0), value(f, v, 1), value(f, v, 2)));
         }
     }
-    EXPECT_EQ(open(folder / "registrations.hdf5", "by_frame").sequences.size(), 1U);
-    EXPECT_EQ(codeOf([&] { open(folder / "registrations.hdf5", "none"); }), ErrorCode::BadArgument);
+    EXPECT_EQ(openFaust(folder / "registrations.hdf5", "by_frame").sequences.size(), 1U);
+    EXPECT_EQ(codeOf([&] { openFaust(folder / "registrations.hdf5", "none"); }), ErrorCode::BadArgument);
 }
 
 TEST(Hdf5, FramesAreReadFromManyThreads)
@@ -98,11 +98,11 @@ TEST(Hdf5, FramesAreReadFromManyThreads)
         std::vector<float> values(manyVertices * 3 * manyFrames);
         for (std::size_t i = 0; i < values.size(); ++i)
             values[i] = static_cast<float>(i % manyFrames);
-        writeDataset(file, "take", {manyVertices, 3, manyFrames}, H5T_NATIVE_FLOAT, values.data());
+        addDataset(file, "take", {manyVertices, 3, manyFrames}, H5T_NATIVE_FLOAT, values.data());
         const std::vector<std::int32_t> faces{0, 1, 2};
-        writeDataset(file, "faces", {1, 3}, H5T_NATIVE_INT32, faces.data());
+        addDataset(file, "faces", {1, 3}, H5T_NATIVE_INT32, faces.data());
     }
-    const ImportResult result = open(path);
+    const ImportResult result = openFaust(path);
     const auto& source = *result.sequences.at(0).source;
     std::atomic<int> wrong{0};
     tbb::parallel_for(std::int64_t{0}, std::int64_t{400}, [&](std::int64_t i) {
@@ -118,19 +118,19 @@ TEST(Hdf5, FramesAreReadFromManyThreads)
 TEST(Hdf5, BadFilesAreRefused)
 {
     const TemporaryFolder folder;
-    EXPECT_EQ(codeOf([&] { open(folder / "none.h5"); }), ErrorCode::FileNotFound);
-    EXPECT_EQ(codeOf([&] { open(folder.write("empty.h5", "")); }), ErrorCode::FileEmpty);
-    EXPECT_EQ(codeOf([&] { open(folder.write("text.h5", "not HDF5 at all")); }), ErrorCode::FileSyntax);
+    EXPECT_EQ(codeOf([&] { openFaust(folder / "none.h5"); }), ErrorCode::FileNotFound);
+    EXPECT_EQ(codeOf([&] { openFaust(folder.write("empty.h5", "")); }), ErrorCode::FileEmpty);
+    EXPECT_EQ(codeOf([&] { openFaust(folder.write("text.h5", "not HDF5 at all")); }), ErrorCode::FileSyntax);
     const auto whole = writeFaust(folder / "whole.h5");
     const FileContent content = readFile(whole);
     const auto cut = folder.write("cut.h5", std::string(content.text().substr(0, content.size / 2)));
-    EXPECT_EQ(codeOf([&] { open(cut); }), ErrorCode::FileTruncated);
+    EXPECT_EQ(codeOf([&] { openFaust(cut); }), ErrorCode::FileTruncated);
     EXPECT_EQ(codeOf([&] {
-                  open(writeFaust(folder / "outside.h5", {0, 1, 9}));
+                  openFaust(writeFaust(folder / "outside.h5", {0, 1, 9}));
               }),
               ErrorCode::IndexOutOfRange);
     EXPECT_EQ(codeOf([&] {
-                  open(writeFaust(folder / "negative.h5", {0, 1, -1}));
+                  openFaust(writeFaust(folder / "negative.h5", {0, 1, -1}));
               }),
               ErrorCode::IndexOutOfRange);
 }
@@ -142,14 +142,14 @@ TEST(Hdf5, MissingPartsAreNamed)
     const std::vector<std::int32_t> faces{0, 1, 2};
     {
         const auto lock = lockHdf5();
-        writeDataset(create(folder / "nofaces.h5"), "take", {4, 3, 1}, H5T_NATIVE_FLOAT, values.data());
-        writeDataset(create(folder / "notakes.h5"), "faces", {1, 3}, H5T_NATIVE_INT32, faces.data());
+        addDataset(create(folder / "nofaces.h5"), "take", {4, 3, 1}, H5T_NATIVE_FLOAT, values.data());
+        addDataset(create(folder / "notakes.h5"), "faces", {1, 3}, H5T_NATIVE_INT32, faces.data());
         const Hdf5Handle absurd = create(folder / "absurd.h5");
         // Space for the values is never taken: contiguous storage is allocated when written.
-        writeDataset(absurd, "take", {100000000, 3, 1000000}, H5T_NATIVE_FLOAT, nullptr);
-        writeDataset(absurd, "faces", {1, 3}, H5T_NATIVE_INT32, faces.data());
+        addDataset(absurd, "take", {100000000, 3, 1000000}, H5T_NATIVE_FLOAT, nullptr);
+        addDataset(absurd, "faces", {1, 3}, H5T_NATIVE_INT32, faces.data());
     }
-    EXPECT_EQ(codeOf([&] { open(folder / "nofaces.h5"); }), ErrorCode::NoFaces);
-    EXPECT_EQ(codeOf([&] { open(folder / "notakes.h5"); }), ErrorCode::FileSyntax);
-    EXPECT_EQ(codeOf([&] { open(folder / "absurd.h5"); }), ErrorCode::CountTooLarge);
+    EXPECT_EQ(codeOf([&] { openFaust(folder / "nofaces.h5"); }), ErrorCode::NoFaces);
+    EXPECT_EQ(codeOf([&] { openFaust(folder / "notakes.h5"); }), ErrorCode::FileSyntax);
+    EXPECT_EQ(codeOf([&] { openFaust(folder / "absurd.h5"); }), ErrorCode::CountTooLarge);
 }

@@ -9,13 +9,13 @@
 #include <gmock/gmock.h>
 
 using namespace quadrille;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 namespace {
 
-class MeshWriter : public FolderTest, public testing::WithParamInterface<std::string>
+class MeshWriter : public FolderTest, public ::testing::WithParamInterface<std::string>
 {
 public:
     std::filesystem::path out(const std::string& name) const { return folder() / (name + GetParam()); }
@@ -30,7 +30,7 @@ MeshSequence textured(TextureSet textures)
 
 } // namespace
 
-INSTANTIATE_TEST_SUITE_P(Formats, MeshWriter, testing::Values(".obj", ".ply"),
+INSTANTIATE_TEST_SUITE_P(Formats, MeshWriter, ::testing::Values(".obj", ".ply"),
                          [](const auto& format) { return format.param.substr(1); });
 
 TEST_P(MeshWriter, WritesNumberedFilesThatReadBackTheSame)

@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 
 using namespace quadrille;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 namespace {
 

@@ -1,20 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "fixture.h"
+#include "squaretriangles.h"
 
 #include <gmock/gmock.h>
 
 using namespace quadrille;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 namespace {
 
 using Obj = FolderTest;
-
-Triangle triangle(int a, int b, int c)
-{
-    return {VertexIndex(a), VertexIndex(b), VertexIndex(c)};
-}
 
 /// Two triangles with UVs whose second vertex moves up by `height`.
 std::string square(float height, std::string_view faces = "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n")
@@ -33,7 +29,7 @@ TEST_F(Obj, KeepsVerticesAndTheirOrderThoughUvsHaveSeams)
     const auto result = openSequences(file);
     const auto& topology = result.sequences.at(0).topology->data();
     EXPECT_EQ(topology.vertexCount, 5U);
-    EXPECT_EQ(topology.triangles, (std::vector{triangle(0, 2, 3), triangle(2, 4, 3)}));
+    EXPECT_EQ(topology.triangles, (std::vector{triangleOf(0, 2, 3), triangleOf(2, 4, 3)}));
     EXPECT_EQ(topology.uvs.size(), 4U);
     EXPECT_EQ(topology.triangleUvs[1], (std::array<std::uint32_t, 3>{3, 0, 1}));
     EXPECT_EQ(positionsOf(result.sequences[0])[1], Vec3f(9, 9, 9));
@@ -45,14 +41,14 @@ TEST_F(Obj, TriangulatesPolygonsFromTheirFirstCorner)
     const auto result =
         openSequences(write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 2 0\nf 2 3 4 1\nf 4 3 5\n"));
     EXPECT_EQ(result.sequences[0].topology->triangles(),
-              (std::vector{triangle(1, 2, 3), triangle(1, 3, 0), triangle(3, 2, 4)}));
+              (std::vector{triangleOf(1, 2, 3), triangleOf(1, 3, 0), triangleOf(3, 2, 4)}));
     ASSERT_TRUE(hasIssue(result.issues, Issue::Code::PolygonsTriangulated));
     EXPECT_EQ(result.issues[0].context.values[0].second, "1");
 }
 
 TEST_F(Obj, ReadsTheManyWaysToWriteTheSame)
 {
-    const auto expected = std::vector{triangle(0, 1, 2), triangle(0, 2, 3)};
+    const auto expected = std::vector{triangleOf(0, 1, 2), triangleOf(0, 2, 3)};
     const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n";
     const std::vector<std::string> variants{
         vertices + "f 1 2 3\nf 1 3 4",

@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "fixture.h"
 #include "model/sequence/io/off.h"
+#include "squaretriangles.h"
 
 using namespace quadrille;
 
 namespace {
 
 using Off = FolderTest;
-
-const std::vector<Triangle> squareTriangles{{VertexIndex(0), VertexIndex(1), VertexIndex(2)},
-                                            {VertexIndex(0), VertexIndex(2), VertexIndex(3)}};
 
 } // namespace
 

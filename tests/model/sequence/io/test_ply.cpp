@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "fixture.h"
+#include "squaretriangles.h"
 
 #include <bit>
 #include <gmock/gmock.h>
 
 using namespace quadrille;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 namespace {
 
@@ -43,13 +44,6 @@ std::string binarySquare(float height, bool isBigEndian = false)
     }
     return text;
 }
-
-Triangle triangle(int a, int b, int c)
-{
-    return {VertexIndex(a), VertexIndex(b), VertexIndex(c)};
-}
-
-const std::vector squareTriangles{triangle(0, 1, 2), triangle(0, 2, 3)};
 
 } // namespace
 

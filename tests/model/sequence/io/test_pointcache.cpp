@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 
 using namespace quadrille;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 namespace {
 

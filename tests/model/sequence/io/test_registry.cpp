@@ -6,12 +6,12 @@
 #include <gmock/gmock.h>
 
 using namespace quadrille;
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 namespace {
 
-constexpr std::string_view triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+constexpr std::string_view loneTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 std::vector<std::string> fileNames(const SourceFiles& source)
 {
@@ -28,7 +28,7 @@ using Registry = FolderTest;
 TEST_F(Registry, FindsASeriesInNaturalOrderAndKeepsItsGaps)
 {
     for (const char* name : {"walk10.obj", "walk2.obj", "walk1.obj", "walk9.obj", "notes.txt"})
-        write(name, triangle);
+        write(name, loneTriangle);
     const auto source = findSource(folder());
     EXPECT_THAT(fileNames(source), ElementsAre("walk1.obj", "walk2.obj", "walk9.obj", "walk10.obj"));
     EXPECT_THAT(source.numbers, ElementsAre(1, 2, 9, 10));
@@ -40,32 +40,32 @@ TEST_F(Registry, FindsASeriesInNaturalOrderAndKeepsItsGaps)
 TEST_F(Registry, TakesAnyPrefixAndTheNumberThatRuns)
 {
     for (const char* name : {"take2_f001_v3.obj", "take2_f002_v3.obj", "take2_f003_v3.obj"})
-        write(name, triangle);
+        write(name, loneTriangle);
     const auto source = findSource(folder());
     EXPECT_THAT(source.numbers, ElementsAre(1, 2, 3));
     for (const char* name : {"0.obj", "1.obj"})
-        write(std::string("plain/") + name, triangle);
+        write(std::string("plain/") + name, loneTriangle);
     EXPECT_THAT(findSource(folder() / "plain").numbers, ElementsAre(0, 1));
 }
 
 TEST_F(Registry, LeavesOtherMeshesBesideASeriesOut)
 {
     for (const char* name : {"a_1.obj", "a_2.obj", "template.obj"})
-        write(name, triangle);
+        write(name, loneTriangle);
     EXPECT_THAT(fileNames(findSource(folder())), ElementsAre("a_1.obj", "a_2.obj"));
 }
 
 TEST_F(Registry, SaysWhatAFolderHoldsWhenItIsNotOneSeries)
 {
     EXPECT_EQ(errorOf([&] { findSource(folder()); }).code(), ErrorCode::SeriesEmpty);
-    write("one.obj", triangle);
+    write("one.obj", loneTriangle);
     EXPECT_THAT(fileNames(findSource(folder())), ElementsAre("one.obj"));
-    write("other.obj", triangle);
+    write("other.obj", loneTriangle);
     const auto singles = errorOf([&] { findSource(folder()); });
     EXPECT_EQ(singles.code(), ErrorCode::SeriesAmbiguous);
     EXPECT_THAT(singles.what(), HasSubstr("the file one.obj"));
     for (const char* name : {"a_1.obj", "a_2.obj", "b_1.obj", "b_2.obj", "b_3.obj"})
-        write(name, triangle);
+        write(name, loneTriangle);
     const auto two = errorOf([&] { findSource(folder()); });
     EXPECT_EQ(two.code(), ErrorCode::SeriesAmbiguous);
     EXPECT_THAT(two.what(), HasSubstr("a series of 2 files from a_1.obj to a_2.obj"));
@@ -75,14 +75,14 @@ TEST_F(Registry, SaysWhatAFolderHoldsWhenItIsNotOneSeries)
 TEST_F(Registry, RefusesTwoFilesWithOneNumber)
 {
     for (const char* name : {"a_1.obj", "a_01.obj", "a_2.obj"})
-        write(name, triangle);
+        write(name, loneTriangle);
     EXPECT_EQ(errorOf([&] { findSource(folder()); }).code(), ErrorCode::SeriesAmbiguous);
 }
 
 TEST_F(Registry, FindsPatterns)
 {
     for (const char* name : {"a_0008.obj", "a_0009.obj", "a_10.obj", "b_0001.obj", "a_x.obj"})
-        write(name, triangle);
+        write(name, loneTriangle);
     for (const char* pattern : {"a_####.obj", "a_%04d.obj", "a_%d.obj", "a_[0-9]*.obj"}) {
         const auto source = findSource(folder() / pattern);
         EXPECT_THAT(fileNames(source), ElementsAre("a_0008.obj", "a_0009.obj", "a_10.obj")) << pattern;
@@ -95,7 +95,7 @@ TEST_F(Registry, FindsPatterns)
 TEST_F(Registry, ANumberedFileMeansThatFileButItsSeriesIsFound)
 {
     for (const char* name : {"a_1.obj", "a_2.obj", "a_4.obj", "b_1.ply"})
-        write(name, triangle);
+        write(name, loneTriangle);
     const auto alone = findSource(folder() / "a_2.obj");
     EXPECT_FALSE(alone.isSeries());
     EXPECT_THAT(fileNames(alone), ElementsAre("a_2.obj"));
@@ -106,9 +106,9 @@ TEST_F(Registry, ANumberedFileMeansThatFileButItsSeriesIsFound)
 
 TEST_F(Registry, SurvivesTimeStampsAsNumbers)
 {
-    write("f1700000000000.obj", triangle);
-    write("f1700000033333.obj", triangle);
-    write("f99999999999999999999999.obj", triangle);
+    write("f1700000000000.obj", loneTriangle);
+    write("f1700000033333.obj", loneTriangle);
+    write("f99999999999999999999999.obj", loneTriangle);
     EXPECT_EQ(findSource(folder() / "f17*.obj").files.size(), 2U);
 }
 
@@ -121,8 +121,8 @@ TEST_F(Registry, ReportsMissingPaths)
 
 TEST_F(Registry, ChoosesByExtensionThenBySignature)
 {
-    EXPECT_EQ(importerFor(findSource(write("a.OBJ", triangle))).format().id, "obj");
-    EXPECT_EQ(importerFor(findSource(write("mesh.dat", triangle))).format().id, "obj");
+    EXPECT_EQ(importerFor(findSource(write("a.OBJ", loneTriangle))).format().id, "obj");
+    EXPECT_EQ(importerFor(findSource(write("mesh.dat", loneTriangle))).format().id, "obj");
     EXPECT_EQ(importerFor(findSource(write("cache", std::string_view("POINTCACHE2\0....", 16)))).format().id,
               "pc2");
     EXPECT_EQ(errorOf([&] { openSequences(write("a.txt", "hello")); }).code(), ErrorCode::FormatUnknown);
@@ -150,7 +150,7 @@ TEST_F(Registry, RefusesForeignFormatsWithARemedy)
 TEST_F(Registry, ReportsGapsAndTheAssumedRate)
 {
     for (const char* name : {"a_1.obj", "a_2.obj", "a_4.obj"})
-        write(name, triangle);
+        write(name, loneTriangle);
     const auto result = openSequences(folder(), {.fps = 30});
     EXPECT_TRUE(hasIssue(result.issues, Issue::Code::NumberingGap));
     EXPECT_TRUE(hasIssue(result.issues, Issue::Code::FpsAssumed));

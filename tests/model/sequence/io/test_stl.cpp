@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "fixture.h"
+#include "squaretriangles.h"
 
 #include <cstring>
 
@@ -11,10 +12,10 @@ namespace {
 using Stl = FolderTest;
 using Facet = std::array<Vec3f, 3>;
 
-const std::array<Facet, 2> square{Facet{Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(1, 1, 0)},
-                                  Facet{Vec3f(-0.0F, 0, 0), Vec3f(1, 1, 0), Vec3f(0, 1, 0)}};
+const std::array<Facet, 2> squareFacets{Facet{Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(1, 1, 0)},
+                                        Facet{Vec3f(-0.0F, 0, 0), Vec3f(1, 1, 0), Vec3f(0, 1, 0)}};
 
-std::string textOf(const std::array<Facet, 2>& facets)
+std::string solidText(const std::array<Facet, 2>& facets)
 {
     std::string text = "solid square\n";
     for (const Facet& facet : facets) {
@@ -42,14 +43,11 @@ std::string binaryOf(const std::array<Facet, 2>& facets, std::uint32_t count = 2
     return bytes;
 }
 
-const std::vector<Triangle> squareTriangles{{VertexIndex(0), VertexIndex(1), VertexIndex(2)},
-                                            {VertexIndex(0), VertexIndex(2), VertexIndex(3)}};
-
 } // namespace
 
 TEST_F(Stl, JoinsCornersAtTheSamePlaceAndSaysSo)
 {
-    for (const auto& content : {textOf(square), binaryOf(square)}) {
+    for (const auto& content : {solidText(squareFacets), binaryOf(squareFacets)}) {
         const auto result = openSequences(write("a.stl", content));
         const auto& sequence = result.sequences.at(0);
         EXPECT_EQ(sequence.topology->triangles(), squareTriangles);
@@ -60,9 +58,9 @@ TEST_F(Stl, JoinsCornersAtTheSamePlaceAndSaysSo)
 
 TEST_F(Stl, ReadsASeries)
 {
-    auto moved = square;
+    auto moved = squareFacets;
     moved[1][2].y() = 2;
-    write("s/f_1.stl", binaryOf(square));
+    write("s/f_1.stl", binaryOf(squareFacets));
     write("s/f_2.stl", binaryOf(moved));
     const auto sequence = openSequences(folder() / "s").sequences.at(0);
     EXPECT_EQ(positionsOf(sequence, 1)[3], Vec3f(0, 2, 0));
@@ -70,10 +68,10 @@ TEST_F(Stl, ReadsASeries)
 
 TEST_F(Stl, SaysWhenAFrameJoinsOtherwise)
 {
-    auto apart = square;
+    auto apart = squareFacets;
     apart[1][0].x() = 0.5F;
-    write("s/f_1.stl", textOf(square));
-    write("s/f_2.stl", textOf(apart));
+    write("s/f_1.stl", solidText(squareFacets));
+    write("s/f_2.stl", solidText(apart));
     const auto error = errorOf([&] { openSequences(folder() / "s"); });
     EXPECT_EQ(error.code(), ErrorCode::VertexCountMismatch);
     EXPECT_EQ(error.context().place.frame, FrameIndex(1));
@@ -90,20 +88,20 @@ TEST_F(Stl, RefusesWhatIsDamaged)
     EXPECT_EQ(codeOf("solid a\nfacet normal 0 0 1\nvertex 0 0 x\n"), ErrorCode::FileSyntax);
     EXPECT_EQ(codeOf("solid a\nfacet normal 0 0 1\nvertex 0 0 0\n"), ErrorCode::FileSyntax);
     EXPECT_EQ(codeOf("short"), ErrorCode::FileTruncated);
-    const std::string text = textOf(square);
+    const std::string text = solidText(squareFacets);
     EXPECT_EQ(codeOf(text.substr(0, text.find("endsolid"))), ErrorCode::FileTruncated);
-    EXPECT_EQ(codeOf(binaryOf(square, 3)), ErrorCode::FileTruncated);
-    EXPECT_EQ(codeOf(binaryOf(square, 4000000000U)), ErrorCode::CountTooLarge);
-    auto infinite = square;
+    EXPECT_EQ(codeOf(binaryOf(squareFacets, 3)), ErrorCode::FileTruncated);
+    EXPECT_EQ(codeOf(binaryOf(squareFacets, 4000000000U)), ErrorCode::CountTooLarge);
+    auto infinite = squareFacets;
     infinite[0][1].x() = std::numeric_limits<float>::infinity();
     EXPECT_EQ(codeOf(binaryOf(infinite)), ErrorCode::NonFiniteCoordinate);
 }
 
 TEST_F(Stl, RefusesAPolygonSoup)
 {
-    auto apart = square;
+    auto apart = squareFacets;
     for (Vec3f& corner : apart[1])
         corner.z() += 1;
-    EXPECT_EQ(errorOf([&] { openSequences(write("bad.stl", textOf(apart))); }).code(),
+    EXPECT_EQ(errorOf([&] { openSequences(write("bad.stl", solidText(apart))); }).code(),
               ErrorCode::PolygonSoup);
 }

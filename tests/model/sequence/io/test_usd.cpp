@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 
 using namespace quadrille;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 namespace {
 
@@ -110,7 +110,7 @@ TEST(Usd, MaterialsBecomeSubsetsWithTheirPictures)
     EXPECT_THAT(text, HasSubstr("asset inputs:file = @./m_texture2.png@"));
     EXPECT_EQ(readImage(folder / "m_texture2.png"), *plainImage(20));
     const auto lower = numbersOf(valueOf(valueOf(text, "GeomSubset \"lower\""), "indices = "));
-    EXPECT_THAT(lower, testing::ElementsAre(1, 3, 5, 7));
+    EXPECT_THAT(lower, ::testing::ElementsAre(1, 3, 5, 7));
 }
 
 TEST(Usd, TexturesPerFrameAreTimeSamples)

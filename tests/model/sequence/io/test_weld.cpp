@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 using namespace quadrille;
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 
 namespace {
 
