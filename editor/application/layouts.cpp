@@ -4,6 +4,7 @@
 
 #include "editor/application/actionregistry.h"
 #include "editor/application/sealedfile.h"
+#include "editor/language/retranslate.h"
 #include "editor/workspaces/workspacetabs.h"
 
 #include <QDir>
@@ -91,12 +92,14 @@ void LayoutMenu::makeActions()
 void LayoutMenu::fill(QMenu& menu)
 {
     connect(&menu, &QMenu::aboutToShow, this, [this, &menu] { refill(menu); });
+    retranslates(&m_window, [this, &menu] { refill(menu); });
     refill(menu);
 }
 
 void LayoutMenu::refill(QMenu& menu)
 {
     menu.clear();
+    delete m_removal; // a menu does not delete those below it
     const QString workspace = m_workspaces.current();
     const QStringList names = m_layouts.names(workspace);
     for (const QString& name : names)
@@ -105,12 +108,12 @@ void LayoutMenu::refill(QMenu& menu)
             [this, workspace, name] { m_workspaces.setArrangement(m_layouts.state(workspace, name)); });
     menu.addSeparator();
     menu.addAction(m_actions.action("layout.save"));
-    QMenu* removal = menu.addMenu(tr("&Delete"));
-    removal->setObjectName(QStringLiteral("layoutRemoval"));
-    removal->setEnabled(!names.isEmpty());
+    m_removal = menu.addMenu(tr("&Delete"));
+    m_removal->setObjectName(QStringLiteral("layoutRemoval"));
+    m_removal->setEnabled(!names.isEmpty());
     for (const QString& name : names)
-        removal->addAction(QString(name).replace(QLatin1Char('&'), QLatin1String("&&")), this,
-                           [this, workspace, name] { m_layouts.remove(workspace, name); });
+        m_removal->addAction(QString(name).replace(QLatin1Char('&'), QLatin1String("&&")), this,
+                             [this, workspace, name] { m_layouts.remove(workspace, name); });
     menu.addAction(m_actions.action("layout.reset"));
 }
 

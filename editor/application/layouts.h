@@ -4,11 +4,12 @@
 
 #include <QByteArray>
 #include <QJsonObject>
+#include <QMenu>
 #include <QObject>
+#include <QPointer>
 #include <QStringList>
 
 class QMainWindow;
-class QMenu;
 
 namespace quadrille {
 
@@ -55,6 +56,7 @@ private:
     WorkspaceTabs& m_workspaces;
     QMainWindow& m_window;
     Layouts m_layouts;
+    QPointer<QMenu> m_removal;
 };
 
 } // namespace quadrille

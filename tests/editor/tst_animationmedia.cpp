@@ -98,13 +98,15 @@ private slots:
 
     void aGraphThatCannotBeComputedSaysWhy()
     {
-        GraphEntry entry = graphEntry(context().document.project(), "spire");
-        entry.slope = -3;
-        setGraph(context().document, "slope", "slope", entry);
+        const QString frame = m_folder->filePath("third/m_010.obj");
+        QVERIFY(QFile::rename(frame, frame + ".kept"));
+        std::ofstream(frame.toStdString()) << "v 0 0\n";
         context().graphs.ask("spire");
         QTRY_VERIFY(graph().state == GraphState::Failed);
         QVERIFY(graph().error.has_value());
-        context().document.undo();
+        QVERIFY(QFile::remove(frame));
+        QVERIFY(QFile::rename(frame + ".kept", frame));
+        context().graphs.ask("spire");
         QVERIFY(waitForGraph());
     }
 

@@ -271,7 +271,7 @@ private slots:
         duplicateSequence(document(), "walk");
         const QString take = m_folder->filePath("walk_1.obj");
         write(take, contentOf(take).replace("v 0 0 0\n", "v -0.5 0 0\n"));
-        QTRY_VERIFY(strip("mediaStrip")->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(strip("mediaStrip")->isVisible(), 20000);
         QCOMPARE(m_window->strips().media().changedFiles(), QStringList{take});
         emit strip("mediaStrip")->actionTriggered();
         QTRY_VERIFY(!strip("mediaStrip")->isVisible());

@@ -68,12 +68,16 @@ private slots:
         duplicateInto("run");
         auto* name = test::find<QLineEdit>("sequenceName");
         selection().selectSequences({"walk"});
+        QVERIFY(test::activate(*m_window));
         name->setFocus();
         name->selectAll();
         QTest::keyClicks(name, "run");
         QTest::keyClick(name, Qt::Key_Return);
         QVERIFY(document().sequence("walk") != nullptr);
-        QCOMPARE(name->text(), QString("walk"));
+        // What was typed stays, to be mended, with the reason beside it.
+        QCOMPARE(name->text(), QString("run"));
+        auto* note = m_window->findChild<widgets::FieldNote*>();
+        QVERIFY(note != nullptr && note->isVisible());
         name->selectAll();
         QTest::keyClicks(name, "stroll");
         QTest::keyClick(name, Qt::Key_Return);
@@ -120,3 +124,4 @@ private:
 
 QUADRILLE_QT_TEST(quadrille::PropertiesTest);
 #include "tst_properties.moc"
+#include "widgets/controls/fieldnote.h"

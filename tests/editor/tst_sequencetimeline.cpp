@@ -198,7 +198,8 @@ private slots:
         QVERIFY(std::ranges::all_of(round, [](qint64 frame) { return frame >= 5 && frame <= 9; }));
         context().actions.action("play.backAndForth")->setChecked(true);
         player.goTo(5);
-        const auto forth = seen([&] { QTest::keyClick(m_window.get(), Qt::Key_Space); });
+        constexpr double slowly = 0.2; // so that a busy machine shows each frame
+        const auto forth = seen([&] { player.play(slowly); });
         QVERIFY(forth.size() > 12);
         for (std::size_t i = 1; i < forth.size(); ++i) // it never jumps from one end to the other
             QVERIFY(std::abs(forth[i] - forth[i - 1]) < 4);
@@ -221,7 +222,7 @@ private slots:
         QCOMPARE(timeline().currentFrame(), 7);
         // Playing as usual stays where it stops.
         QTest::keyClick(m_window.get(), Qt::Key_Space);
-        QTRY_VERIFY(player.frame().value != 7);
+        QTRY_VERIFY(player.frame().value > 12);
         QTest::keyClick(m_window.get(), Qt::Key_Space);
         QVERIFY(player.frame().value != 7);
     }

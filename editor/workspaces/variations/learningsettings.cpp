@@ -16,6 +16,7 @@ namespace {
 
 constexpr double inPercent = 100;
 constexpr double million = 1e6;
+constexpr double leastBand = 0.01; // between the rates of acceptance that are sought
 
 } // namespace
 
@@ -153,16 +154,18 @@ void LearningSettings::addChain()
                [] { return tr("The step size is made smaller where fewer proposals are accepted"); },
                [](const VariationEntry& entry) { return entry.chain.leastAcceptance * inPercent; },
                [](VariationEntry& entry, double value) {
-                   entry.chain.leastAcceptance = std::min(value / inPercent, entry.chain.greatestAcceptance);
+                   entry.chain.leastAcceptance =
+                       std::min(value / inPercent, entry.chain.greatestAcceptance - leastBand);
                },
-               1, 99, 5, 0, [] { return tr("%", "inPercent"); }});
+               1, 99, 5, 0, [] { return tr("%", "percent"); }});
     addNumber({"chainGreatest", [] { return tr("Accepted, at most"); },
                [] { return tr("The step size is made greater where more proposals are accepted"); },
                [](const VariationEntry& entry) { return entry.chain.greatestAcceptance * inPercent; },
                [](VariationEntry& entry, double value) {
-                   entry.chain.greatestAcceptance = std::max(value / inPercent, entry.chain.leastAcceptance);
+                   entry.chain.greatestAcceptance =
+                       std::max(value / inPercent, entry.chain.leastAcceptance + leastBand);
                },
-               1, 99, 5, 0, [] { return tr("%", "inPercent"); }});
+               1, 99, 5, 0, [] { return tr("%", "percent"); }});
 }
 
 void LearningSettings::addLimits()
@@ -175,7 +178,7 @@ void LearningSettings::addLimits()
                },
                [](const VariationEntry& entry) { return entry.limits.poseDistance * inPercent; },
                [](VariationEntry& entry, double value) { entry.limits.poseDistance = value / inPercent; },
-               0.1, 1000, 1, 1, [] { return tr("% of size", "inPercent"); }});
+               0.1, 1000, 1, 1, [] { return tr("% of size", "percent"); }});
     addNumber({"limitSkate", [] { return tr("Skate"); },
                [] {
                    return tr("How much faster standing feet may slide than in the take, in sizes of the "
@@ -183,7 +186,7 @@ void LearningSettings::addLimits()
                },
                [](const VariationEntry& entry) { return entry.limits.skate * inPercent; },
                [](VariationEntry& entry, double value) { entry.limits.skate = value / inPercent; }, 0, 10'000,
-               5, 1, [] { return tr("% of size/s", "inPercent"); }});
+               5, 1, [] { return tr("% of size/s", "percent"); }});
     addNumber({"limitCrossings", [] { return tr("Crossings"); },
                [] {
                    return tr("How many more triangles may go through each other than in the take, as a share "
@@ -191,12 +194,12 @@ void LearningSettings::addLimits()
                },
                [](const VariationEntry& entry) { return entry.limits.intersections * inPercent; },
                [](VariationEntry& entry, double value) { entry.limits.intersections = value / inPercent; }, 0,
-               100, 0.5, 2, [] { return tr("% of triangles", "inPercent"); }});
+               100, 0.5, 2, [] { return tr("% of triangles", "percent"); }});
     addNumber({"limitVolume", [] { return tr("Volume"); },
                [] { return tr("How far the body’s volume may leave that of the takes"); },
                [](const VariationEntry& entry) { return entry.limits.volumeChange * inPercent; },
                [](VariationEntry& entry, double value) { entry.limits.volumeChange = value / inPercent; }, 0,
-               1000, 0.5, 2, [] { return tr("%", "inPercent"); }});
+               1000, 0.5, 2, [] { return tr("%", "percent"); }});
 }
 
 void LearningSettings::addPoses()
