@@ -315,7 +315,8 @@ private slots:
         QVERIFY(statistics.readAll().contains("motion,0.01,180,"));
         edges.seek(0);
         QCOMPARE(edges.readLine().trimmed(),
-                 QByteArray("i,j,weight,kind,cost,length (frame),from-sequence,from-frame (frame),to-sequence,to-frame (frame)"));
+                 QByteArray("i,j,weight,kind,cost,length (frame),from-sequence,from-frame "
+                            "(frame),to-sequence,to-frame (frame)"));
         const QList<QByteArray> first = edges.readLine().trimmed().split(',');
         const NamedFrame from = graph().nameOf(first.at(0).toInt());
         const NamedFrame to = graph().nameOf(first.at(1).toInt());
