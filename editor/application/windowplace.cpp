@@ -12,7 +12,7 @@ namespace {
 
 constexpr Qt::WindowStates screenFilling = Qt::WindowMaximized | Qt::WindowFullScreen;
 /// What a title bar and edges take; a window learns of its own only after it is shown.
-constexpr QMargins usualFrame(4, 28, 4, 4);
+constexpr QMargins usualFrame(8, 40, 8, 8);
 
 /// Does something to a window while it is not on its way to fill the screen.
 template <typename Action>
@@ -25,6 +25,14 @@ void doneUnfilled(QMainWindow& window, Action action)
     action();
     if (isOnItsWay)
         window.setWindowState(states);
+}
+
+/// How a window fills the screen by what QWidget::saveGeometry() told of it.
+Qt::WindowStates statesIn(const QByteArray& geometry)
+{
+    QWidget window;
+    window.restoreGeometry(geometry);
+    return window.windowState() & screenFilling;
 }
 
 /// Onto the screen, frame and all.
@@ -45,6 +53,12 @@ void moveOntoScreen(QMainWindow& window)
 
 void placeWindow(QMainWindow& window, const QByteArray& geometry)
 {
+    if (window.isVisible() && (window.windowState() & screenFilling)) {
+        // Qt would give it the size that it has when it does not fill the screen, and think that it still does.
+        if (statesIn(geometry) == (window.windowState() & screenFilling))
+            return;
+        window.setWindowState(window.windowState() & ~screenFilling);
+    }
     if (!geometry.isEmpty())
         window.restoreGeometry(geometry);
     if (window.isVisible() && (window.windowState() & screenFilling))
