@@ -39,8 +39,8 @@ int main(int argc, char** argv)
                                  QStringLiteral("[PROJECT | SEQUENCE…]"));
     parser.process(application);
 
+    QString aside = checkSettings(); // before all that reads settings: Qt tells once that it could not
     StartGuard guard(settingsFolder());
-    QString aside = checkSettings();
     if (guard.failedStarts() >= StartGuard::patience && askForDefaultSettings(guard.failedStarts()))
         aside = takeDefaultSettings();
     widgets::Theme::instance().setMode(Settings().theme());

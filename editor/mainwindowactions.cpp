@@ -5,6 +5,7 @@
 #include "editor/application/recentmenu.h"
 #include "editor/application/standardkeys.h"
 #include "editor/docks/statusjobs.h"
+#include "editor/fields/rightmenu.h"
 #include "editor/help/helpflow.h"
 #include "editor/mainwindow.h"
 #include "editor/preferences/aboutdialog.h"
@@ -17,6 +18,7 @@
 
 #include <QActionGroup>
 #include <QMenu>
+#include <QUndoView>
 
 namespace quadrille {
 
@@ -62,6 +64,7 @@ void MainWindow::makeActions()
                 [this] { m_context.document.undo(); });
     actions.add({"edit.redo", edit, [] { return tr("&Redo"); }, {}, "redo", standardKeys(QKeySequence::Redo)},
                 [this] { m_context.document.redo(); });
+    addRightMenu(*findChild<QUndoView*>(), {actions.action("edit.undo"), actions.action("edit.redo")});
     actions.add({"edit.preferences", edit, [] { return tr("&Preferences…"); },
                  [] { return tr("Theme, language, copies, shortcuts"); }, "settings",
                  standardKeys(QKeySequence::Preferences)},

@@ -43,7 +43,7 @@ QString text(const QByteArray& bytes)
 Session sessionFrom(const QJsonObject& stored)
 {
     Session session;
-    session.windowGeometry = bytes(stored["windowGeometry"]);
+    session.windowPlace = bytes(stored["windowPlace"]);
     session.docks = stored["docks"].toObject();
     session.workspace = stored["workspace"].toString();
     const QJsonArray selected = stored["selected"].toArray();
@@ -73,7 +73,7 @@ KeptSession loadSession(const std::filesystem::path& project)
 void saveSession(const Session& session, const std::filesystem::path& project)
 {
     const QJsonObject stored{
-        {"windowGeometry", text(session.windowGeometry)},
+        {"windowPlace", text(session.windowPlace)},
         {"docks", session.docks},
         {"workspace", session.workspace},
         {"selected", QJsonArray::fromStringList(session.selected)},

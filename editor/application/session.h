@@ -13,7 +13,7 @@ namespace quadrille {
 /// settings, not in the project file; the window keeps one of its own for when no project is open.
 struct Session
 {
-    QByteArray windowGeometry;
+    QByteArray windowPlace;
     QJsonObject docks; ///< their arrangement in each workspace
     QString workspace;
     QStringList selected;

@@ -67,14 +67,14 @@ Session SessionKeeper::load(const std::filesystem::path& project)
 void SessionKeeper::restoreWindow()
 {
     const Session session = load({});
-    placeWindow(m_window, session.windowGeometry);
+    placeWindow(m_window, session.windowPlace);
     m_workspaces.setStates(session.docks);
 }
 
 void SessionKeeper::keepWindow()
 {
     Session session;
-    session.windowGeometry = m_window.saveGeometry();
+    session.windowPlace = placeOf(m_window);
     session.docks = m_workspaces.states();
     saveSession(session, {});
 }
@@ -85,7 +85,7 @@ void SessionKeeper::keep()
         return;
     const widgets::Viewport& viewport = m_sequences.viewport();
     Session session;
-    session.windowGeometry = m_window.saveGeometry();
+    session.windowPlace = placeOf(m_window);
     session.docks = m_workspaces.states();
     session.workspace = m_workspaces.current();
     session.selected = m_context.selection.sequences();
@@ -111,7 +111,7 @@ void SessionKeeper::follow(const ChangeEvent& event)
     Session session = load(m_context.document.file());
     if (session == Session{})
         return;
-    placeWindow(m_window, session.windowGeometry);
+    placeWindow(m_window, session.windowPlace);
     m_workspaces.setStates(session.docks);
     m_workspaces.select(session.workspace);
     session.selected.removeIf(

@@ -11,6 +11,10 @@ namespace quadrille {
 namespace {
 
 constexpr Qt::WindowStates screenFilling = Qt::WindowMaximized | Qt::WindowFullScreen;
+/// How a place begins.
+constexpr char fullScreen = 'F';
+constexpr char maximised = 'M';
+constexpr char neither = 'N';
 /// What a title bar and edges take; a window learns of its own only after it is shown.
 constexpr QMargins usualFrame(8, 40, 8, 8);
 
@@ -25,14 +29,6 @@ void doneUnfilled(QMainWindow& window, Action action)
     action();
     if (isOnItsWay)
         window.setWindowState(states);
-}
-
-/// How a window fills the screen by what QWidget::saveGeometry() told of it.
-Qt::WindowStates statesIn(const QByteArray& geometry)
-{
-    QWidget window;
-    window.restoreGeometry(geometry);
-    return window.windowState() & screenFilling;
 }
 
 /// Onto the screen, frame and all.
@@ -51,16 +47,27 @@ void moveOntoScreen(QMainWindow& window)
 
 } // namespace
 
-void placeWindow(QMainWindow& window, const QByteArray& geometry)
+QByteArray placeOf(const QWidget& window)
 {
-    if (window.isVisible() && (window.windowState() & screenFilling)) {
-        // Qt would give it the size that it has when it does not fill the screen, and think that it still does.
-        if (statesIn(geometry) == (window.windowState() & screenFilling))
+    // Qt forgets it where the screen is much larger or smaller the next time, or its scale is.
+    const char fills = window.isFullScreen() ? fullScreen : window.isMaximized() ? maximised : neither;
+    return fills + window.saveGeometry();
+}
+
+void placeWindow(QMainWindow& window, const QByteArray& place)
+{
+    const Qt::WindowStates fills = place.startsWith(fullScreen)  ? Qt::WindowFullScreen
+                                   : place.startsWith(maximised) ? Qt::WindowMaximized
+                                                                 : Qt::WindowNoState;
+    if (!place.isEmpty() && window.isVisible() && (window.windowState() & screenFilling)) {
+        // Qt would give it the size that it has when it does not fill the screen, and think that it still
+        // does.
+        if (fills == (window.windowState() & screenFilling))
             return;
         window.setWindowState(window.windowState() & ~screenFilling);
     }
-    if (!geometry.isEmpty())
-        window.restoreGeometry(geometry);
+    if (!place.isEmpty() && !window.restoreGeometry(place.mid(1)))
+        window.setWindowState(window.windowState() | fills);
     if (window.isVisible() && (window.windowState() & screenFilling))
         return; // the window manager gives it its size
     doneUnfilled(window, [&window] { moveOntoScreen(window); });

@@ -5,13 +5,17 @@
 #include <QByteArray>
 
 class QMainWindow;
+class QWidget;
 
 namespace quadrille {
 
+/// The place and size of a window, and how it fills the screen, for placeWindow().
+QByteArray placeOf(const QWidget& window);
+
 /// Gives a window the place and size that it had, as far as the screen of now has room: it is never larger
-/// than the screen, nor beside it.
-/// \param geometry  as QWidget::saveGeometry gave it; an empty one leaves the window as it is.
-void placeWindow(QMainWindow& window, const QByteArray& geometry);
+/// than the screen, nor beside it. One that filled the screen fills that of now.
+/// \param place  as placeOf() gave it; an empty one leaves the window as it is.
+void placeWindow(QMainWindow& window, const QByteArray& place);
 
 /// Arranges a window's docks. \param state  as QMainWindow::saveState gave it.
 /// \return whether it could be read; otherwise the docks stay as they are.

@@ -3,6 +3,7 @@
 #include "editor/workspaces/animate/junctionpanel.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/fields/rightmenu.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/junctioninspector.h"
@@ -105,6 +106,13 @@ void JunctionPanel::makeLists()
     prepare(m_list, "junctionList", 3, 1);
     prepare(m_alternativesList, "alternativeList", 3, 0);
     prepare(m_decisionsList, "decisionList", 2, 1);
+    QList<QAction*> actions;
+    for (const char* id : {"junction.play", "junction.choose", "junction.lock", "junction.lockSegment",
+                           "junction.ban", "junction.banNeighbours"})
+        actions += m_animation.context().actions.action(id);
+    addRightMenu(*m_list, actions);
+    addRightMenu(*m_alternativesList);
+    addRightMenu(*m_decisionsList, {m_animation.context().actions.action("junction.forget")});
     m_alternativesList->setMouseTracking(true);
     connect(m_list, &QTreeWidget::currentItemChanged, this, [this] {
         if (!m_isRefreshing)

@@ -6,6 +6,7 @@
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/actionbutton.h"
+#include "editor/fields/rightmenu.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/junctions.h"
@@ -121,8 +122,12 @@ void ReportPanel::arrangeWidgets()
     auto* row = new QHBoxLayout(m_buttons);
     row->setContentsMargins(8, 4, 8, 4);
     row->setSpacing(4);
-    for (const char* id : {"report.copy", "report.save", "report.saveFrames"})
-        row->addWidget(makeActionButton(m_animation.context().actions.action(id)));
+    QList<QAction*> actions;
+    for (const char* id : {"report.copy", "report.save", "report.saveFrames"}) {
+        actions += m_animation.context().actions.action(id);
+        row->addWidget(makeActionButton(actions.back()));
+    }
+    addRightMenu(*m_table, actions);
     row->addStretch(1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

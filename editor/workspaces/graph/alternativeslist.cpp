@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/graph/alternativeslist.h"
 
+#include "editor/fields/rightmenu.h"
 #include "editor/language/retranslate.h"
 #include "editor/pictures/framepictures.h"
 #include "editor/workspaces/graph/framenames.h"
@@ -41,6 +42,7 @@ AlternativesList::AlternativesList(GraphExplorer& explorer, TransitionSpeeds& sp
     : QTreeWidget(parent), m_explorer(explorer), m_speeds(speeds), m_pictures(pictures)
 {
     setObjectName(QStringLiteral("transitionAlternatives"));
+    addRightMenu(*this);
     setColumnCount(ColumnCount);
     setRootIsDecorated(false);
     setUniformRowHeights(true);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/graph/gapspanel.h"
 
+#include "editor/fields/rightmenu.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/graph/framenames.h"
 #include "editor/workspaces/graph/graphexplorer.h"
@@ -61,6 +62,7 @@ GapsPanel::GapsPanel(GraphExplorer& explorer, QWidget* parent)
     m_summary->setWordWrap(true);
     m_summary->setForegroundRole(QPalette::PlaceholderText);
     m_tree->setObjectName(QStringLiteral("gapsTree"));
+    addRightMenu(*m_tree);
     m_tree->setHeaderHidden(true);
     m_tree->setWordWrap(true);
     m_tree->setTextElideMode(Qt::ElideRight);

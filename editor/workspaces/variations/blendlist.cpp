@@ -3,6 +3,7 @@
 #include "editor/workspaces/variations/blendlist.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/fields/rightmenu.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "model/project/blendedges.h"
@@ -104,6 +105,7 @@ BlendList::BlendList(CurrentVariation& variation, QWidget* parent)
 {
     setObjectName(QStringLiteral("blendList"));
     m_blends->setObjectName(QStringLiteral("blends"));
+    addRightMenu(*m_blends);
     m_blends->setRootIsDecorated(false);
     m_blends->setUniformRowHeights(true);
     m_blends->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -4,6 +4,7 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/fields/actionbutton.h"
+#include "editor/fields/rightmenu.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/learningsettings.h"
@@ -131,6 +132,7 @@ void LearningPanel::arrangeWidgets()
     m_state->setWordWrap(true);
     m_state->setForegroundRole(QPalette::PlaceholderText);
     m_parts->setObjectName(QStringLiteral("learnedParts"));
+    addRightMenu(*m_parts);
     m_parts->setColumnCount(ColumnCount);
     m_parts->setUniformRowHeights(true);
     m_parts->setIndentation(12);

@@ -3,6 +3,7 @@
 #include "editor/workspaces/variations/movementpanel.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/fields/rightmenu.h"
 #include "editor/fields/settingform.h"
 #include "editor/fields/verticalscroll.h"
 #include "editor/language/retranslate.h"
@@ -89,6 +90,7 @@ MovementPanel::MovementPanel(CurrentVariation& variation, QWidget* parent)
     m_hint->setWordWrap(true);
     m_hint->setForegroundRole(QPalette::PlaceholderText);
     m_takes->setObjectName(QStringLiteral("trainingTakes"));
+    addRightMenu(*m_takes);
     m_takes->setRootIsDecorated(false);
     m_takes->setUniformRowHeights(true);
     m_takes->setColumnCount(3);

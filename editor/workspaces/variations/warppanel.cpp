@@ -3,6 +3,7 @@
 #include "editor/workspaces/variations/warppanel.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/fields/rightmenu.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/takeuse.h"
@@ -45,6 +46,7 @@ WarpPanel::WarpPanel(CurrentVariation& variation, QWidget* parent)
     setObjectName(QStringLiteral("warpPanel"));
     m_chart->setObjectName(QStringLiteral("warpChart"));
     m_takes->setObjectName(QStringLiteral("warpedTakes"));
+    addRightMenu(*m_takes);
     m_takes->setRootIsDecorated(false);
     m_takes->setUniformRowHeights(true);
     m_takes->setFrameShape(QFrame::NoFrame);
