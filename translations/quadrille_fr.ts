@@ -8067,6 +8067,13 @@ maximal %2</translation>
     </message>
 </context>
 <context>
+    <name>quadrille::RightMenu</name>
+    <message>
+        <source>Copy as &amp;text</source>
+        <translation>Copier comme &amp;texte</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::SampleFlow</name>
     <message>
         <source>Making the sample character</source>
