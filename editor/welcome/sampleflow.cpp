@@ -6,25 +6,30 @@
 #include "editor/application/projectfiles.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/workspaces/workspacetabs.h"
-#include "model/project/stage.h"
 #include "model/sample/sample.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QStandardPaths>
 #include <algorithm>
+#include <filesystem>
+#include <vector>
 
 namespace quadrille {
 
+namespace fs = std::filesystem;
+
 namespace {
+
+constexpr const char* projectName = "sample.quadrille";
 
 QString sampleFolder()
 {
     return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/sample");
 }
 
-/// What comes with the program of the sample's results, since it would take longest to compute.
-std::filesystem::path shippedResults()
+/// The sample as it comes with the program.
+fs::path shippedSample()
 {
     return toPath(QCoreApplication::applicationDirPath()) / "../share/quadrille/sample";
 }
@@ -43,12 +48,28 @@ QString pathAnimation(const Project& project)
 
 } // namespace
 
-void addResults(const std::filesystem::path& results, const std::filesystem::path& projectFile)
+std::optional<fs::path> copySample(const fs::path& shipped, const fs::path& folder, const Progress& progress)
 {
-    constexpr auto all =
-        std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing;
-    std::error_code none; // what is not there is computed
-    std::filesystem::copy(results, cacheFolder(projectFile), all, none);
+    std::error_code failure;
+    std::vector<fs::path> files;
+    for (fs::recursive_directory_iterator file(shipped, failure); !failure && file != fs::end(file);
+         file.increment(failure)) {
+        if (file->is_regular_file(failure) && file->path().filename() != projectName)
+            files.push_back(file->path().lexically_relative(shipped));
+    }
+    if (failure || files.empty())
+        return {};
+    files.emplace_back(projectName); // at last: a sample without it is made anew
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        progress.report(static_cast<double>(i) / static_cast<double>(files.size()));
+        const fs::path place = folder / files[i];
+        fs::create_directories(place.parent_path(), failure);
+        if (!failure)
+            fs::copy_file(shipped / files[i], place, fs::copy_options::overwrite_existing, failure);
+        if (failure)
+            return {};
+    }
+    return folder / projectName;
 }
 
 SampleFlow::SampleFlow(EditorContext& context, ProjectFiles& files, WorkspaceTabs& workspaces,
@@ -66,7 +87,7 @@ void SampleFlow::open(SampleGoal goal)
 {
     if (m_job)
         return;
-    const QString file = sampleFolder() + QStringLiteral("/sample.quadrille");
+    const QString file = sampleFolder() + QLatin1Char('/') + QLatin1String(projectName);
     if (QFileInfo::exists(file))
         show(file, goal);
     else
@@ -78,11 +99,10 @@ void SampleFlow::make(SampleGoal goal)
     m_job = m_context.jobs.start(
         {.name = tr("Making the sample character"), .receiver = this},
         [folder = toPath(sampleFolder())](const Progress& progress) {
-            std::filesystem::path made = writeSample(folder, {}, progress);
-            addResults(shippedResults(), made);
-            return made;
+            const auto copied = copySample(shippedSample(), folder, progress);
+            return copied ? *copied : writeSample(folder, {}, progress);
         },
-        [this, goal](const std::filesystem::path& made) {
+        [this, goal](const fs::path& made) {
             m_job = nullptr;
             show(toQString(made), goal);
         });

@@ -7,17 +7,22 @@
 #include <QObject>
 #include <QPointer>
 #include <filesystem>
+#include <optional>
 
 namespace quadrille {
 
 class Job;
+class Progress;
 class ProjectFiles;
 class WorkspaceTabs;
 struct EditorContext;
 
-/// Puts results that were computed elsewhere beside a project of the same content; those that do not belong
-/// to it are computed again all the same.
-void addResults(const std::filesystem::path& results, const std::filesystem::path& projectFile);
+/// Copies a sample that was made when the program was built, with those of its results that are there.
+/// \return its project file; nothing where there is no sample, or it could not be copied whole.
+/// \throws Error Cancelled.
+std::optional<std::filesystem::path> copySample(const std::filesystem::path& shipped,
+                                                const std::filesystem::path& folder,
+                                                const Progress& progress);
 
 /// Opens the built-in sample, makes it first where it is not there yet, and leads to what somebody wants to
 /// see of it.

@@ -93,13 +93,12 @@ private slots:
                                  240000);
     }
 
-    void distancesThatAreShippedAreNotComputedAgain()
+    void whatIsShippedIsNotMadeAgain()
     {
         namespace fs = std::filesystem;
         const fs::path folder =
             toPath(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/sample");
-        const fs::path project = folder / "sample.quadrille";
-        const auto state = [&] {
+        const auto stateIn = [](const fs::path& project) {
             for (const StageReport& stage :
                  rebuild(loadProject(project), project, {.targets = {"graph"}, .dryRun = true}).stages) {
                 if (stage.stage == "graph/Quad/pose-distance")
@@ -107,16 +106,23 @@ private slots:
             }
             return StageState::Failed;
         };
-        const fs::path distances = fs::path("graph") / "Quad" / "pose-distance.h5";
-        const QTemporaryDir shipped;
-        fs::create_directories(toPath(shipped.path()) / distances.parent_path());
-        fs::copy_file(cacheFolder(project) / distances, toPath(shipped.path()) / distances);
-        fs::remove_all(cacheFolder(project));
-        QVERIFY(state() == StageState::Stale);
-        addResults(toPath(shipped.filePath("nothing")), project);
-        QVERIFY(state() == StageState::Stale);
-        addResults(toPath(shipped.path()), project);
-        QVERIFY(state() == StageState::Fresh);
+        const QTemporaryDir places;
+        const fs::path shipped = toPath(places.filePath("shipped"));
+        const fs::path copy = toPath(places.filePath("copy"));
+        QVERIFY(!copySample(shipped, copy, {}));
+        fs::create_directories(shipped);
+        QVERIFY(!copySample(shipped, copy, {}));
+        fs::copy(folder, shipped, fs::copy_options::recursive);
+        const auto project = copySample(shipped, copy, {});
+        QVERIFY(project.has_value());
+        QCOMPARE(*project, copy / "sample.quadrille");
+        QVERIFY(stateIn(*project) == StageState::Fresh);
+        QCOMPARE(loadProject(*project), loadProject(folder / "sample.quadrille"));
+        // One that cannot be read whole leaves no project behind.
+        fs::remove(copy / "sample.quadrille");
+        fs::remove(shipped / "sample.quadrille");
+        QVERIFY(!copySample(shipped, copy, {}));
+        QVERIFY(!fs::exists(copy / "sample.quadrille"));
     }
 
     void aTileLeadsToAPerformanceAlongAPath()

@@ -7,6 +7,7 @@
 using namespace quadrille;
 using namespace quadrille::test;
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -225,6 +226,20 @@ TEST_F(Cli, AnInterruptedRebuildLeavesNothingHalfWritten)
     EXPECT_FALSE(fs::exists(folder / "p.quadrille.cache/exports/pictures.h5"));
     std::error_code error;
     EXPECT_TRUE(!fs::exists(folder / "pictures", error) || fs::is_empty(folder / "pictures"));
+}
+
+TEST_F(Cli, TheSampleReplacesOnlyASample)
+{
+    const fs::path project = folder / "demo/sample.quadrille";
+    fs::create_directories(project.parent_path());
+    std::ofstream(project) << "mine";
+    const Outcome refused = run({"sample", "demo"});
+    EXPECT_NE(refused.status, 0);
+    EXPECT_THAT(refused.err, AllOf(HasSubstr("sample.quadrille"), HasSubstr("--overwrite")));
+    EXPECT_EQ(textOf(project), "mine");
+    EXPECT_EQ(std::distance(fs::directory_iterator(project.parent_path()), {}), 1);
+    EXPECT_EQ(run({"sample", "--overwrite", "demo"}).status, 0);
+    EXPECT_EQ(run({"sample", "demo"}).status, 0) << "the same again";
 }
 
 TEST_F(Cli, TheSampleRebuildsWithItsExportsAndASheet)
