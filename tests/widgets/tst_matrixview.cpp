@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "tests/qt/registry.h"
+#include "widgets/graph/labelspread.h"
 #include "widgets/graph/matrixview.h"
 
 #include <QContextMenuEvent>
@@ -8,6 +9,8 @@
 #include <QTest>
 #include <QWheelEvent>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <random>
 
 using namespace quadrille::widgets;
@@ -42,6 +45,7 @@ private slots:
     void everyLevelShowsTheCheapestCellThatPasses_data();
     void everyLevelShowsTheCheapestCellThatPasses();
     void aPyramidCanBeCancelled();
+    void namesStandAsNearAsCanBeWithoutCoveringEachOther();
     void theLevelHasAboutACellForEachPixel();
     void clickingAPixelActivatesItsCell();
     void hoveringTellsTheCellAndItsEnd();
@@ -118,6 +122,37 @@ void TestMatrixView::everyLevelShowsTheCheapestCellThatPasses()
         cells *= 2;
     }
     QCOMPARE(pyramid->levels().back().side, 1);
+}
+
+void TestMatrixView::namesStandAsNearAsCanBeWithoutCoveringEachOther()
+{
+    using Places = std::vector<std::optional<double>>;
+    const auto spread = [](const std::vector<double>& wanted, double length) {
+        return spreadLabels(wanted, 10, length);
+    };
+    QVERIFY(spread({}, 100).empty());
+    QCOMPARE(spread({20, 50, 80}, 100), (Places{20, 50, 80}));
+    QCOMPARE(spread({50, 50}, 100), (Places{45, 55}));
+    QCOMPARE(spread({48, 52, 54}, 100), (Places{124.0 / 3, 154.0 / 3, 184.0 / 3}));
+    QCOMPARE(spread({1, 2}, 100), (Places{5, 15}));
+    QCOMPARE(spread({99, 99}, 100), (Places{85, 95}));
+    // Room for two of four, and for none.
+    QCOMPARE(spread({2, 9, 16, 22}, 25), (Places{5, {}, 16, {}}));
+    QCOMPARE(spread({2, 3}, 5), (Places{{}, {}}));
+    // On both sides of what stands still, with as little moving as a plain search finds.
+    const std::vector<double> wanted{12, 14, 40, 63, 64, 65};
+    const Places found = spread(wanted, 100);
+    double moved = 0;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        moved += std::pow(*found[i] - wanted[i], 2);
+    double least = std::numeric_limits<double>::infinity();
+    for (double pair = 5; pair < 30; pair += 0.25) {
+        for (double three = 45; three < 75; three += 0.25)
+            least = std::min(least, std::pow(pair - 12, 2) + std::pow(pair + 10 - 14, 2) +
+                                        std::pow(three - 63, 2) + std::pow(three + 10 - 64, 2) +
+                                        std::pow(three + 20 - 65, 2));
+    }
+    QVERIFY(std::abs(moved - least) < 0.1);
 }
 
 void TestMatrixView::aPyramidCanBeCancelled()

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What stands along the sides of a table: names and pictures of blocks, numbers of frames.
+#include "widgets/graph/labelspread.h"
 #include "widgets/graph/matrixviewprivate.h"
 #include "widgets/theme/theme.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr int tickLength = 4;    // logical pixels
 constexpr double tickRoom = 1.6; // lines of text from one number to the next
-constexpr double nameRoom = 0.9; // of a line of text that a block must have for its name
+constexpr double nameRoom = 0.9; // lines of text from one name to the next
 constexpr int numberGap = 6;     // logical pixels between the numbers of columns
 constexpr QLatin1String widestNumber("0000");
 
@@ -116,9 +117,13 @@ void MatrixView::Private::paintTicks(QPainter& painter, const QFontMetricsF& met
 void MatrixView::Private::paintNames(QPainter& painter, const QFontMetricsF& metrics) const
 {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    const auto rows = namePlaces(Qt::Vertical, metrics);
+    const auto columns = namePlaces(Qt::Horizontal, metrics);
     for (std::size_t block = 0; block < blocks.size(); ++block) {
-        paintRowName(painter, metrics, block);
-        paintColumnName(painter, metrics, block);
+        if (rows[block])
+            paintRowName(painter, metrics, block, *rows[block]);
+        if (columns[block])
+            paintColumnName(painter, metrics, block, *columns[block]);
     }
     painter.setPen(Theme::color(ColorRole::TextMuted));
     //: rows of the matrix: where a transition comes from; columns: where it goes to
@@ -128,58 +133,92 @@ void MatrixView::Private::paintNames(QPainter& painter, const QFontMetricsF& met
         metrics.elidedText(MatrixView::tr("from ↓ to →"), Qt::ElideRight, area.left() - 2.0 * matrixGap));
 }
 
-void MatrixView::Private::paintRowName(QPainter& painter, const QFontMetricsF& metrics,
-                                       std::size_t block) const
+std::vector<std::optional<double>> MatrixView::Private::namePlaces(Qt::Orientation orientation,
+                                                                   const QFontMetricsF& metrics) const
+{
+    std::vector<std::size_t> seen;
+    std::vector<double> wanted;
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+        const auto [first, length] = shownBlock(block, orientation);
+        if (length <= 0)
+            continue;
+        seen.push_back(block);
+        wanted.push_back(first + length / 2);
+    }
+    const double length = orientation == Qt::Horizontal ? area.width() : area.height();
+    const auto spread = spreadLabels(wanted, metrics.height() * nameRoom, length);
+    std::vector<std::optional<double>> places(blocks.size());
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        places[seen[i]] = spread[i];
+    return places;
+}
+
+double MatrixView::Private::pictureRoom(Qt::Orientation orientation) const
+{
+    for (std::size_t block = 0; block < pictures.size(); ++block) {
+        if (shownBlock(block, orientation).second >= blockPictureSide)
+            return blockPictureSide + matrixGap / 2.0;
+    }
+    return 0;
+}
+
+void MatrixView::Private::paintRowName(QPainter& painter, const QFontMetricsF& metrics, std::size_t block,
+                                       double middle) const
 {
     const auto [top, height] = shownBlock(block, Qt::Vertical);
-    if (height < metrics.height() * nameRoom)
-        return;
-    double right = outer.left() - matrixGap;
-    if (block < pictures.size()) {
-        if (height >= blockPictureSide)
-            painter.drawImage(QRectF(right - blockPictureSide,
-                                     area.top() + top + (height - blockPictureSide) / 2, blockPictureSide,
-                                     blockPictureSide),
-                              pictures[block]);
-        right -= blockPictureSide + matrixGap / 2.0;
-    }
+    const double edge = outer.left() - matrixGap;
+    const double own = area.top() + top + height / 2;
+    if (block < pictures.size() && height >= blockPictureSide)
+        painter.drawImage(
+            QRectF(edge - blockPictureSide, own - blockPictureSide / 2.0, blockPictureSide, blockPictureSide),
+            pictures[block]);
+    const double right = edge - pictureRoom(Qt::Vertical);
+    const double y = area.top() + middle;
     const bool isCurrent = current && blockOf(current->row) == static_cast<int>(block);
-    const QRectF place(matrixGap, area.top() + top, right - matrixGap, height);
+    if (std::abs(y - own) > 1) {
+        painter.setPen(Theme::color(ColorRole::Line));
+        painter.drawLine(QPointF(right + 2, y), QPointF(area.left() - 2, own));
+    }
+    const QRectF place(matrixGap, y - metrics.height() / 2, right - matrixGap, metrics.height());
     painter.setPen(Theme::color(isCurrent ? ColorRole::Text : ColorRole::TextMuted));
     painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter,
                      metrics.elidedText(blocks[block].name, Qt::ElideMiddle, place.width()));
 }
 
-void MatrixView::Private::paintColumnName(QPainter& painter, const QFontMetricsF& metrics,
-                                          std::size_t block) const
+void MatrixView::Private::paintColumnName(QPainter& painter, const QFontMetricsF& metrics, std::size_t block,
+                                          double middle) const
 {
     const auto [left, width] = shownBlock(block, Qt::Horizontal);
-    if (width < metrics.height() * nameRoom)
-        return;
-    double bottom = outer.top() - matrixGap / 2.0;
-    const double middle = area.left() + left + width / 2;
-    if (block < pictures.size()) {
-        if (width >= blockPictureSide)
-            painter.drawImage(QRectF(middle - blockPictureSide / 2.0, bottom - blockPictureSide,
-                                     blockPictureSide, blockPictureSide),
-                              pictures[block]);
-        bottom -= blockPictureSide + matrixGap / 2.0;
-    }
+    const double edge = outer.top() - matrixGap / 2.0;
+    const double own = area.left() + left + width / 2;
+    if (block < pictures.size() && width >= blockPictureSide)
+        painter.drawImage(
+            QRectF(own - blockPictureSide / 2.0, edge - blockPictureSide, blockPictureSide, blockPictureSide),
+            pictures[block]);
+    const double bottom = edge - pictureRoom(Qt::Horizontal);
+    const double x = area.left() + middle;
     const bool isCurrent = current && blockOf(current->column) == static_cast<int>(block);
-    painter.setPen(Theme::color(isCurrent ? ColorRole::Text : ColorRole::TextMuted));
+    const QColor color = Theme::color(isCurrent ? ColorRole::Text : ColorRole::TextMuted);
     const QString& name = blocks[block].name;
+    const bool isAtItsPlace = std::abs(x - own) <= 1;
     // The corner at the left says which side is which: there only upright names have room.
-    if (metrics.horizontalAdvance(name) <= width && bottom >= metrics.height()) {
+    if (isAtItsPlace && metrics.horizontalAdvance(name) <= width && bottom >= metrics.height()) {
+        painter.setPen(color);
         painter.drawText(QRectF(area.left() + left, bottom - metrics.height(), width, metrics.height()),
                          Qt::AlignCenter, name);
         return;
     }
+    if (!isAtItsPlace) {
+        painter.setPen(Theme::color(ColorRole::Line));
+        painter.drawLine(QPointF(x, bottom + 2), QPointF(own, area.top() - 2));
+    }
     const double room = bottom - matrixGap / 2.0;
+    painter.setPen(color);
     painter.save();
-    painter.translate(area.left() + left, bottom);
+    painter.translate(x, bottom);
     painter.rotate(-90);
-    painter.drawText(QRectF(0, 0, room, width), Qt::AlignLeft | Qt::AlignVCenter,
-                     metrics.elidedText(name, Qt::ElideMiddle, room));
+    painter.drawText(QRectF(0, -metrics.height() / 2, room, metrics.height()),
+                     Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(name, Qt::ElideMiddle, room));
     painter.restore();
 }
 

@@ -9,6 +9,7 @@
 #include <QPixmap>
 #include <QPointF>
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 class QPainter;
@@ -81,8 +82,15 @@ struct MatrixView::Private
     void paintBlocks(QPainter& painter) const;
     void paintVeil(QPainter& painter) const;
     void paintNames(QPainter& painter, const QFontMetricsF& metrics) const;
-    void paintRowName(QPainter& painter, const QFontMetricsF& metrics, std::size_t block) const;
-    void paintColumnName(QPainter& painter, const QFontMetricsF& metrics, std::size_t block) const;
+    /// Middles of the blocks' names along a side of the table; those of blocks that are not seen have none.
+    std::vector<std::optional<double>> namePlaces(Qt::Orientation orientation,
+                                                  const QFontMetricsF& metrics) const;
+    /// What a side keeps free for pictures: nothing while no block is broad enough for one.
+    double pictureRoom(Qt::Orientation orientation) const;
+    void paintRowName(QPainter& painter, const QFontMetricsF& metrics, std::size_t block,
+                      double middle) const;
+    void paintColumnName(QPainter& painter, const QFontMetricsF& metrics, std::size_t block,
+                         double middle) const;
     void paintTicks(QPainter& painter, const QFontMetricsF& metrics) const;
     void paintMarks(QPainter& painter, double ratio);
     void paintCells(QPainter& painter, bool hasFocus) const;
