@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 // The pictures of the manual: made here from the sample, and compared with those that the manual has, so that
 // they cannot go stale. With QUADRILLE_PICTURES set to a folder they are written there (./dev pictures).
+#include "editor/docks/cardpictures.h"
+#include "editor/docks/sequencecards.h"
 #include "editor/playback/player.h"
 #include "editor/workspaces/animate/animateworkspace.h"
 #include "editor/workspaces/graph/graphexplorer.h"
@@ -115,6 +117,8 @@ private slots:
     {
         m_window->sequences().player().goTo(12);
         m_window->sequences().viewport().frameAll();
+        const CardPictures& pictures = m_window->findChild<SequenceCards*>()->pictures();
+        QTRY_VERIFY_WITH_TIMEOUT(pictures.countOf("right turn 2") > 0, 60000);
         keep("sequences");
     }
 
