@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The window under a window manager, from start to start: filling the screen, beside another, in every
 // workspace, at every scale, and with what is left of damaged sessions.
+#include "desktopprogram.h"
 #include "desktopwindows.h"
 #include "editor/application/session.h"
 #include "editor/application/startguard.h"
@@ -48,55 +49,6 @@ void write(const QString& path, const QByteArray& contents)
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(contents);
 }
-
-/// The program itself, with settings of its own.
-class Program
-{
-public:
-    explicit Program(const QString& folder)
-    {
-        m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        m_environment = QProcessEnvironment::systemEnvironment();
-        for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) {
-            QDir(folder).mkpath(place);
-            m_environment.insert(place, QDir(folder).filePath(place));
-        }
-    }
-    void setScale(const QString& factor) { m_environment.insert("QT_SCALE_FACTOR", factor); }
-    void start(const QStringList& arguments = {})
-    {
-        m_process.setProcessEnvironment(m_environment);
-        m_process.start(QUADRILLE_EDITOR, arguments);
-    }
-    /// The first window of the program whose title fits.
-    test::DesktopWindow window(const QString& title = "Quadrille") const
-    {
-        for (const test::DesktopWindow& window : test::windowsOf(m_process.processId())) {
-            if (window.title.contains(title))
-                return window;
-        }
-        return {};
-    }
-    bool isRunning() const { return m_process.state() == QProcess::Running; }
-    void kill()
-    {
-        m_process.kill();
-        m_process.waitForFinished();
-    }
-    QProcess& process() { return m_process; }
-    /// Of starts that are not over.
-    int markers() const
-    {
-        const QStringList all = QDir(settings()).entryList({"starting-*"});
-        return static_cast<int>(
-            std::ranges::count_if(all, [](const QString& name) { return !name.endsWith(".lock"); }));
-    }
-    QString settings() const { return m_environment.value("XDG_CONFIG_HOME") + "/Quadrille"; }
-
-private:
-    QProcess m_process;
-    QProcessEnvironment m_environment;
-};
 
 } // namespace
 
@@ -345,7 +297,7 @@ private slots:
             const QTemporaryDir folder;
             QSize size;
             for (const QString& scale : scales) {
-                Program program(folder.path());
+                test::DesktopProgram program(folder.path());
                 program.setScale(scale);
                 program.start();
                 QTRY_VERIFY_WITH_TIMEOUT(program.window().id != 0, 60000);
@@ -371,12 +323,12 @@ private slots:
     {
         const QTemporaryDir folder;
         for (int start = 0; start < StartGuard::patience; ++start) {
-            Program program(folder.path());
+            test::DesktopProgram program(folder.path());
             program.start();
             QTRY_COMPARE_WITH_TIMEOUT(program.markers(), start + 1, 60000);
             program.kill();
         }
-        Program program(folder.path());
+        test::DesktopProgram program(folder.path());
         write(program.settings() + "/quadrille.conf", "[General]\ntheme=light\nlanguage=en\n");
         program.start();
         QTRY_VERIFY_WITH_TIMEOUT(program.window("did not start").id != 0, 60000);
@@ -392,7 +344,7 @@ private slots:
     void settingsThatCannotBeReadArePutAside()
     {
         const QTemporaryDir folder;
-        Program program(folder.path());
+        test::DesktopProgram program(folder.path());
         QDir().mkpath(program.settings());
         const QByteArray garbage("\x00\x9c]]\n[[[=\n\xff\xfe", 12);
         write(program.settings() + "/quadrille.conf", garbage);
