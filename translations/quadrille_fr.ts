@@ -379,11 +379,11 @@
     </message>
     <message>
         <source>Check the path, or use “Find missing files” in the editor.</source>
-        <translation>Vérifiez le chemin, ou utilisez « Trouver les fichiers manquants » dans l’éditeur.</translation>
+        <translation>Vérifiez le chemin, ou utilisez «&#xa0;Trouver les fichiers manquants&#xa0;» dans l’éditeur.</translation>
     </message>
     <message>
         <source>Put it back, or use “Find missing files” in the editor.</source>
-        <translation>Remettez-le en place, ou utilisez « Trouver les fichiers manquants » dans l’éditeur.</translation>
+        <translation>Remettez-le en place, ou utilisez «&#xa0;Trouver les fichiers manquants&#xa0;» dans l’éditeur.</translation>
     </message>
     <message>
         <source>another program has the file open for writing</source>
@@ -711,7 +711,7 @@
     </message>
     <message>
         <source>it does not begin with “ply”</source>
-        <translation>il ne commence pas par « ply »</translation>
+        <translation>il ne commence pas par «&#xa0;ply&#xa0;»</translation>
     </message>
     <message>
         <source>the header has no end_header</source>
@@ -747,7 +747,7 @@
     </message>
     <message>
         <source>Pose a mesh with it and export that as GLB or FBX; a BVH may be named as the reference joint angles of a sequence.</source>
-        <translation>Animez un maillage avec lui et exportez celui-ci en GLB ou FBX ; un BVH peut être nommé comme angles articulaires de référence d’une séquence.</translation>
+        <translation>Animez un maillage avec lui et exportez celui-ci en GLB ou FBX&#xa0;; un BVH peut être nommé comme angles articulaires de référence d’une séquence.</translation>
     </message>
     <message>
         <source>Open it in Blender and export OBJ plus PC2 or MDD, or GLB.</source>
@@ -855,11 +855,11 @@
     </message>
     <message>
         <source>“{sequence}” has another topology than “{first}”: {what}.</source>
-        <translation>« {sequence} » a une autre topologie que « {first} » : {what}.</translation>
+        <translation>«&#xa0;{sequence} » a une autre topologie que «&#xa0;{first} »&#xa0;: {what}.</translation>
     </message>
     <message>
         <source>The sequences of a character share one topology; leave this one out.</source>
-        <translation>Les séquences d’un personnage partagent une topologie ; excluez celle-ci.</translation>
+        <translation>Les séquences d’un personnage partagent une topologie&#xa0;; excluez celle-ci.</translation>
     </message>
     <message>
         <source>Every triangle is without area in some frame.</source>
@@ -871,7 +871,7 @@
     </message>
     <message>
         <source>There is no transition from frame {source} to frame {destination}: it needs {needed} frames from the one on and up to the other; their sequences have {after} and {before}.</source>
-        <translation>Il n’y a pas de transition de l’image {source} à l’image {destination} : il faut {needed} images à partir de l’une et jusqu’à l’autre ; leurs séquences en ont {after} et {before}.</translation>
+        <translation>Il n’y a pas de transition de l’image {source} à l’image {destination} : il faut {needed} images à partir de l’une et jusqu’à l’autre&#xa0;; leurs séquences en ont {after} et {before}.</translation>
     </message>
     <message>
         <source>Leave earlier, arrive later, or allow shorter windows.</source>
@@ -879,7 +879,7 @@
     </message>
     <message>
         <source>The clip has {frames} frames; a loop needs at least {needed}.</source>
-        <translation>Le clip a {frames} images ; une boucle en demande au moins {needed}.</translation>
+        <translation>Le clip a {frames} images&#xa0;; une boucle en demande au moins {needed}.</translation>
     </message>
     <message>
         <source>Take a longer clip, or allow shorter transitions.</source>
@@ -887,7 +887,7 @@
     </message>
     <message>
         <source>A loop needs to cut at least {needed} frames from each end of the clip, to blend them; {given} are allowed.</source>
-        <translation>Une boucle doit couper au moins {needed} images à chaque bout du clip pour les fondre ; {given} sont permises.</translation>
+        <translation>Une boucle doit couper au moins {needed} images à chaque bout du clip pour les fondre&#xa0;; {given} sont permises.</translation>
     </message>
     <message>
         <source>Allow more to be cut, or shorter transitions.</source>
@@ -903,7 +903,7 @@
     </message>
     <message>
         <source>No left–right symmetry of the mesh was found: {share} % of its vertices have a counterpart on the other side.</source>
-        <translation>Aucune symétrie gauche-droite du maillage n’a été trouvée : {share} % de ses sommets ont un vis-à-vis de l’autre côté.</translation>
+        <translation>Aucune symétrie gauche-droite du maillage n’a été trouvée&#xa0;: {share} % de ses sommets ont un vis-à-vis de l’autre côté.</translation>
     </message>
     <message>
         <source>Give a symmetry map, or an upright pose to find it in.</source>
@@ -911,7 +911,7 @@
     </message>
     <message>
         <source>The symmetry map does not fit the mesh: {reason}.</source>
-        <translation>La carte de symétrie ne convient pas au maillage : {reason}.</translation>
+        <translation>La carte de symétrie ne convient pas au maillage&#xa0;: {reason}.</translation>
     </message>
     <message>
         <source>Give for each vertex the index of its counterpart, or its own.</source>
@@ -923,7 +923,7 @@
     </message>
     <message>
         <source>Contacts can be corrected where legs hang apart from the body; leave this step out.</source>
-        <translation>Les contacts se corrigent là où des jambes se détachent du corps ; omettez cette étape.</translation>
+        <translation>Les contacts se corrigent là où des jambes se détachent du corps&#xa0;; omettez cette étape.</translation>
     </message>
     <message>
         <source>Key {key} is wanted at {time}, not after key {other}, which is wanted at {otherTime}.</source>
@@ -935,7 +935,7 @@
     </message>
     <message>
         <source>Key {key} cannot be reached: no walk leads to frame {frame}.</source>
-        <translation>La clé {key} est hors d’atteinte : aucun parcours ne mène à l’image {frame}.</translation>
+        <translation>La clé {key} est hors d’atteinte&#xa0;: aucun parcours ne mène à l’image {frame}.</translation>
     </message>
     <message>
         <source>The nearest frame that can be reached is {nearest}; take it, or change what comes before.</source>
@@ -951,7 +951,7 @@
     </message>
     <message>
         <source>No frame of this character is “{name}”.</source>
-        <translation>Aucune image de ce personnage n’est « {name} ».</translation>
+        <translation>Aucune image de ce personnage n’est «&#xa0;{name} ».</translation>
     </message>
     <message>
         <source>Label some, or ask for something else.</source>
@@ -959,7 +959,7 @@
     </message>
     <message>
         <source>“{name}” cannot be performed: {share} % of a span are asked for, and no walk plays more than {most} %.</source>
-        <translation>« {name} » ne peut être exécuté : {share} % d’un passage sont demandés, et aucun parcours n’en joue plus de {most} %.</translation>
+        <translation>«&#xa0;{name} » ne peut être exécuté&#xa0;: {share} % d’un passage sont demandés, et aucun parcours n’en joue plus de {most} %.</translation>
     </message>
     <message>
         <source>Ask for at most {most} %, or allow shorter transitions.</source>
@@ -983,15 +983,15 @@
     </message>
     <message>
         <source>The path begins in “{name}”, or too close to it.</source>
-        <translation>Le trajet commence dans « {name} », ou trop près.</translation>
+        <translation>Le trajet commence dans «&#xa0;{name} », ou trop près.</translation>
     </message>
     <message>
         <source>Move one of them; the path is free from {free} m on.</source>
-        <translation>Déplacez l’un des deux ; le trajet est libre à partir de {free} m.</translation>
+        <translation>Déplacez l’un des deux&#xa0;; le trajet est libre à partir de {free} m.</translation>
     </message>
     <message>
         <source>No walk was found that gets past “{name}” at {reached} m of the path.</source>
-        <translation>Aucun parcours trouvé ne passe « {name} » à {reached} m du trajet.</translation>
+        <translation>Aucun parcours trouvé ne passe «&#xa0;{name} » à {reached} m du trajet.</translation>
     </message>
     <message>
         <source>Lead the path around it, leave more room, or search with a greater budget.</source>
@@ -999,7 +999,7 @@
     </message>
     <message>
         <source>No walk was found that shows “{name}” from {from} m to {to} m of the path; the best one fails at {reached} m.</source>
-        <translation>Aucun parcours trouvé ne montre « {name} » de {from} m à {to} m du trajet ; le meilleur échoue à {reached} m.</translation>
+        <translation>Aucun parcours trouvé ne montre «&#xa0;{name} » de {from} m à {to} m du trajet&#xa0;; le meilleur échoue à {reached} m.</translation>
     </message>
     <message>
         <source>End the span at {reached} m, or search with a greater budget.</source>
@@ -1071,7 +1071,7 @@
     </message>
     <message>
         <source>Give how many times as long the result lasts: 2 for half the speed.</source>
-        <translation>Dites combien de fois plus long est le résultat : 2 pour la moitié de la vitesse.</translation>
+        <translation>Dites combien de fois plus long est le résultat&#xa0;: 2 pour la moitié de la vitesse.</translation>
     </message>
     <message>
         <source>The duration of a retiming is not above 0</source>
@@ -1143,7 +1143,7 @@
     </message>
     <message>
         <source>“{take}” has {count} frames; variations are learned from takes of {least} or more.</source>
-        <translation>« {take} » a {count} images ; les variations s’apprennent sur des prises d’au moins {least}.</translation>
+        <translation>«&#xa0;{take} » a {count} images&#xa0;; les variations s’apprennent sur des prises d’au moins {least}.</translation>
     </message>
     <message>
         <source>Choose another take, or more of its frames.</source>
@@ -1151,15 +1151,15 @@
     </message>
     <message>
         <source>The curve “{curve}” names vertex {vertex}, but the mesh has {vertices}.</source>
-        <translation>La courbe « {curve} » nomme le sommet {vertex}, mais le maillage en a {vertices}.</translation>
+        <translation>La courbe «&#xa0;{curve} » nomme le sommet {vertex}, mais le maillage en a {vertices}.</translation>
     </message>
     <message>
         <source>It may come from another mesh; draw it again.</source>
-        <translation>Elle vient peut-être d’un autre maillage ; tracez-la à nouveau.</translation>
+        <translation>Elle vient peut-être d’un autre maillage&#xa0;; tracez-la à nouveau.</translation>
     </message>
     <message>
         <source>The curve “{curve}” has {found} vertices; a closed curve needs at least 3.</source>
-        <translation>La courbe « {curve} » a {found} sommets ; une courbe fermée en demande au moins 3.</translation>
+        <translation>La courbe «&#xa0;{curve} » a {found} sommets&#xa0;; une courbe fermée en demande au moins 3.</translation>
     </message>
     <message>
         <source>Add points, or delete the curve.</source>
@@ -1167,15 +1167,15 @@
     </message>
     <message>
         <source>The curve “{curve}” is open: no edge leads from vertex {from} to vertex {to}.</source>
-        <translation>La courbe « {curve} » est ouverte : aucune arête ne mène du sommet {from} au sommet {to}.</translation>
+        <translation>La courbe «&#xa0;{curve} » est ouverte&#xa0;: aucune arête ne mène du sommet {from} au sommet {to}.</translation>
     </message>
     <message>
         <source>Add points there. If it is open in many places, it may come from another mesh; draw it again.</source>
-        <translation>Ajoutez-y des points. Si elle est ouverte en maints endroits, elle vient peut-être d’un autre maillage ; tracez-la à nouveau.</translation>
+        <translation>Ajoutez-y des points. Si elle est ouverte en maints endroits, elle vient peut-être d’un autre maillage&#xa0;; tracez-la à nouveau.</translation>
     </message>
     <message>
         <source>The curve “{curve}” meets itself at vertex {vertex}.</source>
-        <translation>La courbe « {curve} » se recoupe au sommet {vertex}.</translation>
+        <translation>La courbe «&#xa0;{curve} » se recoupe au sommet {vertex}.</translation>
     </message>
     <message>
         <source>Move the points near there apart.</source>
@@ -1183,7 +1183,7 @@
     </message>
     <message>
         <source>The curve “{curve}” meets the curve “{other}” at vertex {vertex}.</source>
-        <translation>La courbe « {curve} » rencontre la courbe « {other} » au sommet {vertex}.</translation>
+        <translation>La courbe «&#xa0;{curve} » rencontre la courbe «&#xa0;{other} » au sommet {vertex}.</translation>
     </message>
     <message>
         <source>Move one of them away.</source>
@@ -1191,15 +1191,15 @@
     </message>
     <message>
         <source>The curve “{curve}” does not cut the mesh in two.</source>
-        <translation>La courbe « {curve} » ne coupe pas le maillage en deux.</translation>
+        <translation>La courbe «&#xa0;{curve} » ne coupe pas le maillage en deux.</translation>
     </message>
     <message>
         <source>Lead it once around a limb. Where a limb touches the body and has grown together with it, no curve can; take a mesh in another pose.</source>
-        <translation>Menez-la une fois autour d’un membre. Là où un membre touche le corps et s’y est soudé, aucune courbe ne le peut ; prenez un maillage dans une autre pose.</translation>
+        <translation>Menez-la une fois autour d’un membre. Là où un membre touche le corps et s’y est soudé, aucune courbe ne le peut&#xa0;; prenez un maillage dans une autre pose.</translation>
     </message>
     <message>
         <source>There are two curves “{curve}”.</source>
-        <translation>Il y a deux courbes « {curve} ».</translation>
+        <translation>Il y a deux courbes «&#xa0;{curve} ».</translation>
     </message>
     <message>
         <source>Rename one of them.</source>
@@ -1231,7 +1231,7 @@
     </message>
     <message>
         <source>There is no curve {distance} m beside this one: the surface ends before, or other curves are in the way.</source>
-        <translation>Il n’y a pas de courbe à {distance} m de celle-ci : la surface finit avant, ou d’autres courbes barrent le chemin.</translation>
+        <translation>Il n’y a pas de courbe à {distance} m de celle-ci&#xa0;: la surface finit avant, ou d’autres courbes barrent le chemin.</translation>
     </message>
     <message>
         <source>Choose a smaller distance.</source>
@@ -1239,7 +1239,7 @@
     </message>
     <message>
         <source>This curve does not cut the mesh in two, so there is nothing to draw it tight around, and no side to lay another on.</source>
-        <translation>Cette courbe ne coupe pas le maillage en deux : il n’y a rien autour de quoi la resserrer, ni de côté où en poser une autre.</translation>
+        <translation>Cette courbe ne coupe pas le maillage en deux&#xa0;: il n’y a rien autour de quoi la resserrer, ni de côté où en poser une autre.</translation>
     </message>
     <message>
         <source>Lead it once around a limb first.</source>
@@ -1247,11 +1247,11 @@
     </message>
     <message>
         <source>There are two parts “{part}”.</source>
-        <translation>Il y a deux parties « {part} ».</translation>
+        <translation>Il y a deux parties «&#xa0;{part} ».</translation>
     </message>
     <message>
         <source>Every part hangs on another one; the part that all others hang on is missing.</source>
-        <translation>Chaque partie dépend d’une autre ; il manque celle dont toutes dépendent.</translation>
+        <translation>Chaque partie dépend d’une autre&#xa0;; il manque celle dont toutes dépendent.</translation>
     </message>
     <message>
         <source>Add it, with neither parent nor curves.</source>
@@ -1259,7 +1259,7 @@
     </message>
     <message>
         <source>Both “{part}” and “{other}” have no parent.</source>
-        <translation>Ni « {part} » ni « {other} » n’ont de parent.</translation>
+        <translation>Ni «&#xa0;{part} » ni «&#xa0;{other} » n’ont de parent.</translation>
     </message>
     <message>
         <source>Let one of them hang on another part.</source>
@@ -1267,7 +1267,7 @@
     </message>
     <message>
         <source>The part “{part}” hangs on “{parent}”, which does not exist.</source>
-        <translation>La partie « {part} » dépend de « {parent} », qui n’existe pas.</translation>
+        <translation>La partie «&#xa0;{part} » dépend de «&#xa0;{parent} », qui n’existe pas.</translation>
     </message>
     <message>
         <source>Choose one of the parts that exist.</source>
@@ -1275,7 +1275,7 @@
     </message>
     <message>
         <source>The part “{part}” hangs on itself, by way of others.</source>
-        <translation>La partie « {part} » dépend d’elle-même par l’intermédiaire d’autres.</translation>
+        <translation>La partie «&#xa0;{part} » dépend d’elle-même par l’intermédiaire d’autres.</translation>
     </message>
     <message>
         <source>Choose another parent.</source>
@@ -1283,15 +1283,15 @@
     </message>
     <message>
         <source>The part “{part}” has {found} curves; it needs {needed}.</source>
-        <translation>La partie « {part} » a {found} courbes ; il lui en faut {needed}.</translation>
+        <translation>La partie «&#xa0;{part} » a {found} courbes&#xa0;; il lui en faut {needed}.</translation>
     </message>
     <message>
         <source>A part that hangs on another has two, around what they share; the one that all hang on has none.</source>
-        <translation>Une partie qui dépend d’une autre en a deux, autour de ce qu’elles partagent ; celle dont toutes dépendent n’en a aucune.</translation>
+        <translation>Une partie qui dépend d’une autre en a deux, autour de ce qu’elles partagent&#xa0;; celle dont toutes dépendent n’en a aucune.</translation>
     </message>
     <message>
         <source>The part “{part}” uses the curve “{curve}”, which does not exist.</source>
-        <translation>La partie « {part} » emploie la courbe « {curve} », qui n’existe pas.</translation>
+        <translation>La partie «&#xa0;{part} » emploie la courbe «&#xa0;{curve} », qui n’existe pas.</translation>
     </message>
     <message>
         <source>Draw it, or choose another.</source>
@@ -1299,7 +1299,7 @@
     </message>
     <message>
         <source>Both “{part}” and “{other}” use the curve “{curve}”.</source>
-        <translation>« {part} » et « {other} » emploient toutes deux la courbe « {curve} ».</translation>
+        <translation>«&#xa0;{part} » et «&#xa0;{other} » emploient toutes deux la courbe «&#xa0;{curve} ».</translation>
     </message>
     <message>
         <source>Give each part two curves of its own.</source>
@@ -1307,7 +1307,7 @@
     </message>
     <message>
         <source>The curves “{curve}” and “{other}” of the part “{part}” bound no ring together.</source>
-        <translation>Les courbes « {curve} » et « {other} » de la partie « {part} » ne bordent pas un même anneau.</translation>
+        <translation>Les courbes «&#xa0;{curve} » et «&#xa0;{other} » de la partie «&#xa0;{part} » ne bordent pas un même anneau.</translation>
     </message>
     <message>
         <source>Draw both around the same limb, with no other curve between them.</source>
@@ -1315,7 +1315,7 @@
     </message>
     <message>
         <source>The part “{part}” does not lie next to “{parent}”, on which it hangs.</source>
-        <translation>La partie « {part} » n’est pas voisine de « {parent} », dont elle dépend.</translation>
+        <translation>La partie «&#xa0;{part} » n’est pas voisine de «&#xa0;{parent} », dont elle dépend.</translation>
     </message>
     <message>
         <source>Choose the part beyond its curves as parent.</source>
@@ -1323,7 +1323,7 @@
     </message>
     <message>
         <source>The part “{part}” has no vertices beyond what it shares with others.</source>
-        <translation>La partie « {part} » n’a pas de sommets en dehors de ceux qu’elle partage.</translation>
+        <translation>La partie «&#xa0;{part} » n’a pas de sommets en dehors de ceux qu’elle partage.</translation>
     </message>
     <message>
         <source>Move its curves away from the limb&apos;s end, or from other curves.</source>
@@ -1331,7 +1331,7 @@
     </message>
     <message>
         <source>No two arms and two legs were found: {found} limbs stick out.</source>
-        <translation>Deux bras et deux jambes n’ont pas été trouvés : {found} membres dépassent.</translation>
+        <translation>Deux bras et deux jambes n’ont pas été trouvés&#xa0;: {found} membres dépassent.</translation>
     </message>
     <message>
         <source>Draw the curves by hand, or choose a pose in which arms and legs stick out.</source>
@@ -1339,7 +1339,7 @@
     </message>
     <message>
         <source>No curve around “{limb}” cuts it off: it seems to touch another place of the body and to have grown together with it.</source>
-        <translation>Aucune courbe autour de « {limb} » ne le détache : il semble toucher un autre endroit du corps et s’y être soudé.</translation>
+        <translation>Aucune courbe autour de «&#xa0;{limb} » ne le détache&#xa0;: il semble toucher un autre endroit du corps et s’y être soudé.</translation>
     </message>
     <message>
         <source>Draw the other curves by hand, or take a mesh in a pose in which it touches nothing.</source>
@@ -1347,7 +1347,7 @@
     </message>
     <message>
         <source>No room for two curves around “{limb}” was found.</source>
-        <translation>Aucune place n’a été trouvée pour deux courbes autour de « {limb} ».</translation>
+        <translation>Aucune place n’a été trouvée pour deux courbes autour de «&#xa0;{limb} ».</translation>
     </message>
     <message>
         <source>Draw the curves by hand, or ask for narrower overlaps.</source>
@@ -1363,7 +1363,7 @@
     </message>
     <message>
         <source>“{name}” is an input ({what}): inputs are never written over</source>
-        <translation>« {name} » est une entrée ({what}) : les entrées ne sont jamais écrasées</translation>
+        <translation>«&#xa0;{name} » est une entrée ({what})&#xa0;: les entrées ne sont jamais écrasées</translation>
     </message>
     <message>
         <source>Write to another file.</source>
@@ -1371,7 +1371,7 @@
     </message>
     <message>
         <source>“{name}” would lie outside of the project&apos;s folder, {what}</source>
-        <translation>« {name} » serait hors du dossier du projet, {what}</translation>
+        <translation>«&#xa0;{name} » serait hors du dossier du projet, {what}</translation>
     </message>
     <message>
         <source>Choose a place inside, or allow this one (--allow-outside on the command line).</source>
@@ -1379,7 +1379,7 @@
     </message>
     <message>
         <source>“{name}” is written by {what}, too</source>
-        <translation>« {name} » est aussi écrit par {what}</translation>
+        <translation>«&#xa0;{name} » est aussi écrit par {what}</translation>
     </message>
     <message>
         <source>Give one of them another path.</source>
@@ -1387,7 +1387,7 @@
     </message>
     <message>
         <source>“{name}” is there already, and the program did not write it as it is</source>
-        <translation>« {name} » existe déjà, et le programme ne l’a pas écrit tel qu’il est</translation>
+        <translation>«&#xa0;{name} » existe déjà, et le programme ne l’a pas écrit tel qu’il est</translation>
     </message>
     <message>
         <source>Move it away, or allow to replace it (--overwrite on the command line).</source>
@@ -1399,7 +1399,7 @@
     </message>
     <message>
         <source>“{name}” has a place for the number of a frame, but {format} is one file for all frames</source>
-        <translation>« {name} » a une place pour le numéro d’une image, mais {format} est un seul fichier pour toutes les images</translation>
+        <translation>«&#xa0;{name} » a une place pour le numéro d’une image, mais {format} est un seul fichier pour toutes les images</translation>
     </message>
     <message>
         <source>Leave the # out of the name.</source>
@@ -1503,7 +1503,7 @@
     </message>
     <message>
         <source>Add the takes of its character under “sequences”.</source>
-        <translation>Ajoutez les prises de son personnage sous « sequences ».</translation>
+        <translation>Ajoutez les prises de son personnage sous «&#xa0;sequences ».</translation>
     </message>
     <message>
         <source>a part of the file is damaged</source>
@@ -1526,7 +1526,7 @@
     </message>
     <message>
         <source>An editor for 4D performance capture: makes new performances from captured ones.</source>
-        <translation>Un éditeur pour la capture de performances en 4D : il tire de nouvelles performances de celles qui ont été captées.</translation>
+        <translation>Un éditeur pour la capture de performances en 4D&#xa0;: il tire de nouvelles performances de celles qui ont été captées.</translation>
     </message>
     <message>
         <source>Free software under the MIT licence.</source>
@@ -1557,7 +1557,7 @@
     </message>
     <message>
         <source>The take across from the first: four takes make a square with two weights</source>
-        <translation>La prise en face de la première : quatre prises font un carré à deux poids</translation>
+        <translation>La prise en face de la première&#xa0;: quatre prises font un carré à deux poids</translation>
     </message>
     <message>
         <source>Across from the second take</source>
@@ -1573,7 +1573,7 @@
     </message>
     <message>
         <source>Drag to where variations lie between the four takes; arrows move by 1 %, with Shift by 10 %. Dots are blends that are learned.</source>
-        <translation>Glissez le point là où les variations se tiennent entre les quatre prises ; les flèches le déplacent de 1 %, avec Maj de 10 %. Les points sont des mélanges appris.</translation>
+        <translation>Glissez le point là où les variations se tiennent entre les quatre prises&#xa0;; les flèches le déplacent de 1 %, avec Maj de 10 %. Les points sont des mélanges appris.</translation>
     </message>
     <message>
         <source>Upwards</source>
@@ -1594,11 +1594,11 @@
     </message>
     <message>
         <source>Learn from blends of the four takes, too: on the edges of the square and inside</source>
-        <translation>Apprendre aussi de mélanges des quatre prises : sur les bords du carré et à l’intérieur</translation>
+        <translation>Apprendre aussi de mélanges des quatre prises&#xa0;: sur les bords du carré et à l’intérieur</translation>
     </message>
     <message>
         <source>nothing: two takes alone</source>
-        <translation>rien : deux prises seules</translation>
+        <translation>rien&#xa0;: deux prises seules</translation>
     </message>
     <message>
         <source>Vary a blend of two</source>
@@ -1633,7 +1633,7 @@
     </message>
     <message>
         <source>Label “%1”</source>
-        <translation>Étiquette « %1 »</translation>
+        <translation>Étiquette «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Frames</source>
@@ -1657,7 +1657,7 @@
     </message>
     <message>
         <source>Drag the ends to choose the frames; ← and → move the active end by a frame</source>
-        <translation>Glissez les bouts pour choisir les images ; ← et → déplacent le bout actif d’une image</translation>
+        <translation>Glissez les bouts pour choisir les images&#xa0;; ← et → déplacent le bout actif d’une image</translation>
     </message>
     <message>
         <source>Times</source>
@@ -1701,7 +1701,7 @@
     </message>
     <message>
         <source>How much of the frames must be played; the rest may be left out at both ends to join it better</source>
-        <translation>Combien de ses images doivent être jouées ; le reste peut être omis aux deux bouts pour mieux joindre</translation>
+        <translation>Combien de ses images doivent être jouées&#xa0;; le reste peut être omis aux deux bouts pour mieux joindre</translation>
     </message>
 </context>
 <context>
@@ -1765,7 +1765,7 @@
     </message>
     <message>
         <source>Import sequences first: animations are made from them.</source>
-        <translation>Importez d’abord des séquences : les animations en sont faites.</translation>
+        <translation>Importez d’abord des séquences&#xa0;: les animations en sont faites.</translation>
     </message>
     <message>
         <source>No animation yet.</source>
@@ -1789,7 +1789,7 @@
     </message>
     <message>
         <source>Return takes it; Shift+E goes back to the clip.</source>
-        <translation>Entrée la prend ; Maj+E revient au clip.</translation>
+        <translation>Entrée la prend&#xa0;; Maj+E revient au clip.</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -1894,7 +1894,7 @@
     </message>
     <message>
         <source>No camera keys: double-click to keep what you see as one</source>
-        <translation>Pas de clé de caméra : double-cliquez pour retenir ce que vous voyez</translation>
+        <translation>Pas de clé de caméra&#xa0;: double-cliquez pour retenir ce que vous voyez</translation>
     </message>
     <message>
         <source>Animate</source>
@@ -1945,7 +1945,7 @@
     <name>quadrille::AnimationEdits</name>
     <message>
         <source>Add animation “%1”</source>
-        <translation>Ajouter l’animation « %1 »</translation>
+        <translation>Ajouter l’animation «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Duplicate “%1”</source>
@@ -1956,7 +1956,7 @@
     <name>quadrille::AnimationMedia</name>
     <message>
         <source>Animation “%1”</source>
-        <translation>Animation « %1 »</translation>
+        <translation>Animation «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -1979,11 +1979,11 @@
     </message>
     <message>
         <source>Change the character of “%1”</source>
-        <translation>Changer le personnage de « %1 »</translation>
+        <translation>Changer le personnage de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>nothing: its walk was accepted</source>
-        <translation>rien : son parcours a été accepté</translation>
+        <translation>rien&#xa0;: son parcours a été accepté</translation>
     </message>
     <message numerus="yes">
         <source>%n path(s)</source>
@@ -2145,7 +2145,7 @@
     </message>
     <message>
         <source>Span lasts</source>
-        <translation>Portion : durée</translation>
+        <translation>Portion&#xa0;: durée</translation>
     </message>
     <message>
         <source>Action from</source>
@@ -2153,7 +2153,7 @@
     </message>
     <message>
         <source>Action lasts</source>
-        <translation>Action : durée</translation>
+        <translation>Action&#xa0;: durée</translation>
     </message>
     <message>
         <source>Repeats drawn from variations</source>
@@ -2180,7 +2180,7 @@
     </message>
     <message>
         <source>Play in silence here; videos keep their sound</source>
-        <translation>Lire ici en silence ; les vidéos gardent leur son</translation>
+        <translation>Lire ici en silence&#xa0;; les vidéos gardent leur son</translation>
     </message>
     <message>
         <source>Remove the sound</source>
@@ -2188,7 +2188,7 @@
     </message>
     <message>
         <source>Take the sound away from the animation; its file stays</source>
-        <translation>Enlever le son de l’animation ; son fichier reste</translation>
+        <translation>Enlever le son de l’animation&#xa0;; son fichier reste</translation>
     </message>
     <message>
         <source>Choose a sound</source>
@@ -2212,7 +2212,7 @@
     </message>
     <message>
         <source>No sound: click to choose a WAV file</source>
-        <translation>Pas de son : cliquez pour choisir un fichier WAV</translation>
+        <translation>Pas de son&#xa0;: cliquez pour choisir un fichier WAV</translation>
     </message>
     <message>
         <source>Reading the sound…</source>
@@ -2302,6 +2302,10 @@
         <comment>a transition</comment>
         <translation>%1, coût %2</translation>
     </message>
+    <message>
+        <source>What is found is shown here</source>
+        <translation>Ce qui est trouvé s’affiche ici</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AxesFields</name>
@@ -2359,7 +2363,7 @@
     </message>
     <message>
         <source>Return or a double click edits the weights of the second; Delete removes the pair</source>
-        <translation>Entrée ou un double clic modifie les poids de la seconde ; Suppr retire la paire</translation>
+        <translation>Entrée ou un double clic modifie les poids de la seconde&#xa0;; Suppr retire la paire</translation>
     </message>
     <message>
         <source>First take</source>
@@ -2387,7 +2391,7 @@
     </message>
     <message>
         <source>Blend “%1” and “%2”</source>
-        <translation>Mélanger « %1 » et « %2 »</translation>
+        <translation>Mélanger «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Remove a blend</source>
@@ -2418,7 +2422,7 @@
     </message>
     <message>
         <source>A point that is put down jumps to the nearest crease; hold Alt to put it where the pointer is</source>
-        <translation>Un point posé saute au pli le plus proche ; tenir Alt pour le poser sous le pointeur</translation>
+        <translation>Un point posé saute au pli le plus proche&#xa0;; tenir Alt pour le poser sous le pointeur</translation>
     </message>
     <message>
         <source>Radius of snapping</source>
@@ -2458,7 +2462,7 @@
     </message>
     <message>
         <source>Parts belong to a body: import a sequence first.</source>
-        <translation>Les parties appartiennent à un corps : importez d’abord une séquence.</translation>
+        <translation>Les parties appartiennent à un corps&#xa0;: importez d’abord une séquence.</translation>
     </message>
     <message>
         <source>Reading the body …</source>
@@ -2466,7 +2470,7 @@
     </message>
     <message>
         <source>Variations are learned part by part. Curves around the limbs say where the parts meet: have torso, arms and legs proposed, or draw curves on the body.</source>
-        <translation>Les variations s’apprennent partie par partie. Des courbes autour des membres disent où les parties se rejoignent : faites proposer tronc, bras et jambes, ou tracez des courbes sur le corps.</translation>
+        <translation>Les variations s’apprennent partie par partie. Des courbes autour des membres disent où les parties se rejoignent&#xa0;: faites proposer tronc, bras et jambes, ou tracez des courbes sur le corps.</translation>
     </message>
     <message>
         <source>%1, frame %2</source>
@@ -2474,15 +2478,15 @@
     </message>
     <message>
         <source>The curve “%1” bounds no part yet.</source>
-        <translation>La courbe « %1 » ne borne encore aucune partie.</translation>
+        <translation>La courbe «&#xa0;%1&#xa0;» ne borne encore aucune partie.</translation>
     </message>
     <message>
         <source>A part needs two: draw another, or let one be made beside it.</source>
-        <translation>Il en faut deux à une partie : tracez-en une autre, ou faites-en faire une à côté.</translation>
+        <translation>Il en faut deux à une partie&#xa0;: tracez-en une autre, ou faites-en faire une à côté.</translation>
     </message>
     <message>
         <source>The curves “%1” and “%2” bound no part yet.</source>
-        <translation>Les courbes « %1 » et « %2 » ne bornent encore aucune partie.</translation>
+        <translation>Les courbes «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» ne bornent encore aucune partie.</translation>
     </message>
     <message>
         <source>Propose parts</source>
@@ -2542,7 +2546,7 @@
     </message>
     <message>
         <source>Correct “%1”</source>
-        <translation>Corriger « %1 »</translation>
+        <translation>Corriger «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -2570,7 +2574,7 @@
     </message>
     <message>
         <source>Takes the corrected text over; until then the entry stays as it is in the file</source>
-        <translation>Reprend le texte corrigé ; jusque-là, l’entrée reste telle quelle dans le fichier</translation>
+        <translation>Reprend le texte corrigé&#xa0;; jusque-là, l’entrée reste telle quelle dans le fichier</translation>
     </message>
     <message>
         <source>Remove from the project</source>
@@ -2581,7 +2585,7 @@
     <name>quadrille::CardPictures</name>
     <message>
         <source>Pictures of “%1”</source>
-        <translation>Images de « %1 »</translation>
+        <translation>Images de «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -2628,7 +2632,7 @@
     </message>
     <message>
         <source>No name or label has “%1” in it.</source>
-        <translation>Aucun nom, aucune étiquette ne contient « %1 ».</translation>
+        <translation>Aucun nom, aucune étiquette ne contient «&#xa0;%1 ».</translation>
     </message>
     <message>
         <source>Add a label</source>
@@ -2825,7 +2829,7 @@
     </message>
     <message>
         <source>The takes are aligned: learn to draw variations of them.</source>
-        <translation>Les prises sont alignées : apprenez pour en tirer des variations.</translation>
+        <translation>Les prises sont alignées&#xa0;: apprenez pour en tirer des variations.</translation>
     </message>
     <message>
         <source>Learning…</source>
@@ -2861,8 +2865,8 @@
     <message numerus="yes">
         <source>The last %n start(s) of Quadrille failed. Start with default settings?</source>
         <translation>
-            <numerusform>Le dernier démarrage de Quadrille a échoué. Démarrer avec les réglages par défaut ?</numerusform>
-            <numerusform>Les %n derniers démarrages de Quadrille ont échoué. Démarrer avec les réglages par défaut ?</numerusform>
+            <numerusform>Le dernier démarrage de Quadrille a échoué. Démarrer avec les réglages par défaut&#xa0;?</numerusform>
+            <numerusform>Les %n derniers démarrages de Quadrille ont échoué. Démarrer avec les réglages par défaut&#xa0;?</numerusform>
         </translation>
     </message>
     <message>
@@ -3050,8 +3054,8 @@
     <message numerus="yes">
         <source>glTF holds one texture: of %n only that of the first frame is written.</source>
         <translation>
-            <numerusform>glTF contient une texture : seule celle de la première image est écrite.</numerusform>
-            <numerusform>glTF contient une texture : sur %n, seule celle de la première image est écrite.</numerusform>
+            <numerusform>glTF contient une texture&#xa0;: seule celle de la première image est écrite.</numerusform>
+            <numerusform>glTF contient une texture&#xa0;: sur %n, seule celle de la première image est écrite.</numerusform>
         </translation>
     </message>
     <message>
@@ -3068,7 +3072,7 @@
     </message>
     <message>
         <source>The export “%1” of this project writes there.</source>
-        <translation>L’export « %1 » de ce projet écrit là.</translation>
+        <translation>L’export «&#xa0;%1&#xa0;» de ce projet écrit là.</translation>
     </message>
     <message>
         <source>Choose another file.</source>
@@ -3076,11 +3080,11 @@
     </message>
     <message>
         <source>Replace an export?</source>
-        <translation>Remplacer un export ?</translation>
+        <translation>Remplacer un export&#xa0;?</translation>
     </message>
     <message>
         <source>The export “%1” of this project writes there already.</source>
-        <translation>L’export « %1 » de ce projet écrit déjà là.</translation>
+        <translation>L’export «&#xa0;%1&#xa0;» de ce projet écrit déjà là.</translation>
     </message>
     <message>
         <source>This one takes its place in the project.</source>
@@ -3100,7 +3104,7 @@
     </message>
     <message>
         <source>Write outside of the project?</source>
-        <translation>Écrire hors du projet ?</translation>
+        <translation>Écrire hors du projet&#xa0;?</translation>
     </message>
     <message>
         <source>This export writes into %1.</source>
@@ -3121,8 +3125,8 @@
     <message numerus="yes">
         <source>%n file(s) written, “%1” the first.</source>
         <translation>
-            <numerusform>%n fichier écrit : « %1 ».</numerusform>
-            <numerusform>%n fichiers écrits, le premier est « %1 ».</numerusform>
+            <numerusform>%n fichier écrit&#xa0;: «&#xa0;%1 ».</numerusform>
+            <numerusform>%n fichiers écrits, le premier est «&#xa0;%1 ».</numerusform>
         </translation>
     </message>
     <message>
@@ -3244,17 +3248,17 @@
     <message>
         <source>%1: %2</source>
         <extracomment>name of a graph; what it joins</extracomment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Usual: transitions need these frames</source>
-        <translation>Normal : les transitions ont besoin de ces images</translation>
+        <translation>Normal&#xa0;: les transitions ont besoin de ces images</translation>
     </message>
     <message numerus="yes">
         <source>Starts and ends of takes: %n</source>
         <translation>
-            <numerusform>Débuts et fins de prises : %n</numerusform>
-            <numerusform>Débuts et fins de prises : %n</numerusform>
+            <numerusform>Débuts et fins de prises&#xa0;: %n</numerusform>
+            <numerusform>Débuts et fins de prises&#xa0;: %n</numerusform>
         </translation>
     </message>
     <message>
@@ -3271,12 +3275,12 @@
     </message>
     <message>
         <source>%1: dead end</source>
-        <translation>%1 : impasse</translation>
+        <translation>%1&#xa0;: impasse</translation>
     </message>
     <message>
         <source>%1: not reached</source>
         <extracomment>frames that no walk reaches</extracomment>
-        <translation>%1 : hors d’atteinte</translation>
+        <translation>%1&#xa0;: hors d’atteinte</translation>
     </message>
     <message>
         <source>Take the transition %1 → %2 (weight %3)</source>
@@ -3321,8 +3325,8 @@
     <message numerus="yes">
         <source>± %1; %n pair(s) of frames without a way</source>
         <translation>
-            <numerusform>± %1 ; %n paire d’images sans chemin</numerusform>
-            <numerusform>± %1 ; %n paires d’images sans chemin</numerusform>
+            <numerusform>± %1&#xa0;; %n paire d’images sans chemin</numerusform>
+            <numerusform>± %1&#xa0;; %n paires d’images sans chemin</numerusform>
         </translation>
     </message>
     <message>
@@ -3376,15 +3380,15 @@
     <message>
         <source>sparse: smooth ways</source>
         <extracomment>ends of the slider for α: few edges in the graph, many edges in it</extracomment>
-        <translation>épars : trajets doux</translation>
+        <translation>épars&#xa0;: trajets doux</translation>
     </message>
     <message>
         <source>dense: short ways</source>
-        <translation>dense : trajets courts</translation>
+        <translation>dense&#xa0;: trajets courts</translation>
     </message>
     <message>
         <source>Weight of a frame of duration against deformation: higher values prefer short ways. The curve is the density of the Essential graph.</source>
-        <translation>Poids d’une image de durée face à la déformation : des valeurs plus hautes préfèrent les trajets courts. La courbe est la densité du graphe essentiel.</translation>
+        <translation>Poids d’une image de durée face à la déformation&#xa0;: des valeurs plus hautes préfèrent les trajets courts. La courbe est la densité du graphe essentiel.</translation>
     </message>
 </context>
 <context>
@@ -3507,7 +3511,7 @@
     </message>
     <message>
         <source>Transitions that cost more are greyed; 0 shows all</source>
-        <translation>Les transitions plus chères sont grisées ; 0 montre tout</translation>
+        <translation>Les transitions plus chères sont grisées&#xa0;; 0 montre tout</translation>
     </message>
     <message>
         <source>&amp;Length</source>
@@ -3554,7 +3558,7 @@
     </message>
     <message>
         <source>Graph of “%1”</source>
-        <translation>Graphe de « %1 »</translation>
+        <translation>Graphe de «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -3621,7 +3625,7 @@
     </message>
     <message>
         <source>What costs are divided by; automatic is the largest distance of two poses</source>
-        <translation>Ce par quoi les coûts sont divisés ; automatique : la plus grande distance de deux poses</translation>
+        <translation>Ce par quoi les coûts sont divisés&#xa0;; automatique&#xa0;: la plus grande distance de deux poses</translation>
     </message>
     <message>
         <source>Compare poses otherwise</source>
@@ -3713,7 +3717,7 @@
     </message>
     <message>
         <source>Transitions lead from one sequence to another: import some first.</source>
-        <translation>Les transitions mènent d’une séquence à une autre : importez-en d’abord.</translation>
+        <translation>Les transitions mènent d’une séquence à une autre&#xa0;: importez-en d’abord.</translation>
     </message>
     <message>
         <source>Computing the graph</source>
@@ -3923,11 +3927,11 @@
     </message>
     <message>
         <source>Point at the map to see two frames; click to play the transition.</source>
-        <translation>Pointez la carte pour voir deux images ; cliquez pour jouer la transition.</translation>
+        <translation>Pointez la carte pour voir deux images&#xa0;; cliquez pour jouer la transition.</translation>
     </message>
     <message>
         <source>The graph is computed anew; this is the one before.</source>
-        <translation>Le graphe est recalculé ; voici le précédent.</translation>
+        <translation>Le graphe est recalculé&#xa0;; voici le précédent.</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -3972,7 +3976,7 @@
     </message>
     <message>
         <source>Each take is a node; arrows count the transitions from one to another</source>
-        <translation>Chaque prise est un nœud ; les flèches comptent les transitions de l’une à l’autre</translation>
+        <translation>Chaque prise est un nœud&#xa0;; les flèches comptent les transitions de l’une à l’autre</translation>
     </message>
     <message>
         <source>Cop&amp;y the frames</source>
@@ -3993,7 +3997,7 @@
     <message>
         <source>&amp;Ban it in “%1”</source>
         <extracomment>an animation</extracomment>
-        <translation>L’&amp;interdire dans « %1 »</translation>
+        <translation>L’&amp;interdire dans «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Allow a transition</source>
@@ -4211,7 +4215,7 @@
     </message>
     <message>
         <source>A guess: nothing beside the take names its rate.</source>
-        <translation>Une supposition : rien à côté de la prise n’indique sa cadence.</translation>
+        <translation>Une supposition&#xa0;: rien à côté de la prise n’indique sa cadence.</translation>
     </message>
     <message>
         <source>%1 fps are taken for it. %2</source>
@@ -4385,7 +4389,7 @@
     </message>
     <message>
         <source>Cancel “%1”</source>
-        <translation>Annuler « %1 »</translation>
+        <translation>Annuler «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -4471,7 +4475,7 @@
     </message>
     <message>
         <source>Keeps the walk that is shown: nothing is sought any more</source>
-        <translation>Garde le parcours montré : rien n’est plus cherché</translation>
+        <translation>Garde le parcours montré&#xa0;: rien n’est plus cherché</translation>
     </message>
     <message>
         <source>Seek instead of the accepted &amp;walk</source>
@@ -4544,7 +4548,7 @@
     </message>
     <message>
         <source>%1, %2 s. Cost %3: deformation %4, duration %5.</source>
-        <translation>%1, %2 s. Coût %3 : déformation %4, durée %5.</translation>
+        <translation>%1, %2 s. Coût %3&#xa0;: déformation %4, durée %5.</translation>
     </message>
     <message>
         <source>jerk</source>
@@ -4576,15 +4580,15 @@
     </message>
     <message>
         <source>Should not show:</source>
-        <translation>Ne devrait pas se voir :</translation>
+        <translation>Ne devrait pas se voir&#xa0;:</translation>
     </message>
     <message>
         <source>May show:</source>
-        <translation>Peut se voir :</translation>
+        <translation>Peut se voir&#xa0;:</translation>
     </message>
     <message>
         <source>This walk was accepted: it stays as it is, and nothing is sought.</source>
-        <translation>Ce parcours a été accepté : il reste tel quel, et rien n’est cherché.</translation>
+        <translation>Ce parcours a été accepté&#xa0;: il reste tel quel, et rien n’est cherché.</translation>
     </message>
     <message>
         <source>At</source>
@@ -4616,7 +4620,7 @@
     </message>
     <message>
         <source>Point at one to see it; double-click or Return takes it</source>
-        <translation>Pointez-en une pour la voir ; double-clic ou Entrée la prend</translation>
+        <translation>Pointez-en une pour la voir&#xa0;; double-clic ou Entrée la prend</translation>
     </message>
     <message>
         <source>Decided</source>
@@ -4632,7 +4636,7 @@
     </message>
     <message>
         <source>The transitions of the clip come here: to be played, banned, locked or exchanged. There is none yet.</source>
-        <translation>Les transitions du clip viennent ici : pour être lues, bannies, verrouillées ou échangées. Il n’y en a pas encore.</translation>
+        <translation>Les transitions du clip viennent ici&#xa0;: pour être lues, bannies, verrouillées ou échangées. Il n’y en a pas encore.</translation>
     </message>
     <message>
         <source>A click goes there and plays around it</source>
@@ -4640,7 +4644,7 @@
     </message>
     <message>
         <source>How much of what is still good is used up, measured on the frames of the transition: what is above 100 % is likely to be seen</source>
-        <translation>Part utilisée de ce qui est encore bon, mesurée sur les images de la transition : ce qui dépasse 100 % se verra sans doute</translation>
+        <translation>Part utilisée de ce qui est encore bon, mesurée sur les images de la transition&#xa0;: ce qui dépasse 100 % se verra sans doute</translation>
     </message>
 </context>
 <context>
@@ -4667,11 +4671,11 @@
     </message>
     <message>
         <source>There is no pose to add: select a take, or show a clip.</source>
-        <translation>Pas de pose à ajouter : sélectionnez une prise, ou montrez un clip.</translation>
+        <translation>Pas de pose à ajouter&#xa0;: sélectionnez une prise, ou montrez un clip.</translation>
     </message>
     <message>
         <source>Key “%1” added to “%2”</source>
-        <translation>Clé « %1 » ajoutée à « %2 »</translation>
+        <translation>Clé «&#xa0;%1&#xa0;» ajoutée à «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>R&amp;emove the key</source>
@@ -4708,13 +4712,13 @@
     <message numerus="yes">
         <source>%n takes added to the storyboard of “%1”</source>
         <translation>
-            <numerusform>%n prise ajoutée au scénario de « %1 »</numerusform>
-            <numerusform>%n prises ajoutées au scénario de « %1 »</numerusform>
+            <numerusform>%n prise ajoutée au scénario de «&#xa0;%1&#xa0;»</numerusform>
+            <numerusform>%n prises ajoutées au scénario de «&#xa0;%1&#xa0;»</numerusform>
         </translation>
     </message>
     <message>
         <source>Change the notes of “%1”</source>
-        <translation>Changer les notes de « %1 »</translation>
+        <translation>Changer les notes de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -4753,7 +4757,7 @@
     </message>
     <message>
         <source>How much later than wanted; below 0 for earlier</source>
-        <translation>De combien plus tard que voulu ; moins de 0 pour plus tôt</translation>
+        <translation>De combien plus tard que voulu&#xa0;; moins de 0 pour plus tôt</translation>
     </message>
     <message>
         <source>By how much the time may be missed at most</source>
@@ -4804,7 +4808,7 @@
     </message>
     <message>
         <source>Poses at times: drag the picture of a card onto the timeline, or put the pose that is shown at the playhead.</source>
-        <translation>Des poses à des moments : glissez l’image d’une carte sur la ligne de temps, ou mettez la pose montrée à la tête de lecture.</translation>
+        <translation>Des poses à des moments&#xa0;: glissez l’image d’une carte sur la ligne de temps, ou mettez la pose montrée à la tête de lecture.</translation>
     </message>
     <message>
         <source>Remove the key</source>
@@ -4816,7 +4820,7 @@
     </message>
     <message>
         <source>Slower, and never worse: the errors of all keys are weighed against each other instead of one key after the other</source>
-        <translation>Plus lent, et jamais moins bon : les écarts de toutes les clés sont pesés les uns contre les autres au lieu d’une clé après l’autre</translation>
+        <translation>Plus lent, et jamais moins bon&#xa0;: les écarts de toutes les clés sont pesés les uns contre les autres au lieu d’une clé après l’autre</translation>
     </message>
     <message>
         <source>At most %1 s off</source>
@@ -4851,7 +4855,7 @@
     </message>
     <message>
         <source>Drag a label between the cards, or press Return: any take that has it may be played</source>
-        <translation>Glissez une étiquette entre les cartes, ou appuyez sur Entrée : toute prise qui la porte peut être jouée</translation>
+        <translation>Glissez une étiquette entre les cartes, ou appuyez sur Entrée&#xa0;: toute prise qui la porte peut être jouée</translation>
     </message>
 </context>
 <context>
@@ -4877,7 +4881,7 @@
     </message>
     <message>
         <source>&amp;Label for all:</source>
-        <translation>É&amp;tiquette pour toutes :</translation>
+        <translation>É&amp;tiquette pour toutes&#xa0;:</translation>
     </message>
     <message>
         <source>Each label covers its whole take. A take without one is left as it is.</source>
@@ -4932,7 +4936,7 @@
     </message>
     <message>
         <source>Confidence of “%1”</source>
-        <translation>Confiance de « %1 »</translation>
+        <translation>Confiance de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>log₁₀ variance</source>
@@ -4944,7 +4948,7 @@
     </message>
     <message>
         <source>Brings all lines into the view; in the view itself, F does so</source>
-        <translation>Ramène toutes les lignes dans la vue ; dans la vue même, F le fait</translation>
+        <translation>Ramène toutes les lignes dans la vue&#xa0;; dans la vue même, F le fait</translation>
     </message>
 </context>
 <context>
@@ -4979,7 +4983,7 @@
     </message>
     <message>
         <source>Name of the layout; one that is there already is replaced:</source>
-        <translation>Nom de la disposition ; une disposition du même nom est remplacée :</translation>
+        <translation>Nom de la disposition&#xa0;; une disposition du même nom est remplacée&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -5002,7 +5006,7 @@
     </message>
     <message>
         <source>stopped by you: the best so far</source>
-        <translation>arrêté par vous : le meilleur trouvé</translation>
+        <translation>arrêté par vous&#xa0;: le meilleur trouvé</translation>
     </message>
     <message>
         <source>Part</source>
@@ -5060,7 +5064,7 @@
     </message>
     <message>
         <source>Set “%1”</source>
-        <translation>Définir « %1 »</translation>
+        <translation>Définir «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Learning</source>
@@ -5072,7 +5076,7 @@
     </message>
     <message>
         <source>Of the latent space: more follow the takes closer and vary less; 1 to 10</source>
-        <translation>De l’espace latent : plus il y en a, plus il suit les prises et moins il varie ; de 1 à 10</translation>
+        <translation>De l’espace latent&#xa0;: plus il y en a, plus il suit les prises et moins il varie&#xa0;; de 1 à 10</translation>
     </message>
     <message>
         <source>Displacement</source>
@@ -5080,7 +5084,7 @@
     </message>
     <message>
         <source>How much the way over the ground counts against the pose: its variance in mean variances of a coordinate</source>
-        <translation>Poids du chemin au sol face à la pose : sa variance en variances moyennes d’une coordonnée</translation>
+        <translation>Poids du chemin au sol face à la pose&#xa0;: sa variance en variances moyennes d’une coordonnée</translation>
     </message>
     <message>
         <source>variances</source>
@@ -5092,7 +5096,7 @@
     </message>
     <message>
         <source>Advanced: learning</source>
-        <translation>Avancé : apprentissage</translation>
+        <translation>Avancé&#xa0;: apprentissage</translation>
     </message>
     <message>
         <source>Restarts</source>
@@ -5100,7 +5104,7 @@
     </message>
     <message>
         <source>Starts beyond the first, from disturbed principal components; the best counts</source>
-        <translation>Départs après le premier, à partir de composantes principales perturbées ; le meilleur compte</translation>
+        <translation>Départs après le premier, à partir de composantes principales perturbées&#xa0;; le meilleur compte</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -5108,7 +5112,7 @@
     </message>
     <message>
         <source>Of the restarts: the same seed learns the same</source>
-        <translation>Des nouveaux départs : la même graine apprend la même chose</translation>
+        <translation>Des nouveaux départs&#xa0;: la même graine apprend la même chose</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -5140,11 +5144,11 @@
     </message>
     <message>
         <source>Iterations of one start; the panel says where these were not enough</source>
-        <translation>Itérations d’un départ ; le panneau dit où elles n’ont pas suffi</translation>
+        <translation>Itérations d’un départ&#xa0;; le panneau dit où elles n’ont pas suffi</translation>
     </message>
     <message>
         <source>Advanced: drawing</source>
-        <translation>Avancé : tirage</translation>
+        <translation>Avancé&#xa0;: tirage</translation>
     </message>
     <message>
         <source>Leapfrog steps</source>
@@ -5152,7 +5156,7 @@
     </message>
     <message>
         <source>At most, of each proposal of Hybrid Monte Carlo: more wander further</source>
-        <translation>Au plus, de chaque proposition du Monte-Carlo hybride : plus il y en a, plus elle va loin</translation>
+        <translation>Au plus, de chaque proposition du Monte-Carlo hybride&#xa0;: plus il y en a, plus elle va loin</translation>
     </message>
     <message>
         <source>Burn-in</source>
@@ -5172,7 +5176,7 @@
     </message>
     <message>
         <source>Proposals from one variation to the next: more are less alike</source>
-        <translation>Propositions d’une variation à la suivante : plus il y en a, moins elles se ressemblent</translation>
+        <translation>Propositions d’une variation à la suivante&#xa0;: plus il y en a, moins elles se ressemblent</translation>
     </message>
     <message>
         <source>Accepted, at least</source>
@@ -5197,7 +5201,7 @@
     </message>
     <message>
         <source>Advanced: what is rejected</source>
-        <translation>Avancé : ce qui est rejeté</translation>
+        <translation>Avancé&#xa0;: ce qui est rejeté</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -5359,7 +5363,7 @@
     </message>
     <message>
         <source>Several have this name; the one whose folders are most alike was taken. Choose another by hand if it is the wrong one.</source>
-        <translation>Plusieurs portent ce nom ; celui dont les dossiers se ressemblent le plus a été pris. Choisissez-en un autre à la main si ce n’est pas le bon.</translation>
+        <translation>Plusieurs portent ce nom&#xa0;; celui dont les dossiers se ressemblent le plus a été pris. Choisissez-en un autre à la main si ce n’est pas le bon.</translation>
     </message>
     <message>
         <source>The content was never noted, so it cannot be compared.</source>
@@ -5537,7 +5541,7 @@
     </message>
     <message>
         <source>Settings that could not be used were put aside as %1: here are the usual ones.</source>
-        <translation>Des réglages inutilisables ont été mis de côté sous le nom %1 : voici les réglages habituels.</translation>
+        <translation>Des réglages inutilisables ont été mis de côté sous le nom %1&#xa0;: voici les réglages habituels.</translation>
     </message>
     <message>
         <source>&amp;Close the project</source>
@@ -5585,7 +5589,7 @@
     </message>
     <message>
         <source>Help on “%1”</source>
-        <translation>Aide sur « %1 »</translation>
+        <translation>Aide sur «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>%1 (read only)</source>
@@ -5603,7 +5607,7 @@
     </message>
     <message>
         <source>Change the notes of “%1”</source>
-        <translation>Changer les notes de « %1 »</translation>
+        <translation>Changer les notes de «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -5721,7 +5725,7 @@
     </message>
     <message>
         <source>The frames that are learned from: one cycle, or all</source>
-        <translation>Les images apprises : un cycle, ou toutes</translation>
+        <translation>Les images apprises&#xa0;: un cycle, ou toutes</translation>
     </message>
     <message>
         <source>Takes to learn from</source>
@@ -5753,7 +5757,7 @@
     </message>
     <message>
         <source>The pose that all frames are laid onto; a click takes the one that is shown</source>
-        <translation>La pose sur laquelle toutes les images sont posées ; un clic prend celle qui est montrée</translation>
+        <translation>La pose sur laquelle toutes les images sont posées&#xa0;; un clic prend celle qui est montrée</translation>
     </message>
     <message>
         <source>Change the template</source>
@@ -5785,19 +5789,19 @@
     </message>
     <message>
         <source>Learn from “%1”</source>
-        <translation>Apprendre de « %1 »</translation>
+        <translation>Apprendre de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Do not learn from “%1”</source>
-        <translation>Ne pas apprendre de « %1 »</translation>
+        <translation>Ne pas apprendre de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Check the takes of one kind of movement, or drag their cards here: they are learned from.</source>
-        <translation>Cochez les prises d’un même genre de mouvement, ou glissez leurs cartes ici : on apprend d’elles.</translation>
+        <translation>Cochez les prises d’un même genre de mouvement, ou glissez leurs cartes ici&#xa0;: on apprend d’elles.</translation>
     </message>
     <message>
         <source>“%1” is of another character.</source>
-        <translation>« %1 » est d’un autre personnage.</translation>
+        <translation>«&#xa0;%1&#xa0;» est d’un autre personnage.</translation>
     </message>
     <message numerus="yes">
         <source>Learn from %n takes</source>
@@ -5900,7 +5904,7 @@
     </message>
     <message>
         <source>Hide “%1”</source>
-        <translation>Masquer « %1 »</translation>
+        <translation>Masquer «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -5915,7 +5919,7 @@
     </message>
     <message>
         <source>Cut the body into torso, arms and legs; takes the place of all curves and parts</source>
-        <translation>Coupe le corps en tronc, bras et jambes ; remplace toutes les courbes et parties</translation>
+        <translation>Coupe le corps en tronc, bras et jambes&#xa0;; remplace toutes les courbes et parties</translation>
     </message>
     <message>
         <source>Draw a &amp;curve</source>
@@ -5923,7 +5927,7 @@
     </message>
     <message>
         <source>Click points around a limb; the curve closes itself, Return or a click on the first point ends</source>
-        <translation>Cliquer des points autour d’un membre ; la courbe se ferme d’elle-même, Entrée ou un clic sur le premier point termine</translation>
+        <translation>Cliquer des points autour d’un membre&#xa0;; la courbe se ferme d’elle-même, Entrée ou un clic sur le premier point termine</translation>
     </message>
     <message>
         <source>Add a s&amp;econd curve</source>
@@ -5931,7 +5935,7 @@
     </message>
     <message>
         <source>Beside the selected one, towards the end of the limb: a part needs two</source>
-        <translation>À côté de celle choisie, vers le bout du membre : il en faut deux à une partie</translation>
+        <translation>À côté de celle choisie, vers le bout du membre&#xa0;: il en faut deux à une partie</translation>
     </message>
     <message>
         <source>&amp;Add a part</source>
@@ -5963,7 +5967,7 @@
     </message>
     <message>
         <source>Take away what is selected; curves of a part stay</source>
-        <translation>Retire ce qui est choisi ; les courbes d’une partie restent</translation>
+        <translation>Retire ce qui est choisi&#xa0;; les courbes d’une partie restent</translation>
     </message>
     <message>
         <source>S&amp;nap to creases</source>
@@ -6075,7 +6079,7 @@
     </message>
     <message>
         <source>The curve “%1” bounded the part “%2”, which lacks a curve now.</source>
-        <translation>La courbe « %1 » bornait la partie « %2 », à qui il manque maintenant une courbe.</translation>
+        <translation>La courbe «&#xa0;%1&#xa0;» bornait la partie «&#xa0;%2 », à qui il manque maintenant une courbe.</translation>
     </message>
     <message>
         <source>Undo, draw another one, or choose one for the part.</source>
@@ -6083,11 +6087,11 @@
     </message>
     <message>
         <source>There is a curve “%1” already.</source>
-        <translation>Il y a déjà une courbe « %1 ».</translation>
+        <translation>Il y a déjà une courbe «&#xa0;%1 ».</translation>
     </message>
     <message>
         <source>There is a part “%1” already.</source>
-        <translation>Il y a déjà une partie « %1 ».</translation>
+        <translation>Il y a déjà une partie «&#xa0;%1 ».</translation>
     </message>
     <message>
         <source>Choose another name.</source>
@@ -6115,11 +6119,11 @@
     </message>
     <message>
         <source>Point %1 of the curve “%2”</source>
-        <translation>Point %1 de la courbe « %2 »</translation>
+        <translation>Point %1 de la courbe «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Curve “%1”</source>
-        <translation>Courbe « %1 »</translation>
+        <translation>Courbe «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -6154,7 +6158,7 @@
     </message>
     <message>
         <source>That lead the curve; the vertices between them follow the surface</source>
-        <translation>Ceux qui guident la courbe ; les sommets entre eux suivent la surface</translation>
+        <translation>Ceux qui guident la courbe&#xa0;; les sommets entre eux suivent la surface</translation>
     </message>
     <message>
         <source>Length</source>
@@ -6166,7 +6170,7 @@
     </message>
     <message>
         <source>%1: all other parts hang on it</source>
-        <translation>%1 : toutes les autres parties y tiennent</translation>
+        <translation>%1&#xa0;: toutes les autres parties y tiennent</translation>
     </message>
     <message>
         <source>%1 cm</source>
@@ -6258,7 +6262,7 @@ maximal %2</translation>
     <name>quadrille::PathPanel</name>
     <message>
         <source>A path says where the body goes. Click points on the ground, or drag a line over it; the curve can be moved, labelled and timed afterwards.</source>
-        <translation>Un trajet dit où va le corps. Cliquez des points sur le sol, ou tracez-y une ligne ; la courbe peut ensuite être déplacée, étiquetée et minutée.</translation>
+        <translation>Un trajet dit où va le corps. Cliquez des points sur le sol, ou tracez-y une ligne&#xa0;; la courbe peut ensuite être déplacée, étiquetée et minutée.</translation>
     </message>
     <message>
         <source>Click points on the ground, or drag a line over it (P)</source>
@@ -6282,7 +6286,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Coordinates of the points; a double click edits one</source>
-        <translation>Coordonnées des points ; un double clic en modifie une</translation>
+        <translation>Coordonnées des points&#xa0;; un double clic en modifie une</translation>
     </message>
     <message>
         <source>Spans of the path</source>
@@ -6374,7 +6378,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Click for points, or drag a stroke; Return or a double click ends, Backspace takes the last point back</source>
-        <translation>Cliquer pour des points, ou tracer un trait ; Entrée ou un double clic termine, Retour arrière reprend le dernier point</translation>
+        <translation>Cliquer pour des points, ou tracer un trait&#xa0;; Entrée ou un double clic termine, Retour arrière reprend le dernier point</translation>
     </message>
     <message>
         <source>Add a &amp;round obstacle</source>
@@ -6390,7 +6394,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Click corners; Return or a click on the first one ends</source>
-        <translation>Cliquer des coins ; Entrée ou un clic sur le premier termine</translation>
+        <translation>Cliquer des coins&#xa0;; Entrée ou un clic sur le premier termine</translation>
     </message>
     <message>
         <source>Sho&amp;w the path</source>
@@ -6637,7 +6641,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>The frame that the view shows looks the same in the film; otherwise the camera steps back until the figure fills the picture</source>
-        <translation>L’image que montre la vue est la même dans le film ; sinon, la caméra recule jusqu’à ce que la figure remplisse l’image</translation>
+        <translation>L’image que montre la vue est la même dans le film&#xa0;; sinon, la caméra recule jusqu’à ce que la figure remplisse l’image</translation>
     </message>
 </context>
 <context>
@@ -6683,7 +6687,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>“%1” and “%2” have different meshes.</source>
-        <translation>« %1 » et « %2 » ont des maillages différents.</translation>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» ont des maillages différents.</translation>
     </message>
     <message>
         <source>Select two of them.</source>
@@ -6698,7 +6702,7 @@ maximal %2</translation>
     <name>quadrille::PoseHeatMap</name>
     <message>
         <source>Pose distance of “%1” and “%2”</source>
-        <translation>Distance de pose de « %1 » et « %2 »</translation>
+        <translation>Distance de pose de «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Pose distance, mean %1</source>
@@ -6714,11 +6718,11 @@ maximal %2</translation>
     <name>quadrille::PostPanel</name>
     <message>
         <source>Set “%1”</source>
-        <translation>Régler « %1 »</translation>
+        <translation>Régler «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Only a loop can be repeated: ask for one above.</source>
-        <translation>Seule une boucle peut être répétée : demandez-en une ci-dessus.</translation>
+        <translation>Seule une boucle peut être répétée&#xa0;: demandez-en une ci-dessus.</translation>
     </message>
     <message>
         <source>Here an animation is looped, retimed, mirrored and blended.</source>
@@ -6779,7 +6783,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Takes the way over the ground out, so that each round begins where it began</source>
-        <translation>Retire le chemin au sol : chaque tour commence là où il a commencé</translation>
+        <translation>Retire le chemin au sol&#xa0;: chaque tour commence là où il a commencé</translation>
     </message>
     <message>
         <source>Repeats</source>
@@ -6828,7 +6832,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Times as long as the clip: 2 is half as fast</source>
-        <translation>Fois la longueur du clip : 2 est deux fois moins vite</translation>
+        <translation>Fois la longueur du clip&#xa0;: 2 est deux fois moins vite</translation>
     </message>
     <message>
         <source>Duration</source>
@@ -6844,11 +6848,11 @@ maximal %2</translation>
     </message>
     <message>
         <source>The figure goes as fast as in the clip, and its feet slide; otherwise its way slows with its poses</source>
-        <translation>La figure va aussi vite que dans le clip, et ses pieds glissent ; sinon son chemin ralentit avec ses poses</translation>
+        <translation>La figure va aussi vite que dans le clip, et ses pieds glissent&#xa0;; sinon son chemin ralentit avec ses poses</translation>
     </message>
     <message>
         <source>Drag points; double-click adds one, Del removes it; Page Up and Down choose one</source>
-        <translation>Tirez les points ; un double-clic en ajoute un, Suppr le retire ; Page préc. et suiv. en choisissent un</translation>
+        <translation>Tirez les points&#xa0;; un double-clic en ajoute un, Suppr le retire&#xa0;; Page préc. et suiv. en choisissent un</translation>
     </message>
     <message>
         <source> %</source>
@@ -6889,7 +6893,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>How far a foot is moved at most, of the height of the figure; the rest of the slip stays</source>
-        <translation>De combien un pied est déplacé au plus, en part de la hauteur de la figure ; le reste du glissement demeure</translation>
+        <translation>De combien un pied est déplacé au plus, en part de la hauteur de la figure&#xa0;; le reste du glissement demeure</translation>
     </message>
     <message>
         <source>Greatest turn</source>
@@ -6922,7 +6926,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Needs the symmetry of the mesh: found, or read from a file</source>
-        <translation>Demande la symétrie du maillage : trouvée, ou lue dans un fichier</translation>
+        <translation>Demande la symétrie du maillage&#xa0;: trouvée, ou lue dans un fichier</translation>
     </message>
     <message>
         <source>Symmetry</source>
@@ -6978,7 +6982,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>How a pose between two poses comes about: turning and stretching every triangle (Poisson), turning it and stretching linearly (Slerp), or on straight lines (Linear)</source>
-        <translation>Comment naît une pose entre deux poses : en tournant et étirant chaque triangle (Poisson), en le tournant et l’étirant linéairement (Slerp), ou en ligne droite (Linéaire)</translation>
+        <translation>Comment naît une pose entre deux poses&#xa0;: en tournant et étirant chaque triangle (Poisson), en le tournant et l’étirant linéairement (Slerp), ou en ligne droite (Linéaire)</translation>
     </message>
     <message>
         <source>Poisson</source>
@@ -7002,7 +7006,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>States that are looked at: more finds better walks and takes longer; the same budget finds the same walk on every machine</source>
-        <translation>États examinés : davantage trouve de meilleurs parcours et prend plus de temps ; le même budget trouve le même parcours sur toute machine</translation>
+        <translation>États examinés&#xa0;: davantage trouve de meilleurs parcours et prend plus de temps&#xa0;; le même budget trouve le même parcours sur toute machine</translation>
     </message>
     <message>
         <source>usual (%L1)</source>
@@ -7015,7 +7019,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>What a frame of timing error costs: more meets times better, with worse transitions</source>
-        <translation>Ce que coûte une image d’erreur de temps : davantage tient mieux les temps, avec de moins bonnes transitions</translation>
+        <translation>Ce que coûte une image d’erreur de temps&#xa0;: davantage tient mieux les temps, avec de moins bonnes transitions</translation>
     </message>
     <message>
         <source>10 α</source>
@@ -7040,7 +7044,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Seeks the best walk over all keys; otherwise from key to key, as published</source>
-        <translation>Cherche le meilleur parcours sur toutes les clés ; sinon de clé en clé, comme publié</translation>
+        <translation>Cherche le meilleur parcours sur toutes les clés&#xa0;; sinon de clé en clé, comme publié</translation>
     </message>
     <message>
         <source>Variations</source>
@@ -7052,7 +7056,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>The first time captured frames are shown as they are; each further time they can be drawn from another variation of their take, so that repeats are never the same</source>
-        <translation>La première fois, les images captées sont montrées telles quelles ; chaque fois suivante, elles peuvent être tirées d’une autre variation de leur prise, pour qu’aucune reprise ne soit la même</translation>
+        <translation>La première fois, les images captées sont montrées telles quelles&#xa0;; chaque fois suivante, elles peuvent être tirées d’une autre variation de leur prise, pour qu’aucune reprise ne soit la même</translation>
     </message>
     <message>
         <source>How long poses take from captured frames to varied ones, and back</source>
@@ -7069,11 +7073,11 @@ maximal %2</translation>
     <message>
         <source>From “%1”</source>
         <comment>variations</comment>
-        <translation>De « %1 »</translation>
+        <translation>De «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>There are no variations to draw from: learn some in the workspace Variations.</source>
-        <translation>Il n’y a pas de variations d’où tirer : apprenez-en dans l’espace Variations.</translation>
+        <translation>Il n’y a pas de variations d’où tirer&#xa0;: apprenez-en dans l’espace Variations.</translation>
     </message>
     <message>
         <source>This animation shows no frames again.</source>
@@ -7081,7 +7085,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Some frames are shown again as captured: no variation varies them.</source>
-        <translation>Certaines images sont remontrées telles que captées : aucune variation ne les varie.</translation>
+        <translation>Certaines images sont remontrées telles que captées&#xa0;: aucune variation ne les varie.</translation>
     </message>
 </context>
 <context>
@@ -7288,7 +7292,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>“%1” is taken</source>
-        <translation>« %1 » est déjà pris</translation>
+        <translation>«&#xa0;%1&#xa0;» est déjà pris</translation>
     </message>
     <message>
         <source>Choose another name.</source>
@@ -7319,19 +7323,19 @@ maximal %2</translation>
     </message>
     <message>
         <source>“%1” is open read only.</source>
-        <translation>« %1 » est ouvert en lecture seule.</translation>
+        <translation>«&#xa0;%1&#xa0;» est ouvert en lecture seule.</translation>
     </message>
     <message>
         <source>The folder of “%1” cannot be written to.</source>
-        <translation>Le dossier de « %1 » n’est pas accessible en écriture.</translation>
+        <translation>Le dossier de «&#xa0;%1&#xa0;» n’est pas accessible en écriture.</translation>
     </message>
     <message>
         <source>“%1” was taken over: %2.</source>
-        <translation>« %1 » a été repris : %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» a été repris&#xa0;: %2.</translation>
     </message>
     <message>
         <source>“%1” is open elsewhere: %2. Choose another name.</source>
-        <translation>« %1 » est ouvert ailleurs : %2. Choisissez un autre nom.</translation>
+        <translation>«&#xa0;%1&#xa0;» est ouvert ailleurs&#xa0;: %2. Choisissez un autre nom.</translation>
     </message>
 </context>
 <context>
@@ -7445,7 +7449,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Take the selected entries out; their files stay</source>
-        <translation>Retirer les éléments sélectionnés ; leurs fichiers restent</translation>
+        <translation>Retirer les éléments sélectionnés&#xa0;; leurs fichiers restent</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -7472,7 +7476,7 @@ maximal %2</translation>
     <name>quadrille::ProjectQuestions</name>
     <message>
         <source>“%1” is open elsewhere: %2.</source>
-        <translation>« %1 » est ouvert ailleurs : %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» est ouvert ailleurs&#xa0;: %2.</translation>
     </message>
     <message>
         <source>Two who save the same project write over each other&apos;s work. Taken over, it cannot be saved there any more without being asked.</source>
@@ -7504,11 +7508,11 @@ maximal %2</translation>
     </message>
     <message>
         <source>The file of “%1” was changed by somebody else since it was opened.</source>
-        <translation>Le fichier de « %1 » a été modifié par quelqu’un d’autre depuis son ouverture.</translation>
+        <translation>Le fichier de «&#xa0;%1&#xa0;» a été modifié par quelqu’un d’autre depuis son ouverture.</translation>
     </message>
     <message>
         <source>Overwriting it loses their edits; reloading it loses yours.</source>
-        <translation>L’écraser perd leurs modifications ; le recharger perd les vôtres.</translation>
+        <translation>L’écraser perd leurs modifications&#xa0;; le recharger perd les vôtres.</translation>
     </message>
     <message>
         <source>Overwrite</source>
@@ -7520,7 +7524,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Reload “%1”?</source>
-        <translation>Recharger « %1 » ?</translation>
+        <translation>Recharger «&#xa0;%1&#xa0;»&#xa0;?</translation>
     </message>
     <message>
         <source>Your unsaved edits are lost then.</source>
@@ -7529,7 +7533,7 @@ maximal %2</translation>
     <message>
         <source>“%1” cannot be opened. %2</source>
         <comment>project and problem</comment>
-        <translation>« %1 » ne peut pas être ouvert. %2</translation>
+        <translation>«&#xa0;%1&#xa0;» ne peut pas être ouvert. %2</translation>
     </message>
     <message>
         <source>The backup beside it, of %1, can. It takes the project&apos;s place when you save.</source>
@@ -7548,19 +7552,19 @@ maximal %2</translation>
     </message>
     <message>
         <source>“%1” is open read only; it is open elsewhere: %2. %3</source>
-        <translation>« %1 » est ouvert en lecture seule ; il est ouvert ailleurs : %2. %3</translation>
+        <translation>«&#xa0;%1&#xa0;» est ouvert en lecture seule&#xa0;; il est ouvert ailleurs&#xa0;: %2. %3</translation>
     </message>
     <message>
         <source>“%1” is open read only: its folder cannot be written to. %2</source>
-        <translation>« %1 » est ouvert en lecture seule : son dossier n’est pas accessible en écriture. %2</translation>
+        <translation>«&#xa0;%1&#xa0;» est ouvert en lecture seule&#xa0;: son dossier n’est pas accessible en écriture. %2</translation>
     </message>
     <message>
         <source>“%1” was taken over: %2. %3</source>
-        <translation>« %1 » a été repris : %2. %3</translation>
+        <translation>«&#xa0;%1&#xa0;» a été repris&#xa0;: %2. %3</translation>
     </message>
     <message>
         <source>The file of “%1” was changed by another program.</source>
-        <translation>Le fichier de « %1 » a été modifié par un autre programme.</translation>
+        <translation>Le fichier de «&#xa0;%1&#xa0;» a été modifié par un autre programme.</translation>
     </message>
     <message numerus="yes">
         <source>%n part(s) of the project cannot be read. They stay in its file as they are.</source>
@@ -7618,7 +7622,7 @@ maximal %2</translation>
     <message>
         <source>%1: %2</source>
         <extracomment>an entry of the project, and its state or what is wrong with it</extracomment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>not made yet, or out of date</source>
@@ -7707,7 +7711,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Quadrille ended unexpectedly. Edits of “%1” from %2 were never saved.</source>
-        <translation>Quadrille s’est arrêté de façon inattendue. Des modifications de « %1 » du %2 n’ont jamais été enregistrées.</translation>
+        <translation>Quadrille s’est arrêté de façon inattendue. Des modifications de «&#xa0;%1&#xa0;» du %2 n’ont jamais été enregistrées.</translation>
     </message>
     <message>
         <source>Recover them, or discard them for good.</source>
@@ -7727,7 +7731,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>A copy of unsaved edits cannot be read. It was kept, and lies at %1 now.</source>
-        <translation>Une copie de modifications non enregistrées est illisible. Elle a été gardée et se trouve maintenant ici : %1.</translation>
+        <translation>Une copie de modifications non enregistrées est illisible. Elle a été gardée et se trouve maintenant ici&#xa0;: %1.</translation>
     </message>
 </context>
 <context>
@@ -7735,8 +7739,8 @@ maximal %2</translation>
     <message numerus="yes">
         <source>Unsaved work: “%1”, %2, %n entries</source>
         <translation>
-            <numerusform>Travail non enregistré : « %1 », %2, %n entrée</numerusform>
-            <numerusform>Travail non enregistré : « %1 », %2, %n entrées</numerusform>
+            <numerusform>Travail non enregistré&#xa0;: «&#xa0;%1 », %2, %n entrée</numerusform>
+            <numerusform>Travail non enregistré&#xa0;: «&#xa0;%1 », %2, %n entrées</numerusform>
         </translation>
     </message>
     <message>
@@ -7771,7 +7775,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Searching “%1”</source>
-        <translation>Recherche dans « %1 »</translation>
+        <translation>Recherche dans «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Search another folder, or choose one file by hand.</source>
@@ -7779,7 +7783,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Where is “%1”?</source>
-        <translation>Où est « %1 » ?</translation>
+        <translation>Où est «&#xa0;%1&#xa0;»&#xa0;?</translation>
     </message>
     <message>
         <source>Files of this kind (*%1);;All files (*)</source>
@@ -7787,7 +7791,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Comparing “%1”</source>
-        <translation>Comparaison de « %1 »</translation>
+        <translation>Comparaison de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message numerus="yes">
         <source>%n more were found from there.</source>
@@ -7806,7 +7810,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Nothing is missing: all files are where the project says.</source>
-        <translation>Rien ne manque : tous les fichiers sont là où le projet le dit.</translation>
+        <translation>Rien ne manque&#xa0;: tous les fichiers sont là où le projet le dit.</translation>
     </message>
     <message>
         <source>Looking for what is missing…</source>
@@ -7875,11 +7879,11 @@ maximal %2</translation>
     </message>
     <message>
         <source>Say where the file of this row is; others are looked for from there</source>
-        <translation>Dire où est le fichier de cette ligne ; les autres sont cherchés à partir de là</translation>
+        <translation>Dire où est le fichier de cette ligne&#xa0;; les autres sont cherchés à partir de là</translation>
     </message>
     <message>
         <source>Use the files that are ticked; one step for undo</source>
-        <translation>Utiliser les fichiers cochés ; une seule étape d’annulation</translation>
+        <translation>Utiliser les fichiers cochés&#xa0;; une seule étape d’annulation</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -7887,7 +7891,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>None of the missing files is in “%1”.</source>
-        <translation>Aucun des fichiers manquants n’est dans « %1 ».</translation>
+        <translation>Aucun des fichiers manquants n’est dans «&#xa0;%1 ».</translation>
     </message>
 </context>
 <context>
@@ -7962,7 +7966,7 @@ maximal %2</translation>
     <message>
         <source>%1: %2</source>
         <comment>what, and of which</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Missed by %1 s</source>
@@ -8124,7 +8128,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Throws the selected variations away: they are not exported</source>
-        <translation>Jette les variations sélectionnées : elles ne sont pas exportées</translation>
+        <translation>Jette les variations sélectionnées&#xa0;: elles ne sont pas exportées</translation>
     </message>
     <message>
         <source>Add as &amp;sequences</source>
@@ -8145,11 +8149,11 @@ maximal %2</translation>
     <message>
         <source>%1: %2</source>
         <comment>a take or blend, and how often</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>nothing: the take alone</source>
-        <translation>rien : la prise seule</translation>
+        <translation>rien&#xa0;: la prise seule</translation>
     </message>
     <message numerus="yes">
         <source>%n drawn, %1 rejected, %2 thrown away</source>
@@ -8174,7 +8178,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>The take: %1 cm/s</source>
-        <translation>La prise : %1 cm/s</translation>
+        <translation>La prise&#xa0;: %1 cm/s</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -8183,7 +8187,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Thrown away: it is not exported</source>
-        <translation>Jetée : elle n’est pas exportée</translation>
+        <translation>Jetée&#xa0;: elle n’est pas exportée</translation>
     </message>
     <message>
         <source>Vary another take</source>
@@ -8270,7 +8274,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>The second take of a blend; blend the two in the movement to learn the way between</source>
-        <translation>La seconde prise d’un mélange ; mélangez les deux dans le mouvement pour apprendre l’entre-deux</translation>
+        <translation>La seconde prise d’un mélange&#xa0;; mélangez les deux dans le mouvement pour apprendre l’entre-deux</translation>
     </message>
     <message>
         <source>The share of the second take</source>
@@ -8295,7 +8299,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Check the takes to learn from in the panel Movement; what is drawn of them comes here.</source>
-        <translation>Cochez les prises à apprendre dans le panneau Mouvement ; ce qui en est tiré vient ici.</translation>
+        <translation>Cochez les prises à apprendre dans le panneau Mouvement&#xa0;; ce qui en est tiré vient ici.</translation>
     </message>
     <message>
         <source>No.</source>
@@ -8335,23 +8339,23 @@ maximal %2</translation>
     </message>
     <message>
         <source>Rejected, too far from what was learned: %1</source>
-        <translation>Rejetées, trop loin de ce qui a été appris : %1</translation>
+        <translation>Rejetées, trop loin de ce qui a été appris&#xa0;: %1</translation>
     </message>
     <message>
         <source>Rejected, feet slide: %1</source>
-        <translation>Rejetées, les pieds glissent : %1</translation>
+        <translation>Rejetées, les pieds glissent&#xa0;: %1</translation>
     </message>
     <message>
         <source>Rejected, the surface goes through itself: %1</source>
-        <translation>Rejetées, la surface se traverse : %1</translation>
+        <translation>Rejetées, la surface se traverse&#xa0;: %1</translation>
     </message>
     <message>
         <source>Rejected, the body swells or shrinks: %1</source>
-        <translation>Rejetées, le corps enfle ou rétrécit : %1</translation>
+        <translation>Rejetées, le corps enfle ou rétrécit&#xa0;: %1</translation>
     </message>
     <message>
         <source>Too few were good enough: %1 were asked for. Take another seed, or more takes; the panel Learning says what is rejected.</source>
-        <translation>Trop peu étaient assez bonnes : %1 étaient demandées. Prenez une autre graine, ou plus de prises ; le panneau Apprentissage dit ce qui est rejeté.</translation>
+        <translation>Trop peu étaient assez bonnes&#xa0;: %1 étaient demandées. Prenez une autre graine, ou plus de prises&#xa0;; le panneau Apprentissage dit ce qui est rejeté.</translation>
     </message>
     <message numerus="yes">
         <source>Learning to the end, making %n clip(s)</source>
@@ -8371,7 +8375,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>The takes: %1</source>
-        <translation>Les prises : %1</translation>
+        <translation>Les prises&#xa0;: %1</translation>
     </message>
     <message>
         <source>Spread</source>
@@ -8383,7 +8387,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>How far variations are apart, as a share of how far the takes are; of all sets alike. Usually %1</source>
-        <translation>L’écart entre les variations, en part de l’écart entre les prises ; le même pour tous les ensembles. D’ordinaire %1</translation>
+        <translation>L’écart entre les variations, en part de l’écart entre les prises&#xa0;; le même pour tous les ensembles. D’ordinaire %1</translation>
     </message>
 </context>
 <context>
@@ -8708,11 +8712,11 @@ maximal %2</translation>
     <name>quadrille::ShortcutPage</name>
     <message>
         <source>%1 belongs to “%2” already.</source>
-        <translation>%1 appartient déjà à « %2 ».</translation>
+        <translation>%1 appartient déjà à «&#xa0;%2 ».</translation>
     </message>
     <message>
         <source>Choose other keys, or give “%1” others first.</source>
-        <translation>Choisissez d’autres touches, ou donnez-en d’abord d’autres à « %1 ».</translation>
+        <translation>Choisissez d’autres touches, ou donnez-en d’abord d’autres à «&#xa0;%1 ».</translation>
     </message>
     <message>
         <source>Find an action or its keys</source>
@@ -8759,7 +8763,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>The only frames that may be played there: those with a label, or of a sequence</source>
-        <translation>Les seules images qui peuvent y être jouées : celles d’une étiquette ou d’une séquence</translation>
+        <translation>Les seules images qui peuvent y être jouées&#xa0;: celles d’une étiquette ou d’une séquence</translation>
     </message>
     <message>
         <source>Frames</source>
@@ -8791,7 +8795,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>How long the span is to take; 0: as long as it takes</source>
-        <translation>Combien de temps la portion doit prendre ; 0 : ce qu’il faut</translation>
+        <translation>Combien de temps la portion doit prendre&#xa0;; 0&#xa0;: ce qu’il faut</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -8799,7 +8803,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>How fast the body is to go there; 0: as fast as it goes</source>
-        <translation>À quelle vitesse le corps doit y aller ; 0 : comme il va</translation>
+        <translation>À quelle vitesse le corps doit y aller&#xa0;; 0&#xa0;: comme il va</translation>
     </message>
     <message>
         <source>Result</source>
@@ -8898,7 +8902,7 @@ maximal %2</translation>
     <name>quadrille::StoryboardPanel</name>
     <message>
         <source>What happens one after the other: drag takes or labels here. The joins are found for them.</source>
-        <translation>Ce qui se passe l’un après l’autre : glissez ici des prises ou des étiquettes. Ce qui les joint est trouvé.</translation>
+        <translation>Ce qui se passe l’un après l’autre&#xa0;: glissez ici des prises ou des étiquettes. Ce qui les joint est trouvé.</translation>
     </message>
     <message>
         <source>label</source>
@@ -9072,11 +9076,11 @@ maximal %2</translation>
     </message>
     <message>
         <source>All frames: the take is shorter than a cycle</source>
-        <translation>Toutes les images : la prise est plus courte qu’un cycle</translation>
+        <translation>Toutes les images&#xa0;: la prise est plus courte qu’un cycle</translation>
     </message>
     <message>
         <source>All frames: the take has no cycle like the reference’s</source>
-        <translation>Toutes les images : la prise n’a pas de cycle comme celui de la référence</translation>
+        <translation>Toutes les images&#xa0;: la prise n’a pas de cycle comme celui de la référence</translation>
     </message>
 </context>
 <context>
@@ -9181,7 +9185,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Drawing the UV edges of “%1”</source>
-        <translation>Dessin des arêtes UV de « %1 »</translation>
+        <translation>Dessin des arêtes UV de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>frame %1</source>
@@ -9205,23 +9209,23 @@ maximal %2</translation>
     </message>
     <message>
         <source>“%1” cannot be shown.</source>
-        <translation>« %1 » ne peut pas être montrée.</translation>
+        <translation>«&#xa0;%1&#xa0;» ne peut pas être montrée.</translation>
     </message>
     <message>
         <source>Opening “%1”…</source>
-        <translation>Ouverture de « %1 »…</translation>
+        <translation>Ouverture de «&#xa0;%1 »…</translation>
     </message>
     <message>
         <source>The material “%1” has no texture.</source>
-        <translation>Le matériau « %1 » n’a pas de texture.</translation>
+        <translation>Le matériau «&#xa0;%1&#xa0;» n’a pas de texture.</translation>
     </message>
     <message>
         <source>“%1” has no texture. Choose a picture for all frames, or a folder with one for each.</source>
-        <translation>« %1 » n’a pas de texture. Choisissez une image pour toutes les images de la séquence, ou un dossier avec une pour chacune.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’a pas de texture. Choisissez une image pour toutes les images de la séquence, ou un dossier avec une pour chacune.</translation>
     </message>
     <message>
         <source>“%1” has no texture, and its mesh has no texture coordinates (UVs) to put one on. Choose a character whose mesh has them in the properties.</source>
-        <translation>« %1 » n’a pas de texture, et son maillage n’a pas de coordonnées de texture (UV) pour en recevoir une. Choisissez dans les propriétés un personnage dont le maillage en a.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’a pas de texture, et son maillage n’a pas de coordonnées de texture (UV) pour en recevoir une. Choisissez dans les propriétés un personnage dont le maillage en a.</translation>
     </message>
     <message>
         <source>The mesh has no texture coordinates (UVs), so it is shown in clay.</source>
@@ -9347,7 +9351,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>none: no windows fit between these frames</source>
-        <translation>aucun : pas de fenêtres possibles entre ces images</translation>
+        <translation>aucun&#xa0;: pas de fenêtres possibles entre ces images</translation>
     </message>
     <message>
         <source>%1 = %2 / %3 %4</source>
@@ -9382,11 +9386,11 @@ maximal %2</translation>
     <message>
         <source>A way that costs %1: %2</source>
         <extracomment>the cost of a way and the frames that it goes through</extracomment>
-        <translation>Un chemin qui coûte %1 : %2</translation>
+        <translation>Un chemin qui coûte %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Yes: one plays on to the other as captured</source>
-        <translation>Oui : l’une mène à l’autre comme captée</translation>
+        <translation>Oui&#xa0;: l’une mène à l’autre comme captée</translation>
     </message>
     <message>
         <source>Yes</source>
@@ -9398,7 +9402,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>No: not a local minimum of the cost</source>
-        <translation>Non : pas un minimum local du coût</translation>
+        <translation>Non&#xa0;: pas un minimum local du coût</translation>
     </message>
     <message>
         <source>Click a cell of the map to see what the transition costs and why.</source>
@@ -9551,37 +9555,37 @@ maximal %2</translation>
     <name>quadrille::VariationEdits</name>
     <message>
         <source>Add variations “%1”</source>
-        <translation>Ajouter les variations « %1 »</translation>
+        <translation>Ajouter les variations «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Duplicate “%1”</source>
-        <translation>Dupliquer « %1 »</translation>
+        <translation>Dupliquer «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
     <name>quadrille::VariationMedia</name>
     <message>
         <source>Aligning “%1”</source>
-        <translation>Alignement de « %1 »</translation>
+        <translation>Alignement de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Learning “%1”</source>
-        <translation>Apprentissage de « %1 »</translation>
+        <translation>Apprentissage de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Drawing “%1”</source>
-        <translation>Tirage de « %1 »</translation>
+        <translation>Tirage de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Keeping “%1”</source>
-        <translation>Conservation de « %1 »</translation>
+        <translation>Conservation de «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
     <name>quadrille::VariationPage</name>
     <message>
         <source>Whose movement is learned; its takes are chosen anew with another one</source>
-        <translation>Celui dont le mouvement est appris ; avec un autre, ses prises sont à choisir à nouveau</translation>
+        <translation>Celui dont le mouvement est appris&#xa0;; avec un autre, ses prises sont à choisir à nouveau</translation>
     </message>
     <message>
         <source>Learned from</source>
@@ -9593,7 +9597,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Change the character of “%1”</source>
-        <translation>Changer le personnage de « %1 »</translation>
+        <translation>Changer le personnage de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>nothing yet</source>
@@ -9647,7 +9651,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Import sequences first: variations are learned from them.</source>
-        <translation>Importez d’abord des séquences : les variations en sont apprises.</translation>
+        <translation>Importez d’abord des séquences&#xa0;: les variations en sont apprises.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -9655,7 +9659,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Learning was stopped: these variations are drawn from the best so far.</source>
-        <translation>L’apprentissage a été arrêté : ces variations sont tirées du meilleur trouvé.</translation>
+        <translation>L’apprentissage a été arrêté&#xa0;: ces variations sont tirées du meilleur trouvé.</translation>
     </message>
     <message>
         <source>What is exported or added as sequences is learned to the end first, so that the project always makes the same of it.</source>
@@ -9893,7 +9897,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Making the character: %1 %. Click again to cancel.</source>
-        <translation>Création du personnage : %1 %. Cliquez encore pour annuler.</translation>
+        <translation>Création du personnage&#xa0;: %1 %. Cliquez encore pour annuler.</translation>
     </message>
     <message>
         <source>%1 is not there any more.</source>
@@ -9925,7 +9929,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Mesh sequences as files: OBJ, PLY, PC2, MDD, GLB, FBX and more.</source>
-        <translation>Séquences de maillages en fichiers : OBJ, PLY, PC2, MDD, GLB, FBX et d’autres.</translation>
+        <translation>Séquences de maillages en fichiers&#xa0;: OBJ, PLY, PC2, MDD, GLB, FBX et d’autres.</translation>
     </message>
     <message>
         <source>Open a folder of takes…</source>
@@ -9961,7 +9965,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>A new performance that follows a line; change the line.</source>
-        <translation>Une nouvelle performance qui suit une ligne ; changez la ligne.</translation>
+        <translation>Une nouvelle performance qui suit une ligne&#xa0;; changez la ligne.</translation>
     </message>
 </context>
 <context>
@@ -9979,7 +9983,7 @@ maximal %2</translation>
     <name>quadrille::widgets::ActionPalette</name>
     <message>
         <source>What do you want to do?</source>
-        <translation>Que voulez-vous faire ?</translation>
+        <translation>Que voulez-vous faire&#xa0;?</translation>
     </message>
     <message>
         <source>Find an action</source>
@@ -10004,17 +10008,17 @@ maximal %2</translation>
     <message>
         <source>%1 → %2: %3</source>
         <extracomment>two frames and the weight of the edge between them</extracomment>
-        <translation>%1 → %2 : %3</translation>
+        <translation>%1 → %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>%1: %2 transitions</source>
         <extracomment>name of a graph; how many edges</extracomment>
-        <translation>%1 : %2 transitions</translation>
+        <translation>%1&#xa0;: %2 transitions</translation>
     </message>
     <message>
         <source>%1: %2 of %3 transitions, the cheapest</source>
         <extracomment>name of a graph; how many edges show; how many there are</extracomment>
-        <translation>%1 : %2 transitions sur %3, les moins chères</translation>
+        <translation>%1&#xa0;: %2 transitions sur %3, les moins chères</translation>
     </message>
 </context>
 <context>
@@ -10032,7 +10036,7 @@ maximal %2</translation>
     <name>quadrille::widgets::ClipLegend</name>
     <message>
         <source>Frames of the clip: %1</source>
-        <translation>Images du clip : %1</translation>
+        <translation>Images du clip&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -10057,7 +10061,7 @@ maximal %2</translation>
     <message>
         <source>%1; %2: %3</source>
         <extracomment>a movement with its frame; a quantity and its value</extracomment>
-        <translation>%1 ; %2 : %3</translation>
+        <translation>%1&#xa0;; %2&#xa0;: %3</translation>
     </message>
     <message numerus="yes">
         <source>The first three of %n dimensions</source>
@@ -10077,7 +10081,7 @@ maximal %2</translation>
     <message>
         <source>%1: %2 %3</source>
         <extracomment>a series of a chart and its value, with unit</extracomment>
-        <translation>%1 : %2 %3</translation>
+        <translation>%1&#xa0;: %2 %3</translation>
     </message>
     <message>
         <source>&amp;Copy values as CSV</source>
@@ -10094,12 +10098,12 @@ maximal %2</translation>
     <message>
         <source>%1 → %2: nothing</source>
         <extracomment>two frames, the first the source, the second the destination</extracomment>
-        <translation>%1 → %2 : rien</translation>
+        <translation>%1 → %2&#xa0;: rien</translation>
     </message>
     <message>
         <source>%1 → %2: %3 %4</source>
         <extracomment>two frames, a number and its unit</extracomment>
-        <translation>%1 → %2 : %3 %4</translation>
+        <translation>%1 → %2&#xa0;: %3 %4</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -10228,7 +10232,7 @@ maximal %2</translation>
     <name>quadrille::widgets::Storyboard</name>
     <message>
         <source>%1 of %2: %3, %4</source>
-        <translation>%1 sur %2 : %3, %4</translation>
+        <translation>%1 sur %2&#xa0;: %3, %4</translation>
     </message>
     <message>
         <source>Storyboard</source>
@@ -10256,14 +10260,14 @@ maximal %2</translation>
         <source>%1 → %2: %n transition(s)</source>
         <extracomment>two takes; how many transitions lead from the first to the second</extracomment>
         <translation>
-            <numerusform>%1 → %2 : %n transition</numerusform>
-            <numerusform>%1 → %2 : %n transitions</numerusform>
+            <numerusform>%1 → %2&#xa0;: %n transition</numerusform>
+            <numerusform>%1 → %2&#xa0;: %n transitions</numerusform>
         </translation>
     </message>
     <message>
         <source>%1: transitions between takes</source>
         <extracomment>what is counted in the overview of takes: the transitions of a graph</extracomment>
-        <translation>%1 : transitions entre les prises</translation>
+        <translation>%1&#xa0;: transitions entre les prises</translation>
     </message>
     <message>
         <source>↻ %1</source>
@@ -10299,7 +10303,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>May be off by %1 s</source>
-        <translation>Écart permis : %1 s</translation>
+        <translation>Écart permis&#xa0;: %1 s</translation>
     </message>
     <message>
         <source>%1
@@ -10309,11 +10313,11 @@ Image %2, %3 s</translation>
     </message>
     <message>
         <source>Drag to size the row; a double click makes it as usual</source>
-        <translation>Glissez pour changer la hauteur de la ligne ; un double clic lui rend la hauteur habituelle</translation>
+        <translation>Glissez pour changer la hauteur de la ligne&#xa0;; un double clic lui rend la hauteur habituelle</translation>
     </message>
     <message>
         <source>%1: a click folds the row, another unfolds it</source>
-        <translation>%1 : un clic replie la ligne, un autre la déplie</translation>
+        <translation>%1&#xa0;: un clic replie la ligne, un autre la déplie</translation>
     </message>
     <message>
         <source>Part of the frames that shows</source>
@@ -10321,7 +10325,7 @@ Image %2, %3 s</translation>
     </message>
     <message>
         <source>Drag the part to scroll and its ends to zoom; a double click shows all</source>
-        <translation>Glissez la partie pour défiler, ses bouts pour zoomer ; un double clic montre tout</translation>
+        <translation>Glissez la partie pour défiler, ses bouts pour zoomer&#xa0;; un double clic montre tout</translation>
     </message>
 </context>
 <context>

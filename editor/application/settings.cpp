@@ -17,6 +17,7 @@ constexpr auto languageKey = "language";
 constexpr auto autosaveKey = "autosaveSeconds";
 constexpr auto historyKey = "historyMegabytes";
 constexpr auto loopKey = "loopPlayback";
+constexpr auto cardOrderKey = "cardOrder";
 constexpr auto mouseKey = "mousePreset";
 /// As they are stored, in the order of widgets::MousePreset.
 constexpr std::array mousePresets{"quadrille", "blender", "maya", "paraview"};
@@ -104,6 +105,16 @@ bool Settings::loopsPlayback() const
 void Settings::setLoopsPlayback(bool loops)
 {
     set(loopKey, loops);
+}
+
+int Settings::cardOrder() const
+{
+    return m_store.value(cardOrderKey, 0).toInt();
+}
+
+void Settings::setCardOrder(int order)
+{
+    set(cardOrderKey, order);
 }
 
 widgets::MousePreset Settings::mousePreset() const

@@ -18,7 +18,6 @@ class Settings : public QObject
     Q_OBJECT
 
 public:
-    static constexpr int defaultAutosaveSeconds = 30;
     static constexpr int maximalRecent = 12;
 
     explicit Settings(QObject* parent = nullptr);
@@ -36,6 +35,9 @@ public:
     void setHistoryMegabytes(int megabytes);
     bool loopsPlayback() const;
     void setLoopsPlayback(bool loops);
+    /// A place in CardOrder::By.
+    int cardOrder() const;
+    void setCardOrder(int order);
     /// Which drags of the mouse move the camera of views.
     widgets::MousePreset mousePreset() const;
     void setMousePreset(widgets::MousePreset preset);

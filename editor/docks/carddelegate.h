@@ -2,18 +2,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "editor/fields/namedelegate.h"
+
 #include <QPersistentModelIndex>
-#include <QStyledItemDelegate>
 
 namespace quadrille {
 
 /// Paints a row of SequenceCards: the sequence's colour, picture, name, length and the strip of labels.
-class CardDelegate : public QStyledItemDelegate
+class CardDelegate : public NameDelegate
 {
     Q_OBJECT
 
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    using NameDelegate::NameDelegate;
 
     /// The card that moves, and how many pictures it has gone on by.
     void setMoving(const QModelIndex& card, int phase);

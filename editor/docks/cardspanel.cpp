@@ -3,6 +3,7 @@
 #include "editor/docks/cardspanel.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/commands/entrynames.h"
 #include "editor/docks/carddelegate.h"
 #include "editor/docks/cardorder.h"
 #include "editor/docks/cardpictures.h"
@@ -20,6 +21,8 @@
 #include <QScopedValueRollback>
 #include <QToolButton>
 #include <QUrl>
+#include <algorithm>
+#include <array>
 
 namespace quadrille {
 
@@ -38,7 +41,12 @@ CardsPanel::CardsPanel(EditorContext& context, QWidget* parent)
     , m_order(new QToolButton)
     , m_orders(new QActionGroup(this))
     , m_view(new CardsView)
-    , m_delegate(new CardDelegate(this))
+    , m_delegate(new CardDelegate(
+          [this](const QModelIndex& card, const QString& name) {
+              const EntryRef entry{Section::Sequences, m_cards->name(m_found->mapToSource(card))};
+              return problemWithRename(m_context.document.project(), entry, name);
+          },
+          this))
 {
     setObjectName(QStringLiteral("cardsPanel"));
     m_search->setObjectName(QStringLiteral("cardSearch"));
@@ -74,9 +82,15 @@ void CardsPanel::makeOrders()
     m_order->setPopupMode(QToolButton::InstantPopup);
     m_order->setFocusPolicy(Qt::TabFocus);
     auto* menu = new QMenu(m_order);
-    for (const CardOrder::By by :
-         {CardOrder::By::Project, CardOrder::By::Name, CardOrder::By::Length, CardOrder::By::Label}) {
-        QAction* action = menu->addAction(QString(), this, [this, by] { m_found->setBy(by); });
+    constexpr std::array orders{CardOrder::By::Project, CardOrder::By::Name, CardOrder::By::Length,
+                                CardOrder::By::Label};
+    if (std::ranges::find(orders, CardOrder::By(m_context.settings.cardOrder())) != orders.end())
+        m_found->setBy(CardOrder::By(m_context.settings.cardOrder()));
+    for (const CardOrder::By by : orders) {
+        QAction* action = menu->addAction(QString(), this, [this, by] {
+            m_found->setBy(by);
+            m_context.settings.setCardOrder(static_cast<int>(by));
+        });
         action->setCheckable(true);
         action->setChecked(by == m_found->by());
         m_orders->addAction(action);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/fields/partlist.h"
 
+#include "editor/fields/ownkeys.h"
 #include "widgets/theme/theme.h"
 
 #include <QKeyEvent>
@@ -46,13 +47,7 @@ void PartList::showRow(int row)
 
 bool PartList::event(QEvent* event)
 {
-    // Delete is a shortcut of the window, too.
-    if (event->type() == QEvent::ShortcutOverride &&
-        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
-        event->accept();
-        return true;
-    }
-    return QListWidget::event(event);
+    return takesOwnKeys(*event, {Qt::Key_Delete}) || QListWidget::event(event);
 }
 
 void PartList::keyPressEvent(QKeyEvent* event)

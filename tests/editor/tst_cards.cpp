@@ -148,6 +148,14 @@ private slots:
         QTest::keyClick(cards, Qt::Key_F2);
         auto* field = cards->viewport()->findChild<QLineEdit*>();
         QVERIFY(field != nullptr);
+        // One that cannot be taken keeps the field open.
+        for (const char* name : {"walk", "a/b"}) {
+            field->selectAll();
+            QTest::keyClicks(field, name);
+            QTest::keyClick(field, Qt::Key_Return);
+            QCOMPARE(cards->viewport()->findChild<QLineEdit*>(), field);
+            QCOMPARE(field->text(), QString(name));
+        }
         field->selectAll();
         QTest::keyClicks(field, "away");
         QTest::keyClick(field, Qt::Key_Return);
@@ -194,6 +202,9 @@ private slots:
         QCOMPARE(order(), QStringList({"late", "walk", "run"}));
         choose(3);
         QCOMPARE(order(), QStringList({"walk", "run", "late"}));
+        choose(1); // the next window has it, too
+        MainWindow other;
+        QVERIFY(other.findChild<QToolButton*>("cardOrder")->menu()->actions()[1]->isChecked());
         choose(0);
         QCOMPARE(order(), QStringList({"walk", "run", "late"}));
     }

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <vtkActor.h>
-#include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkOpenGLPolyDataMapper.h>
@@ -69,13 +68,7 @@ struct GroundGrid::Private
 GroundGrid::GroundGrid(vtkRenderer* renderer) : d(std::make_unique<Private>())
 {
     d->renderer = renderer;
-    vtkbuffers::allocate(d->places, 3, 4, "Places");
-    d->points->SetData(d->places);
-    d->surface->SetPoints(d->points);
-    vtkNew<vtkCellArray> cells;
-    const std::array<std::array<std::uint32_t, 3>, 2> triangles{{{0, 1, 2}, {0, 2, 3}}};
-    vtkbuffers::setCells(cells, triangles);
-    d->surface->SetPolys(cells);
+    vtkbuffers::makeQuad(d->surface, d->points, d->places);
     vtkNew<vtkOpenGLPolyDataMapper> mapper;
     vtkbuffers::connect(mapper, d->surface);
     d->actor->SetMapper(mapper);

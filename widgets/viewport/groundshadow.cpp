@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <vtkActor.h>
-#include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -54,13 +53,7 @@ struct ShadowActor::Private
 ShadowActor::ShadowActor(vtkRenderer* renderer) : d(std::make_unique<Private>())
 {
     d->renderer = renderer;
-    vtkbuffers::allocate(d->places, 3, 4, "Places");
-    d->points->SetData(d->places);
-    d->surface->SetPoints(d->points);
-    vtkNew<vtkCellArray> cells;
-    const std::array<std::array<std::uint32_t, 3>, 2> triangles{{{0, 1, 2}, {0, 2, 3}}};
-    vtkbuffers::setCells(cells, triangles);
-    d->surface->SetPolys(cells);
+    vtkbuffers::makeQuad(d->surface, d->points, d->places);
     vtkNew<vtkFloatArray> uvs;
     vtkbuffers::allocate(uvs, 2, 4, "UVs");
     static constexpr float corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};

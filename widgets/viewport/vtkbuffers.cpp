@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
+#include <vtkNew.h>
 #include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLVertexBufferObject.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 
 namespace quadrille::widgets::vtkbuffers {
@@ -30,6 +32,17 @@ void setCells(vtkCellArray* cells, std::span<const std::array<std::uint32_t, 3>>
     for (const auto& triangle : triangles)
         cells->InsertNextCell({static_cast<vtkIdType>(triangle[0]), static_cast<vtkIdType>(triangle[1]),
                                static_cast<vtkIdType>(triangle[2])});
+}
+
+void makeQuad(vtkPolyData* surface, vtkPoints* points, vtkFloatArray* places)
+{
+    allocate(places, 3, 4, "Places");
+    points->SetData(places);
+    surface->SetPoints(points);
+    vtkNew<vtkCellArray> cells;
+    const std::array<std::array<std::uint32_t, 3>, 2> triangles{{{0, 1, 2}, {0, 2, 3}}};
+    setCells(cells, triangles);
+    surface->SetPolys(cells);
 }
 
 void connect(vtkOpenGLPolyDataMapper* mapper, vtkPolyData* surface)

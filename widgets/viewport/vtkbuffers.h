@@ -11,6 +11,7 @@
 class vtkCellArray;
 class vtkFloatArray;
 class vtkOpenGLPolyDataMapper;
+class vtkPoints;
 class vtkPolyData;
 
 /// Small helpers between spans and VTK's arrays; included by sources of the viewport only.
@@ -20,6 +21,9 @@ namespace quadrille::widgets::vtkbuffers {
 void allocate(vtkFloatArray* array, int components, std::size_t tuples, const char* name);
 std::span<float> values(vtkFloatArray* array);
 void setCells(vtkCellArray* cells, std::span<const std::array<std::uint32_t, 3>> triangles);
+/// Makes a surface of four corners, all at the origin, in two triangles. \param places  of the corners, 4
+/// × 3.
+void makeQuad(vtkPolyData* surface, vtkPoints* points, vtkFloatArray* places);
 /// Lets a mapper show one surface without scalars, quick to update.
 void connect(vtkOpenGLPolyDataMapper* mapper, vtkPolyData* surface);
 std::array<double, 3> rgb(const QColor& color);

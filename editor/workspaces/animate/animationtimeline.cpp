@@ -150,9 +150,7 @@ void AnimationTimeline::refreshTracks()
         return;
     }
     const AnimationTracks tracks{*entry, m_result.get(), m_planned, m_parts, fps()};
-    std::vector<widgets::TimelineTrack> all{tracks.keys(m_keyIds, m_pictures)};
-    if (!m_parts.empty())
-        all.push_back(tracks.clip());
+    std::vector<widgets::TimelineTrack> all{tracks.keys(m_keyIds, m_pictures), tracks.clip()};
     for (widgets::TimelineTrack& track : std::vector{tracks.actions(), tracks.demands()})
         if (!track.spans.empty())
             all.push_back(std::move(track));

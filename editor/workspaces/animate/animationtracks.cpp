@@ -102,6 +102,7 @@ TimelineTrack AnimationTracks::clip() const
     track.id = clipTrackId;
     track.title = tr("Clip");
     track.kind = TimelineTrack::Kind::Clips;
+    track.hint = tr("What is found is shown here");
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const ClipPart& part = parts[i];
         const widgets::FrameKind kind = part.isJunction                 ? widgets::FrameKind::Transition

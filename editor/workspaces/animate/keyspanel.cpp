@@ -3,6 +3,7 @@
 #include "editor/workspaces/animate/keyspanel.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/fields/ownkeys.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/keysmodel.h"
@@ -274,11 +275,8 @@ bool KeysPanel::eventFilter(QObject* watched, QEvent* event)
     const bool isEditing = m_table->isPersistentEditorOpen(m_table->currentIndex());
     if (watched == m_table && isKey && !isEditing && selected() >= 0) {
         // These come before what the window does with them.
-        if (event->type() == QEvent::ShortcutOverride) {
-            const int key = static_cast<QKeyEvent*>(event)->key();
-            event->setAccepted(key == Qt::Key_Delete || key == Qt::Key_Backspace || key == Qt::Key_F2);
-            return event->isAccepted();
-        }
+        if (event->type() == QEvent::ShortcutOverride)
+            return takesOwnKeys(*event, {Qt::Key_Delete, Qt::Key_Backspace, Qt::Key_F2});
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Delete || key == Qt::Key_Backspace) {
             emit removalAsked(selected());

@@ -3,6 +3,7 @@
 #include "editor/workspaces/animate/pathpoints.h"
 
 #include "editor/application/editorcontext.h"
+#include "editor/fields/ownkeys.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathfields.h"
 #include "editor/workspaces/animate/pathtool.h"
@@ -149,13 +150,7 @@ void PathPoints::takeValue(const QTableWidgetItem& item)
 
 bool PathPoints::event(QEvent* event)
 {
-    // Delete is a shortcut of the window, too.
-    if (event->type() == QEvent::ShortcutOverride &&
-        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
-        event->accept();
-        return true;
-    }
-    return QTableWidget::event(event);
+    return takesOwnKeys(*event, {Qt::Key_Delete}) || QTableWidget::event(event);
 }
 
 void PathPoints::showMenu(const QPoint& position)

@@ -3,6 +3,7 @@
 #include "editor/workspaces/variations/bodypartstree.h"
 
 #include "editor/errors/errortext.h"
+#include "editor/fields/ownkeys.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/partedits.h"
 #include "widgets/theme/icons.h"
@@ -203,15 +204,7 @@ void BodyPartsTree::rename(QTreeWidgetItem* item)
 
 bool BodyPartsTree::event(QEvent* event)
 {
-    // These are shortcuts of the window, too.
-    if (event->type() == QEvent::ShortcutOverride) {
-        const int key = static_cast<QKeyEvent*>(event)->key();
-        if (key == Qt::Key_Delete || key == Qt::Key_F2) {
-            event->accept();
-            return true;
-        }
-    }
-    return QTreeWidget::event(event);
+    return takesOwnKeys(*event, {Qt::Key_Delete, Qt::Key_F2}) || QTreeWidget::event(event);
 }
 
 void BodyPartsTree::keyPressEvent(QKeyEvent* event)

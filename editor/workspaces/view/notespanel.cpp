@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/view/notespanel.h"
 
+#include "editor/fields/ownkeys.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/view/framenotes.h"
 #include "widgets/theme/theme.h"
@@ -83,14 +84,7 @@ void NotesPanel::showMenu(const QPoint& position)
 
 bool NotesPanel::event(QEvent* event)
 {
-    if (event->type() == QEvent::ShortcutOverride) {
-        const int key = static_cast<QKeyEvent*>(event)->key();
-        if (key == Qt::Key_Delete || key == Qt::Key_F2) {
-            event->accept();
-            return true;
-        }
-    }
-    return QTreeWidget::event(event);
+    return takesOwnKeys(*event, {Qt::Key_Delete, Qt::Key_F2}) || QTreeWidget::event(event);
 }
 
 void NotesPanel::keyPressEvent(QKeyEvent* event)

@@ -4,6 +4,7 @@
 
 #include "model/project/jsontext.h"
 #include "tests/model/cli/runquadrille.h"
+#include "tests/model/onejoint.h"
 
 #include <gmock/gmock.h>
 #include <string>
@@ -64,13 +65,7 @@ protected:
     /// A motion of one joint.
     void writeBvh(const std::string& name, int frames, const char* frameTime) const
     {
-        std::string text =
-            "HIERARCHY\nROOT hip\n{\n  OFFSET 0 0 0\n  CHANNELS 3 Zrotation Xrotation Yrotation\n"
-            "  End Site\n  {\n    OFFSET 0 1 0\n  }\n}\nMOTION\nFrames: " +
-            std::to_string(frames) + "\nFrame Time: " + frameTime + "\n";
-        for (int f = 0; f < frames; ++f)
-            text += "0 0 0\n";
-        folder.write(name, text);
+        folder.write(name, test::oneJointBvh(frames, frameTime));
     }
 
     TemporaryFolder folder;

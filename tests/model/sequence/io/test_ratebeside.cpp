@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/ratebeside.h"
+#include "tests/model/onejoint.h"
 #include "tests/model/project/testproject.h"
 
 using namespace quadrille;
@@ -14,13 +15,7 @@ class RateOfATake : public ::testing::Test
 protected:
     void writeMotion(const std::string& name, int frames, const char* frameTime) const
     {
-        std::string text =
-            "HIERARCHY\nROOT hip\n{\n  OFFSET 0 0 0\n  CHANNELS 3 Zrotation Xrotation Yrotation\n"
-            "  End Site\n  {\n    OFFSET 0 1 0\n  }\n}\nMOTION\nFrames: " +
-            std::to_string(frames) + "\nFrame Time: " + frameTime + "\n";
-        for (int f = 0; f < frames; ++f)
-            text += "0 0 0\n";
-        folder.write(name, text);
+        folder.write(name, test::oneJointBvh(frames, frameTime));
     }
     std::optional<RateBeside> rate(const std::string& name = "jog.pc2", std::int64_t frames = 40) const
     {
