@@ -14,6 +14,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTimer>
+#include <ranges>
 
 namespace quadrille {
 
@@ -91,15 +92,15 @@ QString takeDefaultSettings()
     const QStringList recent = Settings().recentProjects();
     QSettings settings;
     settings.sync();
-    const QString aside = asideOf(settings.fileName());
+    QString aside = asideOf(settings.fileName());
     QFile::remove(aside);
     QFile::copy(settings.fileName(), aside);
     settings.clear();
     settings.sync();
     if (!language.isEmpty())
         Settings().setLanguage(language);
-    for (auto project = recent.crbegin(); project != recent.crend(); ++project)
-        Settings().addRecentProject(*project);
+    for (const QString& project : std::views::reverse(recent))
+        Settings().addRecentProject(project);
     const QString sessions =
         QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/sessions");
     QDir(asideOf(sessions)).removeRecursively();

@@ -196,6 +196,7 @@ std::shared_ptr<const std::vector<DrawnSet>> readDrawn(const VariationJob& job, 
     const ResultStore store(cacheFolder(job.file));
     const auto load = [&](const std::string& stage) { return store.load(stage, fresh.at(stage)).result; };
     std::vector<Result> drawnParts;
+    drawnParts.reserve(samples.size());
     for (const std::string& stage : samples)
         drawnParts.push_back(load(stage));
     const auto latents = latentsOf(entry, drawnParts);

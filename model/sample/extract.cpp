@@ -28,7 +28,7 @@ public:
         const std::size_t count = static_cast<std::size_t>(m_nodes[0]) *
                                   static_cast<std::size_t>(m_nodes[1]) * static_cast<std::size_t>(m_nodes[2]);
         m_values.assign(count, 1.0F);
-        m_isFar.assign(count / (blockSize * blockSize * blockSize), 0);
+        m_isFar.assign(count / (std::size_t{blockSize} * blockSize * blockSize), 0);
     }
 
     int nodes(std::size_t axis) const { return m_nodes[axis]; }

@@ -297,9 +297,7 @@ void TakeGraphView::keyPressEvent(QKeyEvent* event)
 {
     const int count = static_cast<int>(m_nodes.size());
     const int key = event->key();
-    if (count == 0) {
-        QWidget::keyPressEvent(event);
-    } else if (key == Qt::Key_Left || key == Qt::Key_Right) {
+    if (count > 0 && (key == Qt::Key_Left || key == Qt::Key_Right)) {
         const int step = key == Qt::Key_Left ? count - 1 : 1;
         setCurrent(m_current < 0 ? 0 : (m_current + step) % count);
     } else if ((key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter) && m_current >= 0) {

@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace quadrille::widgets {
 
@@ -84,10 +85,10 @@ std::optional<QPointF> AxesGizmo::endOf(StandardView view) const
 std::optional<StandardView> AxesGizmo::viewAt(const QPointF& position) const
 {
     const auto sorted = ends();
-    for (auto end = sorted.rbegin(); end != sorted.rend(); ++end) {
-        const QPointF apart = position - end->place;
+    for (const End& end : std::views::reverse(sorted)) {
+        const QPointF apart = position - end.place;
         if (QPointF::dotProduct(apart, apart) <= (endRadius + 1.0) * (endRadius + 1.0))
-            return end->view;
+            return end.view;
     }
     return std::nullopt;
 }

@@ -60,7 +60,8 @@ QVector3D PathEditor::Private::clearPlace(const PathStretch& stretch) const
     float widest = -1.0F;
     // From the middle to both sides: of places that are as good, the one nearest to the middle is taken.
     for (int i = 0; i < places; ++i) {
-        const double aside = (i % 2 == 0 ? 0.5 : -0.5) * ((i + 1) / 2 * 2.0 / places);
+        const int away = (i + 1) / 2;
+        const double aside = (i % 2 == 0 ? 1.0 : -1.0) * away / places;
         const QVector3D place = curve.at(stretch.from + (to - stretch.from) * (0.5 + aside));
         float nearest = std::numeric_limits<float>::max();
         for (const QVector3D& handle : handles)

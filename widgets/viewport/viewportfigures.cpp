@@ -146,6 +146,7 @@ std::vector<SceneFigure*> Viewport::Private::lanes()
     }
     std::ranges::stable_sort(placed, {}, [](const auto& each) { return each.first; });
     std::vector<SceneFigure*> sorted;
+    sorted.reserve(placed.size());
     for (const auto& [place, figure] : placed)
         sorted.push_back(figure);
     return sorted;

@@ -49,6 +49,7 @@ std::vector<widgets::TakeLink> linksOf(const Digraph& graph, const FrameLayout& 
             ++counts[{layout.sequenceOf(edge.from), layout.sequenceOf(edge.to)}];
     }
     std::vector<widgets::TakeLink> links;
+    links.reserve(counts.size());
     for (const auto& [ends, count] : counts)
         links.push_back({ends.first, ends.second, count});
     return links;
@@ -171,6 +172,7 @@ void GraphMap::showPictures()
     if (!opened)
         return;
     std::vector<QImage> pictures;
+    pictures.reserve(opened->graph.work().sequences.size());
     for (int s = 0; s < opened->graph.layout().sequenceCount(); ++s)
         pictures.push_back(m_pictures.picture(
             QString::fromStdString(opened->graph.work().sequences[static_cast<std::size_t>(s)]),

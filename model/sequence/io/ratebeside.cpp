@@ -208,7 +208,7 @@ std::optional<RateBeside> fromOwnNotes(const TakePlace& take)
 {
     for (const fs::path& name : take.names) {
         for (const char* ending : {".json", ".txt"}) {
-            if (const auto found = agreed({withEnding(name, ending)}, Evidence::Notes, rateInNotes))
+            if (auto found = agreed({withEnding(name, ending)}, Evidence::Notes, rateInNotes))
                 return found;
         }
     }
@@ -234,7 +234,7 @@ std::optional<RateBeside> fromNotes(const TakePlace& take)
 {
     std::vector<fs::path> notes = filesWith(take.folder, {".json", ".txt", ".md"});
     std::erase_if(notes, [](const fs::path& file) { return !isAboutAll(file); });
-    if (const auto found = agreed(notes, Evidence::Notes, rateInNotes))
+    if (auto found = agreed(notes, Evidence::Notes, rateInNotes))
         return found;
     if (take.above.empty())
         return std::nullopt;
@@ -275,13 +275,13 @@ std::string RateBeside::toString() const
 std::optional<RateBeside> rateBeside(const fs::path& source, std::int64_t frameCount)
 {
     const TakePlace take = placeOf(source);
-    if (const auto found = fromOwnMotion(take, frameCount))
+    if (auto found = fromOwnMotion(take, frameCount))
         return found;
-    if (const auto found = fromOwnNotes(take))
+    if (auto found = fromOwnNotes(take))
         return found;
-    if (const auto found = agreed(filesWith(take.folder, {".bvh"}), Evidence::OtherMotions, rateOfMotion))
+    if (auto found = agreed(filesWith(take.folder, {".bvh"}), Evidence::OtherMotions, rateOfMotion))
         return found;
-    if (const auto found = fromNotes(take))
+    if (auto found = fromNotes(take))
         return found;
     return agreed(filesWith(take.folder, {".pc2", ".mdd"}), Evidence::OtherTakes, rateOfCache);
 }
