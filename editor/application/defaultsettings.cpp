@@ -14,7 +14,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTimer>
-#include <ranges>
+#include <algorithm>
 
 namespace quadrille {
 
@@ -89,7 +89,8 @@ bool askForDefaultSettings(int failedStarts)
 QString takeDefaultSettings()
 {
     const QString language = Settings().language();
-    const QStringList recent = Settings().recentProjects();
+    QStringList recent = Settings().recentProjects();
+    std::reverse(recent.begin(), recent.end()); // the last one that is added comes first
     QSettings settings;
     settings.sync();
     QString aside = asideOf(settings.fileName());
@@ -99,7 +100,7 @@ QString takeDefaultSettings()
     settings.sync();
     if (!language.isEmpty())
         Settings().setLanguage(language);
-    for (const QString& project : std::views::reverse(recent))
+    for (const QString& project : recent)
         Settings().addRecentProject(project);
     const QString sessions =
         QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/sessions");

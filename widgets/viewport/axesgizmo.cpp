@@ -8,7 +8,6 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace quadrille::widgets {
 
@@ -85,12 +84,11 @@ std::optional<QPointF> AxesGizmo::endOf(StandardView view) const
 std::optional<StandardView> AxesGizmo::viewAt(const QPointF& position) const
 {
     const auto sorted = ends();
-    for (const End& end : std::views::reverse(sorted)) {
+    const auto found = std::find_if(sorted.rbegin(), sorted.rend(), [&position](const End& end) {
         const QPointF apart = position - end.place;
-        if (QPointF::dotProduct(apart, apart) <= (endRadius + 1.0) * (endRadius + 1.0))
-            return end.view;
-    }
-    return std::nullopt;
+        return QPointF::dotProduct(apart, apart) <= (endRadius + 1.0) * (endRadius + 1.0);
+    });
+    return found == sorted.rend() ? std::nullopt : std::optional(found->view);
 }
 
 void AxesGizmo::paintEvent(QPaintEvent* /*event*/)
