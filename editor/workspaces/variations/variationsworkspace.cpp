@@ -160,7 +160,9 @@ void VariationsWorkspace::followPanels()
     });
     connect(m_parts, &PartCurveTool::visibilityAsked, this, &VariationsWorkspace::showParts);
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget* /*before*/, QWidget* now) {
-        for (const PanelFront* front : {m_bodyPartsFront, m_samplesFront}) {
+        for (const PanelFront* front : {m_bodyPartsFront.data(), m_samplesFront.data()}) {
+            if (front == nullptr)
+                continue; // panels lose the focus one after the other when the window goes
             const auto* panel = qobject_cast<QWidget*>(front->parent());
             if (front->isInFront() && now != nullptr && panel->isAncestorOf(now))
                 setCutting(front == m_bodyPartsFront);

@@ -4,6 +4,7 @@
 
 #include "editor/workspaces/workspace.h"
 
+#include <QPointer>
 #include <map>
 
 namespace quadrille {
@@ -52,8 +53,8 @@ private:
     StageView* m_view;
     CurrentVariation* m_variation;
     PartCurveTool* m_parts;
-    PanelFront* m_bodyPartsFront = nullptr;
-    PanelFront* m_samplesFront = nullptr;
+    QPointer<PanelFront> m_bodyPartsFront;
+    QPointer<PanelFront> m_samplesFront;
     LatentPanel* m_latent = nullptr;
     std::vector<Panel> m_panels;
     std::map<QString, MeshSequence> m_originals; ///< the frames used of takes that are varied
