@@ -42,6 +42,7 @@ private slots:
     void discsAreDrawnMovedResizedAndDeleted();
     void polygonsAreDrawnCornerByCorner();
     void measuringHasPrecedence();
+    void wordsKeepClearOfHandles();
     void dividingABezierKeepsItsForm();
     void polygonsAreTriangulatedAndHatchedInside();
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 // Handles, insertions, stretches, obstacles and the geometry behind them.
 #include "tst_patheditor.h"
+#include "widgets/viewport/labelplaces.h"
+#include "widgets/viewport/viewportoverlay.h"
 
 void TestPathEditor::handlesMirrorUnlessAltIsHeld()
 {
@@ -188,6 +190,34 @@ void TestPathEditor::measuringHasPrecedence()
     const QPoint at = pixel({Part::Point, 1, 0});
     drag(at, at + QPoint(40, 0));
     QCOMPARE(m_edits + m_previews, 0);
+}
+
+void TestPathEditor::wordsKeepClearOfHandles()
+{
+    const QRectF view(0, 0, 400, 300);
+    const PlateRequest words{QPointF(200, 150), QSizeF(60, 20)};
+    const QRectF above = placePlates({words}, {}, view).front();
+    QVERIFY(above.bottom() < 150.0 && above.bottom() > 130.0);
+    QCOMPARE(above.center().x(), 200.0);
+    // Something above: below; above and below: at a side; at the upper edge of the view: below.
+    const QRectF below = placePlates({words}, {QRectF(195, 125, 10, 10)}, view).front();
+    QVERIFY(below.top() > 150.0);
+    const QRectF aside =
+        placePlates({words}, {QRectF(195, 125, 10, 10), QRectF(195, 170, 10, 10)}, view).front();
+    QVERIFY(aside.left() > 200.0 || aside.right() < 200.0);
+    QVERIFY(placePlates({{QPointF(200, 4), words.size}}, {}, view).front().top() > 4.0);
+    // Two at one place do not cover each other.
+    const auto two = placePlates({words, words}, {}, view);
+    QVERIFY(!two[0].intersects(two[1]));
+
+    showLine();
+    PathShape shape = m_editor->shape();
+    shape.stretches = {{0.5, 1.5, QStringLiteral("run")}};
+    show(shape);
+    const Annotations& written = m_viewport->findChild<ViewportOverlay*>()->annotations();
+    QCOMPARE(written.labels.size(), 1U);
+    QCOMPARE(written.handles.size(), shape.points.size() + 2);
+    VERIFY_NEAR(written.handles.back(), m_editor->curve().at(1.5));
 }
 
 void TestPathEditor::dividingABezierKeepsItsForm()

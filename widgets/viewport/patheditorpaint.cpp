@@ -48,13 +48,27 @@ void drawDirection(QPainter& painter, const QPolygonF& line, const QColor& color
 
 } // namespace
 
+std::vector<QVector3D> PathEditor::Private::handles() const
+{
+    std::vector<QVector3D> all;
+    for (std::size_t i = 0; i < shape.points.size(); ++i)
+        if (!isHandle(shape.kind, i))
+            all.push_back(shape.points[i]);
+    for (const PathStretch& stretch : shape.stretches) {
+        if (curve.isEmpty())
+            break;
+        all.push_back(curve.at(stretch.from));
+        all.push_back(curve.at(std::min(stretch.to, curve.length())));
+    }
+    for (const PathObstacle& obstacle : shape.obstacles)
+        all.insert(all.end(), obstacle.corners.begin(), obstacle.corners.end());
+    return all;
+}
+
 QVector3D PathEditor::Private::clearPlace(const PathStretch& stretch) const
 {
     const double to = std::min(stretch.to, curve.length());
-    std::vector<QVector3D> handles{curve.at(stretch.from), curve.at(to)};
-    for (std::size_t i = 0; i < shape.points.size(); ++i)
-        if (!isHandle(shape.kind, i))
-            handles.push_back(shape.points[i]);
+    const std::vector<QVector3D> handles = this->handles();
     constexpr int places = 40;
     QVector3D best = curve.at((stretch.from + to) / 2.0);
     float widest = -1.0F;
@@ -78,6 +92,7 @@ void PathEditor::refreshMarks()
 {
     SceneMarks marks;
     if (d->active) {
+        marks.handles = d->handles();
         const QColor line = Theme::color(ColorRole::ViewportText);
         const QColor demanded = Theme::color(ColorRole::Demanded);
         for (const PathStretch& stretch : d->shape.stretches) {

@@ -72,6 +72,8 @@ struct PathEditor::Private
     PathDrag startOf(const PathPart& part, const QMouseEvent& event) const;
     /// The drawing as it would be with a point at the pointer.
     std::vector<QVector3D> preview() const;
+    /// All that can be dragged, but for the handles of Bézier points.
+    std::vector<QVector3D> handles() const;
     /// Where on a stretch its words are farthest from all that can be dragged.
     QVector3D clearPlace(const PathStretch& stretch) const;
     void paintSpace(QPainter& painter) const;

@@ -40,8 +40,7 @@ struct SceneLabel
 {
     QVector3D place;
     QString text;
-    QColor color;         ///< of a dot before the words; invalid: none
-    bool isBelow = false; ///< its place; otherwise above it
+    QColor color; ///< of a dot before the words; invalid: none
 
     bool operator==(const SceneLabel&) const = default;
 };
@@ -52,8 +51,9 @@ struct SceneMarks
     std::vector<SceneCurve> curves;
     std::vector<SceneArea> areas;
     std::vector<SceneLabel> labels;
+    std::vector<QVector3D> handles; ///< what can be dragged: labels keep clear of it
 
-    bool isEmpty() const { return curves.empty() && areas.empty() && labels.empty(); }
+    bool isEmpty() const { return curves.empty() && areas.empty() && labels.empty() && handles.empty(); }
     bool operator==(const SceneMarks&) const = default;
 };
 

@@ -77,8 +77,10 @@ Annotations Viewport::Private::annotations() const
             result.legend = figure.scalarRange;
     }
     result.namesListed = layout == Layout::Overlay && result.names.size() > 1;
-    const std::vector<SceneLabel> marked = scene.labels();
-    result.labels.insert(result.labels.end(), marked.begin(), marked.end());
+    for (const SceneMarks* marks : scene.marks()) {
+        result.labels.insert(result.labels.end(), marks->labels.begin(), marks->labels.end());
+        result.handles.insert(result.handles.end(), marks->handles.begin(), marks->handles.end());
+    }
     if (!result.isEmpty())
         result.camera = gestures->camera();
     return result;

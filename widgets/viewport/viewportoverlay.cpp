@@ -4,6 +4,7 @@
 
 #include "widgets/controls/legendbar.h"
 #include "widgets/theme/theme.h"
+#include "widgets/viewport/labelplaces.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -70,6 +71,29 @@ void paintNames(QPainter& painter, const QSizeF& size, const Annotations& annota
         placed.push_back(plate);
         paintPlate(painter, plate.center(), name.text, name.color);
     }
+}
+
+/// Beside their places, clear of handles and of each other.
+void paintLabels(QPainter& painter, const QSizeF& size, const Annotations& annotations)
+{
+    constexpr double handleRadius = 8.0; // with the halo
+    std::vector<QRectF> handles;
+    QPointF pixel;
+    for (const QVector3D& handle : annotations.handles)
+        if (annotations.camera.project(handle, size, &pixel))
+            handles.emplace_back(pixel.x() - handleRadius, pixel.y() - handleRadius, 2.0 * handleRadius,
+                                 2.0 * handleRadius);
+    std::vector<PlateRequest> plates;
+    std::vector<const SceneLabel*> seen;
+    for (const SceneLabel& label : annotations.labels) {
+        if (!annotations.camera.project(label.place, size, &pixel))
+            continue;
+        plates.push_back({pixel, plateSize(painter, label.text, label.color)});
+        seen.push_back(&label);
+    }
+    const std::vector<QRectF> places = placePlates(plates, std::move(handles), QRectF(QPointF(), size));
+    for (std::size_t i = 0; i < places.size(); ++i)
+        paintPlate(painter, places[i].center(), seen[i]->text, seen[i]->color);
 }
 
 void paintMeasurement(QPainter& painter, const QSizeF& size, const Annotations& annotations)
@@ -184,11 +208,7 @@ void paintAnnotations(QPainter& painter, const QSizeF& size, const Annotations& 
     } else {
         paintNames(painter, size, annotations);
     }
-    for (const SceneLabel& label : annotations.labels) {
-        QPointF pixel;
-        if (annotations.camera.project(label.place, size, &pixel))
-            paintPlate(painter, pixel + QPointF(0.0, label.isBelow ? 22.0 : -20.0), label.text, label.color);
-    }
+    paintLabels(painter, size, annotations);
     paintMeasurement(painter, size, annotations);
     if (!annotations.notice.isEmpty())
         paintNotice(painter, size, annotations.notice);

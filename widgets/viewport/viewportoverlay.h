@@ -29,6 +29,7 @@ struct Annotations
     std::vector<Name> names;
     bool namesListed = false; ///< in a column, as figures in one place would hide each other's names
     std::vector<SceneLabel> labels;
+    std::vector<QVector3D> handles; ///< of tools: labels keep clear of them
     std::optional<ScalarRange> legend;
     std::optional<ColorKey> key;
     QString notice; ///< in the middle

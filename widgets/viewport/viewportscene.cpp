@@ -311,11 +311,11 @@ std::optional<std::pair<QVector3D, QVector3D>> ViewportScene::markBounds() const
     return box;
 }
 
-std::vector<SceneLabel> ViewportScene::labels() const
+std::vector<const SceneMarks*> ViewportScene::marks() const
 {
-    std::vector<SceneLabel> all;
+    std::vector<const SceneMarks*> all;
     for (const auto& [name, layer] : d->layers)
-        all.insert(all.end(), layer.marks.labels.begin(), layer.marks.labels.end());
+        all.push_back(&layer.marks);
     return all;
 }
 

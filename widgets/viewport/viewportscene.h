@@ -79,8 +79,8 @@ public:
     void setMarks(const QString& layer, const SceneMarks& marks);
     /// The box that all curves lie in; none without any.
     std::optional<std::pair<QVector3D, QVector3D>> markBounds() const;
-    /// Those of all layers.
-    std::vector<SceneLabel> labels() const;
+    /// Those of all layers, until the next change.
+    std::vector<const SceneMarks*> marks() const;
 
     /// Draws once at a size and reads it back. \pre the window's context is current.
     /// \param ratio  pixels of the picture for one logical pixel.

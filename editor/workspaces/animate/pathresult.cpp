@@ -98,8 +98,7 @@ void PathResult::showFrame()
                          .colors = {},
                          .width = 2.0F}};
         if (!m_animation.view().player().isPlaying())
-            marks.labels = {
-                {wanted, tr("%1 cm").arg(centimetres(m_followed[frame].deviation())), QColor(), true}};
+            marks.labels = {{wanted, tr("%1 cm").arg(centimetres(m_followed[frame].deviation())), QColor()}};
     }
     if (!marks.isEmpty() || m_isFrameMarked)
         m_animation.view().viewport().setMarks(QStringLiteral("frame"), marks);
