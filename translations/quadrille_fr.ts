@@ -1517,6 +1517,10 @@
         <source>Leave some takes or parts of them out, or lower the rate of the project.</source>
         <translation>Laissez de côté des prises ou des parties de prises, ou baissez la cadence du projet.</translation>
     </message>
+    <message>
+        <source>The character has no feet that could be told apart: contacts are not corrected.</source>
+        <translation>Le personnage n’a pas de pieds que l’on distingue : les appuis ne sont pas corrigés.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AboutDialog</name>
@@ -3691,6 +3695,42 @@
     <message>
         <source>automatic</source>
         <translation>automatique</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Pieds</translation>
+    </message>
+    <message>
+        <source>What it costs to blend frames of which every foot stands in one only; 0 as published</source>
+        <translation>Ce que coûte de fondre des images dont chaque pied n’est à l’appui que dans une seule ; 0 comme publié</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>What it costs when body and feet move otherwise, for a body height a second; 0 as published</source>
+        <translation>Ce que coûte un mouvement différent du corps et des pieds, pour une hauteur du corps par seconde ; 0 comme publié</translation>
+    </message>
+    <message>
+        <source>Costs and windows as the paper has them, for comparison: transitions show more</source>
+        <translation>Coûts et fenêtres de l’article, pour comparer : les transitions se voient davantage</translation>
+    </message>
+    <message>
+        <source>Weigh feet otherwise</source>
+        <translation>Peser autrement les pieds</translation>
+    </message>
+    <message>
+        <source>Weigh speed otherwise</source>
+        <translation>Peser autrement la vitesse</translation>
+    </message>
+    <message>
+        <source>Seek transitions as published</source>
+        <translation>Chercher les transitions comme publié</translation>
+    </message>
+    <message>
+        <source>As published</source>
+        <translation>Comme publié</translation>
     </message>
 </context>
 <context>
@@ -7086,6 +7126,52 @@ maximal %2</translation>
     <message>
         <source>Some frames are shown again as captured: no variation varies them.</source>
         <translation>Certaines images sont remontrées telles que captées&#xa0;: aucune variation ne les varie.</translation>
+    </message>
+    <message>
+        <source>Walks</source>
+        <translation>Parcours</translation>
+    </message>
+    <message>
+        <source>Calm walks stay in a take for a while, need not keep to a path by the centimetre, and prefer takes of locomotion along it</source>
+        <translation>Les parcours calmes restent un moment dans une prise, ne suivent pas un trajet au centimètre près et y préfèrent les prises de locomotion</translation>
+    </message>
+    <message>
+        <source>Calm</source>
+        <translation>Calmes</translation>
+    </message>
+    <message>
+        <source>Stay in a take</source>
+        <translation>Rester dans une prise</translation>
+    </message>
+    <message>
+        <source>Least time between two transitions of a calm walk</source>
+        <translation>Temps minimal entre deux transitions d’un parcours calme</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>usual (%L1 s)</source>
+        <comment>seconds</comment>
+        <translation>usuel (%L1 s)</translation>
+    </message>
+    <message>
+        <source>Off the path</source>
+        <translation>Écart au trajet</translation>
+    </message>
+    <message>
+        <source>How far from a path a calm walk may be without any cost</source>
+        <translation>De combien un parcours calme peut s’écarter d’un trajet sans que cela coûte</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>usual (%L1 m)</source>
+        <comment>metres</comment>
+        <translation>usuel (%L1 m)</translation>
     </message>
 </context>
 <context>

@@ -5,17 +5,18 @@
 #include "model/core/message.h"
 #include "model/project/clippost.h"
 #include "model/project/walkrequest.h"
+#include "model/synthesis/contactcorrection.h"
 #include "model/synthesis/makeclip.h"
 #include "model/synthesis/variedplan.h"
 
 namespace quadrille {
 
-namespace {
-
 BlendSettings blendSettings(const AnimationEntry& animation)
 {
     return animation.gentleBlend ? BlendSettings::gentle() : BlendSettings();
 }
+
+namespace {
 
 /// The walk that was accepted, with its cost.
 WalkSolution acceptedSolution(const WalkEntry& entry, const CharacterGraph& graph)
@@ -44,8 +45,9 @@ AnimationWalk animationWalk(const AnimationEntry& animation, const CharacterGrap
                          {{"reason", "The animation “" + animation.name + "” asks for nothing"},
                           {"remedy", QUADRILLE_MESSAGE("Give it a path, keys or actions.")}}});
         AnimationWalk walk{.constraints = walkConstraints(animation, graph), .solution = {}};
-        walk.solution = findWalk(graph.material(blendSettings(animation)), walk.constraints,
-                                 searchSettings(animation.search), progress, found);
+        walk.solution =
+            findWalk(graph.material(blendSettings(animation)), walk.constraints,
+                     searchSettings(animation.search, graph.fps(), graph.metresPerUnit()), progress, found);
         return walk;
     } catch (const Error& error) {
         throw graph.named(error);
@@ -69,11 +71,16 @@ AnimationClip animationClip(const AnimationEntry& animation, const CharacterGrap
                                     .interpolation = animation.interpolation},
                                    progress.part(0, 0.1));
     Clip clip = makeClip(varied.character, varied.plan, animation.interpolation, progress.part(0.1, 0.5));
-    return {.processed =
-                postProcessed(std::move(clip), animation.post.steps,
-                              postProcessingInputs(animation, graph.work(), frames), progress.part(0.5, 1)),
+    const PostProcessingInputs inputs =
+        postProcessingInputs(animation, graph.work(), frames, graph.roots().stances);
+    PostProcessing steps = animation.post.steps;
+    const bool hasNoFeet = steps.contacts && legsOf(frames, inputs.method.up).feet.empty();
+    if (hasNoFeet)
+        steps.contacts.reset();
+    return {.processed = postProcessed(std::move(clip), steps, inputs, progress.part(0.5, 1)),
             .plan = std::move(varied.plan),
-            .spans = std::move(spans)};
+            .spans = std::move(spans),
+            .hasNoFeet = hasNoFeet};
 }
 
 } // namespace quadrille

@@ -17,6 +17,9 @@ struct AnimationWalk
     WalkSolution solution;
 };
 
+/// How the transitions of an animation are blended.
+BlendSettings blendSettings(const AnimationEntry& animation);
+
 /// The walk of an animation: the one that it has, or the one that is found.
 /// \param found  receives each better walk as findWalk tells it.
 /// \throws Error as walkConstraints and findWalk, with frames called by their sequences.
@@ -33,6 +36,7 @@ struct AnimationClip
     PostProcessed processed;
     ClipPlan plan;               ///< before post-processing, with the variations that it shows
     std::vector<SpanDraw> spans; ///< of its walk; nothing is drawn where the animation has no such option
+    bool hasNoFeet = false;      ///< so that contacts could not be corrected as asked
 };
 
 /// Its clip, after post-processing.

@@ -20,6 +20,10 @@ struct SearchEntry
     std::optional<double> beta; ///< weight of a frame of timing error; ten times the graph's alpha when empty
     std::optional<double> mu;   ///< weight of the edges beside the deviation from a path
     bool globalKeys = false;    ///< all keys in one search
+    /// Whether walks cost what the paper has; otherwise they are calm, and what follows counts.
+    bool isPaper = false;
+    std::optional<double> dwell;    ///< least time between two transitions, seconds
+    std::optional<double> deadZone; ///< metres off a path that cost nothing
     UnknownKeys unknown;
 
     bool operator==(const SearchEntry&) const = default;
@@ -89,7 +93,8 @@ struct VariedRepeats
 struct PostProcessingEntry
 {
     std::optional<VariedRepeats> variations; ///< before all other steps
-    PostProcessing steps;
+    /// Contacts are corrected unless it is said that they are not.
+    PostProcessing steps{.contacts = ContactCorrectionSettings()};
     std::string symmetry; ///< file with the vertex opposite to each vertex; found from the mesh when empty
     UnknownKeys unknown;
     UnknownKeys unknownOfContacts;
@@ -130,7 +135,7 @@ struct AnimationEntry
     JunctionsEntry junctions;
     std::optional<WalkEntry> walk;
     InterpolationMethod interpolation = InterpolationMethod::Poisson;
-    bool gentleBlend = false; ///< BlendSettings::gentle instead of the paper's
+    bool gentleBlend = true; ///< BlendSettings::gentle, otherwise the paper's
     PostProcessingEntry post;
     std::optional<AudioEntry> audio;
     std::vector<CameraKeyEntry> camera; ///< in the order of their times

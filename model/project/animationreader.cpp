@@ -178,11 +178,15 @@ void readConstraint(const ObjectReader& reader, UpAxis up, std::vector<Constrain
 
 SearchEntry readSearch(const ObjectReader& reader)
 {
-    return {.budget = reader.wholeNumber("budget"),
-            .beta = reader.number("beta"),
-            .mu = reader.number("mu"),
-            .globalKeys = reader.truth("global", false),
-            .unknown = reader.unknown(projectkeys::search)};
+    SearchEntry search{.budget = reader.wholeNumber("budget"),
+                       .beta = reader.number("beta"),
+                       .mu = reader.number("mu"),
+                       .globalKeys = reader.truth("global", false)};
+    reader.word("style", search.isPaper, {{"calm", false}, {"paper", true}});
+    search.dwell = reader.number("dwell");
+    search.deadZone = reader.number("dead_zone");
+    search.unknown = reader.unknown(projectkeys::search);
+    return search;
 }
 
 /// [[["walk", 12], ["kick", 40]], …]
@@ -239,12 +243,13 @@ std::optional<Seconds> readSeconds(const ObjectReader& reader, const char* key)
 
 /// A step that stands as true, or as an object of its settings; nothing where it is not there.
 template <typename Settings, typename Read>
-std::optional<Settings> readStep(const ObjectReader& reader, const char* key, const Read& read)
+std::optional<Settings> readStep(const ObjectReader& reader, const char* key, const Read& read,
+                                 bool isUsual = false)
 {
     const Json* json = reader.find(key);
     if (json != nullptr && json->is_object())
         return read(ObjectReader(*json, reader.pointer(key), reader.problems()));
-    return reader.truth(key, false) ? std::optional(Settings()) : std::nullopt;
+    return reader.truth(key, isUsual) ? std::optional(Settings()) : std::nullopt;
 }
 
 LoopSettings readLoop(const ObjectReader& reader, UnknownKeys& unknown)
@@ -310,10 +315,9 @@ PostProcessingEntry readPost(const ObjectReader& reader)
     post.variations = readStep<VariedRepeats>(reader, "variations", readVariedRepeats);
     post.steps.loop = readStep<LoopSettings>(
         reader, "loop", [&](const ObjectReader& own) { return readLoop(own, post.unknownOfLoop); });
-    post.steps.contacts =
-        readStep<ContactCorrectionSettings>(reader, "contact_correction", [&](const ObjectReader& own) {
-            return readContactCorrection(own, post.unknownOfContacts);
-        });
+    post.steps.contacts = readStep<ContactCorrectionSettings>(
+        reader, "contact_correction",
+        [&](const ObjectReader& own) { return readContactCorrection(own, post.unknownOfContacts); }, true);
     post.steps.mirror = reader.truth("mirror", false);
     post.symmetry = reader.text("symmetry");
     post.steps.repeats = static_cast<int>(reader.wholeNumber("repeats").value_or(post.steps.repeats));

@@ -182,10 +182,15 @@ ResultStage clipStage(const CharacterWork& work, const AnimationEntry& animation
         variations.reserve(drawn.size());
         for (const std::string& clip : drawn)
             variations.push_back(takeVariation(clip, context.resultOf(clipStageOf(clip)), graph));
-        const auto [processed, shown, spans] =
+        const auto [processed, shown, spans, hasNoFeet] =
             animationClip(animation, graph, frames, plan, variations, progress.part(0.05, 1));
         Result result = clipResult(processed.clip, graph.layout(), work.sequences,
                                    unitText(work.opener->project().settings.axes.metresPerUnit), drawn);
+        if (hasNoFeet)
+            context.tell({.severity = Issue::Severity::Info,
+                          .context = {.values = {{"text", QUADRILLE_MESSAGE("The character has no feet that "
+                                                                            "could be told apart: contacts "
+                                                                            "are not corrected.")}}}});
         if (animation.post.variations) {
             result.tables.push_back(repeatsTable(spans, variations, graph));
             if (const auto problem = problemWithRepeats(spans, graph))

@@ -103,6 +103,10 @@ Json toJson(const SearchEntry& search)
     addOptional(json, "beta", search.beta);
     addOptional(json, "mu", search.mu);
     addUnless(json, "global", search.globalKeys, false);
+    if (search.isPaper)
+        json["style"] = "paper";
+    addOptional(json, "dwell", search.dwell);
+    addOptional(json, "dead_zone", search.deadZone);
     addUnknown(json, search.unknown);
     return json;
 }
@@ -203,8 +207,10 @@ Json toJson(const PostProcessingEntry& post)
         json["variations"] = toJson(*post.variations);
     if (post.steps.loop)
         json["loop"] = toJson(*post.steps.loop, post.unknownOfLoop);
-    if (post.steps.contacts)
-        json["contact_correction"] = toJson(*post.steps.contacts, post.unknownOfContacts);
+    if (!post.steps.contacts)
+        json["contact_correction"] = false;
+    else if (Json contacts = toJson(*post.steps.contacts, post.unknownOfContacts); contacts != true)
+        json["contact_correction"] = std::move(contacts);
     addUnless(json, "mirror", post.steps.mirror, false);
     addText(json, "symmetry", post.symmetry);
     addUnless(json, "repeats", post.steps.repeats, 1);
@@ -256,8 +262,8 @@ Json animationToJson(const AnimationEntry& animation, UpAxis up)
         json["walk"] = toJson(*animation.walk);
     if (animation.interpolation != InterpolationMethod::Poisson)
         json["interpolation"] = animation.interpolation == InterpolationMethod::Slerp ? "slerp" : "linear";
-    if (animation.gentleBlend)
-        json["blend"] = "gentle";
+    if (!animation.gentleBlend)
+        json["blend"] = "paper";
     addFilled(json, "post", toJson(animation.post));
     if (animation.audio)
         json["audio"] = toJson(*animation.audio);

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/charactergraph.h"
 
+#include "model/core/ranks.h"
+#include "model/synthesis/stepcosts.h"
+#include "model/variation/alignment.h"
+#include "model/variation/cycles.h"
+
 #include <algorithm>
 #include <array>
 
@@ -47,24 +52,65 @@ void addSupports(Result& result, const std::vector<Support>& supports)
     result.arrays.back().shape = {result.arrays.back().shape.front() / 2, 2};
 }
 
-RootPoses rootPosesOf(const Result& result, UpAxis up)
+void addStances(Result& result, const Stances& stances)
 {
-    RootPoses roots{.up = up, .turns = tableOf<float>(arrayOf(result, "root-turns"))};
-    const auto& centres = std::get<std::vector<double>>(arrayOf(result, "root-centres").values);
-    for (std::size_t node = 0; node < centres.size() / 3; ++node)
-        roots.centres.emplace_back(centres[3 * node], centres[3 * node + 1], centres[3 * node + 2]);
-    const auto& counts = std::get<std::vector<std::int64_t>>(arrayOf(result, "support-counts").values);
-    const auto& vertices = std::get<std::vector<std::int64_t>>(arrayOf(result, "support-vertices").values);
-    const auto& places = std::get<std::vector<double>>(arrayOf(result, "support-places").values);
-    std::size_t next = 0;
-    for (const std::int64_t count : counts) {
-        Support& support = roots.supports.emplace_back();
-        for (std::int64_t i = 0; i < count; ++i, ++next) {
-            support.vertices.push_back(static_cast<std::uint32_t>(vertices[next]));
-            support.places.emplace_back(places[2 * next], places[2 * next + 1]);
-        }
+    DataTable feet{.name = "feet", .description = "The feet of the character; vertices by foot-vertices."};
+    std::vector<std::string> names;
+    std::vector<std::int64_t> counts;
+    std::vector<std::int64_t> vertices;
+    for (const Stances::Foot& foot : stances.feet) {
+        names.push_back(foot.name);
+        counts.push_back(static_cast<std::int64_t>(foot.vertices.size()));
+        vertices.insert(vertices.end(), foot.vertices.begin(), foot.vertices.end());
     }
-    return roots;
+    const auto count = static_cast<std::int64_t>(stances.feet.size());
+    std::vector<std::int64_t> standing;
+    for (const std::uint32_t feetOfFrame : stances.standing)
+        for (std::size_t foot = 0; foot < stances.feet.size(); ++foot)
+            standing.push_back(feetOfFrame >> foot & 1U);
+    feet.columns = {columnOf("foot", "", std::move(names)), columnOf("vertices", "", std::move(counts))};
+    result.tables.push_back(std::move(feet));
+    const auto add = [&result](const char* name, const char* description, const char* unit, auto values) {
+        result.arrays.push_back(columnOf(name, unit, std::move(values)));
+        result.arrays.back().description = description;
+    };
+    add("foot-vertices", "The vertices of each foot, foot after foot.", "", std::move(vertices));
+    add("foot-height", "Height of the figure.", "m", std::vector{stances.height});
+    std::vector<double> places;
+    for (const Vec3d& place : stances.places)
+        places.insert(places.end(), place.begin(), place.end());
+    add("foot-places", "Mean of the vertices of each foot in each frame.", "m", std::move(places));
+    result.arrays.back().shape = {static_cast<std::int64_t>(stances.standing.size()), count, 3};
+    add("stances", "Whether each foot stands in each frame, 1 or 0.", "", std::move(standing));
+    result.arrays.back().shape = {static_cast<std::int64_t>(stances.standing.size()), count};
+}
+
+Stances stancesOf(const Result& result)
+{
+    const auto wholes = [&](const char* name) -> const std::vector<std::int64_t>& {
+        return std::get<std::vector<std::int64_t>>(arrayOf(result, name).values);
+    };
+    Stances stances;
+    const DataTable& feet = result.tables.front();
+    const auto& names = std::get<std::vector<std::string>>(feet.columns[0].values);
+    const auto& counts = std::get<std::vector<std::int64_t>>(feet.columns[1].values);
+    auto vertex = wholes("foot-vertices").begin();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        Stances::Foot& foot = stances.feet.emplace_back();
+        foot.name = names[i];
+        for (std::int64_t v = 0; v < counts[i]; ++v)
+            foot.vertices.push_back(static_cast<std::uint32_t>(*vertex++));
+    }
+    stances.height = std::get<std::vector<double>>(arrayOf(result, "foot-height").values).front();
+    const auto& places = std::get<std::vector<double>>(arrayOf(result, "foot-places").values);
+    for (std::size_t i = 0; i < places.size(); i += 3)
+        stances.places.emplace_back(places[i], places[i + 1], places[i + 2]);
+    const DataArray& array = arrayOf(result, "stances");
+    const auto& standing = wholes("stances");
+    stances.standing.assign(static_cast<std::size_t>(array.shape[0]), 0);
+    for (std::size_t i = 0; i < standing.size(); ++i)
+        stances.standing[i / names.size()] |= static_cast<std::uint32_t>(standing[i]) << i % names.size();
+    return stances;
 }
 
 TransitionTable transitionsOf(const Result& result)
@@ -81,6 +127,36 @@ TransitionTable transitionsOf(const Result& result)
             .sourceWindow = countsOf(Windows(values.data(), array.shape[0], array.shape[1], everySecond)),
             .destinationWindow =
                 countsOf(Windows(values.data() + 1, array.shape[0], array.shape[1], everySecond))};
+}
+
+/// Frames of some sequences, and those whose poses are as near to theirs as the sequences are to each other.
+std::vector<bool> framesLike(const std::vector<int>& sequences, const Table<float>& distances,
+                             const FrameLayout& layout)
+{
+    constexpr double share = 0.9; // of the sequences' own frames that would be found among the others
+    const auto nearestIn = [&](NodeIndex node) {
+        float nearest = std::numeric_limits<float>::infinity();
+        for (const int s : sequences)
+            if (s != layout.sequenceOf(node))
+                nearest = std::min(
+                    nearest, distances.row(node).segment(layout.firstOf(s), layout.countOf(s)).minCoeff());
+        return static_cast<double>(nearest);
+    };
+    std::vector<bool> isLike(static_cast<std::size_t>(layout.frameCount()), false);
+    std::vector<double> between;
+    for (const int s : sequences) {
+        for (NodeIndex node = layout.firstOf(s); node <= layout.lastOf(s); ++node) {
+            isLike[static_cast<std::size_t>(node)] = true;
+            between.push_back(nearestIn(node));
+        }
+    }
+    if (sequences.size() < 2)
+        return isLike;
+    const double limit = quantile(std::move(between), share);
+    for (NodeIndex node = 0; node < layout.frameCount(); ++node)
+        if (nearestIn(node) <= limit)
+            isLike[static_cast<std::size_t>(node)] = true;
+    return isLike;
 }
 
 [[noreturn]] void throwNoFrame(const std::string& sequence, std::int64_t frame, NodeIndex count)
@@ -111,7 +187,29 @@ Result rootPosesResult(const RootPoses& roots)
                               "Turn about the up axis that lays the pose of the column on that of the row.",
                               "rad", roots.turns)};
     addSupports(result, roots.supports);
+    addStances(result, roots.stances);
     return result;
+}
+
+RootPoses rootPosesOf(const Result& result, UpAxis up)
+{
+    RootPoses roots{.up = up, .turns = tableOf<float>(arrayOf(result, "root-turns"))};
+    const auto& centres = std::get<std::vector<double>>(arrayOf(result, "root-centres").values);
+    for (std::size_t node = 0; node < centres.size() / 3; ++node)
+        roots.centres.emplace_back(centres[3 * node], centres[3 * node + 1], centres[3 * node + 2]);
+    const auto& counts = std::get<std::vector<std::int64_t>>(arrayOf(result, "support-counts").values);
+    const auto& vertices = std::get<std::vector<std::int64_t>>(arrayOf(result, "support-vertices").values);
+    const auto& places = std::get<std::vector<double>>(arrayOf(result, "support-places").values);
+    std::size_t next = 0;
+    for (const std::int64_t count : counts) {
+        Support& support = roots.supports.emplace_back();
+        for (std::int64_t i = 0; i < count; ++i, ++next) {
+            support.vertices.push_back(static_cast<std::uint32_t>(vertices[next]));
+            support.places.emplace_back(places[2 * next], places[2 * next + 1]);
+        }
+    }
+    roots.stances = stancesOf(result);
+    return roots;
 }
 
 std::vector<std::string> CharacterGraph::inputs(const CharacterWork& work)
@@ -133,7 +231,30 @@ CharacterGraph::CharacterGraph(const CharacterWork& work, const StageContext& co
     m_graph = essentialGraphOf(resultOf(graphstage::graphs), m_layout.frameCount());
     const ProjectSettings& settings = work.opener->project().settings;
     m_roots = rootPosesOf(resultOf(graphstage::rootPoses), settings.axes.up);
-    m_paths.emplace(m_distances, m_layout, transitionSettings(work.graph, settings.fps));
+    if (!work.graph.steps.isNothing())
+        m_steps = weightedSteps(m_distances, stepCosts(m_roots, m_layout, settings.fps), work.graph.steps);
+    m_paths.emplace(steps(), m_layout, transitionSettings(work.graph, settings.fps));
+}
+
+std::vector<bool> CharacterGraph::locomotion() const
+{
+    constexpr double leastSpeed = 0.3; // heights of the figure a second
+    const double greatestReturn = AlignmentSettings().greatestReturnBeside;
+    const Ground ground(m_roots.up);
+    std::vector<int> cyclic;
+    for (int s = 0; s < m_layout.sequenceCount(); ++s) {
+        const NodeIndex first = m_layout.firstOf(s);
+        const NodeIndex count = m_layout.countOf(s);
+        double way = 0;
+        for (NodeIndex node = first; node + 1 < first + count; ++node)
+            way += (ground.of(m_roots.centres[static_cast<std::size_t>(node) + 1]) -
+                    ground.of(m_roots.centres[static_cast<std::size_t>(node)]))
+                       .norm();
+        const Table<float> own = m_distances.block(first, first, count, count);
+        if (way * fps() > leastSpeed * m_roots.stances.height * count && findPeriod(own, greatestReturn))
+            cyclic.push_back(s);
+    }
+    return framesLike(cyclic, m_distances, m_layout);
 }
 
 WalkMaterial CharacterGraph::material(const BlendSettings& blend) const
@@ -145,7 +266,8 @@ WalkMaterial CharacterGraph::material(const BlendSettings& blend) const
     return {.graph = m_graph,
             .costs = *m_costs,
             .alpha = alpha(),
-            .motion = {.roots = &m_roots, .transition = transition, .blend = blend}};
+            .motion = {.roots = &m_roots, .transition = transition, .blend = blend},
+            .locomotion = locomotion()};
 }
 
 WalkSpan CharacterGraph::span(const std::string& sequence, const std::optional<FrameRange>& range) const

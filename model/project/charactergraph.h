@@ -14,6 +14,7 @@
 namespace quadrille {
 
 Result rootPosesResult(const RootPoses& roots);
+RootPoses rootPosesOf(const Result& result, UpAxis up);
 
 /// What walks through the frames of a character need, from the results of its graph's stages.
 class CharacterGraph
@@ -30,6 +31,8 @@ public:
     const FrameLayout& layout() const { return m_layout; }
     const Table<float>& distances() const { return m_distances; }
     const TransitionCosts& costs() const { return *m_costs; }
+    /// What transitions are sought by: the distances, and what else frames that are blended differ in.
+    const Table<float>& steps() const { return m_steps.size() > 0 ? m_steps : m_distances; }
     const WarpPaths& paths() const { return *m_paths; }
     /// All transitions, whatever costs are scaled by.
     const TransitionTable& transitions() const { return m_transitions; }
@@ -37,6 +40,11 @@ public:
     /// The Essential graph.
     const Digraph& graph() const { return m_graph; }
     double alpha() const { return m_work.graph.alpha; }
+    double fps() const { return m_work.opener->project().settings.fps; }
+    double metresPerUnit() const { return m_work.opener->project().settings.axes.metresPerUnit; }
+    /// Which frames are locomotion: those of sequences whose poses come back and that get on over the ground,
+    /// and those that are as near to them as such sequences are to each other.
+    std::vector<bool> locomotion() const;
     /// What walks are sought in; refers to this object. \param blend  how transitions will be blended.
     WalkMaterial material(const BlendSettings& blend) const;
 
@@ -52,6 +60,7 @@ private:
     CharacterWork m_work;
     FrameLayout m_layout;
     Table<float> m_distances;
+    Table<float> m_steps; ///< empty where they are the distances
     std::optional<TransitionCosts> m_costs;
     std::optional<WarpPaths> m_paths;
     TransitionTable m_transitions;

@@ -4,7 +4,6 @@
 
 #include "model/project/paths.h"
 #include "model/sequence/io/registry.h"
-#include "model/synthesis/clip.h"
 
 #include <algorithm>
 
@@ -35,7 +34,7 @@ Symmetry symmetryOf(const AnimationEntry& animation, const CharacterWork& work, 
 } // namespace
 
 PostProcessingInputs postProcessingInputs(const AnimationEntry& animation, const CharacterWork& work,
-                                          const CharacterFrames& frames)
+                                          const CharacterFrames& frames, const Stances& stances)
 {
     const ProjectSettings& settings = work.opener->project().settings;
     PostProcessingInputs inputs{.method = {.up = settings.axes.up,
@@ -43,10 +42,8 @@ PostProcessingInputs postProcessingInputs(const AnimationEntry& animation, const
                                            .transitions = transitionSettings(work.graph, settings.fps),
                                            .interpolation = animation.interpolation},
                                 .character = frames};
-    const auto& sequences = frames.sequences();
-    if (std::any_of(sequences.begin(), sequences.end(),
-                    [](const MeshSequence& sequence) { return !sequence.contacts.empty(); }))
-        inputs.contactsOf = [frames](const Clip& clip) { return contactsOf(clip, frames); };
+    if (stances.isKnown())
+        inputs.contactsOf = [stances](const Clip& clip) { return contactsOf(clip, stances); };
     inputs.symmetry = [animation, work, frames](const Progress& progress) {
         return symmetryOf(animation, work, frames, progress);
     };

@@ -4,13 +4,14 @@
 
 #include "model/project/characterstages.h"
 #include "model/synthesis/postprocessing.h"
+#include "model/synthesis/stances.h"
 
 namespace quadrille {
 
-/// What the post-processing of an animation needs to know of its character: when feet stand, as its sequences
-/// say, and its symmetry, from the file that is named or the character's mesh.
+/// What the post-processing of an animation needs to know of its character: when feet stand, and its
+/// symmetry, from the file that is named or the character's mesh. \param stances  of the graph's frames.
 PostProcessingInputs postProcessingInputs(const AnimationEntry& animation, const CharacterWork& work,
-                                          const CharacterFrames& frames);
+                                          const CharacterFrames& frames, const Stances& stances);
 
 /// The file of the symmetry; none where it is not named or not needed.
 std::vector<std::filesystem::path> symmetryFiles(const AnimationEntry& animation, const CharacterWork& work);

@@ -30,7 +30,7 @@ struct EvaluationEntry
 };
 
 /// The tables that can be computed, most by their numbers in SMCAS.
-inline constexpr std::array<std::string_view, 10> evaluationTables{
+inline constexpr std::array<std::string_view, 11> evaluationTables{
     "fig4",      ///< interpolation of poses: how edges and volume are kept
     "fig7",      ///< kinds of transitions
     "fig9",      ///< Essential graph and motion graph
@@ -39,6 +39,7 @@ inline constexpr std::array<std::string_view, 10> evaluationTables{
     "table1",    ///< pose distances against reference joint angles
     "table2",    ///< poses at times
     "junctions", ///< not of the paper: what shows at transitions
+    "walks",     ///< not of the paper: how calm walks along five paths are, and their feet
     "cvs-fig4",  ///< CVS: poses that models reconstruct, against principal components
     "cvs-fig7",  ///< CVS: blends in latent space, with and without learned ones between
 };

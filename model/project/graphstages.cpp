@@ -6,6 +6,7 @@
 #include "model/project/graphtables.h"
 #include "model/project/sequencesettings.h"
 #include "model/synthesis/liveliness.h"
+#include "model/synthesis/stepcosts.h"
 #include "model/transition/posedistance.h"
 #include "model/transition/transitiontable.h"
 
@@ -72,17 +73,26 @@ ResultStage transitionStage(const CharacterWork& work, const ResultStage& distan
 {
     const TransitionSettings settings = transitionSettings(work.graph, work.opener->project().settings.fps);
     ResultStage stage = work.stage(graphstage::transitions);
-    stage.settings = nlohmann::json({settings.shortest(), settings.longest(), settings.slope,
+    const StepWeights weights = work.graph.steps;
+    const double fps = settings.fps;
+    const UpAxis up = work.opener->project().settings.axes.up;
+    stage.settings = nlohmann::json({settings.shortest(), settings.longest(), settings.shortensInShortTakes,
+                                     settings.slope, weights.contacts, weights.velocity, fps,
                                      settings.cost == TransitionCost::Sum ? "sum" : "mean"})
                          .dump();
     stage.inputs = {distances.name};
+    if (!weights.isNothing())
+        stage.inputs.push_back(work.stageName(graphstage::rootPoses));
     if (distances.bytes)
         stage.bytes = bytesOfTables(work, 4);
-    stage.compute = [settings, input = distances.name](const StageContext& context,
-                                                       const Progress& progress) {
-        const Result poses = context.resultOf(input);
-        const TransitionTable table =
-            transitionTable(tableOf<float>(poses.arrays.front()), layoutOf(poses), settings, progress);
+    stage.compute = [=, inputs = stage.inputs](const StageContext& context, const Progress& progress) {
+        const Result poses = context.resultOf(inputs.front());
+        Table<float> steps = tableOf<float>(poses.arrays.front());
+        if (!weights.isNothing())
+            steps = weightedSteps(
+                steps, stepCosts(rootPosesOf(context.resultOf(inputs[1]), up), layoutOf(poses), fps),
+                weights);
+        const TransitionTable table = transitionTable(steps, layoutOf(poses), settings, progress);
         constexpr float none = TransitionTable::none;
         const auto frames = [&](const Table<std::uint16_t>& counts) -> Table<float> {
             return (counts == 0).select(none, counts.cast<float>());
@@ -172,6 +182,7 @@ ResultStage rootPosesStage(const CharacterWork& work)
 {
     const UpAxis up = work.opener->project().settings.axes.up;
     ResultStage stage = work.stage(graphstage::rootPoses);
+    stage.version = 3;
     stage.settings = work.settings;
     for (const std::string& name : work.sequences)
         stage.settings += contactSettings(*findSequence(work.opener->project(), name));
@@ -180,7 +191,10 @@ ResultStage rootPosesStage(const CharacterWork& work)
     stage.compute = [work, up](const StageContext&, const Progress& progress) {
         const CharacterFrames frames = work.open(progress.part(0, 0.05));
         RootPoses roots = rootPoses(frames, up, progress.part(0.05, 0.8));
-        roots.supports = findSupports(frames, up, progress.part(0.8, 1));
+        roots.supports = findSupports(frames, up, progress.part(0.8, 0.9));
+        constexpr std::size_t enough = 48; // vertices that stand
+        thinSupports(roots.supports, enough);
+        roots.stances = findStances(frames, up, progress.part(0.9, 1));
         return rootPosesResult(roots);
     };
     return stage;
@@ -188,15 +202,25 @@ ResultStage rootPosesStage(const CharacterWork& work)
 
 } // namespace
 
+GraphEntry GraphEntry::paper()
+{
+    GraphEntry entry;
+    entry.cost = TransitionCost::Sum;
+    entry.costScale = CostScale::None;
+    entry.steps = {};
+    entry.durations = {1.0 / 3, 2.0};
+    return entry;
+}
+
 TransitionSettings transitionSettings(const GraphEntry& entry, double fps)
 {
     TransitionSettings settings{.fps = fps, .slope = entry.slope, .cost = entry.cost};
-    if (entry.durations) {
-        constexpr double rounding = 1e-9;
-        settings.shortestWindow =
-            std::max(1, static_cast<int>(std::ceil(fps * entry.durations->first - rounding)));
-        settings.longestWindow = static_cast<int>(std::floor(fps * entry.durations->second + rounding));
-    }
+    constexpr double rounding = 1e-9;
+    const auto [shortest, longest] = entry.durations.value_or(usualDurations);
+    settings.shortestWindow = std::max(1, static_cast<int>(std::ceil(fps * shortest - rounding)));
+    settings.longestWindow =
+        std::max(settings.shortest(), static_cast<int>(std::floor(fps * longest + rounding)));
+    settings.shortensInShortTakes = !entry.durations;
     return settings;
 }
 
@@ -212,11 +236,11 @@ std::vector<ResultStage> makeGraphStages(const StageMaking& making)
         stages.push_back(distances);
         stages.push_back(
             distanceStage(work, graphstage::euclideanDistance, {.metric = PoseMetric::Euclidean}));
+        stages.push_back(rootPosesStage(work));
         stages.push_back(transitions);
         if (graph.costScale == CostScale::Liveliness)
             stages.push_back(livelinessStage(work));
         stages.push_back(graphStage(work));
-        stages.push_back(rootPosesStage(work));
     }
     return stages;
 }

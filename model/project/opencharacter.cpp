@@ -53,9 +53,15 @@ std::shared_ptr<const OpenedCharacter> openCharacter(Project project,
     if (report.count(StageState::Stale) > 0)
         return nullptr;
     const ResultStore store(results);
-    const StageContext context{
-        .resultOf = [&](const std::string& stage) { return store.load(stage, keys.at(stage)).result; },
-        .tell = [](const Issue&) { /* told when the sequences were opened */ }};
+    std::map<std::string, Result> loaded;
+    for (const std::string& stage : CharacterGraph::inputs(work)) {
+        ResultStore::Entry entry = store.load(stage, keys.at(stage));
+        if (entry.state != ResultStore::State::Fresh) // replaced by somebody else in the meantime
+            return nullptr;
+        loaded[stage] = std::move(entry.result);
+    }
+    const StageContext context{.resultOf = [&](const std::string& stage) { return loaded.at(stage); },
+                               .tell = [](const Issue&) { /* told when the sequences were opened */ }};
     CharacterFrames frames = work.open(progress.part(computing, 1));
     return std::shared_ptr<const OpenedCharacter>(
         new OpenedCharacter{std::move(frames), CharacterGraph(work, context)});

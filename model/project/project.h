@@ -9,6 +9,7 @@
 #include "model/project/variationentry.h"
 #include "model/sequence/axes.h"
 #include "model/sequence/meshsequence.h"
+#include "model/synthesis/stepcosts.h"
 #include "model/transition/posedistancesettings.h"
 #include "model/transition/transitionsettings.h"
 
@@ -87,20 +88,30 @@ struct SequenceEntry
 /// How the poses of one character are compared, and which transitions its graphs hold.
 struct GraphEntry
 {
+    // What is not the paper's (SMCAS) looks better by the evaluations “junctions” and “walks”.
     std::string character; ///< may be left out in a file with one character
     PoseDistanceSettings pose;
     /// Rate and windows are those of `durations` at the project's rate, see transitionSettings.
-    TransitionCost cost = TransitionCost::Sum;
-    CostScale costScale = CostScale::None;
+    TransitionCost cost = TransitionCost::Mean;
+    CostScale costScale = CostScale::Liveliness;
+    /// What else than poses transitions are sought by.
+    StepWeights steps{.contacts = 0.1, .velocity = 0.05};
     int slope = TransitionSettings().slope;
-    /// Shortest and longest window of a transition, seconds; a third of a second and two when empty.
+    /// Shortest and longest window of a transition, seconds; usualDurations when empty.
     std::optional<std::pair<double, double>> durations;
     double alpha = 0.01;                    ///< weight of a frame's time against the cost (SMCAS §4.1)
     std::optional<double> greatestDistance; ///< d_max, in the unit of the pose distances; the largest of all
     UnknownKeys unknown;
 
     bool operator==(const GraphEntry&) const = default;
+    /// What the paper has (SMCAS): the sum of pose distances alone, in windows of a third of a second or
+    /// more.
+    static GraphEntry paper();
 };
+
+/// Shortest and longest window of a transition, seconds. Windows of takes that are too short for two of them
+/// may be shorter, which those that are asked for may not.
+inline constexpr std::pair<double, double> usualDurations{0.6, 2.0};
 
 /// What the transitions of a graph are sought with at a rate, frames per second.
 TransitionSettings transitionSettings(const GraphEntry& entry, double fps);

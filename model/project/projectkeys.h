@@ -19,8 +19,9 @@ inline constexpr std::array<std::string_view, 4> character{"name", "mesh", "text
 inline constexpr std::array<std::string_view, 13> sequence{
     "name",        "character", "source", "clip",     "range",        "source_fps", "source_up_axis",
     "source_unit", "texture",   "labels", "contacts", "joint_angles", "notes"};
-inline constexpr std::array<std::string_view, 9> graph{
-    "character", "metric", "stretch_weight", "cost", "cost_scale", "slope", "durations", "alpha", "d_max"};
+inline constexpr std::array<std::string_view, 11> graph{
+    "character",       "metric", "stretch_weight", "cost",  "cost_scale", "contact_weight",
+    "velocity_weight", "slope",  "durations",      "alpha", "d_max"};
 inline constexpr std::array<std::string_view, 13> animation{
     "name",          "character", "start", "constraints", "search", "junctions", "walk",
     "interpolation", "blend",     "post",  "audio",       "camera", "notes"};
@@ -37,7 +38,8 @@ inline constexpr std::array<std::string_view, 3> obstacle{"centre", "radius", "p
 inline constexpr std::array<std::string_view, 7> action{"kind",   "label",    "sequence",   "range",
                                                         "repeat", "duration", "least_share"};
 inline constexpr std::array<std::string_view, 3> frameChoice{"label", "sequence", "range"};
-inline constexpr std::array<std::string_view, 4> search{"budget", "beta", "mu", "global"};
+inline constexpr std::array<std::string_view, 7> search{"budget", "beta",  "mu",       "global",
+                                                        "style",  "dwell", "dead_zone"};
 inline constexpr std::array<std::string_view, 3> junctions{"banned", "locked", "chosen"};
 inline constexpr std::array<std::string_view, 3> walk{"spans", "turn", "at"};
 inline constexpr std::array<std::string_view, 7> post{

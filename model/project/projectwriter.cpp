@@ -115,10 +115,12 @@ Json graphToJson(const GraphEntry& graph)
     if (graph.pose.metric == PoseMetric::Euclidean)
         json["metric"] = "euclidean";
     addUnless(json, "stretch_weight", graph.pose.stretchWeight, usual.pose.stretchWeight);
-    if (graph.cost == TransitionCost::Mean)
-        json["cost"] = "mean";
-    if (graph.costScale == CostScale::Liveliness)
-        json["cost_scale"] = "liveliness";
+    if (graph.cost == TransitionCost::Sum)
+        json["cost"] = "sum";
+    if (graph.costScale == CostScale::None)
+        json["cost_scale"] = "none";
+    addUnless(json, "contact_weight", graph.steps.contacts, usual.steps.contacts);
+    addUnless(json, "velocity_weight", graph.steps.velocity, usual.steps.velocity);
     addUnless(json, "slope", graph.slope, usual.slope);
     if (graph.durations)
         json["durations"] = Json::array({graph.durations->first, graph.durations->second});

@@ -127,6 +127,10 @@ private:
                     meantOr(graph.character, known, "Add it under “characters”."));
         if (!(graph.pose.stretchWeight >= 0))
             invalid(pointer + "/stretch_weight", "The weight of the stretch is below zero");
+        if (!(graph.steps.contacts >= 0))
+            invalid(pointer + "/contact_weight", "The weight of contacts is below zero");
+        if (!(graph.steps.velocity >= 0))
+            invalid(pointer + "/velocity_weight", "The weight of velocities is below zero");
         if (graph.slope < TransitionSettings::leastSlope || graph.slope > TransitionSettings::greatestSlope)
             invalid(pointer + "/slope", "The slope must be 2, 3, 4 or 5");
         if (graph.durations &&

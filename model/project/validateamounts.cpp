@@ -29,6 +29,14 @@ public:
         if (animation.search.budget)
             atMost(static_cast<double>(*animation.search.budget), greatestBudget, place + "/search/budget",
                    "The budget of the search", "expansions");
+        constexpr double longestDwell = 60;
+        constexpr double widestZone = 100;
+        if (animation.search.dwell)
+            atMost(*animation.search.dwell, longestDwell, place + "/search/dwell", "The time in a take",
+                   "seconds");
+        if (animation.search.deadZone)
+            atMost(*animation.search.deadZone, widestZone, place + "/search/dead_zone", "The dead zone",
+                   "metres");
         constexpr double mostRepeats = 1000;
         atMost(animation.post.steps.repeats, mostRepeats, place + "/post/repeats", "A loop", "repeats");
         if (animation.post.steps.retime)

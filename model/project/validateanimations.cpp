@@ -189,6 +189,10 @@ private:
             invalid("/search/beta", "Beta is below zero");
         if (search.mu && !(*search.mu >= 0))
             invalid("/search/mu", "Mu is below zero");
+        if (search.dwell && !(*search.dwell >= 0))
+            invalid("/search/dwell", "The least time in a take is below zero");
+        if (search.deadZone && !(*search.deadZone >= 0))
+            invalid("/search/dead_zone", "The dead zone is below zero");
     }
 
     void checkJunctions(const std::vector<JunctionEntry>& junctions, const std::string& place)

@@ -196,7 +196,7 @@ ResultStage junctionsStage(const CharacterWork& work, const EvaluationEntry& eva
     const auto seed = static_cast<std::uint32_t>(evaluation.seed);
     const double fps = work.opener->project().settings.fps;
     ResultStage stage = evaluationStage(work, evaluation);
-    stage.version = 2;
+    stage.version = 3;
     stage.settings = work.settings + nlohmann::json({count, seed, fps, work.sequences}).dump();
     stage.files = [work](const Progress& progress) { return work.files(progress); };
     stage.inputs = CharacterGraph::inputs(work);
@@ -206,18 +206,21 @@ ResultStage junctionsStage(const CharacterWork& work, const EvaluationEntry& eva
         const Table<float> accelerations = accelerationDifferences(character, fps, progress.part(0.05, 0.4));
         const JunctionInputs inputs{.character = character,
                                     .roots = graph.roots(),
-                                    .distances = graph.distances(),
+                                    .distances = graph.steps(),
                                     .accelerations = accelerations,
                                     .transitions = graph.transitions(),
                                     .settings = transitionSettings(work.graph, fps),
                                     .graph = graph.graph()};
         JunctionTables tables = junctionTables(work.graph.pose.metric == PoseMetric::Surface ? "rad" : "m");
-        const auto judge = [&](const char* name, const BlendSettings& blend, const Progress& part) {
-            addReport(tables, name, graph,
-                      judgeJunctions(inputs, {.count = count, .seed = seed, .blend = blend}, part));
+        JunctionOptions options{.count = count, .seed = seed};
+        const auto judge = [&](const char* name, const Progress& part) {
+            addReport(tables, name, graph, judgeJunctions(inputs, options, part));
         };
-        judge("paper", {}, progress.part(0.4, 0.7));
-        judge("gentle", BlendSettings::gentle(), progress.part(0.7, 1));
+        judge("paper", progress.part(0.4, 0.5));
+        options.blend = BlendSettings::gentle();
+        judge("gentle", progress.part(0.5, 0.7));
+        options.correction.emplace();
+        judge("gentle-corrected", progress.part(0.7, 1));
         Result result;
         result.tables = {std::move(tables.rows).table(), std::move(tables.criteria).table(),
                          std::move(tables.predictors).table()};

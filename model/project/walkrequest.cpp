@@ -127,13 +127,19 @@ WalkConstraints walkConstraints(const AnimationEntry& animation, const Character
     return Request(animation, graph).constraints();
 }
 
-SearchSettings searchSettings(const SearchEntry& entry)
+SearchSettings searchSettings(const SearchEntry& entry, double fps, double metresPerUnit)
 {
-    const SearchSettings usual;
-    return {.beta = entry.beta,
-            .mu = entry.mu.value_or(usual.mu),
-            .budget = entry.budget.value_or(usual.budget),
-            .globalKeys = entry.globalKeys};
+    SearchSettings settings;
+    if (!entry.isPaper) {
+        settings = SearchSettings::calm();
+        settings.leastRun = static_cast<int>(std::lround(entry.dwell.value_or(usualDwell) * fps));
+        settings.charging.deadZone = entry.deadZone.value_or(settings.charging.deadZone) / metresPerUnit;
+    }
+    settings.beta = entry.beta;
+    settings.mu = entry.mu.value_or(settings.mu);
+    settings.budget = entry.budget.value_or(settings.budget);
+    settings.globalKeys = entry.globalKeys;
+    return settings;
 }
 
 Walk acceptedWalk(const WalkEntry& entry, const CharacterGraph& graph)

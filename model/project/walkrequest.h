@@ -10,7 +10,9 @@ namespace quadrille {
 /// What an animation asks of a walk, its names and seconds turned into frames.
 /// \throws Error ProjectInvalid (frames that a sequence does not have, a label that no sequence has).
 WalkConstraints walkConstraints(const AnimationEntry& animation, const CharacterGraph& graph);
-SearchSettings searchSettings(const SearchEntry& entry);
+/// Between two transitions, seconds.
+inline constexpr double usualDwell = 0.5;
+SearchSettings searchSettings(const SearchEntry& entry, double fps, double metresPerUnit);
 
 /// The walk that an animation has already, and where it starts.
 /// \throws Error ProjectInvalid.

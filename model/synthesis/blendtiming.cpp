@@ -3,7 +3,8 @@
 #include "model/synthesis/blendtiming.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <span>
 
@@ -12,13 +13,18 @@ namespace quadrille {
 namespace {
 
 /// Frames from each cell to the next, 0 or 1, drawn gently into each other and into the one frame at a time
-/// before and behind.
+/// before and behind: over a quarter of the transition to either side.
 std::vector<double> gentleSpeeds(std::span<const double> speeds)
 {
-    constexpr std::array<double, 7> kernel{1 / 64.0,  6 / 64.0, 15 / 64.0, 20 / 64.0,
-                                           15 / 64.0, 6 / 64.0, 1 / 64.0};
-    constexpr auto reach = static_cast<std::ptrdiff_t>(kernel.size() / 2);
     const auto count = static_cast<std::ptrdiff_t>(speeds.size());
+    const std::ptrdiff_t reach = std::clamp<std::ptrdiff_t>(count / 4, 3, 15);
+    std::vector<double> kernel;
+    for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
+        const double wave =
+            std::cos(std::numbers::pi * static_cast<double>(k) / static_cast<double>(2 * (reach + 1)));
+        kernel.push_back(wave * wave);
+    }
+    const double total = std::accumulate(kernel.begin(), kernel.end(), 0.0);
     std::vector<double> gentle;
     for (std::ptrdiff_t step = 0; step < count; ++step) {
         double sum = 0;
@@ -28,7 +34,7 @@ std::vector<double> gentleSpeeds(std::span<const double> speeds)
             sum += kernel[static_cast<std::size_t>(k + reach)] *
                    (isInside ? speeds[static_cast<std::size_t>(other)] : 1);
         }
-        gentle.push_back(sum);
+        gentle.push_back(sum / total);
     }
     return gentle;
 }

@@ -44,10 +44,9 @@ struct Clip
 };
 
 /// The clip as a sequence, which takes each frame's texture, labels and contacts from its origin: contacts
-/// are those that both origins have (left and right exchanged where it is mirrored), labels those of the
-/// nearer one. Where all origins' sequences have one texture, or the same ones for each material, so has the
-/// clip; otherwise it has one for each frame (of the first material). \param character  the frames that the
-/// origins count.
+/// are those of stancesOf, labels those of the nearer one. Where all origins' sequences have one texture, or
+/// the same ones for each material, so has the clip; otherwise it has one for each frame (of the first
+/// material). \param character  the frames that the origins count.
 MeshSequence toSequence(std::string name, Clip clip, const CharacterFrames& character);
 /// Its contacts alone.
 std::vector<ContactSpan> contactsOf(const Clip& clip, const CharacterFrames& character);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/synthesis/clip.h"
+#include "model/synthesis/stances.h"
 
 #include <algorithm>
 #include <map>
@@ -66,29 +66,6 @@ std::set<std::string> namesAt(const std::vector<Span>& spans, std::string Span::
     return names;
 }
 
-std::string acrossOf(const std::string& foot)
-{
-    if (foot == "left")
-        return "right";
-    return foot == "right" ? "left" : foot;
-}
-
-std::set<std::string> contactsAt(const FrameOrigin& origin, const CharacterFrames& character)
-{
-    const auto feetAt = [&character](NodeIndex node) {
-        const Place place = placeOf(character, node);
-        return namesAt(place.sequence.contacts, &ContactSpan::foot, place.frame);
-    };
-    const std::set<std::string> source = feetAt(origin.source);
-    const std::set<std::string> destination = feetAt(origin.destination);
-    std::set<std::string> both;
-    for (const std::string& foot : source) {
-        if (destination.contains(foot))
-            both.insert(origin.mirrored ? acrossOf(foot) : foot);
-    }
-    return both;
-}
-
 std::set<std::string> labelsAt(const FrameOrigin& origin, const CharacterFrames& character)
 {
     const Place place = placeOf(character, origin.nearest());
@@ -120,10 +97,7 @@ std::vector<Span> spansOf(const std::vector<std::set<std::string>>& names)
 
 std::vector<ContactSpan> contactsOf(const Clip& clip, const CharacterFrames& character)
 {
-    std::vector<std::set<std::string>> contacts;
-    for (const FrameOrigin& origin : clip.origins)
-        contacts.push_back(contactsAt(origin, character));
-    return spansOf<ContactSpan>(contacts);
+    return contactsOf(clip, givenStances(character));
 }
 
 MeshSequence toSequence(std::string name, Clip clip, const CharacterFrames& character)

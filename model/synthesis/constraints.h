@@ -110,6 +110,18 @@ struct WalkConstraints
 /// 700 frames early each, with 10 all of them on time at 5 % more weight.
 inline constexpr double betaPerAlpha = 10;
 
+/// What being off a path costs; the defaults are the paper's (SMCAS §4.3.1): the squared distance in each
+/// output frame.
+struct PathCharging
+{
+    double deadZone = 0; ///< metres off the path that cost nothing
+    /// Above 0: the squared distance counts by the way that is walked, so many times for each metre, not by
+    /// frames: who walks slowly is not punished for it.
+    double perMetre = 0;
+
+    bool operator==(const PathCharging&) const = default;
+};
+
 /// How a walk is sought. What is found depends on the budget, never on threads or time.
 struct SearchSettings
 {
@@ -122,8 +134,21 @@ struct SearchSettings
     /// Keys are met with the least cost over all of them. Otherwise from key to key, each with the error of
     /// the one before carried over, as in the paper.
     bool globalKeys = false;
+    /// Captured frames that are played at least between two transitions, before the first and after the last;
+    /// required transitions may come earlier. Not where keys alone are asked for.
+    int leastRun = 0;
+    PathCharging charging;
+    /// Captured frames of locomotion cost nothing along a path, and others `strayWeight` times α each;
+    /// otherwise each costs α, as in the paper.
+    bool prefersLocomotion = false;
+    double strayWeight = 5;
 
     bool operator==(const SearchSettings&) const = default;
+    /// What looks best along a path: see the evaluation “walks”.
+    static SearchSettings calm()
+    {
+        return {.budget = 20'000, .charging = {.deadZone = 0.07, .perMetre = 25}, .prefersLocomotion = true};
+    }
 };
 
 /// The smooth curve through given points (Catmull–Rom, centripetal, so that it neither overshoots nor loops).

@@ -108,6 +108,22 @@ void checkActionsPossible(const WalkGraph& graph, const std::vector<Action>& act
     throw Error(ErrorCode::WalkNotFound, {.values = {{"budget", std::to_string(settings.budget)}}});
 }
 
+/// What playing on from each frame costs along a path; empty where it is as in the graph.
+std::vector<double> frameWeights(const WalkMaterial& material, const WalkConstraints& constraints,
+                                 const SearchSettings& settings)
+{
+    const auto& isLocomotion = material.locomotion;
+    if (!constraints.path || !settings.prefersLocomotion)
+        return {};
+    const auto frames = static_cast<std::size_t>(material.costs.layout().frameCount());
+    std::vector<double> weights(frames, 0);
+    if (std::ranges::find(isLocomotion, true) == isLocomotion.end())
+        return weights;
+    for (std::size_t node = 0; node < frames; ++node)
+        weights[node] = isLocomotion[node] ? 0 : settings.strayWeight * material.alpha;
+    return weights;
+}
+
 /// What all searches share.
 struct Task
 {
@@ -149,7 +165,7 @@ WalkSolution findKeys(const Task& task)
 
 WalkSolution findStages(const Task& task)
 {
-    const WalkStages stages(task.graph, task.constraints, task.beta, 1);
+    const WalkStages stages(task.graph, task.constraints, task.beta, 1, task.settings.leastRun);
     const auto solve = [&](const FoundRoute& route) {
         return solutionOf(task.graph, stages, task.constraints, route, task.settings.mu, nullptr);
     };
@@ -172,9 +188,10 @@ WalkSolution findAlongPath(const Task& task)
 {
     const PathConstraint& path = *task.constraints.path;
     const PathCourse course(path, task.material.motion.roots->up);
-    const PathCosts costs(course, path.spans, task.graph.nodeCount(), task.beta);
+    const PathCosts costs(course, path.spans, task.graph.nodeCount(), task.beta, task.settings.charging);
     MoveMotions motions(task.graph, task.material.motion, course);
-    const WalkStages stages(task.graph, task.constraints, task.beta, task.settings.mu);
+    const WalkStages stages(task.graph, task.constraints, task.beta, task.settings.mu,
+                            task.settings.leastRun);
     PathProblem problem{.graph = task.graph,
                         .stages = stages,
                         .course = course,
@@ -211,7 +228,8 @@ WalkSolution findWalk(const WalkMaterial& material, const WalkConstraints& const
     const FrameLayout& layout = material.costs.layout();
     checkConstraints(constraints, settings, layout,
                      material.motion.roots ? material.motion.roots->up : UpAxis::Y);
-    const WalkGraph graph(material.graph, material.costs, material.alpha, constraints.junctions);
+    const WalkGraph graph(material.graph, material.costs, material.alpha, constraints.junctions,
+                          frameWeights(material, constraints, settings));
     Task task{.material = material,
               .constraints = constraints,
               .settings = settings,

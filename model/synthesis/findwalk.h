@@ -18,6 +18,8 @@ struct WalkMaterial
     const TransitionCosts& costs; ///< for how long transitions last
     double alpha = 0.01;          ///< that of the graph
     WalkMotion motion;            ///< needed where there is a path
+    /// Which frames are locomotion, for SearchSettings::prefersLocomotion; empty: nobody knows.
+    std::vector<bool> locomotion = {};
 };
 
 /// Receives each walk that is better than those before it, on the thread that searches.

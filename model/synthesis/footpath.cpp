@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/footpath.h"
 
+#include "model/synthesis/soles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,79 +15,6 @@ namespace {
 std::size_t at(std::int64_t index)
 {
     return static_cast<std::size_t>(index);
-}
-
-/// The vertices of one foot in one frame, and how much each of them touches the ground.
-struct Sole
-{
-    std::vector<Vec2d> places;
-    std::vector<double> weights; ///< 1 for the lowest, 0 from `reach` above it
-    double height = 0;           ///< weighted mean
-    Vec2d middle = Vec2d::Zero();
-};
-
-Sole soleOf(Positions pose, const std::vector<std::uint32_t>& vertices, double reach, const Ground& ground)
-{
-    Sole sole;
-    std::vector<double> heights;
-    for (const std::uint32_t v : vertices) {
-        const Vec3d p = pose[v].cast<double>();
-        sole.places.push_back(ground.of(p));
-        heights.push_back(ground.heightOf(p));
-        sole.middle += sole.places.back() / static_cast<double>(vertices.size());
-    }
-    const double lowest = std::ranges::min(heights);
-    double sum = 0;
-    for (const double height : heights) {
-        const double near = std::max(0.0, 1 - (height - lowest) / reach);
-        sole.weights.push_back(near * near);
-        sole.height += near * near * height;
-        sum += near * near;
-    }
-    sole.height /= sum;
-    return sole;
-}
-
-/// What touches the ground in two frames, as one rigid piece.
-struct Touch
-{
-    Vec2d before = Vec2d::Zero(); ///< its middle
-    Vec2d after = Vec2d::Zero();
-    double turn = 0;
-};
-
-Touch touchOf(const Sole& before, const Sole& after, double slack)
-{
-    std::vector<double> weights(before.weights.size());
-    double sum = 0;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        weights[i] = before.weights[i] * after.weights[i];
-        sum += weights[i];
-    }
-    // A foot that rolls over within a frame has no vertex that touches in both.
-    if (sum < 1e-3) {
-        sum = 0;
-        for (std::size_t i = 0; i < weights.size(); ++i) {
-            weights[i] = before.weights[i] + after.weights[i];
-            sum += weights[i];
-        }
-    }
-    Touch touch;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        touch.before += weights[i] / sum * before.places[i];
-        touch.after += weights[i] / sum * after.places[i];
-    }
-    // The turn of a small piece says little: it counts like one of the size of the slack that stays.
-    double sine = 0;
-    double cosine = slack * slack;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        const Vec2d a = before.places[i] - touch.before;
-        const Vec2d b = after.places[i] - touch.after;
-        sine += weights[i] / sum * (a.x() * b.y() - a.y() * b.x());
-        cosine += weights[i] / sum * a.dot(b);
-    }
-    touch.turn = std::atan2(sine, cosine);
-    return touch;
 }
 
 /// A length up to a limit: as it is up to two thirds of it, then ever less.
@@ -109,7 +38,7 @@ public:
     Contact(std::vector<Sole> soles, double height) : m_soles(std::move(soles))
     {
         for (std::size_t k = 0; k + 1 < m_soles.size(); ++k)
-            m_touches.push_back(touchOf(m_soles[k], m_soles[k + 1], 0.01 * height));
+            m_touches.push_back(touchOf(m_soles[k], m_soles[k + 1], height));
     }
 
     std::vector<FootShift> shifts(const ContactCorrectionSettings& settings, double height) const
@@ -252,11 +181,10 @@ std::vector<FootShift> footShifts(const Clip& clip, const FootContacts& foot,
     std::vector<double> along(count, 0);
     std::vector<double> across(count, 0);
     std::vector<double> lifts(count, 0);
-    const double reach = 0.02 * height;
     for (const FrameRange& span : foot.spans) {
         std::vector<Sole> soles;
         for (std::int64_t f = span.first.value; f <= span.last.value; ++f)
-            soles.push_back(soleOf(clip.frame(f), foot.vertices, reach, ground));
+            soles.push_back(soleOf(clip.frame(f), foot.vertices, height, ground));
         const std::vector<FootShift> found = Contact(std::move(soles), height).shifts(settings, height);
         for (std::size_t k = 0; k < found.size(); ++k) {
             const std::size_t f = at(span.first.value) + k;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/junctionquality.h"
 
+#include "model/core/ranks.h"
 #include "model/synthesis/junctionspeeds.h"
 
 #include <algorithm>
@@ -56,9 +57,16 @@ JunctionJudge::JunctionJudge(const CharacterFrames& character, const RootPoses& 
     , m_roots(roots)
     , m_measures(measures)
     , m_liveliness(livelinessOf(measures, character.layout()))
+    , m_slides(capturedSlides(character, roots.stances, roots.up))
     , m_limits(limits)
     , m_context(context)
+    , m_legs(legsOf(character, roots.up))
 {
+    std::vector<double> slides;
+    for (int sequence = 0; sequence < character.layout().sequenceCount(); ++sequence)
+        slides.push_back(
+            meanSlide(character.layout().firstOf(sequence), character.layout().lastOf(sequence)));
+    m_usualSlide = slides.empty() ? 0 : quantile(std::move(slides), 0.5);
 }
 
 JunctionJudge::Segments JunctionJudge::segmentsOf(const Transition& transition) const
@@ -73,16 +81,20 @@ JunctionJudge::Segments JunctionJudge::segmentsOf(const Transition& transition) 
 }
 
 JunctionMeasures JunctionJudge::judge(const Transition& transition, const BlendSettings& blend,
-                                      InterpolationMethod method) const
+                                      InterpolationMethod method,
+                                      const std::optional<ContactCorrectionSettings>& correction) const
 {
     const Segments segments = segmentsOf(transition);
     const ClipPlan plan =
         planClip(m_roots, segments.walk, std::span(&transition, 1), {.start = {}, .blend = blend});
-    const Clip clip = makeClip(m_character, plan, method);
+    Clip clip = makeClip(m_character, plan, method);
+    if (correction && !m_legs.feet.empty())
+        clip = contactsCorrected(std::move(clip), contactsOf(clip, m_roots.stances), *correction,
+                                 {.up = m_roots.up, .frames = {}, .legs = &m_legs, .trustsLegs = true});
     const ClipPlan::Junction& junction = plan.junctions.front();
     JunctionMeasures measures;
     measures.values = {acceleration(clip, junction, transition, measures.worstAcceleration),
-                       frozen(clip, junction), centreStep(plan, segments), footSlip(clip, plan, segments),
+                       frozen(clip, junction), centreStep(plan, segments), footSlip(clip, junction, segments),
                        volume(clip, junction, transition)};
     return measures;
 }
@@ -148,22 +160,27 @@ JunctionValue JunctionJudge::centreStep(const ClipPlan& plan, const Segments& se
     return against(largest, m_limits.centreStep * captured);
 }
 
-JunctionValue JunctionJudge::footSlip(const Clip& clip, const ClipPlan& plan, const Segments& segments) const
+JunctionValue JunctionJudge::footSlip(const Clip& clip, const ClipPlan::Junction& junction,
+                                      const Segments& segments) const
 {
-    const auto slide = footSlide(clip, plan, plan.junctions.front(), m_roots);
-    double captured = 0;
-    for (const WalkSpan& span : segments.spans) {
-        double spanSum = 0;
-        int spanCount = 0;
-        for (NodeIndex node = span.first; node < span.last; ++node) {
-            if (const auto& slip = m_measures[static_cast<std::size_t>(node)].slip) {
-                spanSum += *slip;
-                ++spanCount;
-            }
-        }
-        captured = std::max(captured, spanSum / std::max(spanCount, 1));
-    }
+    const auto slide = footSlide(clip, junction, m_roots);
+    double captured = m_usualSlide;
+    for (const WalkSpan& span : segments.spans)
+        captured = std::max(captured, meanSlide(span.first, span.last));
     return slide ? against(*slide, m_limits.footSlip * captured) : JunctionValue{};
+}
+
+double JunctionJudge::meanSlide(NodeIndex first, NodeIndex last) const
+{
+    double sum = 0;
+    int count = 0;
+    for (NodeIndex node = first; node < last; ++node) {
+        if (const auto& slide = m_slides[static_cast<std::size_t>(node)]) {
+            sum += *slide;
+            ++count;
+        }
+    }
+    return sum / std::max(count, 1);
 }
 
 JunctionValue JunctionJudge::volume(const Clip& clip, const ClipPlan::Junction& junction,

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/synthesis/contactcorrection.h"
 #include "model/synthesis/liveliness.h"
 #include "model/synthesis/makeclip.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,7 +31,7 @@ struct JunctionLimits
     double acceleration = 1.5;
     double frozen = 0.2;
     double centreStep = 1.5;
-    double footSlip = 1.5;
+    double footSlip = 1.2;
     double volume = 0.02;
 };
 
@@ -53,8 +55,8 @@ struct JunctionMeasures
     /// vertex-mean steps: the greatest one in a row of up to three against the smaller of the steps around
     /// it, where that is least (a ratio; limit and value change places);
     /// largest step of the centre against that in the segments (m);
-    /// mean horizontal speed of the vertices that stand in both takes, against the larger of the segments'
-    /// (m/s);
+    /// how fast the feet slide that stand (footSlide), against the larger of the segments', or what is usual
+    /// in the takes where that is more (m/s);
     /// volume, by how much it leaves the range of the windows (share of it).
     std::array<JunctionValue, junctionCriteria> values;
     double worstAcceleration = 0; ///< the largest rms of a frame, m/s²
@@ -76,8 +78,10 @@ public:
                   std::span<const FrameMeasure> measures, const JunctionLimits& limits = {}, int context = 8);
 
     /// \throws Error as makeClip.
+    /// \param correction  of contacts, as the clip would get it; without legs there is none.
     JunctionMeasures judge(const Transition& transition, const BlendSettings& blend = {},
-                           InterpolationMethod method = InterpolationMethod::Poisson) const;
+                           InterpolationMethod method = InterpolationMethod::Poisson,
+                           const std::optional<ContactCorrectionSettings>& correction = {}) const;
 
 private:
     struct Segments;
@@ -86,7 +90,10 @@ private:
                                const Transition& transition, double& worst) const;
     JunctionValue frozen(const Clip& clip, const ClipPlan::Junction& junction) const;
     JunctionValue centreStep(const ClipPlan& plan, const Segments& segments) const;
-    JunctionValue footSlip(const Clip& clip, const ClipPlan& plan, const Segments& segments) const;
+    JunctionValue footSlip(const Clip& clip, const ClipPlan::Junction& junction,
+                           const Segments& segments) const;
+    /// Over the captured frames in which a foot stands, units of length a second.
+    double meanSlide(NodeIndex first, NodeIndex last) const;
     JunctionValue volume(const Clip& clip, const ClipPlan::Junction& junction,
                          const Transition& transition) const;
 
@@ -94,8 +101,11 @@ private:
     const RootPoses& m_roots;
     std::span<const FrameMeasure> m_measures;
     Table<double> m_liveliness;
+    std::vector<std::optional<double>> m_slides; ///< of capturedSlides
+    double m_usualSlide = 0;                     ///< the median of all takes
     JunctionLimits m_limits;
     int m_context;
+    Legs m_legs;
 };
 
 } // namespace quadrille

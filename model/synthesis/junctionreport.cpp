@@ -130,8 +130,8 @@ JunctionReport judgeJunctions(const JunctionInputs& inputs, const JunctionOption
     tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
         const std::optional<Transition> transition = paths.of(inputs.transitions, pairs[i]);
         assert(transition);
-        report.rows[i] =
-            rowOf(inputs, options, *transition, judge.judge(*transition, options.blend, options.method));
+        report.rows[i] = rowOf(inputs, options, *transition,
+                               judge.judge(*transition, options.blend, options.method, options.correction));
         progress.part(0.1, 1).report(++done, static_cast<std::int64_t>(pairs.size()));
     });
     for (const JunctionRow& row : report.rows)

@@ -76,6 +76,7 @@ struct JunctionOptions
     JunctionLimits limits;
     int context = 8; ///< frames before and behind that count
     BlendSettings blend;
+    std::optional<ContactCorrectionSettings> correction; ///< of contacts, before anything is measured
     InterpolationMethod method = InterpolationMethod::Poisson;
 };
 

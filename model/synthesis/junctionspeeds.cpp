@@ -4,7 +4,6 @@
 
 #include "model/synthesis/framemeasures.h"
 #include "model/synthesis/ground.h"
-#include "model/synthesis/supports.h"
 
 #include <algorithm>
 
@@ -26,25 +25,17 @@ Vec2d velocity(const ClipPlan& plan, std::int64_t from, std::int64_t to, double 
 
 } // namespace
 
-std::optional<double> footSlide(const Clip& clip, const ClipPlan& plan, const ClipPlan::Junction& junction,
-                                const RootPoses& roots)
+std::optional<double> footSlide(const Clip& clip, const ClipPlan::Junction& junction, const RootPoses& roots)
 {
-    const auto standingIn = [&](const PlannedFrame& frame) {
-        const auto of = [&](NodeIndex node) -> std::span<const std::uint32_t> {
-            return roots.supports[static_cast<std::size_t>(node)].vertices;
-        };
-        return common(of(frame.origin.source), of(frame.origin.destination));
-    };
+    const std::vector<std::uint32_t> standing = stancesOf(clip.origins, clip.fps, roots.stances);
     double sum = 0;
     int count = 0;
     for (std::int64_t f = junction.first; f < junction.last; ++f) {
         const auto index = static_cast<std::size_t>(f);
-        const std::vector<std::uint32_t> standing =
-            common(standingIn(plan.frames[index]), standingIn(plan.frames[index + 1]));
-        if (standing.empty())
-            continue;
-        sum += clip.fps * meanSlip(clip.frame(f), clip.frame(f + 1), standing, Ground(roots.up));
-        ++count;
+        const auto slide = slideOf(clip.frame(f), clip.frame(f + 1), standing[index] & standing[index + 1],
+                                   roots.stances, roots.up, clip.fps);
+        sum += slide.value_or(0);
+        count += slide ? 1 : 0;
     }
     return count > 0 ? std::optional(sum / count) : std::nullopt;
 }

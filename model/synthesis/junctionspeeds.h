@@ -8,11 +8,10 @@
 
 namespace quadrille {
 
-/// How fast feet slide in a transition: the mean, over its frames, of the mean horizontal speed of the
-/// vertices that stand in both takes (units of length a second). Nothing where none do.
-/// \param junction  one of the plan's. \param clip  what makeClip makes of the plan.
-std::optional<double> footSlide(const Clip& clip, const ClipPlan& plan, const ClipPlan::Junction& junction,
-                                const RootPoses& roots);
+/// How fast feet slide in a transition: the mean, over its frames, of slideOf the feet that stand there by
+/// stancesOf (units of length a second). Nothing where none does: in flight.
+/// \param clip  what makeClip makes of the plan that has the junction.
+std::optional<double> footSlide(const Clip& clip, const ClipPlan::Junction& junction, const RootPoses& roots);
 
 /// By how much the velocity of the body's centre over the ground is another behind a transition than before:
 /// the length of the difference of both, each taken over up to three captured frames, as the clip shows them

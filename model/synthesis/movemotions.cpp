@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tbb/parallel_for.h>
 
 namespace quadrille {
 
@@ -31,8 +32,18 @@ MoveMotions::MoveMotions(const WalkGraph& graph, const WalkMotion& motion, const
 const MoveMotions::Motion& MoveMotions::of(MoveIndex index)
 {
     Motion& motion = m_motions[static_cast<std::size_t>(index)];
-    if (motion.isKnown)
-        return motion;
+    if (!motion.isKnown)
+        compute(index, motion);
+    return motion;
+}
+
+void MoveMotions::prepare(MoveIndex begin, MoveIndex end)
+{
+    tbb::parallel_for(begin, end, [this](MoveIndex index) { of(index); });
+}
+
+void MoveMotions::compute(MoveIndex index, Motion& motion) const
+{
     motion.isKnown = true;
     const WalkMove& move = m_graph.move(index);
     const auto append = [&](const Vec3d& point, const Vec3d& before, const FramePair& frames) {
@@ -45,7 +56,7 @@ const MoveMotions::Motion& MoveMotions::of(MoveIndex index)
     const Vec3d& begin = point(move.from);
     if (move.kind == EdgeKind::Original) {
         append(point(move.to), begin, {move.to, move.to});
-        return motion;
+        return;
     }
     const Transition transition = m_motion.transition({move.from, move.to});
     const TransitionMotion moved = transitionMotion(*m_motion.roots, transition, m_motion.blend);
@@ -58,7 +69,6 @@ const MoveMotions::Motion& MoveMotions::of(MoveIndex index)
     }
     if (motion.steps.empty())
         append(begin, begin, {move.from, move.to});
-    return motion;
 }
 
 GroundMotion MoveMotions::placedOnStart(NodeIndex node) const

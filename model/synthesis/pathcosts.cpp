@@ -8,8 +8,8 @@
 namespace quadrille {
 
 PathCosts::PathCosts(const PathCourse& course, const std::vector<PathSpan>& spans, NodeIndex nodes,
-                     double beta)
-    : m_course(course), m_beta(beta)
+                     double beta, const PathCharging& charging)
+    : m_course(course), m_beta(beta), m_charging(charging)
 {
     for (std::size_t i = 0; i < spans.size(); ++i) {
         const PathSpan& span = spans[i];
@@ -28,25 +28,25 @@ PathCosts::PathCosts(const PathCourse& course, const std::vector<PathSpan>& span
     std::sort(m_timed.begin(), m_timed.end(), [](const Timed& a, const Timed& b) { return a.from < b.from; });
 }
 
-bool PathCosts::admit(const Vec3d& point, double walked, NodeIndex source, NodeIndex destination,
-                      PathPlace& place, PathCharge& charge, PathFailure& failure) const
+bool PathCosts::admit(const Shown& frame, PathPlace& place, PathCharge& charge, PathFailure& failure) const
 {
+    const double walked = frame.walked;
     for (const Demand& demand : m_demands) {
         if (walked >= demand.from && walked <= demand.to &&
-            !demand.frames[static_cast<std::size_t>(source)] &&
-            !demand.frames[static_cast<std::size_t>(destination)]) {
+            !demand.frames[static_cast<std::size_t>(frame.source)] &&
+            !demand.frames[static_cast<std::size_t>(frame.destination)]) {
             if (walked > failure.reached)
                 failure = {.reached = walked, .span = demand.span};
             return false;
         }
     }
-    const int obstacle = m_course.obstacleAt(point.head<2>());
+    const int obstacle = m_course.obstacleAt(frame.point.head<2>());
     if (obstacle >= 0) {
         if (walked > failure.reached)
             failure = {.reached = walked, .obstacle = obstacle};
         return false;
     }
-    charge.deviation += squaredDistance(point, walked);
+    charge.deviation += deviation(frame.point, walked, frame.step);
     for (; needsTime(place); ++place.timed, place.timedFrames = 0) {
         const Timed& timed = m_timed[static_cast<std::size_t>(place.timed)];
         if (walked <= timed.to) {
@@ -64,7 +64,8 @@ bool PathCosts::begin(const MoveMotions& motions, NodeIndex node, PathPlace& pla
     PathFailure failure;
     const Vec3d& point = motions.point(node);
     const Vec2d ground = place.placement(Vec2d(point.head<2>()));
-    return admit({ground.x(), ground.y(), point.z()}, 0, node, node, place, charge, failure);
+    const Shown first{.point = {ground.x(), ground.y(), point.z()}, .source = node, .destination = node};
+    return admit(first, place, charge, failure);
 }
 
 bool PathCosts::follow(const MoveMotions::Motion& motion, const Eigen::Matrix2d& rotation, PathPlace& place,
@@ -72,6 +73,7 @@ bool PathCosts::follow(const MoveMotions::Motion& motion, const Eigen::Matrix2d&
 {
     const double begun = place.walked;
     const Vec2d& shift = place.placement.shift;
+    double before = 0;
     for (const MoveMotions::Step& step : motion.steps) {
         const auto x = static_cast<double>(step.point.x());
         const auto y = static_cast<double>(step.point.y());
@@ -80,9 +82,15 @@ bool PathCosts::follow(const MoveMotions::Motion& motion, const Eigen::Matrix2d&
                           static_cast<double>(step.point.z()));
         // The last frame of a transition is captured, too: only what it shows counts.
         const NodeIndex source = &step == &motion.steps.back() ? step.destination : step.source;
-        if (!admit(point, begun + static_cast<double>(step.arcLength), source, step.destination, place,
-                   charge, failure))
+        const auto along = static_cast<double>(step.arcLength);
+        if (!admit({.point = point,
+                    .walked = begun + along,
+                    .step = along - before,
+                    .source = source,
+                    .destination = step.destination},
+                   place, charge, failure))
             return false;
+        before = along;
     }
     place.walked = begun + static_cast<double>(motion.steps.back().arcLength);
     place.placement = {place.placement.turn + motion.exit.turn, rotation * motion.exit.shift + shift};

@@ -20,7 +20,7 @@ struct PathPlace
 /// What output frames cost on a path.
 struct PathCharge
 {
-    double deviation = 0; ///< sum of squared distances, m²
+    double deviation = 0; ///< of squared distances, by PathCharging
     double timing = 0;    ///< β · timing errors of the spans that were left behind
 };
 
@@ -36,7 +36,8 @@ struct PathFailure
 class PathCosts
 {
 public:
-    PathCosts(const PathCourse& course, const std::vector<PathSpan>& spans, NodeIndex nodes, double beta);
+    PathCosts(const PathCourse& course, const std::vector<PathSpan>& spans, NodeIndex nodes, double beta,
+              const PathCharging& charging = {});
 
     /// The first frame of a walk. \return whether it may be there.
     bool begin(const MoveMotions& motions, NodeIndex node, PathPlace& place, PathCharge& charge) const;
@@ -46,9 +47,12 @@ public:
                 PathCharge& charge, PathFailure& failure) const;
     /// What timed spans that the walk has not left cost in the end.
     double timingAtEnd(const PathPlace& place) const;
-    double squaredDistance(const Vec3d& point, double walked) const
+    double distance(const Vec3d& point, double walked) const { return (point - m_course.at(walked)).norm(); }
+    /// What a frame costs by where it is. \param step  metres walked since the frame before.
+    double deviation(const Vec3d& point, double walked, double step) const
     {
-        return (point - m_course.at(walked)).squaredNorm();
+        const double off = std::max(0.0, distance(point, walked) - m_charging.deadZone);
+        return off * off * (m_charging.perMetre > 0 ? m_charging.perMetre * step : 1.0);
     }
     /// Whether timed spans are left.
     bool needsTime(const PathPlace& place) const
@@ -72,13 +76,21 @@ private:
         double to = 0;
         double duration = 0;
     };
-    bool admit(const Vec3d& point, double walked, NodeIndex source, NodeIndex destination, PathPlace& place,
-               PathCharge& charge, PathFailure& failure) const;
+    struct Shown
+    {
+        Vec3d point;
+        double walked = 0; ///< metres
+        double step = 0;   ///< of them, since the frame before
+        NodeIndex source = 0;
+        NodeIndex destination = 0;
+    };
+    bool admit(const Shown& frame, PathPlace& place, PathCharge& charge, PathFailure& failure) const;
 
     const PathCourse& m_course;
     std::vector<Demand> m_demands;
     std::vector<Timed> m_timed; ///< by their beginnings
     double m_beta;
+    PathCharging m_charging;
 };
 
 } // namespace quadrille

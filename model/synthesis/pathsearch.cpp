@@ -48,6 +48,7 @@ public:
     std::optional<FoundRoute> run(std::int64_t& budget, const Progress& progress)
     {
         begin();
+        followRuns();
         for (std::size_t l = 0; l < m_layers.size() && budget > 0 && hasMemory(); ++l) {
             for (std::int64_t taken = 0;
                  taken < m_layers[l].width(m_settings.width) && budget > 0 && hasMemory();) {
@@ -61,6 +62,7 @@ public:
                 if (budget % 256 == 0)
                     progress.report(0);
                 expand(*next);
+                followRuns();
             }
             m_layers[l] = {};
         }
@@ -88,12 +90,25 @@ private:
         }
     }
 
+    /// Plays on from states that cannot do anything else yet: there is nothing to choose, and nothing to
+    /// count.
+    void followRuns()
+    {
+        while (!m_running.empty()) {
+            const Candidate next = m_running.back();
+            m_running.pop_back();
+            expand(next);
+        }
+    }
+
     void expand(const Candidate& from)
     {
         const auto parent = static_cast<std::int32_t>(m_seen.size());
         m_seen.push_back(from);
         const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(from.place.placement.turn).toRotationMatrix();
         const auto [begin, end] = m_problem.graph.from(from.stage.node);
+        if (m_problem.stages.hasRun(from.stage))
+            m_problem.motions.prepare(begin, std::min(end, begin + m_settings.moves));
         for (MoveIndex index = begin; index < end; ++index) {
             const WalkMove& move = m_problem.graph.move(index);
             if ((index - begin >= m_settings.moves && move.required < 0) ||
@@ -125,22 +140,31 @@ private:
         const double left = m_problem.stages.leastCost(candidate.stage, candidate.time);
         if (candidate.cost + left >= m_limit)
             return;
-        if (candidate.place.walked >= m_problem.course.length()) {
+        const bool isAtEnd = candidate.place.walked >= m_problem.course.length();
+        if (isAtEnd && m_problem.stages.hasRun(candidate.stage)) {
             if (m_problem.stages.isDone(candidate.stage))
                 keep(candidate);
             return;
         }
+        const NodeIndex node = candidate.stage.node;
+        const FrameLayout& layout = m_problem.graph.layout();
+        if (node + m_problem.stages.runLeft(candidate.stage) > layout.lastOf(layout.sequenceOf(node)))
+            return;
         // The last frames of a sequence have no way out.
         if (candidate.place.walked + m_problem.motions.walkableFrom(candidate.stage.node) <
             m_problem.course.length())
             return;
-        StageLayer<Candidate>& layer =
-            m_layers[static_cast<std::size_t>(candidate.place.walked / layerLength)];
+        StageLayer<Candidate>& layer = m_layers[std::min(
+            static_cast<std::size_t>(candidate.place.walked / layerLength), m_layers.size() - 1)];
         Stratum<Candidate>& stratum =
             layer.stratum(candidate.stage, m_problem.stages.quartersDone(candidate.stage, candidate.time));
         candidate.rank = candidate.cost + left + outlook(candidate);
         if (!stratum.takes(candidate.rank) || !m_known.improves(fingerprint(candidate), candidate.cost))
             return;
+        if (!m_problem.stages.hasRun(candidate.stage)) {
+            m_running.push_back(candidate);
+            return;
+        }
         candidate.order = m_order++;
         stratum.add(candidate, m_settings.width);
     }
@@ -171,10 +195,15 @@ private:
         const double walked = candidate.place.walked;
         const Vec3d here = placed(node);
         const Vec3d there = placed(later);
+        const double way = (there - here).norm();
         const double lateness = m_problem.costs.lateness(candidate.place);
-        return mending * (m_problem.costs.squaredDistance(here, walked) +
-                          m_problem.costs.squaredDistance(there, walked + (there - here).norm())) +
-               0.001 * std::abs(lateness);
+        // Of two that are both close enough, the closer one goes first.
+        constexpr double tie = 1e-3;
+        const auto off = [&](const Vec3d& point, double along) {
+            const double distance = m_problem.costs.distance(point, along);
+            return m_problem.costs.deviation(point, along, way / ahead) + tie * distance * distance;
+        };
+        return mending * (off(here, walked) + off(there, walked + way)) + 0.001 * std::abs(lateness);
     }
 
     std::uint64_t fingerprint(const Candidate& candidate) const
@@ -186,7 +215,7 @@ private:
         };
         const auto [stage, time] = m_problem.stages.future(candidate.stage, candidate.time);
         return fingerprintOf({stage.node, stage.key, stage.step, stage.span, stage.since, stage.required,
-                              stage.isFollowing ? 1 : 0, time, candidate.place.timed,
+                              stage.isFollowing ? 1 : 0, stage.run, time, candidate.place.timed,
                               candidate.place.timedFrames / 2,
                               cell(candidate.place.walked, m_settings.offset),
                               cell(ground.x(), m_settings.offset), cell(ground.y(), m_settings.offset),
@@ -198,6 +227,7 @@ private:
     double m_limit;
     PathFailure& m_failure;
     std::vector<StageLayer<Candidate>> m_layers;
+    std::vector<Candidate> m_running; ///< cannot leave their takes yet
     std::vector<Candidate> m_seen;
     std::vector<SettledStage> m_settled;
     CheapestKnown m_known;

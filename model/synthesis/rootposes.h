@@ -6,6 +6,7 @@
 #include "model/core/progress.h"
 #include "model/core/table.h"
 #include "model/synthesis/ground.h"
+#include "model/synthesis/stances.h"
 #include "model/synthesis/supports.h"
 #include "model/transition/characterframes.h"
 
@@ -23,6 +24,8 @@ struct RootPoses
     Table<float> turns;
     /// What each frame stands on, of findSupports, for BlendAnchor::Feet; empty: nothing is known of it.
     std::vector<Support> supports;
+    /// Which feet stand, of findStances; unknown: nothing is known of them.
+    Stances stances;
 };
 
 /// \throws Error what reading frames throws, Cancelled.

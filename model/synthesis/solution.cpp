@@ -97,7 +97,7 @@ public:
 private:
     void add(const Vec3d& point, double walked, std::int64_t time)
     {
-        const double distance = std::sqrt(m_path.costs.squaredDistance(point, walked));
+        const double distance = m_path.costs.distance(point, walked);
         m_solution.meanDeviation += distance;
         m_solution.greatestDeviation = std::max(m_solution.greatestDeviation, distance);
         for (std::size_t i = 0; i < m_spans.size(); ++i) {

@@ -32,7 +32,7 @@ struct KeyHash
     {
         const StageState& stage = key.first;
         return fingerprintOf({stage.node, stage.key, stage.step, stage.span, stage.since, stage.required,
-                              stage.isFollowing ? 1 : 0, key.second});
+                              stage.isFollowing ? 1 : 0, stage.run, key.second});
     }
 };
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <iterator>
+#include <set>
 #include <tbb/parallel_for.h>
 
 namespace quadrille {
@@ -71,7 +72,8 @@ Vec2d Support::meanOf(std::span<const std::uint32_t> standing) const
     Vec2d sum = Vec2d::Zero();
     auto position = vertices.begin();
     for (const std::uint32_t vertex : standing) {
-        position = std::lower_bound(position, vertices.end(), vertex);
+        while (*position < vertex) // a few steps, as both ascend
+            ++position;
         sum += places[static_cast<std::size_t>(position - vertices.begin())];
     }
     return sum / static_cast<double>(standing.size());
@@ -106,6 +108,36 @@ std::vector<Support> findSupports(const CharacterFrames& character, UpAxis up, c
     });
     progress.report(1.0);
     return supports;
+}
+
+void thinSupports(std::vector<Support>& supports, std::size_t most)
+{
+    std::size_t greatest = 0;
+    std::set<std::uint32_t> standing;
+    for (const Support& support : supports) {
+        greatest = std::max(greatest, support.vertices.size());
+        standing.insert(support.vertices.begin(), support.vertices.end());
+    }
+    const std::size_t step = (greatest + most - 1) / most;
+    if (step <= 1)
+        return;
+    std::set<std::uint32_t> kept;
+    std::size_t index = 0;
+    for (const std::uint32_t vertex : standing)
+        if (index++ % step == 0)
+            kept.insert(vertex);
+    for (Support& support : supports) {
+        Support thin;
+        for (std::size_t i = 0; i < support.vertices.size(); ++i) {
+            if (!kept.contains(support.vertices[i]))
+                continue;
+            thin.vertices.push_back(support.vertices[i]);
+            thin.places.push_back(support.places[i]);
+        }
+        // Where hardly anything stands, all of it counts.
+        if (!thin.vertices.empty())
+            support = std::move(thin);
+    }
 }
 
 std::vector<std::uint32_t> common(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b)

@@ -26,6 +26,10 @@ struct Support
 /// \throws Error what reading frames throws, Cancelled. Cost: O(frames · vertices).
 std::vector<Support> findSupports(const CharacterFrames& character, UpAxis up, const Progress& progress = {});
 
+/// Leaves out vertices, the same ones in every frame and evenly among all, so that about so many stand where
+/// most do: some dozens tell where feet are as well as hundreds. \param most  at least 1.
+void thinSupports(std::vector<Support>& supports, std::size_t most);
+
 /// The numbers that both have, of ascending ones.
 std::vector<std::uint32_t> common(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b);
 

@@ -38,7 +38,7 @@ public:
     {
         Vec2d sourceBefore, source, destinationBefore, destination;
     };
-    std::optional<Standing> standing(std::size_t before, std::size_t frame) const;
+    std::optional<Standing> standing(std::size_t before, std::size_t frame);
 
 private:
     Vec3d centre(const FrameTime& time) const
@@ -51,6 +51,7 @@ private:
     const RootPoses& m_roots;
     Ground m_ground;
     std::vector<BlendTimes> m_times;
+    std::vector<std::uint32_t> m_standing; ///< memory of standing()
 };
 
 double Mover::turn(std::size_t frame) const
@@ -69,16 +70,24 @@ double Mover::turn(std::size_t frame) const
                            near(source.next(), destination.next())));
 }
 
-std::optional<Mover::Standing> Mover::standing(std::size_t before, std::size_t frame) const
+std::optional<Mover::Standing> Mover::standing(std::size_t before, std::size_t frame)
 {
     if (m_roots.supports.empty())
         return std::nullopt;
     const std::array times{&m_times[before].source, &m_times[frame].source, &m_times[before].destination,
                            &m_times[frame].destination};
-    std::vector<std::uint32_t> vertices = support(times[0]->frame).vertices;
+    std::vector<std::uint32_t>& vertices = m_standing;
+    vertices = support(times[0]->frame).vertices;
     for (const FrameTime* time : times) {
-        vertices = common(vertices, support(time->frame).vertices);
-        vertices = common(vertices, support(time->next()).vertices);
+        for (const NodeIndex node : {time->frame, time->next()}) {
+            if (vertices.empty())
+                return std::nullopt;
+            // A subset of the first range may be written over it.
+            const std::vector<std::uint32_t>& other = support(node).vertices;
+            vertices.erase(std::set_intersection(vertices.begin(), vertices.end(), other.begin(), other.end(),
+                                                 vertices.begin()),
+                           vertices.end());
+        }
     }
     if (vertices.empty())
         return std::nullopt;
@@ -95,7 +104,7 @@ Vec2d turned(double angle, const Vec2d& step)
 
 /// Lays the windows over each other anew at every step: both lie with their current centres on the centre of
 /// the result and share out the turn between them.
-std::vector<TransitionMotion::Step> movedAtEveryStep(const Mover& mover, std::span<const double> lambdas,
+std::vector<TransitionMotion::Step> movedAtEveryStep(Mover& mover, std::span<const double> lambdas,
                                                      BlendAnchor anchor)
 {
     std::vector<TransitionMotion::Step> steps;
@@ -167,7 +176,7 @@ TransitionMotion transitionMotion(const RootPoses& roots, const Transition& tran
         const double even = static_cast<double>(t) / static_cast<double>(count - 1);
         lambdas[t] = settings.easing == BlendEasing::Smooth ? even * even * (3 - 2 * even) : even;
     }
-    const Mover mover(roots, blendTimes(transition, settings.timing));
+    Mover mover(roots, blendTimes(transition, settings.timing));
     switch (settings.alignment) {
     case BlendAlignment::EveryStep:
         return {movedAtEveryStep(mover, lambdas, settings.anchor)};

@@ -49,7 +49,7 @@ std::vector<MoveIndex> firstPositions(NodeIndex nodes, std::size_t count, const 
 } // namespace
 
 WalkGraph::WalkGraph(const Digraph& graph, const TransitionCosts& costs, double alpha,
-                     const Junctions& junctions)
+                     const Junctions& junctions, std::span<const double> frameWeights)
     : m_layout(costs.layout()), m_alpha(alpha)
 {
     requireAlpha(alpha);
@@ -57,8 +57,11 @@ WalkGraph::WalkGraph(const Digraph& graph, const TransitionCosts& costs, double 
         return std::find(junctions.banned.begin(), junctions.banned.end(), pair) != junctions.banned.end();
     };
     for (const Edge& edge : graph.edges()) {
-        if (edge.kind == EdgeKind::Original || !isBanned({edge.from, edge.to}))
-            m_moves.push_back(moveOf(edge, costs));
+        if (edge.kind == EdgeKind::Transition && isBanned({edge.from, edge.to}))
+            continue;
+        m_moves.push_back(moveOf(edge, costs));
+        if (edge.kind == EdgeKind::Original && !frameWeights.empty())
+            m_moves.back().weight = frameWeights[static_cast<std::size_t>(edge.from)];
     }
     for (std::size_t r = 0; r < junctions.required.size(); ++r) {
         const FramePair& pair = junctions.required[r];

@@ -39,7 +39,9 @@ class WalkGraph
 public:
     /// \throws Error BadArgument for α (requireAlpha), and for a required transition that does not exist or
     /// is banned.
-    WalkGraph(const Digraph& graph, const TransitionCosts& costs, double alpha, const Junctions& junctions);
+    /// \param frameWeights  of the edge that plays on from each node; empty: those of the graph.
+    WalkGraph(const Digraph& graph, const TransitionCosts& costs, double alpha, const Junctions& junctions,
+              std::span<const double> frameWeights = {});
 
     NodeIndex nodeCount() const { return static_cast<NodeIndex>(m_firstOf.size()) - 1; }
     const FrameLayout& layout() const { return m_layout; }

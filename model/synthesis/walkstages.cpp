@@ -34,8 +34,8 @@ std::size_t indexOf(NodeIndex node)
 } // namespace
 
 WalkStages::WalkStages(const WalkGraph& graph, const WalkConstraints& constraints, double beta,
-                       double edgeFactor)
-    : m_graph(graph), m_beta(beta), m_edgeFactor(edgeFactor), m_keys(constraints.keys)
+                       double edgeFactor, int leastRun)
+    : m_graph(graph), m_beta(beta), m_edgeFactor(edgeFactor), m_leastRun(leastRun), m_keys(constraints.keys)
 {
     addSteps(constraints.actions);
     addRequired(constraints.junctions);
@@ -158,11 +158,13 @@ StageState WalkStages::arrived(StageState state) const
 
 StageState WalkStages::begin(NodeIndex node) const
 {
-    return arrived({.node = node});
+    return arrived({.node = node, .run = static_cast<std::int16_t>(std::min(1, m_leastRun))});
 }
 
 bool WalkStages::allows(const StageState& state, const WalkMove& move) const
 {
+    if (move.kind == EdgeKind::Transition && move.required < 0 && !hasRun(state))
+        return false;
     if (state.span == StageState::free)
         return true;
     const Step& step = m_steps[static_cast<std::size_t>(state.step)];
@@ -174,6 +176,8 @@ bool WalkStages::allows(const StageState& state, const WalkMove& move) const
 StageState WalkStages::after(StageState state, const WalkMove& move) const
 {
     state.node = move.to;
+    const int run = move.kind == EdgeKind::Original ? state.run + 1 : 1;
+    state.run = static_cast<std::int16_t>(std::min(run, m_leastRun));
     if (move.required >= 0)
         state.required |= std::uint32_t{1} << static_cast<std::uint32_t>(move.required);
     if (m_requiredSpans.empty())
@@ -251,7 +255,8 @@ void WalkStages::settle(const StageState& state, std::int64_t time, std::vector<
 bool WalkStages::isDone(const StageState& state) const
 {
     return static_cast<std::size_t>(state.key) == m_keys.size() &&
-           static_cast<std::size_t>(state.step) == m_steps.size() && state.required == m_requiredAll;
+           static_cast<std::size_t>(state.step) == m_steps.size() && state.required == m_requiredAll &&
+           hasRun(state);
 }
 
 std::pair<StageState, std::int64_t> WalkStages::future(StageState state, std::int64_t time) const

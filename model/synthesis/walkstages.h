@@ -23,6 +23,9 @@ struct StageState
     std::int32_t since = 0;     ///< the frame at which it was entered; when it goes on, the output frame
     std::uint32_t required = 0; ///< bits of the required transitions and spans that were played
     bool isFollowing = false;   ///< a required span was played from its first frame on
+    /// Captured frames since the last transition, the one that it came to included, up to the least run; 0
+    /// where there is none.
+    std::int16_t run = 0;
 
     bool operator==(const StageState&) const = default;
 };
@@ -50,8 +53,10 @@ public:
         std::vector<bool> contains; ///< by node
     };
 
-    /// \param edgeFactor  what a weight counts in the total, μ or 1.
-    WalkStages(const WalkGraph& graph, const WalkConstraints& constraints, double beta, double edgeFactor);
+    /// \param edgeFactor  what a weight counts in the total, μ or 1. \param leastRun  captured frames between
+    /// two transitions; required ones may come earlier.
+    WalkStages(const WalkGraph& graph, const WalkConstraints& constraints, double beta, double edgeFactor,
+               int leastRun = 0);
 
     /// What a state that has come to its frame can become there. \param out  cleared first.
     void settle(const StageState& state, std::int64_t time, std::vector<SettledStage>& out) const;
@@ -61,6 +66,10 @@ public:
     /// Having moved, before it is settled.
     StageState after(StageState state, const WalkMove& move) const;
     bool isDone(const StageState& state) const;
+    /// Whether enough captured frames were played for a transition, or the end.
+    bool hasRun(const StageState& state) const { return runLeft(state) == 0; }
+    /// Captured frames that are to come before that.
+    int runLeft(const StageState& state) const { return m_leastRun - state.run; }
     /// What of a state and its output frame counts for what comes next: states that agree in it have one
     /// future.
     std::pair<StageState, std::int64_t> future(StageState state, std::int64_t time) const;
@@ -85,6 +94,7 @@ private:
     const WalkGraph& m_graph;
     double m_beta;
     double m_edgeFactor;
+    int m_leastRun;
     std::vector<PoseKey> m_keys;
     std::vector<Step> m_steps;
     std::vector<LegBounds> m_keyBounds;

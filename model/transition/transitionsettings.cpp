@@ -15,6 +15,14 @@ int TransitionSettings::shortest() const
     return shortestWindow.value_or(std::max(1, static_cast<int>(std::ceil(fps / 3))));
 }
 
+int TransitionSettings::shortestBetween(int sourceFrames, int destinationFrames) const
+{
+    // What is left between the windows of two transitions can be played as captured for a while.
+    constexpr double share = 0.3;
+    const auto part = static_cast<int>(std::ceil(share * std::min(sourceFrames, destinationFrames)));
+    return shortensInShortTakes ? std::min(shortest(), std::max(part, 1)) : shortest();
+}
+
 int TransitionSettings::longest() const
 {
     return longestWindow.value_or(std::max(shortest(), static_cast<int>(std::floor(2 * fps))));

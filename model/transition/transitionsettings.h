@@ -32,12 +32,16 @@ struct TransitionSettings
     std::optional<int> shortestWindow;
     /// l_max, frames: the longest window; empty: two seconds, rounded down.
     std::optional<int> longestWindow;
+    /// Where the shortest window is more than three tenths of one of the two takes, so many do.
+    bool shortensInShortTakes = false;
     /// Steps in a row in which only one of the two sequences goes on, 2 … 5: more bend time further.
     int slope = 3;
     TransitionCost cost = TransitionCost::Sum;
 
     /// l_min in frames, at least 1.
     int shortest() const;
+    /// Between takes of so many frames.
+    int shortestBetween(int sourceFrames, int destinationFrames) const;
     /// l_max in frames, at least l_min where it is not given.
     int longest() const;
     bool operator==(const TransitionSettings&) const = default;

@@ -56,7 +56,6 @@ public:
               const CostGrid& grid)
         : m_distances(distances), m_layout(layout), m_settings(settings), m_grid(grid)
     {
-        m_search.shortest = settings.shortest();
         m_search.longest = settings.longest();
         m_search.slope = settings.slope;
     }
@@ -69,6 +68,8 @@ public:
         const NodeIndex end = m_layout.lastOf(m_layout.sequenceOf(rows.first)) + 1;
         for (int s = 0; s < m_layout.sequenceCount(); ++s) {
             setKeys(rows, end, s);
+            m_search.shortest = m_settings.shortestBetween(m_layout.countOf(m_layout.sequenceOf(rows.first)),
+                                                           m_layout.countOf(s));
             for (NodeIndex r = 0; r < rows.count; ++r) {
                 progress.report(static_cast<std::int64_t>(s) * rows.count + r,
                                 static_cast<std::int64_t>(m_layout.sequenceCount()) * rows.count);
@@ -183,13 +184,15 @@ TransitionTable linearTransitionTable(const Table<float>& distances, const Frame
 {
     checkSettings(settings);
     checkTable(distances, layout);
-    const NodeIndex window = settings.shortest();
     const bool mean = settings.cost == TransitionCost::Mean;
     TransitionTable table = emptyTable(layout.frameCount());
     for (int s = 0; s < layout.sequenceCount(); ++s) {
-        for (NodeIndex i = layout.firstOf(s); i <= layout.lastOf(s) - window + 1; ++i) {
+        for (NodeIndex i = layout.firstOf(s); i <= layout.lastOf(s); ++i) {
             progress.report(i, layout.frameCount());
             for (int t = 0; t < layout.sequenceCount(); ++t) {
+                const NodeIndex window = settings.shortestBetween(layout.countOf(s), layout.countOf(t));
+                if (i + window - 1 > layout.lastOf(s))
+                    continue;
                 for (NodeIndex j = layout.firstOf(t) + window - 1; j <= layout.lastOf(t); ++j) {
                     if (i == j)
                         continue;

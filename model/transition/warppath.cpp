@@ -68,6 +68,12 @@ std::optional<Transition> WarpPaths::solve(FramePair frames, int rows, int colum
     return found;
 }
 
+int WarpPaths::shortestOf(FramePair frames) const
+{
+    return m_settings.shortestBetween(m_layout.countOf(m_layout.sequenceOf(frames.source)),
+                                      m_layout.countOf(m_layout.sequenceOf(frames.destination)));
+}
+
 std::optional<Transition> WarpPaths::find(FramePair frames) const
 {
     for (const NodeIndex frame : {frames.source, frames.destination}) {
@@ -77,9 +83,10 @@ std::optional<Transition> WarpPaths::find(FramePair frames) const
     }
     const int rows = std::min(m_settings.longest(), framesFrom(frames.source));
     const int columns = std::min(m_settings.longest(), framesTo(frames.destination));
-    if (frames.source == frames.destination || std::min(rows, columns) < m_settings.shortest())
+    const int shortest = shortestOf(frames);
+    if (frames.source == frames.destination || std::min(rows, columns) < shortest)
         return std::nullopt;
-    return solve(frames, rows, columns, m_settings.shortest(), m_settings.shortest(), {});
+    return solve(frames, rows, columns, shortest, shortest, {});
 }
 
 Transition WarpPaths::get(FramePair frames) const
@@ -93,7 +100,7 @@ Transition WarpPaths::get(FramePair frames) const
                      .place = {},
                      .values = {{"source", std::to_string(frames.source)},
                                 {"destination", std::to_string(frames.destination)},
-                                {"needed", std::to_string(m_settings.shortest())},
+                                {"needed", std::to_string(shortestOf(frames))},
                                 {"after", std::to_string(framesFrom(frames.source))},
                                 {"before", std::to_string(framesTo(frames.destination))}}});
     return *std::move(found);
@@ -124,7 +131,7 @@ std::optional<Transition> WarpPaths::of(const TransitionTable& table, FramePair 
 
 std::optional<Transition> WarpPaths::linear(FramePair frames) const
 {
-    const int window = m_settings.shortest();
+    const int window = shortestOf(frames);
     if (frames.source == frames.destination || framesFrom(frames.source) < window ||
         framesTo(frames.destination) < window)
         return std::nullopt;

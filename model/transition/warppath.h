@@ -53,6 +53,7 @@ public:
     std::optional<Transition> linear(FramePair frames) const;
 
 private:
+    int shortestOf(FramePair frames) const;
     int framesFrom(NodeIndex source) const;
     int framesTo(NodeIndex destination) const;
     /// A mean cost that is not far off, in steps of the grid.

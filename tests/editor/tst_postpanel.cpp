@@ -215,7 +215,7 @@ private slots:
         };
         drag({length, length}, {1.15 * length, length});
         QCOMPARE(context().document.undoStack()->index(), steps0 + 1);
-        const auto& points = std::get<RetimeSettings::Curve>(steps().retime->time);
+        const auto points = std::get<RetimeSettings::Curve>(steps().retime->time);
         QVERIFY(points.back().output.value > 1.05 * length);
         QCOMPARE(points.back().clip.value, length);
         QVERIFY(waitForResult());

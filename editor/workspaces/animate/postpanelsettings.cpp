@@ -3,6 +3,7 @@
 // The sections that say how a clip is sought and blended.
 #include "editor/fields/settingform.h"
 #include "editor/workspaces/animate/postpanel.h"
+#include "model/project/walkrequest.h"
 #include "model/synthesis/constraints.h"
 
 namespace quadrille {
@@ -31,8 +32,35 @@ void PostPanel::addBlending()
 
 void PostPanel::addSearch()
 {
-    const SearchSettings usual;
+    const SearchSettings usual = SearchSettings::calm();
     m_form->addHeading([] { return tr("Search"); });
+    addChoice({"searchStyle", [] { return tr("Walks"); },
+               [] {
+                   return tr("Calm walks stay in a take for a while, need not keep to a path by the "
+                             "centimetre, and prefer takes of locomotion along it");
+               },
+               [](const AnimationEntry& entry) { return entry.search.isPaper ? 0 : 1; },
+               [](AnimationEntry& entry, int index) { entry.search.isPaper = index == 0; }},
+              {[] { return tr("As published"); }, [] { return tr("Calm"); }});
+    addNumber({"searchDwell", [] { return tr("Stay in a take"); },
+               [] { return tr("Least time between two transitions of a calm walk"); },
+               [](const AnimationEntry& entry) { return entry.search.dwell; },
+               [](AnimationEntry& entry, std::optional<double> value) { entry.search.dwell = value; }},
+              {.highest = 60,
+               .step = 0.1,
+               .decimals = 2,
+               .unit = [] { return tr(" s"); },
+               .automatic = [] { return tr("usual (%L1 s)", "seconds").arg(usualDwell); }});
+    addNumber(
+        {"searchDeadZone", [] { return tr("Off the path"); },
+         [] { return tr("How far from a path a calm walk may be without any cost"); },
+         [](const AnimationEntry& entry) { return entry.search.deadZone; },
+         [](AnimationEntry& entry, std::optional<double> value) { entry.search.deadZone = value; }},
+        {.highest = 100,
+         .step = 0.01,
+         .decimals = 2,
+         .unit = [] { return tr(" m"); },
+         .automatic = [zone = usual.charging.deadZone] { return tr("usual (%L1 m)", "metres").arg(zone); }});
     addNumber(
         {"searchBudget", [] { return tr("Budget"); },
          [] {

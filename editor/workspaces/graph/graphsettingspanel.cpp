@@ -7,6 +7,7 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <algorithm>
 #include <cmath>
@@ -40,10 +41,13 @@ GraphSettingsPanel::GraphSettingsPanel(EditorContext& context, QWidget* parent)
     , m_stretch(new QDoubleSpinBox)
     , m_cost(new QComboBox)
     , m_scale(new QComboBox)
+    , m_contacts(new QDoubleSpinBox)
+    , m_velocity(new QDoubleSpinBox)
     , m_slope(new QSpinBox)
     , m_shortest(new QDoubleSpinBox)
     , m_longest(new QDoubleSpinBox)
     , m_greatest(new QDoubleSpinBox)
+    , m_published(new QPushButton)
 {
     setObjectName(QStringLiteral("graphSettingsPanel"));
     makeFields();
@@ -61,6 +65,11 @@ void GraphSettingsPanel::makeFields()
     m_stretch->setRange(0, 100);
     m_stretch->setDecimals(3);
     m_stretch->setSingleStep(0.01);
+    for (QDoubleSpinBox* field : {m_contacts, m_velocity}) {
+        field->setRange(0, 10);
+        field->setDecimals(3);
+        field->setSingleStep(0.05);
+    }
     m_slope->setRange(TransitionSettings::leastSlope, TransitionSettings::greatestSlope);
     for (QDoubleSpinBox* field : {m_shortest, m_longest}) {
         field->setRange(0, longestSeconds); // 0 stands for automatic
@@ -68,8 +77,8 @@ void GraphSettingsPanel::makeFields()
     }
     m_greatest->setRange(0, 1e6); // 0 stands for automatic
     m_greatest->setDecimals(4);
-    for (QAbstractSpinBox* field :
-         std::initializer_list<QAbstractSpinBox*>{m_stretch, m_slope, m_shortest, m_longest, m_greatest}) {
+    for (QAbstractSpinBox* field : std::initializer_list<QAbstractSpinBox*>{
+             m_stretch, m_contacts, m_velocity, m_slope, m_shortest, m_longest, m_greatest}) {
         field->setKeyboardTracking(false);
         field->setAlignment(Qt::AlignRight);
     }
@@ -86,6 +95,17 @@ void GraphSettingsPanel::makeFields()
         "graphScale", [] { return tr("Weigh by"); }, m_scale,
         [] { return tr("Whether transitions between calm takes must be better than those of lively ones"); });
     addField(
+        "graphContacts", [] { return tr("Feet"); }, m_contacts,
+        [] {
+            return tr("What it costs to blend frames of which every foot stands in one only; 0 as published");
+        });
+    addField(
+        "graphVelocity", [] { return tr("Speed"); }, m_velocity,
+        [] {
+            return tr("What it costs when body and feet move otherwise, for a body height a second; 0 as "
+                      "published");
+        });
+    addField(
         "graphSlope", [] { return tr("Slope"); }, m_slope,
         [] { return tr("How many frames in a row one take may wait for the other, 2 to 5"); });
     addField(
@@ -97,6 +117,9 @@ void GraphSettingsPanel::makeFields()
     addField(
         "graphGreatest", [] { return tr("Largest distance"); }, m_greatest,
         [] { return tr("What costs are divided by; automatic is the largest distance of two poses"); });
+    addField(
+        "graphPublished", [] { return QString(); }, m_published,
+        [] { return tr("Costs and windows as the paper has them, for comparison: transitions show more"); });
 }
 
 void GraphSettingsPanel::connectFields()
@@ -116,6 +139,23 @@ void GraphSettingsPanel::connectFields()
     connect(m_scale, &QComboBox::activated, this, [this](int index) {
         edit(tr("Weigh transitions otherwise"), QStringLiteral("scale"),
              [index](GraphEntry& entry) { entry.costScale = static_cast<CostScale>(index); });
+    });
+    connect(m_contacts, &QDoubleSpinBox::valueChanged, this, [this](double weight) {
+        edit(tr("Weigh feet otherwise"), QStringLiteral("contacts"),
+             [weight](GraphEntry& entry) { entry.steps.contacts = weight; });
+    });
+    connect(m_velocity, &QDoubleSpinBox::valueChanged, this, [this](double weight) {
+        edit(tr("Weigh speed otherwise"), QStringLiteral("velocity"),
+             [weight](GraphEntry& entry) { entry.steps.velocity = weight; });
+    });
+    connect(m_published, &QPushButton::clicked, this, [this] {
+        edit(tr("Seek transitions as published"), QStringLiteral("published"), [](GraphEntry& entry) {
+            const GraphEntry paper = GraphEntry::paper();
+            entry.cost = paper.cost;
+            entry.costScale = paper.costScale;
+            entry.steps = paper.steps;
+            entry.durations = paper.durations;
+        });
     });
     connect(m_slope, &QSpinBox::valueChanged, this, [this](int slope) {
         edit(tr("Change the slope of transitions"), QStringLiteral("slope"),
@@ -144,14 +184,12 @@ void GraphSettingsPanel::edit(const QString& text, const QString& property,
 void GraphSettingsPanel::editDurations()
 {
     edit(tr("Change the windows of transitions"), QStringLiteral("durations"), [this](GraphEntry& entry) {
-        const double fps = m_context.document.project().settings.fps;
-        const TransitionSettings automatic{.fps = fps};
         if (m_shortest->value() == 0 && m_longest->value() == 0) {
             entry.durations.reset();
             return;
         }
-        const double shortest = m_shortest->value() > 0 ? m_shortest->value() : automatic.shortest() / fps;
-        const double longest = m_longest->value() > 0 ? m_longest->value() : automatic.longest() / fps;
+        const double shortest = m_shortest->value() > 0 ? m_shortest->value() : usualDurations.first;
+        const double longest = m_longest->value() > 0 ? m_longest->value() : usualDurations.second;
         entry.durations.emplace(shortest, std::max(shortest, longest));
     });
 }
@@ -170,6 +208,8 @@ void GraphSettingsPanel::refresh()
     setFieldVisible(m_stretch, entry.pose.metric == PoseMetric::Surface);
     showIn(m_cost, entry.cost);
     showIn(m_scale, entry.costScale);
+    showIn(m_contacts, entry.steps.contacts);
+    showIn(m_velocity, entry.steps.velocity);
     showIn(m_slope, entry.slope);
     showIn(m_shortest, entry.durations ? entry.durations->first : 0);
     showIn(m_longest, entry.durations ? entry.durations->second : 0);
@@ -193,7 +233,10 @@ void GraphSettingsPanel::retranslate()
         field->setSuffix(tr(" s"));
         field->setSpecialValueText(tr("automatic"));
     }
+    for (QDoubleSpinBox* field : {m_contacts, m_velocity})
+        field->setSuffix(QStringLiteral(" rad"));
     m_greatest->setSpecialValueText(tr("automatic"));
+    m_published->setText(tr("As published"));
     refresh();
 }
 

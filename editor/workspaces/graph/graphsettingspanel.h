@@ -8,6 +8,7 @@
 #include <functional>
 
 class QComboBox;
+class QPushButton;
 class QDoubleSpinBox;
 class QSpinBox;
 
@@ -42,10 +43,13 @@ private:
     QDoubleSpinBox* m_stretch;
     QComboBox* m_cost;
     QComboBox* m_scale;
+    QDoubleSpinBox* m_contacts;
+    QDoubleSpinBox* m_velocity;
     QSpinBox* m_slope;
     QDoubleSpinBox* m_shortest;
     QDoubleSpinBox* m_longest;
     QDoubleSpinBox* m_greatest;
+    QPushButton* m_published;
 };
 
 } // namespace quadrille

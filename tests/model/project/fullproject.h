@@ -38,7 +38,13 @@ inline AnimationEntry fullAnimation()
     action.duration = 3;
     action.leastShare = 0.75;
     animation.constraints = {path, key, action};
-    animation.search = {.budget = 5000, .beta = 0.02, .mu = 0.2, .globalKeys = true};
+    animation.search = {.budget = 5000,
+                        .beta = 0.02,
+                        .mu = 0.2,
+                        .globalKeys = true,
+                        .isPaper = true,
+                        .dwell = 0.7,
+                        .deadZone = 0.02};
     const NamedFrame from{"talk", FrameIndex(4)};
     const NamedFrame to{"talk", FrameIndex(30)};
     animation.junctions = {.banned = {{from, to}}, .locked = {{to, from}}, .chosen = {{from, from}}};
@@ -47,7 +53,7 @@ inline AnimationEntry fullAnimation()
         .turn = 90,
         .at = Vec2d(1, -2)};
     animation.interpolation = InterpolationMethod::Slerp;
-    animation.gentleBlend = true;
+    animation.gentleBlend = false;
     animation.post.variations = VariedRepeats{"chat", 0.3, {}};
     animation.post.steps.loop = LoopSettings{Seconds{0.5}, Seconds{0.25}, true};
     animation.post.steps.contacts = ContactCorrectionSettings{0.5, 0.1, 0.05, 0.2, 0.01};
@@ -106,8 +112,9 @@ inline Project fullProject()
     GraphEntry graph;
     graph.character = "liam";
     graph.pose = {PoseMetric::Euclidean, 0.02};
-    graph.cost = TransitionCost::Mean;
-    graph.costScale = CostScale::Liveliness;
+    graph.cost = TransitionCost::Sum;
+    graph.costScale = CostScale::None;
+    graph.steps = {.contacts = 0.3, .velocity = 0.02};
     graph.slope = 4;
     graph.durations = {0.5, 1.5};
     graph.alpha = 0.05;

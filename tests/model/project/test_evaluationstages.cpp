@@ -19,6 +19,7 @@ namespace {
 class EvaluationStages : public StripProject
 {
 protected:
+    EvaluationStages() { project.graphs = {GraphEntry::paper()}; }
     void evaluate(std::initializer_list<const char*> tables)
     {
         for (const char* table : tables)
@@ -167,11 +168,13 @@ TEST_F(EvaluationStages, JunctionsAreJudgedWithBothBlends)
     const auto blends = column<std::string>("evaluation/junctions", "blend");
     EXPECT_EQ(std::count(blends.begin(), blends.end(), "paper"), 5);
     EXPECT_EQ(std::count(blends.begin(), blends.end(), "gentle"), 5);
+    EXPECT_EQ(std::count(blends.begin(), blends.end(), "gentle-corrected"), 5);
     EXPECT_THAT(column<std::string>("evaluation/junctions-criteria", "criterion"),
                 ElementsAre("acceleration", "frozen", "centre-step", "foot-slip", "volume", "all",
+                            "acceleration", "frozen", "centre-step", "foot-slip", "volume", "all",
                             "acceleration", "frozen", "centre-step", "foot-slip", "volume", "all"));
     EXPECT_EQ(column<std::int64_t>("evaluation/junctions-criteria", "measured")[5], 5);
-    EXPECT_EQ(column<std::string>("evaluation/junctions-predictors", "predictor").size(), 10U);
+    EXPECT_EQ(column<std::string>("evaluation/junctions-predictors", "predictor").size(), 15U);
     const PoseDistances poses = poseDistances(frames());
     const TransitionTable transitions = transitionTable(poses.distances, poses.layout, {.fps = 6});
     const auto from = column<std::string>("evaluation/junctions", "from");
@@ -191,7 +194,7 @@ TEST_F(EvaluationStages, TakeTheSettingsOfTheGraphWhereItHasSome)
     evaluate({"fig9"});
     EXPECT_THAT(computed(run()),
                 UnorderedElementsAre("graph/pose-distance", "graph/transitions", "evaluations/fig9"));
-    project.graphs.resize(1);
+    project.graphs[0].character.clear();
     EXPECT_TRUE(computed(run()).empty());
     project.graphs[0].alpha = 0.5; // not of those that are compared
     EXPECT_TRUE(computed(run()).empty());
@@ -206,12 +209,15 @@ TEST_F(EvaluationStages, AreMadeForEachCharacterThatTheyAreAbout)
     project.characters = {characterOf("a", ""), characterOf("b", "")};
     project.sequences[0].character = "a";
     project.sequences[1].character = "b";
+    project.graphs.clear();
     evaluate({"fig9", "fig9"});
     project.evaluations[1].character = "b";
     project.evaluations[1].alphas = {0.7};
     EXPECT_THAT(computed(run()),
-                UnorderedElementsAre("graph/a/pose-distance", "graph/a/transitions", "graph/b/pose-distance",
-                                     "graph/b/transitions", "evaluations/fig9/a", "evaluations/fig9/b"));
+                UnorderedElementsAre("graph/a/pose-distance", "graph/a/root-poses", "graph/a/transitions",
+                                     "graph/a/liveliness", "graph/b/pose-distance", "graph/b/root-poses",
+                                     "graph/b/transitions", "graph/b/liveliness", "evaluations/fig9/a",
+                                     "evaluations/fig9/b"));
     project.evaluations.erase(project.evaluations.begin());
     EXPECT_THAT(column<double>("evaluation/fig9", "alpha"), ElementsAre(0.7, 0.7));
 }

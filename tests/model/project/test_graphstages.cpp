@@ -19,7 +19,7 @@ namespace {
 class GraphStages : public StripProject
 {
 protected:
-    GraphStages() { project.graphs.resize(1); }
+    GraphStages() { project.graphs = {GraphEntry::paper()}; }
     RebuildReport run() { return StripProject::run("graph"); }
 };
 
@@ -138,9 +138,16 @@ TEST_F(GraphStages, CostsAreScaledByLivelinessOnDemand)
 
 TEST_F(GraphStages, WindowsComeFromDurationsAtTheRateOfTheProject)
 {
+    EXPECT_EQ(transitionSettings(GraphEntry::paper(), 25).shortest(), 9);
+    EXPECT_EQ(transitionSettings(GraphEntry::paper(), 25).longest(), 50);
+    EXPECT_EQ(transitionSettings(GraphEntry::paper(), 25).shortestBetween(20, 100), 9);
     GraphEntry entry;
-    EXPECT_EQ(transitionSettings(entry, 25).shortest(), 9);
+    EXPECT_EQ(transitionSettings(entry, 25).shortest(), 15);
     EXPECT_EQ(transitionSettings(entry, 25).longest(), 50);
+    // Where a take is too short: three tenths of it, rounded up.
+    EXPECT_EQ(transitionSettings(entry, 25).shortestBetween(50, 100), 15);
+    EXPECT_EQ(transitionSettings(entry, 25).shortestBetween(100, 41), 13);
+    EXPECT_EQ(transitionSettings(entry, 25).shortestBetween(1, 41), 1);
     entry.durations = {0.2, 1.0};
     EXPECT_EQ(transitionSettings(entry, 25).shortest(), 5);
     EXPECT_EQ(transitionSettings(entry, 25).longest(), 25);

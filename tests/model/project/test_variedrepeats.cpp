@@ -26,8 +26,10 @@ class VariedRepeatsStages : public TubeProject
 protected:
     VariedRepeatsStages()
     {
+        project.graphs = {GraphEntry::paper()}; // windows that its short takes have room for
         AnimationEntry animation;
         animation.name = "again";
+        animation.post.steps.contacts.reset(); // a tube has no feet
         animation.walk.emplace();
         for (const FrameRange& frames : {range(2, 12), range(5, 13), range(6, 14)})
             animation.walk->spans.push_back({"calm", frames});

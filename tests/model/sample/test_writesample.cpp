@@ -85,7 +85,7 @@ TEST_F(WriteSample, itsTourStaysWithinTenCentimetresOfItsPath)
     ASSERT_NE(character, nullptr);
     const WalkSolution solution = animationWalk(*tour, character->graph).solution;
     EXPECT_LE(solution.greatestDeviation, 0.1);
-    EXPECT_LE(solution.meanDeviation, 0.03);
+    EXPECT_LE(solution.meanDeviation, 0.05); // within its dead zone
 }
 
 TEST_F(WriteSample, givesTheSameBytesTwice)

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/synthesis/clipplan.h"
+#include "model/synthesis/constraints.h"
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace quadrille {
+
+/// What of a clip a viewer sees slide or hurry, by its surface alone.
+struct MotionMeasures
+{
+    /// Of the foot that stands or is nearest to the ground, in frames where it is as near as a standing foot:
+    /// how fast what touches the ground slips, in 95 of 100 of them no faster, units of length a second.
+    double slide95 = 0;
+    /// Root mean square of how much the speed of the centre over the ground changes within a fifth of a
+    /// second, units of length a second.
+    double speedChange = 0;
+};
+
+/// \param level  height of soles that stand, of standingLevel.
+MotionMeasures measureMotion(const Clip& clip, const Stances& stances, UpAxis up, double level);
+
+/// The median height of the soles of feet that stand in the captured frames.
+double standingLevel(const CharacterFrames& character, const Stances& stances, UpAxis up);
+
+/// The 95th percentile of both measures over all takes of which a walk shows something, each measured whole;
+/// of slides that of all frames together, of changes the root mean square.
+MotionMeasures measureTakes(const CharacterFrames& character, const RootPoses& roots,
+                            const std::vector<WalkSpan>& shown, double level);
+
+/// How restless a walk is.
+struct WalkCalmness
+{
+    double seconds = 0;
+    int transitions = 0;
+    NodeIndex shortestRun = 0; ///< captured frames between two transitions, or at an end
+    double blendedShare = 0;   ///< of the frames
+    double transitionsPerSecond() const { return seconds > 0 ? transitions / seconds : 0; }
+};
+WalkCalmness calmnessOf(const ClipPlan& plan, const Walk& walk, double fps);
+
+/// The paths that walks are compared on.
+inline constexpr std::array<std::string_view, 5> standardPaths{"straight", "s", "circle", "right-angle",
+                                                               "figure-of-eight"};
+/// Points of a standard path on the ground, some centimetres apart, metres: 8 m straight; an S of 9 m; a
+/// circle of 3 m radius; 4 m, a right angle to the left, 4 m; two circles of 2 m radius.
+std::vector<Vec2d> standardPath(std::string_view name);
+
+} // namespace quadrille

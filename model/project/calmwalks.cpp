@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/evaluation/walkmeasures.h"
+#include "model/project/animate.h"
+#include "model/project/evaluationstages.h"
+#include "model/project/lengthunit.h"
+#include "model/project/tablebuilder.h"
+#include "model/project/walkrequest.h"
+
+namespace quadrille {
+
+namespace {
+
+constexpr auto walksNote =
+    "Walks along five paths with the settings that animations have by default: how restless they are, and "
+    "how much feet slide and speeds change in them beside the takes that they are made of.";
+
+TableBuilder walksTable(const std::string& unit)
+{
+    TableBuilder table("walks", walksNote);
+    table.text("path").real("length", unit).real("seconds", "s").whole("transitions");
+    table.real("transitions-per-second", "1/s").whole("shortest-run", "frame").real("blended-share");
+    table.real("mean-deviation", unit).real("greatest-deviation", unit);
+    table.real("slide", unit + "/s").real("slide-of-takes", unit + "/s").real("slide-ratio");
+    table.real("speed-change", unit + "/s").real("speed-change-of-takes", unit + "/s");
+    table.real("speed-change-ratio").real("cost").whole("expansions");
+    return table;
+}
+
+double ratioOf(double value, double reference)
+{
+    return reference > 0 ? value / reference : 0;
+}
+
+} // namespace
+
+ResultStage walksStage(const CharacterWork& work, const EvaluationEntry& evaluation)
+{
+    const ProjectSettings project = work.opener->project().settings;
+    const double metres = project.axes.metresPerUnit;
+    AnimationEntry animation;
+    animation.character = work.character;
+    ResultStage stage = evaluationStage(work, evaluation);
+    stage.settings = work.settings + nlohmann::json({project.fps, metres, work.sequences}).dump() +
+                     walkSettings(animation, work);
+    stage.files = [work](const Progress& progress) { return work.files(progress); };
+    stage.inputs = CharacterGraph::inputs(work);
+    stage.compute = [=](const StageContext& context, const Progress& progress) {
+        const CharacterGraph graph(work, context);
+        const CharacterFrames character = work.open(progress.part(0, 0.05));
+        const RootPoses& roots = graph.roots();
+        const double level = standingLevel(character, roots.stances, roots.up);
+        TableBuilder table = walksTable(unitText(metres));
+        for (std::size_t p = 0; p < standardPaths.size(); ++p) {
+            const auto part = [&](double share) {
+                return 0.05 + 0.95 * (static_cast<double>(p) + share) / standardPaths.size();
+            };
+            WalkConstraints constraints;
+            constraints.path.emplace();
+            for (const Vec2d& point : standardPath(standardPaths[p]))
+                constraints.path->points.push_back(Ground(roots.up).at(point / metres, 0));
+            const WalkSolution solution = findWalk(graph.material(blendSettings(animation)), constraints,
+                                                   searchSettings(animation.search, project.fps, metres),
+                                                   progress.part(part(0), part(0.7)));
+            const ClipPlan plan = animationPlan(animation, graph, solution.walk, solution.start);
+            const WalkCalmness calm = calmnessOf(plan, solution.walk, project.fps);
+            const AnimationClip made =
+                animationClip(animation, graph, character, plan, {}, progress.part(part(0.7), part(0.9)));
+            const MotionMeasures motion = measureMotion(made.processed.clip, roots.stances, roots.up, level);
+            const MotionMeasures takes = measureTakes(character, roots, solution.walk.spans, level);
+            table.add(
+                {std::string(standardPaths[p]), solution.pathLength, calm.seconds,
+                 std::int64_t{calm.transitions}, calm.transitionsPerSecond(), std::int64_t{calm.shortestRun},
+                 calm.blendedShare, solution.meanDeviation, solution.greatestDeviation, motion.slide95,
+                 takes.slide95, ratioOf(motion.slide95, takes.slide95), motion.speedChange, takes.speedChange,
+                 ratioOf(motion.speedChange, takes.speedChange), solution.totalCost, solution.expansions});
+        }
+        Result result;
+        result.tables = {std::move(table).table()};
+        return result;
+    };
+    return stage;
+}
+
+} // namespace quadrille

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/synthesis/rootposes.h"
+
+namespace quadrille {
+
+/// What two frames that are blended differ in beside their poses, and how much that weighs; without any
+/// weight the costs are the paper's (SMCAS eq. 8).
+struct StepWeights
+{
+    double contacts = 0; ///< rad, where every foot stands in one frame only
+    double velocity = 0; ///< rad for a difference of one body height a second
+
+    bool isNothing() const { return contacts == 0 && velocity == 0; }
+    bool operator==(const StepWeights&) const = default;
+};
+
+/// The parts of what it costs to show two frames together.
+struct StepCosts
+{
+    Table<float> contacts; ///< share of the feet that stand in one of both frames only, 0 … 1
+    /// By how much centres and, on average, feet move otherwise in one frame than in the other, turned onto
+    /// each other about the up axis; body heights a second.
+    Table<float> velocity;
+};
+
+/// \param roots  with turns and known stances; zeros where nothing is known of feet.
+/// \return both frames × frames, symmetric, zeros on the diagonal.
+/// Cost: O(frames² · feet).
+StepCosts stepCosts(const RootPoses& roots, const FrameLayout& layout, double fps);
+
+/// What transitions are sought by: pose distances with both parts by their weights.
+Table<float> weightedSteps(const Table<float>& distances, const StepCosts& parts, const StepWeights& weights);
+
+} // namespace quadrille
