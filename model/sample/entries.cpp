@@ -125,7 +125,7 @@ std::vector<AnimationEntry> sampleAnimations(const std::string& character)
     curve.clearance = 0.3;
     AnimationEntry path = named("along an S");
     path.constraints = {curve};
-    path.search.deadZone = 0.05;
+    path.search.mu = 0.05;
     AnimationEntry keys = named("dance by the clock");
     keys.constraints = {keyAt("dance 1", 10, 0), keyAt("dance 1", 40, 2.5), keyAt("dance 1", 20, 4),
                         keyAt("dance 1", 60, 6.5)};
