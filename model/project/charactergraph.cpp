@@ -65,6 +65,7 @@ void addStances(Result& result, const Stances& stances)
     }
     const auto count = static_cast<std::int64_t>(stances.feet.size());
     std::vector<std::int64_t> standing;
+    standing.reserve(stances.standing.size() * stances.feet.size());
     for (const std::uint32_t feetOfFrame : stances.standing)
         for (std::size_t foot = 0; foot < stances.feet.size(); ++foot)
             standing.push_back(feetOfFrame >> foot & 1U);
@@ -77,6 +78,7 @@ void addStances(Result& result, const Stances& stances)
     add("foot-vertices", "The vertices of each foot, foot after foot.", "", std::move(vertices));
     add("foot-height", "Height of the figure.", "m", std::vector{stances.height});
     std::vector<double> places;
+    places.reserve(3 * stances.places.size());
     for (const Vec3d& place : stances.places)
         places.insert(places.end(), place.begin(), place.end());
     add("foot-places", "Mean of the vertices of each foot in each frame.", "m", std::move(places));

@@ -135,7 +135,7 @@ struct SearchSettings
     /// the one before carried over, as in the paper.
     bool globalKeys = false;
     /// Captured frames that are played at least between two transitions, before the first and after the last;
-    /// required transitions may come earlier. Not where keys alone are asked for.
+    /// required transitions may be nearer to others. Not where keys alone are asked for.
     int leastRun = 0;
     PathCharging charging;
     /// Captured frames of locomotion cost nothing along a path, and others `strayWeight` times α each;

@@ -63,6 +63,7 @@ JunctionJudge::JunctionJudge(const CharacterFrames& character, const RootPoses& 
     , m_legs(legsOf(character, roots.up))
 {
     std::vector<double> slides;
+    slides.reserve(static_cast<std::size_t>(character.layout().sequenceCount()));
     for (int sequence = 0; sequence < character.layout().sequenceCount(); ++sequence)
         slides.push_back(
             meanSlide(character.layout().firstOf(sequence), character.layout().lastOf(sequence)));
@@ -88,9 +89,11 @@ JunctionMeasures JunctionJudge::judge(const Transition& transition, const BlendS
     const ClipPlan plan =
         planClip(m_roots, segments.walk, std::span(&transition, 1), {.start = {}, .blend = blend});
     Clip clip = makeClip(m_character, plan, method);
-    if (correction && !m_legs.feet.empty())
-        clip = contactsCorrected(std::move(clip), contactsOf(clip, m_roots.stances), *correction,
+    if (correction && !m_legs.feet.empty()) {
+        const std::vector<ContactSpan> contacts = contactsOf(clip, m_roots.stances);
+        clip = contactsCorrected(std::move(clip), contacts, *correction,
                                  {.up = m_roots.up, .frames = {}, .legs = &m_legs, .trustsLegs = true});
+    }
     const ClipPlan::Junction& junction = plan.junctions.front();
     JunctionMeasures measures;
     measures.values = {acceleration(clip, junction, transition, measures.worstAcceleration),

@@ -45,6 +45,7 @@ void setStanding(Stances& stances, const FrameLayout& layout,
 std::vector<std::size_t> acrossOf(const Stances& stances)
 {
     std::vector<std::size_t> across;
+    across.reserve(stances.feet.size());
     for (std::size_t i = 0; i < stances.feet.size(); ++i) {
         const std::string& name = stances.feet[i].name;
         const std::string other = name == "left" ? "right" : name == "right" ? "left" : name;
@@ -106,6 +107,7 @@ Stances findStances(const CharacterFrames& character, UpAxis up, const Progress&
     progress.report(0.8);
     const Legs legs = legsOf(character, up, progress.part(0.8, 1));
     stances.height = legs.feet.empty() ? heightOf(character.frame(0).positions(), up) : legs.height;
+    stances.feet.reserve(legs.feet.size());
     for (const Foot& foot : legs.feet)
         stances.feet.push_back({.name = foot.name, .vertices = foot.vertices});
     setStanding(stances, character.layout(), contacts);
@@ -129,6 +131,7 @@ Stances findStances(const CharacterFrames& character, UpAxis up, const Progress&
 Stances givenStances(const CharacterFrames& character)
 {
     std::vector<std::vector<ContactSpan>> contacts;
+    contacts.reserve(character.sequences().size());
     for (const MeshSequence& sequence : character.sequences())
         contacts.push_back(sequence.contacts);
     Stances stances;

@@ -176,7 +176,7 @@ bool WalkStages::allows(const StageState& state, const WalkMove& move) const
 StageState WalkStages::after(StageState state, const WalkMove& move) const
 {
     state.node = move.to;
-    const int run = move.kind == EdgeKind::Original ? state.run + 1 : 1;
+    const int run = move.kind == EdgeKind::Original ? state.run + 1 : move.required < 0 ? 1 : m_leastRun;
     state.run = static_cast<std::int16_t>(std::min(run, m_leastRun));
     if (move.required >= 0)
         state.required |= std::uint32_t{1} << static_cast<std::uint32_t>(move.required);

@@ -54,7 +54,7 @@ public:
     };
 
     /// \param edgeFactor  what a weight counts in the total, μ or 1. \param leastRun  captured frames between
-    /// two transitions; required ones may come earlier.
+    /// two transitions; required ones may be nearer to others.
     WalkStages(const WalkGraph& graph, const WalkConstraints& constraints, double beta, double edgeFactor,
                int leastRun = 0);
 

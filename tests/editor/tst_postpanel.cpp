@@ -167,7 +167,6 @@ private slots:
 
     void everyValueGoesBackToTheUsual()
     {
-        toggle("postContacts");
         auto* reset = field<QToolButton>("postStrengthReset");
         QVERIFY(!reset->isVisible());
         type("postStrength", "40");
@@ -235,6 +234,9 @@ private slots:
         twice.walk.emplace();
         for (const int first : {2, 10})
             twice.walk->spans.push_back({"first", {FrameIndex(first), FrameIndex(18)}});
+        GraphEntry graph = GraphEntry::paper(); // its windows have room before frame 10
+        graph.character = "spire";
+        setGraph(context().document, "Windows", "durations", graph);
         setAnimation(context().document, "dance", "Twice", "walk", twice);
         QVERIFY(waitForResult());
         const std::int64_t frames = clipFrames();

@@ -62,20 +62,24 @@ Vec3d pointAt(const PathConstraint& path, double walked)
 struct Deviations
 {
     double squares = 0;
+    double charged = 0; ///< by PathCharging
     double mean = 0;
     double walked = 0;
 };
 
-Deviations plainDeviations(const WalkWorld& world, const WalkSolution& solution, const PathConstraint& path)
+Deviations plainDeviations(const WalkWorld& world, const WalkSolution& solution, const PathConstraint& path,
+                           const PathCharging& charging = {})
 {
     Deviations result;
     const std::vector<Vec3d> centres = centresOf(world, solution);
     for (std::size_t t = 0; t < centres.size(); ++t) {
         const auto flat = [&](const Vec3d& p) { return path.inSpace ? p : Vec3d(p.x(), p.y(), 0); };
-        if (t > 0)
-            result.walked += (flat(centres[t]) - flat(centres[t - 1])).norm();
+        const double step = t > 0 ? (flat(centres[t]) - flat(centres[t - 1])).norm() : 0;
+        result.walked += step;
         const double distance = (flat(centres[t]) - pointAt(path, result.walked)).norm();
         result.squares += distance * distance;
+        const double off = std::max(0.0, distance - charging.deadZone);
+        result.charged += off * off * charging.perMetre * step;
         result.mean += distance / static_cast<double>(centres.size());
     }
     return result;
@@ -132,6 +136,58 @@ TEST(PathWalk, IsAsGoodAsBranchAndBoundOnSmallCases)
         EXPECT_LE(solution.totalCost, 1.01 * expected) << seed;
         const double greedy = reference.incrementalFromAll(20);
         EXPECT_GE(greedy, expected - 1e-9);
+    }
+}
+
+TEST(PathWalk, StaysInATakeForAsLongAsIsAsked)
+{
+    const WalkWorld world({.seed = 4, .counts = {40, 50, 30}, .missing = 0.5, .shortest = 4});
+    const PathConstraint path = curve(3);
+    const auto shortestRun = [](const Walk& walk) {
+        return std::ranges::min(walk.spans, {}, &WalkSpan::frameCount).frameCount();
+    };
+    const WalkSolution free = findPathWalk(world, {.path = path}, {.budget = 20'000});
+    ASSERT_LT(shortestRun(free.walk), 8) << "or the next shows nothing";
+    const WalkSolution calm = findPathWalk(world, {.path = path}, {.budget = 20'000, .leastRun = 8});
+    EXPECT_GE(shortestRun(calm.walk), 8);
+    EXPECT_GE(calm.totalCost, free.totalCost);
+    // A transition that must be used may be nearer to another.
+    ASSERT_GT(free.walk.transitionCount(), 0U);
+    const FramePair required = free.walk.transition(0);
+    const WalkSolution decided = findPathWalk(world, {.path = path, .junctions = {.required = {required}}},
+                                              {.budget = 20'000, .leastRun = 8});
+    bool isUsed = false;
+    for (std::size_t t = 0; t < decided.walk.transitionCount(); ++t)
+        isUsed = isUsed || decided.walk.transition(t) == required;
+    EXPECT_TRUE(isUsed);
+}
+
+TEST(PathWalk, CountsDeviationByTheMetreBeyondItsDeadZone)
+{
+    const WalkWorld world({.seed = 4, .counts = {20, 25, 15}, .missing = 0.5, .shortest = 4});
+    const PathConstraint path = curve(1.5);
+    const SearchSettings settings{.budget = 5000, .charging = {.deadZone = 0.02, .perMetre = 25}};
+    const WalkSolution solution = findPathWalk(world, {.path = path}, settings);
+    const Deviations plain = plainDeviations(world, solution, path, settings.charging);
+    EXPECT_GT(plain.charged, 0);
+    EXPECT_NEAR(solution.cost.deviation, plain.charged, 1e-5);
+    EXPECT_LT(plain.charged, plain.squares);
+}
+
+TEST(PathWalk, PrefersFramesOfLocomotion)
+{
+    const WalkWorld world({.seed = 4, .counts = {40, 40, 40}, .missing = 0.3, .shortest = 4});
+    WalkMaterial material = world.material();
+    const PathConstraint path = curve(2);
+    SearchSettings settings{.budget = 20'000, .prefersLocomotion = true, .strayWeight = 1000};
+    for (const NodeIndex wanted : {0, 1, 2}) {
+        material.locomotion.assign(120, false);
+        std::fill_n(material.locomotion.begin() + 40 * wanted, 40, true);
+        const WalkSolution solution = findWalk(material, {.path = path}, settings);
+        NodeIndex strays = 0;
+        for (const WalkSpan& span : solution.walk.spans)
+            strays += span.first / 40 == wanted ? 0 : span.frameCount() - 1;
+        EXPECT_EQ(strays, 0) << wanted;
     }
 }
 

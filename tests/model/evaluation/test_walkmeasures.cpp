@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/evaluation/walkmeasures.h"
+
+#include <gtest/gtest.h>
+#include <numbers>
+
+using namespace quadrille;
+
+namespace {
+
+double lengthOf(std::string_view path)
+{
+    const std::vector<Vec2d> points = standardPath(path);
+    double length = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double step = (points[i] - points[i - 1]).norm();
+        EXPECT_GT(step, 0) << path;
+        EXPECT_LT(step, 0.1) << path;
+        length += step;
+    }
+    return length;
+}
+
+} // namespace
+
+TEST(WalkMeasures, StandardPathsAreAsLongAsTheyShould)
+{
+    constexpr double pi = std::numbers::pi;
+    EXPECT_NEAR(lengthOf("straight"), 8, 1e-9);
+    EXPECT_NEAR(lengthOf("right-angle"), 8, 1e-9);
+    EXPECT_NEAR(lengthOf("circle"), 6 * pi, 1e-2);
+    EXPECT_NEAR(lengthOf("figure-of-eight"), 8 * pi, 1e-2);
+    EXPECT_GT(lengthOf("s"), 8.5);
+    for (const std::string_view path : standardPaths)
+        EXPECT_LT(standardPath(path).front().norm(), 1e-12) << path;
+}
+
+TEST(WalkMeasures, CountFramesOfAPlanByHand)
+{
+    ClipPlan plan{.up = UpAxis::Y, .frames = std::vector<PlannedFrame>(10)};
+    for (std::size_t f = 4; f < 7; ++f)
+        plan.frames[f].origin = {.source = 1, .destination = 9, .lambda = 0.5};
+    const WalkCalmness calm = calmnessOf(plan, Walk{{{0, 3}, {12, 14}}}, 5);
+    EXPECT_DOUBLE_EQ(calm.seconds, 2);
+    EXPECT_EQ(calm.transitions, 1);
+    EXPECT_DOUBLE_EQ(calm.transitionsPerSecond(), 0.5);
+    EXPECT_EQ(calm.shortestRun, 3);
+    EXPECT_DOUBLE_EQ(calm.blendedShare, 0.3);
+}
+
+TEST(WalkMeasures, FeelAFootThatSlidesAndASpeedThatChanges)
+{
+    // A foot of four vertices on the ground, y up, that slides 2 cm in each of 25 frames a second, for half
+    // of the clip.
+    Clip clip{.topology = nullptr, .fps = 25, .positions = {}, .origins = {}};
+    TopologyData four;
+    four.vertexCount = 4;
+    four.triangles = {{VertexIndex(0), VertexIndex(1), VertexIndex(2)}};
+    clip.topology = std::make_shared<const Topology>(std::move(four));
+    for (int f = 0; f < 20; ++f) {
+        const float x = 0.02F * static_cast<float>(std::min(f, 10));
+        for (const float z : {0.0F, 0.1F, 0.2F, 0.3F})
+            clip.positions.emplace_back(x, 0.0F, z);
+        clip.origins.push_back({});
+    }
+    const Stances stances{.feet = {{"left", {0, 1, 2, 3}}}, .height = 1.8, .standing = {1}};
+    const MotionMeasures measures = measureMotion(clip, stances, UpAxis::Y, 0);
+    EXPECT_NEAR(measures.slide95, 0.5, 1e-5);
+    // 5 of 14 pairs of frames a fifth of a second apart differ by 0.5 m/s.
+    EXPECT_NEAR(measures.speedChange, 0.5 * std::sqrt(5.0 / 14), 1e-5);
+    // High above the ground nothing slides.
+    EXPECT_EQ(measureMotion(clip, stances, UpAxis::Y, -1).slide95, 0);
+}
