@@ -63,7 +63,7 @@ Variations openVariations(const Project& project, const std::filesystem::path& f
                           const AnimationEntry& entry, const CharacterGraph& graph, const AnimationWalk& walk,
                           const Progress& progress)
 {
-    const ClipPlan plan = animationPlan(entry, graph, walk.solution.walk, walk.solution.start);
+    const ClipPlan plan = animationPlan(entry, graph, walk.solution);
     if (!entry.post.variations ||
         std::ranges::none_of(drawRepeats(plan, graph.layout(), {}), &SpanDraw::isRepeat))
         return nullptr;
@@ -77,7 +77,7 @@ ResultPointer makeResult(const AnimationEntry& entry, std::shared_ptr<const Open
     auto result = std::make_shared<AnimationResult>();
     const CharacterGraph& graph = character->graph;
     AnimationClip made = animationClip(
-        entry, graph, character->frames, animationPlan(entry, graph, walk.solution.walk, walk.solution.start),
+        entry, graph, character->frames, animationPlan(entry, graph, walk.solution),
         variations ? std::span(*variations) : std::span<const TakeVariation>(), progress);
     PostProcessed& processed = made.processed;
     result->plan = std::move(made.plan);

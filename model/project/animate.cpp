@@ -30,7 +30,29 @@ WalkSolution acceptedSolution(const WalkEntry& entry, const CharacterGraph& grap
     return solution;
 }
 
+/// Plays the takes at both ends of a walk for longer, where they go on.
+void extend(WalkSolution& solution, const FrameLayout& layout, NodeIndex frames)
+{
+    WalkSpan& first = solution.walk.spans.front();
+    WalkSpan& last = solution.walk.spans.back();
+    const NodeIndex before = std::min(frames, first.first - layout.firstOf(layout.sequenceOf(first.first)));
+    const NodeIndex after = std::min(frames, layout.lastOf(layout.sequenceOf(last.last)) - last.last);
+    first.first -= before;
+    last.last += after;
+    solution.frameCount += before + after;
+    for (FrameRange& action : solution.actions)
+        action = {FrameIndex(action.first.value + before), FrameIndex(action.last.value + before)};
+}
+
 } // namespace
+
+bool hasLoopEnds(const AnimationEntry& animation)
+{
+    return animation.post.steps.loop && !animation.walk &&
+           std::ranges::all_of(animation.constraints, [](const ConstraintEntry& constraint) {
+               return std::holds_alternative<ActionEntry>(constraint);
+           });
+}
 
 AnimationWalk animationWalk(const AnimationEntry& animation, const CharacterGraph& graph,
                             const Progress& progress, const SolutionCallback& found)
@@ -48,17 +70,22 @@ AnimationWalk animationWalk(const AnimationEntry& animation, const CharacterGrap
         walk.solution =
             findWalk(graph.material(blendSettings(animation)), walk.constraints,
                      searchSettings(animation.search, graph.fps(), graph.metresPerUnit()), progress, found);
+        if (hasLoopEnds(animation))
+            extend(walk.solution, graph.layout(),
+                   2 * transitionSettings(graph.work().graph, graph.fps()).shortest());
         return walk;
     } catch (const Error& error) {
         throw graph.named(error);
     }
 }
 
-ClipPlan animationPlan(const AnimationEntry& animation, const CharacterGraph& graph, const Walk& walk,
-                       const GroundMotion& start)
+ClipPlan animationPlan(const AnimationEntry& animation, const CharacterGraph& graph,
+                       const WalkSolution& solution)
 {
-    return planClip(graph.roots(), graph.layout(), graph.paths(), walk,
-                    {.start = start, .blend = blendSettings(animation)});
+    ClipPlan plan = planClip(graph.roots(), graph.layout(), graph.paths(), solution.walk,
+                             {.start = solution.start, .blend = blendSettings(animation)});
+    plan.asked = solution.asked();
+    return plan;
 }
 
 AnimationClip animationClip(const AnimationEntry& animation, const CharacterGraph& graph,
@@ -71,8 +98,9 @@ AnimationClip animationClip(const AnimationEntry& animation, const CharacterGrap
                                     .interpolation = animation.interpolation},
                                    progress.part(0, 0.1));
     Clip clip = makeClip(varied.character, varied.plan, animation.interpolation, progress.part(0.1, 0.5));
-    const PostProcessingInputs inputs =
+    PostProcessingInputs inputs =
         postProcessingInputs(animation, graph.work(), frames, graph.roots().stances);
+    inputs.asked = varied.plan.asked;
     PostProcessing steps = animation.post.steps;
     const bool hasNoFeet = steps.contacts && legsOf(frames, inputs.method.up).feet.empty();
     if (hasNoFeet)

@@ -20,6 +20,9 @@ struct AnimationWalk
 /// How the transitions of an animation are blended.
 BlendSettings blendSettings(const AnimationEntry& animation);
 
+/// Whether the walk of an animation goes on before and after its actions, so that its loop can blend there.
+bool hasLoopEnds(const AnimationEntry& animation);
+
 /// The walk of an animation: the one that it has, or the one that is found.
 /// \param found  receives each better walk as findWalk tells it.
 /// \throws Error as walkConstraints and findWalk, with frames called by their sequences.
@@ -27,8 +30,8 @@ AnimationWalk animationWalk(const AnimationEntry& animation, const CharacterGrap
                             const Progress& progress = {}, const SolutionCallback& found = {});
 
 /// Its frames before any post-processing. \throws Error as planClip.
-ClipPlan animationPlan(const AnimationEntry& animation, const CharacterGraph& graph, const Walk& walk,
-                       const GroundMotion& start);
+ClipPlan animationPlan(const AnimationEntry& animation, const CharacterGraph& graph,
+                       const WalkSolution& solution);
 
 /// The clip of an animation and what it was made of.
 struct AnimationClip

@@ -40,6 +40,23 @@ GroundMotion placementOf(const Result& walk)
     return {values[0], Vec2d(values[1], values[2])};
 }
 
+DataArray askedArray(const FrameRange& asked)
+{
+    DataArray array;
+    array.name = "asked";
+    array.description = "The first and the last frame that show what was asked for: keys, actions and spans "
+                        "of a path; 0 and -1 where nothing was.";
+    array.shape = {2};
+    array.values = std::vector<std::int64_t>{asked.first.value, asked.last.value};
+    return array;
+}
+
+FrameRange askedOf(const Result& walk)
+{
+    const auto& values = std::get<std::vector<std::int64_t>>(arrayOf(walk, "asked").values);
+    return {FrameIndex(values[0]), FrameIndex(values[1])};
+}
+
 DataTable walkTable(const WalkSolution& solution, const CharacterGraph& graph, const ClipPlan& plan)
 {
     TableBuilder table("walk", "The captured frames of the animation, and the transitions after them.");
@@ -116,7 +133,8 @@ Result walkResult(const AnimationEntry& animation, const CharacterGraph& graph, 
     result.arrays = {groundMotionArray("placement",
                                        "Turn about the up axis, radians, and shift over the ground, "
                                        "metres, that place the first sequence as it was captured.",
-                                       solution.start)};
+                                       solution.start),
+                     askedArray(solution.asked())};
     result.tables = {walkTable(solution, graph, plan),
                      reportTable(animation, solution, constraints, fps, plan.frameCount())};
     return result;
@@ -126,7 +144,7 @@ ResultStage walkStage(const CharacterWork& work, const AnimationEntry& animation
 {
     ResultStage stage;
     stage.name = "animations/" + animation.name + "/walk";
-    stage.version = 2;
+    stage.version = 3;
     stage.dataPrefix = "animations/" + animation.name;
     stage.settings = walkSettings(animation, work);
     stage.inputs = CharacterGraph::inputs(work);
@@ -176,7 +194,9 @@ ResultStage clipStage(const CharacterWork& work, const AnimationEntry& animation
                                                                const Progress& progress) {
         const CharacterGraph graph(work, context);
         const Result found = context.resultOf(walk);
-        const ClipPlan plan = animationPlan(animation, graph, walkOf(found, graph), placementOf(found));
+        const ClipPlan plan = animationPlan(
+            animation, graph,
+            {.walk = walkOf(found, graph), .start = placementOf(found), .actions = {askedOf(found)}});
         const CharacterFrames frames = work.open(progress.part(0, 0.05));
         std::vector<TakeVariation> variations;
         variations.reserve(drawn.size());

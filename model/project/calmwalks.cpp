@@ -62,7 +62,7 @@ ResultStage walksStage(const CharacterWork& work, const EvaluationEntry& evaluat
             const WalkSolution solution = findWalk(graph.material(blendSettings(animation)), constraints,
                                                    searchSettings(animation.search, project.fps, metres),
                                                    progress.part(part(0), part(0.7)));
-            const ClipPlan plan = animationPlan(animation, graph, solution.walk, solution.start);
+            const ClipPlan plan = animationPlan(animation, graph, solution);
             const WalkCalmness calm = calmnessOf(plan, solution.walk, project.fps);
             const AnimationClip made =
                 animationClip(animation, graph, character, plan, {}, progress.part(part(0.7), part(0.9)));

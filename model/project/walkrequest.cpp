@@ -3,6 +3,7 @@
 #include "model/project/walkrequest.h"
 
 #include "model/core/message.h"
+#include "model/project/animate.h"
 #include "model/project/animationjson.h"
 #include "model/project/pathcurve.h"
 
@@ -170,6 +171,8 @@ std::string walkSettings(const AnimationEntry& animation, const CharacterWork& w
     nlohmann::json json;
     json["animation"] = animationSettings(asked, project.settings.axes.up);
     json["alpha"] = work.graph.alpha;
+    if (hasLoopEnds(animation))
+        json["loops"] = true;
     for (const std::string& name : work.sequences) {
         nlohmann::json labels = nlohmann::json::array();
         for (const LabelSpan& span : findSequence(project, name)->labels)

@@ -32,6 +32,42 @@ struct FootTrack
     std::vector<float> speeds;
 };
 
+/// The most extreme value within a reach of each one.
+template <typename Extreme>
+std::vector<float> extremesAround(const std::vector<float>& values, std::size_t reach, const Extreme& extreme)
+{
+    std::vector<float> result;
+    result.reserve(values.size());
+    for (std::size_t f = 0; f < values.size(); ++f) {
+        const auto first = values.begin() + static_cast<std::ptrdiff_t>(f - std::min(f, reach));
+        const auto end = values.begin() + static_cast<std::ptrdiff_t>(std::min(f + reach + 1, values.size()));
+        result.push_back(*extreme(first, end));
+    }
+    return result;
+}
+
+/// Captures drift: what a figure stands on rises and sinks by some centimetres in the course of a take. The
+/// ground follows the lowest foot, but not for as long as somebody is in the air (a morphological opening).
+void setToDriftingGround(std::vector<FootTrack>& tracks, double fps)
+{
+    constexpr double longestFlight = 1; // seconds
+    constexpr float mostDrift = 0.06F;
+    if (tracks.empty())
+        return;
+    std::vector<float> lowest = tracks.front().heights;
+    for (const FootTrack& track : tracks)
+        std::ranges::transform(lowest, track.heights, lowest.begin(),
+                               [](float a, float b) { return std::min(a, b); });
+    const auto reach = static_cast<std::size_t>(std::lround(longestFlight / 2 * fps));
+    using Place = std::vector<float>::const_iterator;
+    const auto least = [](Place first, Place end) { return std::min_element(first, end); };
+    const auto greatest = [](Place first, Place end) { return std::max_element(first, end); };
+    const std::vector<float> ground = extremesAround(extremesAround(lowest, reach, least), reach, greatest);
+    for (FootTrack& track : tracks)
+        for (std::size_t f = 0; f < ground.size(); ++f)
+            track.heights[f] -= std::clamp(ground[f], -mostDrift, mostDrift);
+}
+
 FootTrack trackFoot(const UprightFrames& frames, const std::vector<std::uint32_t>& foot, float ground,
                     float bodyHeight, double fps)
 {
@@ -54,7 +90,6 @@ FootTrack trackFoot(const UprightFrames& frames, const std::vector<std::uint32_t
         const float step = f == 0 ? ahead : f + 1 == count ? back : std::min(back, ahead);
         track.speeds.push_back(step * static_cast<float>(fps) / bodyHeight);
     }
-    setToOwnGround(track.heights, 0.017F);
     return track;
 }
 
@@ -112,11 +147,15 @@ std::vector<ContactSpan> detectContacts(const MeshSequence& sequence, const Cont
     const Figure figure = findFigure(*sequence.topology, frames, options.footShare);
     const std::vector<Foot>& feet = figure.feet;
     std::vector<ContactSpan> spans;
+    std::vector<FootTrack> tracks;
+    for (const Foot& foot : feet) {
+        progress.report(0.7 + 0.3 * static_cast<double>(tracks.size()) / static_cast<double>(feet.size()));
+        tracks.push_back(trackFoot(frames, foot.vertices, figure.ground, figure.height, sequence.fps));
+    }
+    setToDriftingGround(tracks, sequence.fps);
     for (std::size_t i = 0; i < feet.size(); ++i) {
-        progress.report(0.7 + 0.3 * static_cast<double>(i) / static_cast<double>(feet.size()));
-        const FootTrack track =
-            trackFoot(frames, feet[i].vertices, figure.ground, figure.height, sequence.fps);
-        for (const FrameRange& range : standingSpans(track, options, sequence.fps))
+        setToOwnGround(tracks[i].heights, 0.017F);
+        for (const FrameRange& range : standingSpans(tracks[i], options, sequence.fps))
             spans.push_back({feet[i].name, range});
     }
     std::stable_sort(spans.begin(), spans.end(), [](const ContactSpan& a, const ContactSpan& b) {

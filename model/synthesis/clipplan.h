@@ -43,6 +43,7 @@ struct ClipPlan
     std::vector<PlannedFrame> frames;
     std::vector<Junction> junctions;      ///< of each transition
     std::vector<std::int64_t> spanStarts; ///< frame of the clip where each span of the walk begins
+    FrameRange asked;                     ///< frames that show what was asked for, where that is known
 
     std::int64_t frameCount() const { return static_cast<std::int64_t>(frames.size()); }
 };

@@ -52,7 +52,8 @@ NodeIndex framesOf(const std::optional<Seconds>& cut, const Clip& clip, int shor
     return static_cast<NodeIndex>(std::min(frames, count - 1));
 }
 
-Ends endsOf(const Clip& clip, const LoopSettings& settings, const TransitionSettings& transitions)
+Ends endsOf(const Clip& clip, const LoopSettings& settings, const TransitionSettings& transitions,
+            const FrameRange& asked)
 {
     const int shortest = transitions.shortest();
     if (clip.frameCount() < 2 * std::int64_t{shortest})
@@ -61,9 +62,16 @@ Ends endsOf(const Clip& clip, const LoopSettings& settings, const TransitionSett
                                               {{"frames", std::to_string(clip.frameCount())},
                                                {"needed", std::to_string(2 * shortest)}}});
     const auto last = static_cast<NodeIndex>(clip.frameCount() - 1);
-    return {.early = framesOf(settings.cutStart, clip, shortest),
-            .late = last - framesOf(settings.cutEnd, clip, shortest),
-            .last = last};
+    Ends ends{.early = framesOf(settings.cutStart, clip, shortest),
+              .late = last - framesOf(settings.cutEnd, clip, shortest),
+              .last = last};
+    if (asked.count() > 0) {
+        const auto from = static_cast<NodeIndex>(asked.first.value);
+        const auto to = static_cast<NodeIndex>(asked.last.value);
+        ends.early = std::min(ends.early, std::max(from, shortest - 1));
+        ends.late = std::max(ends.late, std::min(to, last - (shortest - 1)));
+    }
+    return ends;
 }
 
 /// The least pace along a path, 1 where both windows go on at every step and 0 where the pose stands still:
@@ -147,7 +155,7 @@ void appendBlend(const Clip& clip, const Clip& blend, const Ends& ends, Clip& cy
 } // namespace
 
 Loop seamlessLoop(const Clip& clip, const LoopSettings& settings, const BlendMethod& method,
-                  const Progress& progress)
+                  const FrameRange& asked, const Progress& progress)
 {
     progress.report(0.0);
     TransitionSettings transitions = method.transitions;
@@ -164,14 +172,14 @@ Loop seamlessLoop(const Clip& clip, const LoopSettings& settings, const BlendMet
                                     clip.positions.begin() + (last + 1) * vertices);
         loop.cycle.origins.assign(clip.origins.begin() + first, clip.origins.begin() + last + 1);
     };
-    if (const auto own = ownPeriod(clip, method.up, method.pose)) {
+    if (const auto own = ownPeriod(clip, method.up, method.pose); own && asked.last.value < own->frames) {
         takeFrames(0, own->frames - 1);
         loop.travel = own->travel;
         loop.closure.frames = {static_cast<NodeIndex>(own->frames - 1), 0};
         loop.closure.cost = own->distance;
         return settings.inPlace ? inPlace(std::move(loop), method.up) : loop;
     }
-    const Ends ends = endsOf(clip, settings, transitions);
+    const Ends ends = endsOf(clip, settings, transitions, asked);
     const CharacterFrames character(
         std::vector{partOf(clip, 0, ends.early), partOf(clip, ends.late, ends.last)});
     const PoseDistances distances = poseDistances(character, method.pose, progress.part(0, 0.4));

@@ -42,8 +42,10 @@ struct Loop
 /// LoopCutTooShort, NoTransition (the slope lets no path span the windows), BadArgument (times, settings of
 /// transitions), NoUsableTriangles, Cancelled. Cost: that of pose distances and transitions of the frames
 /// that may be cut, and of one blend.
+/// \param asked  frames that the cycle is to show as they are: nothing of them is cut, and they are blended
+/// over only as far as they lie within the shortest window of an end of the clip.
 Loop seamlessLoop(const Clip& clip, const LoopSettings& settings, const BlendMethod& method,
-                  const Progress& progress = {});
+                  const FrameRange& asked = {}, const Progress& progress = {});
 
 /// The loop with its travel taken out, the same from frame to frame (along a circle where it turns).
 Loop inPlace(Loop loop, UpAxis up);

@@ -94,7 +94,7 @@ PostProcessed processedLoop(const Clip& clip, const PostProcessing& settings,
     const UpAxis up = inputs.method.up;
     LoopSettings travelling = *settings.loop;
     travelling.inPlace = false;
-    Loop loop = seamlessLoop(clip, travelling, inputs.method, steps.next());
+    Loop loop = seamlessLoop(clip, travelling, inputs.method, inputs.asked, steps.next());
     if (settings.contacts)
         loop = contactsCorrected(std::move(loop), *settings.contacts, inputs, steps.next());
     if (settings.mirror) {

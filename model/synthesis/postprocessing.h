@@ -18,6 +18,8 @@ namespace quadrille {
 struct PostProcessingInputs
 {
     BlendMethod method;
+    /// Frames of the clip that show what was asked for: a loop keeps them.
+    FrameRange asked;
     /// Finds the contacts of a clip, such as those of its origins; detectContacts where empty. It may be
     /// asked about several cycles of the clip's loop.
     std::function<std::vector<ContactSpan>(const Clip& clip)> contactsOf;

@@ -119,6 +119,24 @@ private:
 
 } // namespace
 
+FrameRange WalkSolution::asked() const
+{
+    FrameRange all;
+    const auto add = [&all](const FrameRange& range) {
+        if (range.count() == 0)
+            return;
+        all = all.count() == 0 ? range
+                               : FrameRange{std::min(all.first, range.first), std::max(all.last, range.last)};
+    };
+    for (const KeyTime& key : keys)
+        add({FrameIndex(key.obtained), FrameIndex(key.obtained)});
+    for (const FrameRange& action : actions)
+        add(action);
+    for (const FrameRange& span : spans)
+        add(span);
+    return all;
+}
+
 WalkSolution solutionOf(const WalkGraph& graph, const WalkStages& stages, const WalkConstraints& constraints,
                         const FoundRoute& found, double mu, const PathMeasure* path)
 {

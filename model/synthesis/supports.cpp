@@ -17,7 +17,8 @@ namespace {
 /// Which vertices of a sequence may stand, whatever its frames.
 struct Standing
 {
-    double height = 0; ///< below which they lie, metres
+    double ground = 0; ///< of most frames, metres
+    double reach = 0;  ///< above the ground, metres
     double speed = 0;  ///< m/s
     std::vector<ContactSpan> spans;
 
@@ -42,7 +43,8 @@ Standing standingOf(const MeshSequence& sequence, UpAxis up, const Progress& pro
     }
     std::ranges::sort(levels);
     // As detectContacts has it: most frames' lowest points lie at or just above the ground.
-    return {.height = levels[levels.size() / 5] + options.leaveHeight * tallest,
+    return {.ground = levels[levels.size() / 5],
+            .reach = options.leaveHeight * tallest,
             .speed = options.leaveSpeed * tallest,
             .spans =
                 sequence.contacts.empty() ? detectContacts(sequence, options, progress) : sequence.contacts};
@@ -52,8 +54,13 @@ std::vector<std::uint32_t> standingVertices(const Standing& standing, const Grou
                                             std::span<const Frame> neighbours, double fps)
 {
     std::vector<std::uint32_t> vertices;
+    // Who stands, stands on the lowest point, however far the capture has drifted up.
+    const Vec3f& lowest = *std::ranges::min_element(
+        now, {}, [&ground](const Vec3f& position) { return position[ground.upAxis()]; });
+    const double greatest =
+        std::max(standing.ground, static_cast<double>(lowest[ground.upAxis()])) + standing.reach;
     for (std::uint32_t v = 0; v < now.size(); ++v) {
-        if (static_cast<double>(now[v][ground.upAxis()]) > standing.height)
+        if (static_cast<double>(now[v][ground.upAxis()]) > greatest)
             continue;
         // The slower of before and after: the first and last frame of a contact count as standing.
         const bool isSlow = std::ranges::any_of(neighbours, [&](const Frame& neighbour) {

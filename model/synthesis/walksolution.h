@@ -42,6 +42,8 @@ struct WalkSolution
     /// Output frames of each action, from its first captured frame to its last, and of each path span.
     std::vector<FrameRange> actions;
     std::vector<FrameRange> spans;
+    /// From the first output frame that shows a key, an action or a path span to the last.
+    FrameRange asked() const;
     std::int64_t expansions = 0; ///< until this walk was found; when a search ends, of the whole search
     bool optimal = false;        ///< it is proven that no walk costs less
 

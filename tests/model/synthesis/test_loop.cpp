@@ -199,7 +199,7 @@ TEST(Loop, StopsWhenCancelled)
 {
     CancelToken token;
     token.cancel();
-    EXPECT_EQ(errorCodeOf([&] { seamlessLoop(stridingTube(curved), {}, uprightBlend, Progress(token)); }),
+    EXPECT_EQ(errorCodeOf([&] { seamlessLoop(stridingTube(curved), {}, uprightBlend, {}, Progress(token)); }),
               ErrorCode::Cancelled);
 }
 
