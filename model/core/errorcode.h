@@ -79,6 +79,9 @@ enum class ErrorCode
     WalkPathBlocked,
     WalkDemandUnmet,
     WalkNotFound,
+    WalkPathImpassable,
+    WalkDemandImpossible,
+    WalkImpossible,
     // variations
     TakeTooShort,
     // curves on a surface

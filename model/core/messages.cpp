@@ -197,6 +197,17 @@ ErrorMessage errorMessage(ErrorCode code)
     case ErrorCode::WalkNotFound:
         return {QUADRILLE_MESSAGE("No walk was found with {budget} expansions."),
                 QUADRILLE_MESSAGE("Search with a greater budget, or ask for less.")};
+    case ErrorCode::WalkPathImpassable:
+        return {QUADRILLE_MESSAGE("No walk gets past “{name}” at {reached} m of the path; every way was "
+                                  "tried."),
+                QUADRILLE_MESSAGE("Lead the path around it, or leave more room.")};
+    case ErrorCode::WalkDemandImpossible:
+        return {QUADRILLE_MESSAGE("No walk shows “{name}” from {from} m to {to} m of the path; the best one "
+                                  "fails at {reached} m, and every way was tried."),
+                QUADRILLE_MESSAGE("End the span at {reached} m, or demand other frames.")};
+    case ErrorCode::WalkImpossible:
+        return {QUADRILLE_MESSAGE("No walk does all that is asked at once; every way was tried."),
+                QUADRILLE_MESSAGE("Take back a chosen, locked or banned transition, or ask for less.")};
     case ErrorCode::TakeTooShort:
         return {
             QUADRILLE_MESSAGE("“{take}” has {count} frames; variations are learned from takes of {least} or "

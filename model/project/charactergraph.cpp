@@ -161,6 +161,52 @@ std::vector<bool> framesLike(const std::vector<int>& sequences, const Table<floa
     return isLike;
 }
 
+/// How fast the body gets on around each frame, units of length a second.
+std::vector<double> pacesOf(const RootPoses& roots, const FrameLayout& layout, double fps)
+{
+    constexpr double around = 0.5; // seconds, to each side
+    const Ground ground(roots.up);
+    const auto reach = static_cast<NodeIndex>(std::lround(around * fps));
+    std::vector<double> paces;
+    paces.reserve(static_cast<std::size_t>(layout.frameCount()));
+    for (NodeIndex node = 0; node < layout.frameCount(); ++node) {
+        const int sequence = layout.sequenceOf(node);
+        const NodeIndex first = std::max(node - reach, layout.firstOf(sequence));
+        const NodeIndex last = std::min(node + reach, layout.lastOf(sequence));
+        const Vec2d way = ground.of(roots.centres[static_cast<std::size_t>(last)]) -
+                          ground.of(roots.centres[static_cast<std::size_t>(first)]);
+        paces.push_back(way.norm() * fps / std::max(1, last - first));
+    }
+    return paces;
+}
+
+/// Whether no foot stands for longer than a running figure flies.
+bool jumps(const Stances& stances, NodeIndex first, NodeIndex last, double fps)
+{
+    constexpr double flight = 0.25; // seconds
+    NodeIndex inAir = 0;
+    for (NodeIndex node = first; stances.isKnown() && node <= last; ++node) {
+        inAir = stances.at(node) == 0 ? inAir + 1 : 0;
+        if (inAir > flight * fps)
+            return true;
+    }
+    return false;
+}
+
+/// What lies in a take between two stretches of locomotion is locomotion, such as a turn; a take with little
+/// of it, or with a jump, has none.
+void settleTake(std::vector<bool>::iterator begin, std::vector<bool>::iterator end, bool isJump)
+{
+    constexpr double leastShare = 0.5;
+    const auto first = std::find(begin, end, true);
+    const auto last = std::find(std::reverse_iterator(end), std::reverse_iterator(first), true).base();
+    const bool isLocomotion =
+        !isJump && static_cast<double>(last - first) >= leastShare * static_cast<double>(end - begin);
+    std::fill(begin, end, false);
+    if (isLocomotion)
+        std::fill(first, last, true);
+}
+
 [[noreturn]] void throwNoFrame(const std::string& sequence, std::int64_t frame, NodeIndex count)
 {
     throw Error(ErrorCode::ProjectInvalid,
@@ -240,23 +286,46 @@ CharacterGraph::CharacterGraph(const CharacterWork& work, const StageContext& co
 
 std::vector<bool> CharacterGraph::locomotion() const
 {
-    constexpr double leastSpeed = 0.3; // heights of the figure a second
+    constexpr double leastPace = 0.15; // heights of the figure a second
     const double greatestReturn = AlignmentSettings().greatestReturnBeside;
-    const Ground ground(m_roots.up);
+    const std::vector<double> paces = pacesOf(m_roots, m_layout, fps());
+    const auto getsOn = [&](NodeIndex node) {
+        return paces[static_cast<std::size_t>(node)] > leastPace * m_roots.stances.height;
+    };
     std::vector<int> cyclic;
     for (int s = 0; s < m_layout.sequenceCount(); ++s) {
         const NodeIndex first = m_layout.firstOf(s);
         const NodeIndex count = m_layout.countOf(s);
-        double way = 0;
-        for (NodeIndex node = first; node + 1 < first + count; ++node)
-            way += (ground.of(m_roots.centres[static_cast<std::size_t>(node) + 1]) -
-                    ground.of(m_roots.centres[static_cast<std::size_t>(node)]))
-                       .norm();
         const Table<float> own = m_distances.block(first, first, count, count);
-        if (way * fps() > leastSpeed * m_roots.stances.height * count && findPeriod(own, greatestReturn))
+        bool alwaysGetsOn = true;
+        for (NodeIndex node = first; node <= m_layout.lastOf(s); ++node)
+            alwaysGetsOn = alwaysGetsOn && getsOn(node);
+        if (alwaysGetsOn && findPeriod(own, greatestReturn))
             cyclic.push_back(s);
     }
-    return framesLike(cyclic, m_distances, m_layout);
+    std::vector<bool> isLocomotion = framesLike(cyclic, m_distances, m_layout);
+    for (NodeIndex node = 0; node < m_layout.frameCount(); ++node)
+        if (!getsOn(node))
+            isLocomotion[static_cast<std::size_t>(node)] = false;
+    for (int s = 0; s < m_layout.sequenceCount(); ++s) {
+        const NodeIndex first = m_layout.firstOf(s);
+        const NodeIndex last = m_layout.lastOf(s);
+        if (std::ranges::find(cyclic, s) == cyclic.end())
+            settleTake(isLocomotion.begin() + first, isLocomotion.begin() + last + 1,
+                       jumps(m_roots.stances, first, last, fps()));
+    }
+    return isLocomotion;
+}
+
+std::vector<bool> CharacterGraph::inAir() const
+{
+    const std::vector<std::uint32_t>& standing = m_roots.stances.standing;
+    std::vector<bool> frames;
+    // Where no foot ever stands, nobody knows what stands.
+    if (std::ranges::any_of(standing, [](std::uint32_t feet) { return feet != 0; }))
+        std::ranges::transform(standing, std::back_inserter(frames),
+                               [](std::uint32_t feet) { return feet == 0; });
+    return frames;
 }
 
 WalkMaterial CharacterGraph::material(const BlendSettings& blend) const
@@ -269,7 +338,8 @@ WalkMaterial CharacterGraph::material(const BlendSettings& blend) const
             .costs = *m_costs,
             .alpha = alpha(),
             .motion = {.roots = &m_roots, .transition = transition, .blend = blend},
-            .locomotion = locomotion()};
+            .locomotion = locomotion(),
+            .inAir = inAir()};
 }
 
 WalkSpan CharacterGraph::span(const std::string& sequence, const std::optional<FrameRange>& range) const

@@ -42,9 +42,12 @@ public:
     double alpha() const { return m_work.graph.alpha; }
     double fps() const { return m_work.opener->project().settings.fps; }
     double metresPerUnit() const { return m_work.opener->project().settings.axes.metresPerUnit; }
-    /// Which frames are locomotion: those of sequences whose poses come back and that get on over the ground,
-    /// and those that are as near to them as such sequences are to each other.
+    /// Which frames are locomotion: those of sequences whose poses come back and that always get on,
+    /// and, of others without a jump, what lies between the first and the last frame that gets on and is as
+    /// near to them as such sequences are to each other, where that is half of the take.
     std::vector<bool> locomotion() const;
+    /// In which frames no foot stands; empty where that is not known of any.
+    std::vector<bool> inAir() const;
     /// What walks are sought in; refers to this object. \param blend  how transitions will be blended.
     WalkMaterial material(const BlendSettings& blend) const;
 

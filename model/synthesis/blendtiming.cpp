@@ -39,14 +39,26 @@ std::vector<double> gentleSpeeds(std::span<const double> speeds)
     return gentle;
 }
 
-/// Slows the last steps where all of them lead further than the window reaches: there the sequence hardly
-/// shows any more.
+/// Lets the sequence go on from its shown end at the speed of one frame at a time and come to the speeds of
+/// the path within some frames.
+void leaveAtFullSpeed(std::vector<double>& speeds)
+{
+    const std::size_t ramp = std::clamp<std::size_t>(speeds.size() / 8, 2, 5);
+    for (std::size_t step = 0; step < std::min(ramp, speeds.size()); ++step) {
+        const double way = static_cast<double>(step) / static_cast<double>(ramp);
+        const double share = way * way * (3 - 2 * way);
+        speeds[step] = 1 + share * (speeds[step] - 1);
+    }
+}
+
+/// Slows the steps, the later the more, where all of them lead further than the window reaches: there the
+/// sequence hardly shows any more.
 void stayInside(std::vector<double>& speeds, double reach)
 {
     double sum = 0;
     double late = 0;
     const auto lateness = [&speeds](std::size_t step) {
-        return static_cast<double>(step + 1) / static_cast<double>(speeds.size());
+        return static_cast<double>(step) / static_cast<double>(speeds.size());
     };
     for (std::size_t step = 0; step < speeds.size(); ++step) {
         sum += speeds[step];
@@ -64,6 +76,7 @@ std::vector<double> gentleOffsets(std::vector<double> speeds)
 {
     const double reach = std::accumulate(speeds.begin(), speeds.end(), 0.0);
     speeds = gentleSpeeds(speeds);
+    leaveAtFullSpeed(speeds);
     stayInside(speeds, reach);
     std::vector<double> offsets{0};
     for (const double speed : speeds)

@@ -73,7 +73,8 @@ struct Action
 {
     FrameSet frames;
     /// How often one of the spans is performed: played as captured from near its beginning to near its end.
-    /// Each frame left out costs as much as one that is played. Between repetitions anything may happen.
+    /// Each frame left out costs at least as much as one that is played (SearchSettings::leftOutWeight).
+    /// Between repetitions anything may happen.
     int repetitions = 1;
     /// Wanted, output frames: the action goes on for so long with any of its frames, in any order, and
     /// transitions between them; repetitions do not count then.
@@ -137,17 +138,22 @@ struct SearchSettings
     /// Captured frames that are played at least between two transitions, before the first and after the last;
     /// required transitions may be nearer to others. Not where keys alone are asked for.
     int leastRun = 0;
+    /// What a frame of an action that is left out costs, times α, ≥ 1; with 1 as much as one that is played.
+    double leftOutWeight = 1;
     PathCharging charging;
     /// Captured frames of locomotion cost nothing along a path, and others `strayWeight` times α each;
     /// otherwise each costs α, as in the paper.
     bool prefersLocomotion = false;
-    double strayWeight = 5;
+    double strayWeight = 30;
 
     bool operator==(const SearchSettings&) const = default;
     /// What looks best along a path: see the evaluation “walks”.
     static SearchSettings calm()
     {
-        return {.budget = 20'000, .charging = {.deadZone = 0.07, .perMetre = 25}, .prefersLocomotion = true};
+        return {.budget = 20'000,
+                .leftOutWeight = 5,
+                .charging = {.deadZone = 0.07, .perMetre = 25},
+                .prefersLocomotion = true};
     }
 };
 

@@ -87,25 +87,28 @@ void checkActionsPossible(const WalkGraph& graph, const std::vector<Action>& act
     }
 }
 
-/// \throws Error WalkPathBlocked, WalkDemandUnmet, WalkNotFound.
+/// \throws Error WalkPathBlocked, WalkDemandUnmet, WalkNotFound; WalkPathImpassable, WalkDemandImpossible,
+/// WalkImpossible where every way was tried.
 [[noreturn]] void refuse(const WalkConstraints& constraints, const SearchSettings& settings,
-                         const PathFailure& failure)
+                         const PathFailure& failure, const SearchEffort& effort)
 {
     const std::string reached = shortNumber(std::max(failure.reached, 0.0));
     if (failure.obstacle >= 0)
         throw Error(
-            ErrorCode::WalkPathBlocked,
+            effort.isComplete ? ErrorCode::WalkPathImpassable : ErrorCode::WalkPathBlocked,
             {.values = {
                  {"name", constraints.path->obstacles[static_cast<std::size_t>(failure.obstacle)].name},
                  {"reached", reached}}});
     if (failure.span >= 0) {
         const PathSpan& span = constraints.path->spans[static_cast<std::size_t>(failure.span)];
-        throw Error(ErrorCode::WalkDemandUnmet, {.values = {{"name", span.demanded->name},
-                                                            {"from", shortNumber(span.from)},
-                                                            {"to", shortNumber(span.to)},
-                                                            {"reached", reached}}});
+        throw Error(effort.isComplete ? ErrorCode::WalkDemandImpossible : ErrorCode::WalkDemandUnmet,
+                    {.values = {{"name", span.demanded->name},
+                                {"from", shortNumber(span.from)},
+                                {"to", shortNumber(span.to)},
+                                {"reached", reached}}});
     }
-    throw Error(ErrorCode::WalkNotFound, {.values = {{"budget", std::to_string(settings.budget)}}});
+    throw Error(effort.isComplete ? ErrorCode::WalkImpossible : ErrorCode::WalkNotFound,
+                {.values = {{"budget", std::to_string(settings.budget)}}});
 }
 
 /// What playing on from each frame costs along a path; empty where it is as in the graph.
@@ -165,22 +168,23 @@ WalkSolution findKeys(const Task& task)
 
 WalkSolution findStages(const Task& task)
 {
-    const WalkStages stages(task.graph, task.constraints, task.beta, 1, task.settings.leastRun);
+    const WalkStages stages(task.graph, task.constraints, task.beta, 1, task.settings.leastRun,
+                            task.settings.leftOutWeight);
     const auto solve = [&](const FoundRoute& route) {
         return solutionOf(task.graph, stages, task.constraints, route, task.settings.mu, nullptr);
     };
-    std::int64_t expansions = 0;
+    SearchEffort effort;
     const std::optional<FoundRoute> route = searchStages(
         task.graph, stages, task.starts, task.settings.budget,
         [&](const FoundRoute& better) {
             if (task.found)
                 task.found(solve(better));
         },
-        expansions, task.progress);
+        effort, task.progress);
     if (!route)
-        refuse(task.constraints, task.settings, {});
+        refuse(task.constraints, task.settings, {}, effort);
     WalkSolution solution = solve(*route);
-    solution.expansions = expansions;
+    solution.expansions = effort.expansions;
     return solution;
 }
 
@@ -190,32 +194,36 @@ WalkSolution findAlongPath(const Task& task)
     const PathCourse course(path, task.material.motion.roots->up);
     const PathCosts costs(course, path.spans, task.graph.nodeCount(), task.beta, task.settings.charging);
     MoveMotions motions(task.graph, task.material.motion, course);
-    const WalkStages stages(task.graph, task.constraints, task.beta, task.settings.mu,
-                            task.settings.leastRun);
+    const WalkStages stages(task.graph, task.constraints, task.beta, task.settings.mu, task.settings.leastRun,
+                            task.settings.leftOutWeight);
     PathProblem problem{.graph = task.graph,
                         .stages = stages,
                         .course = course,
                         .costs = costs,
                         .motions = motions,
                         .starts = task.starts,
-                        .mu = task.settings.mu};
+                        .mu = task.settings.mu,
+                        .inAir = task.material.inAir};
+    if (!task.constraints.start && !problem.inAir.empty())
+        std::erase_if(problem.starts,
+                      [&](NodeIndex node) { return problem.inAir[static_cast<std::size_t>(node)]; });
     const PathMeasure measure{course, costs, motions};
     const auto solve = [&](const FoundRoute& route) {
         return solutionOf(task.graph, stages, task.constraints, route, task.settings.mu, &measure);
     };
     PathFailure failure;
-    std::int64_t expansions = 0;
+    SearchEffort effort;
     const std::optional<FoundRoute> route = searchPath(
         problem, task.settings.budget,
         [&](const FoundRoute& better) {
             if (task.found)
                 task.found(solve(better));
         },
-        failure, expansions, task.progress);
+        failure, effort, task.progress);
     if (!route)
-        refuse(task.constraints, task.settings, failure);
+        refuse(task.constraints, task.settings, failure, effort);
     WalkSolution solution = solve(*route);
-    solution.expansions = expansions;
+    solution.expansions = effort.expansions;
     return solution;
 }
 

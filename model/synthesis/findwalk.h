@@ -20,6 +20,9 @@ struct WalkMaterial
     WalkMotion motion;            ///< needed where there is a path
     /// Which frames are locomotion, for SearchSettings::prefersLocomotion; empty: nobody knows.
     std::vector<bool> locomotion = {};
+    /// In which frames the figure is in the air: walks along a path neither begin nor end there, unless a
+    /// start is given; empty: nobody knows.
+    std::vector<bool> inAir = {};
 };
 
 /// Receives each walk that is better than those before it, on the thread that searches.

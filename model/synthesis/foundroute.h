@@ -19,6 +19,13 @@ struct FoundRoute
     bool optimal = false;
 };
 
+/// What a search has done.
+struct SearchEffort
+{
+    std::int64_t expansions = 0;
+    bool isComplete = false; ///< every way was tried: there is nothing better, or nothing at all
+};
+
 /// Receives each walk that is better than those before it.
 using FoundCallback = std::function<void(const FoundRoute&)>;
 

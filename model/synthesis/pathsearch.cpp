@@ -13,7 +13,8 @@ namespace quadrille {
 
 namespace {
 
-constexpr double layerLength = 0.1; ///< metres
+constexpr double layerLength = 0.1;   ///< metres
+constexpr double finestOffset = 0.02; ///< metres that two states may differ by to be one, at last
 
 /// How much one pass looks at.
 struct PassSettings
@@ -47,6 +48,7 @@ public:
     /// \param budget  what is used is taken from it.
     std::optional<FoundRoute> run(std::int64_t& budget, const Progress& progress)
     {
+        m_isComplete = true;
         begin();
         followRuns();
         for (std::size_t l = 0; l < m_layers.size() && budget > 0 && hasMemory(); ++l) {
@@ -64,10 +66,15 @@ public:
                 expand(*next);
                 followRuns();
             }
+            m_isComplete = m_isComplete && !m_layers[l].take();
             m_layers[l] = {};
         }
+        m_isComplete = m_isComplete && budget > 0 && hasMemory();
         return std::move(m_found);
     }
+
+    /// Whether run has looked at every state that it came to.
+    bool isComplete() const { return m_isComplete; }
 
 private:
     bool hasMemory() const { return m_seen.size() < mostVisits && m_known.count() < mostKnownStates; }
@@ -111,9 +118,12 @@ private:
             m_problem.motions.prepare(begin, std::min(end, begin + m_settings.moves));
         for (MoveIndex index = begin; index < end; ++index) {
             const WalkMove& move = m_problem.graph.move(index);
-            if ((index - begin >= m_settings.moves && move.required < 0) ||
-                !m_problem.stages.allows(from.stage, move))
+            if (!m_problem.stages.allows(from.stage, move))
                 continue;
+            if (index - begin >= m_settings.moves && move.required < 0) {
+                m_isComplete = false;
+                continue;
+            }
             double cost = from.cost + m_problem.mu * move.weight;
             if (cost >= m_limit)
                 break;
@@ -141,7 +151,7 @@ private:
         if (candidate.cost + left >= m_limit)
             return;
         const bool isAtEnd = candidate.place.walked >= m_problem.course.length();
-        if (isAtEnd && m_problem.stages.hasRun(candidate.stage)) {
+        if (isAtEnd && m_problem.stages.hasRun(candidate.stage) && !isInAir(candidate.stage.node)) {
             if (m_problem.stages.isDone(candidate.stage))
                 keep(candidate);
             return;
@@ -159,7 +169,11 @@ private:
         Stratum<Candidate>& stratum =
             layer.stratum(candidate.stage, m_problem.stages.quartersDone(candidate.stage, candidate.time));
         candidate.rank = candidate.cost + left + outlook(candidate);
-        if (!stratum.takes(candidate.rank) || !m_known.improves(fingerprint(candidate), candidate.cost))
+        if (!stratum.takes(candidate.rank)) {
+            m_isComplete = false;
+            return;
+        }
+        if (!m_known.improves(fingerprint(candidate), candidate.cost))
             return;
         if (!m_problem.stages.hasRun(candidate.stage)) {
             m_running.push_back(candidate);
@@ -167,6 +181,11 @@ private:
         }
         candidate.order = m_order++;
         stratum.add(candidate, m_settings.width);
+    }
+
+    bool isInAir(NodeIndex node) const
+    {
+        return !m_problem.inAir.empty() && m_problem.inAir[static_cast<std::size_t>(node)];
     }
 
     void keep(const Candidate& last)
@@ -233,12 +252,13 @@ private:
     CheapestKnown m_known;
     std::uint32_t m_order = 0;
     std::optional<FoundRoute> m_found;
+    bool m_isComplete = true;
 };
 
 } // namespace
 
 std::optional<FoundRoute> searchPath(PathProblem& problem, std::int64_t budget, const FoundCallback& found,
-                                     PathFailure& failure, std::int64_t& expansions, const Progress& progress)
+                                     PathFailure& failure, SearchEffort& effort, const Progress& progress)
 {
     std::optional<FoundRoute> best;
     const double layers = problem.course.length() / layerLength + 1;
@@ -252,18 +272,19 @@ std::optional<FoundRoute> searchPath(PathProblem& problem, std::int64_t budget, 
         const std::int64_t before = left;
         PathPass pass(problem, settings, best ? best->cost : unreachable, failure);
         std::optional<FoundRoute> better = pass.run(left, progress);
-        expansions = budget - left;
+        effort.expansions = budget - left;
         if (better) {
             best = std::move(better);
-            best->expansions = expansions;
+            best->expansions = effort.expansions;
             found(*best);
         }
-        if (left == before)
+        effort.isComplete = pass.isComplete() && settings.offset <= finestOffset;
+        if (left == before || (effort.isComplete && !best))
             break;
         settings.width *= 3;
         const auto allMoves = static_cast<MoveIndex>(problem.graph.moves().size());
         settings.moves = settings.moves > allMoves / 2 ? allMoves : 2 * settings.moves;
-        settings.offset = std::max(settings.offset / 2, 0.02);
+        settings.offset = std::max(settings.offset / 2, finestOffset);
         settings.heading = std::max(settings.heading / 2, 0.04);
     }
     return best;

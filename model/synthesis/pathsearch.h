@@ -20,16 +20,18 @@ struct PathProblem
     MoveMotions& motions;
     std::vector<NodeIndex> starts;
     double mu = 0.1;
+    const std::vector<bool>& inAir; ///< WalkMaterial::inAir
 };
 
 /// Seeks the walk of least total cost along a path: states (frame, walked length, offset, heading and what
 /// else is asked) are looked at in layers of walked length, in each the most promising first; states that
 /// nearly agree are one. Narrow passes come first, so that there is a walk soon; each further pass looks at
 /// more states and tells them apart more finely, until the budget is used up.
-/// \param failure  where the walks failed that came farthest. \return nothing where none was found.
+/// \param failure  where the walks failed that came farthest.
+/// \return nothing where none was found.
 /// \throws Error Cancelled.
 std::optional<FoundRoute> searchPath(PathProblem& problem, std::int64_t budget, const FoundCallback& found,
-                                     PathFailure& failure, std::int64_t& expansions,
+                                     PathFailure& failure, SearchEffort& effort,
                                      const Progress& progress = {});
 
 } // namespace quadrille

@@ -231,18 +231,18 @@ private:
 
 std::optional<FoundRoute> searchStages(const WalkGraph& graph, const WalkStages& stages,
                                        const std::vector<NodeIndex>& starts, std::int64_t budget,
-                                       const FoundCallback& found, std::int64_t& expansions,
+                                       const FoundCallback& found, SearchEffort& effort,
                                        const Progress& progress)
 {
     std::optional<FoundRoute> best;
     std::int64_t left = budget;
     const auto limit = [&best] { return best ? best->cost : unreachable; };
     const auto keep = [&](std::optional<FoundRoute> better) {
-        expansions = budget - std::max(left, std::int64_t{0});
+        effort.expansions = budget - std::max(left, std::int64_t{0});
         if (!better)
             return;
         best = std::move(better);
-        best->expansions = expansions;
+        best->expansions = effort.expansions;
         found(*best);
     };
     // Narrow passes may use half of the budget.
@@ -260,6 +260,7 @@ std::optional<FoundRoute> searchStages(const WalkGraph& graph, const WalkStages&
     }
     StagePass exact(graph, stages, limit());
     std::optional<FoundRoute> cheapest = exact.run(starts, left, progress);
+    effort.isComplete = exact.isComplete();
     if (cheapest)
         cheapest->optimal = true;
     else if (best && exact.isComplete())

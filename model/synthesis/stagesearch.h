@@ -15,7 +15,7 @@ namespace quadrille {
 /// \throws Error Cancelled.
 std::optional<FoundRoute> searchStages(const WalkGraph& graph, const WalkStages& stages,
                                        const std::vector<NodeIndex>& starts, std::int64_t budget,
-                                       const FoundCallback& found, std::int64_t& expansions,
+                                       const FoundCallback& found, SearchEffort& effort,
                                        const Progress& progress = {});
 
 } // namespace quadrille

@@ -11,7 +11,7 @@ namespace quadrille {
 struct WalkCost
 {
     double deviation = 0; ///< sum of the squared distances from the path over all output frames, m²
-    double edges = 0;     ///< sum of edge weights, and α for each frame that actions left out
+    double edges = 0;     ///< sum of edge weights, and the cost of each frame that actions left out
     double timing = 0;    ///< β · sum of the timing errors
 
     /// What is minimised: without a path, μ is 1.

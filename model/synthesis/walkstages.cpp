@@ -5,6 +5,7 @@
 #include "model/core/error.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace quadrille {
@@ -34,9 +35,15 @@ std::size_t indexOf(NodeIndex node)
 } // namespace
 
 WalkStages::WalkStages(const WalkGraph& graph, const WalkConstraints& constraints, double beta,
-                       double edgeFactor, int leastRun)
-    : m_graph(graph), m_beta(beta), m_edgeFactor(edgeFactor), m_leastRun(leastRun), m_keys(constraints.keys)
+                       double edgeFactor, int leastRun, double leftOutWeight)
+    : m_graph(graph)
+    , m_beta(beta)
+    , m_edgeFactor(edgeFactor)
+    , m_leastRun(leastRun)
+    , m_leftOut(leftOutWeight * graph.alpha())
+    , m_keys(constraints.keys)
 {
+    assert(leftOutWeight >= 1); // or bounds would be too high
     addSteps(constraints.actions);
     addRequired(constraints.junctions);
     addBounds();
@@ -201,7 +208,7 @@ SettledStage WalkStages::finished(const StageState& state, std::int64_t time) co
     if (state.span == StageState::goesOn)
         result.timing = m_beta * std::abs(static_cast<double>(time - state.since + 1) - *step.duration);
     else
-        result.edges = m_graph.alpha() * (step.spans[indexOf(state.span)].last - state.node);
+        result.edges = m_leftOut * (step.spans[indexOf(state.span)].last - state.node);
     ++result.state.step;
     result.state.span = StageState::free;
     result.state.since = 0;
@@ -234,7 +241,7 @@ void WalkStages::settle(const StageState& state, std::int64_t time, std::vector<
         for (std::size_t p = 0; p < step.spans.size() && !step.duration; ++p) {
             const WalkSpan& span = step.spans[p];
             if (state.node >= span.first && state.node + step.needed[p] - 1 <= span.last)
-                enter(static_cast<std::int32_t>(p), state.node, m_graph.alpha() * (state.node - span.first));
+                enter(static_cast<std::int32_t>(p), state.node, m_leftOut * (state.node - span.first));
         }
     }
     if (static_cast<std::size_t>(state.key) >= m_keys.size())
@@ -282,9 +289,11 @@ int WalkStages::quartersDone(const StageState& state, std::int64_t time) const
 double WalkStages::leastOfKeys(const StageState& state, std::int64_t time) const
 {
     const auto k = static_cast<std::size_t>(state.key);
+    const auto t = static_cast<double>(time);
+    if (k < m_keys.size() && t - m_keys[k].time > m_keys[k].tolerance.value_or(unreachable))
+        return unreachable; // its time has passed
     if (k >= m_keyBounds.size())
         return 0;
-    const auto t = static_cast<double>(time);
     double best = m_keyBounds[k](state.node, m_keys[k].time - t) + m_keyRest[k][m_zeroTheta];
     const auto& weighted = m_keyBounds[k].all();
     for (std::size_t i = 0; i < weighted.size(); ++i)

@@ -34,7 +34,7 @@ struct StageState
 struct SettledStage
 {
     StageState state;
-    double edges = 0;  ///< α for each frame that an action leaves out
+    double edges = 0;  ///< for each frame that an action leaves out
     double timing = 0; ///< β · timing error
 };
 
@@ -55,8 +55,9 @@ public:
 
     /// \param edgeFactor  what a weight counts in the total, μ or 1. \param leastRun  captured frames between
     /// two transitions; required ones may be nearer to others.
+    /// \param leftOutWeight  SearchSettings::leftOutWeight.
     WalkStages(const WalkGraph& graph, const WalkConstraints& constraints, double beta, double edgeFactor,
-               int leastRun = 0);
+               int leastRun = 0, double leftOutWeight = 1);
 
     /// What a state that has come to its frame can become there. \param out  cleared first.
     void settle(const StageState& state, std::int64_t time, std::vector<SettledStage>& out) const;
@@ -95,6 +96,7 @@ private:
     double m_beta;
     double m_edgeFactor;
     int m_leastRun;
+    double m_leftOut; ///< cost of a frame that an action leaves out
     std::vector<PoseKey> m_keys;
     std::vector<Step> m_steps;
     std::vector<LegBounds> m_keyBounds;

@@ -93,6 +93,24 @@ TEST(Contacts, ofAFootThatIsLiftedEndAndBeginWithIt)
     EXPECT_THAT(detectContacts(stepping()), ::testing::UnorderedElementsAreArray(expected));
 }
 
+TEST(Contacts, followGroundThatDrifts)
+{
+    const MeshSequence steps = stepping();
+    const std::uint32_t vertices = steps.topology->vertexCount();
+    std::vector<Vec3f> positions;
+    for (int f = 0; f < 70; ++f) {
+        const float drift = 0.1F * std::clamp(static_cast<float>(f - 20) / 30, 0.0F, 1.0F);
+        for (const Vec3f& position : steps.frame(FrameIndex(std::clamp(f - 20, 0, 29))).positions())
+            positions.push_back(position + Vec3f(0, drift, 0));
+    }
+    const MeshSequence drifting = makeSequence(
+        "drift", steps.topology, std::make_shared<MemoryFrames>(std::move(positions), vertices), steps.fps);
+    const std::vector<ContactSpan> expected = {{"right", {FrameIndex(0), FrameIndex(69)}},
+                                               {"left", {FrameIndex(0), FrameIndex(29)}},
+                                               {"left", {FrameIndex(40), FrameIndex(69)}}};
+    EXPECT_THAT(detectContacts(drifting), ::testing::UnorderedElementsAreArray(expected));
+}
+
 TEST(Contacts, agreeWithTheGroundTruthOfTheSample)
 {
     double hits = 0;

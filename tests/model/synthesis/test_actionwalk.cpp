@@ -210,6 +210,47 @@ TEST(ActionWalk, SaysHowMuchOfAnActionCanBePlayed)
     EXPECT_EQ(solution.walk.spans[1], (WalkSpan{13, 17}));
 }
 
+/// Two takes of ten frames with some transitions, all of four frames.
+TransitionCosts twoTakes(const std::vector<std::tuple<int, int, float>>& transitions)
+{
+    const std::vector<std::int64_t> counts{10, 10};
+    Table<float> cost = Table<float>::Constant(20, 20, std::numeric_limits<float>::infinity());
+    Table<std::uint16_t> length = Table<std::uint16_t>::Zero(20, 20);
+    for (const auto& [from, to, value] : transitions) {
+        cost(from, to) = value;
+        length(from, to) = 4;
+    }
+    return {cost, length, 1, FrameLayout(counts)};
+}
+
+TEST(ActionWalk, PlaysActionsWholeWhereLeavingOutIsDear)
+{
+    const TransitionCosts costs = twoTakes({{4, 10, 0.2F}, {4, 14, 0.17F}, {17, 2, 1.0F}});
+    const Digraph graph = essentialGraph(costs, alpha).graph;
+    const WalkMaterial material{.graph = graph, .costs = costs, .alpha = alpha, .motion = {}};
+    const WalkConstraints constraints{.actions = {{.frames = {"kick", {{10, 19}}}}},
+                                      .start = FrameSet{"here", {{0, 0}}}};
+    EXPECT_EQ(findWalk(material, constraints, {}).walk.spans[1].first, 14);
+    const WalkSolution whole = findWalk(material, constraints, {.leftOutWeight = 5});
+    EXPECT_EQ(whole.walk.spans[1], (WalkSpan{10, 19}));
+    EXPECT_TRUE(whole.optimal);
+}
+
+TEST(ActionWalk, SaysWhatIsImpossibleTogether)
+{
+    const TransitionCosts costs = twoTakes({{4, 13, 1.0F}, {17, 2, 1.0F}});
+    const Digraph graph = essentialGraph(costs, alpha).graph;
+    const WalkMaterial material{.graph = graph, .costs = costs, .alpha = alpha, .motion = {}};
+    // Frame 8 is eight frames from the start.
+    WalkConstraints constraints{.keys = {{.frame = 8, .time = 3, .tolerance = 0}},
+                                .actions = {{.frames = {"kick", {{10, 19}}}}},
+                                .start = FrameSet{"here", {{0, 0}}}};
+    EXPECT_EQ(codeOf([&] { findWalk(material, constraints, {}); }), ErrorCode::WalkImpossible);
+    EXPECT_EQ(codeOf([&] { findWalk(material, constraints, {.budget = 1}); }), ErrorCode::WalkNotFound);
+    constraints.keys.front().tolerance.reset();
+    EXPECT_NO_THROW(findWalk(material, constraints, {}));
+}
+
 TEST(CheckConstraints, RefusesWhatCannotBe)
 {
     const WalkWorld world({.seed = 5, .counts = {20, 20}, .missing = 0.3, .shortest = 4});

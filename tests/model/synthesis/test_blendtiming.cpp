@@ -74,6 +74,14 @@ TEST(BlendTiming, ChangesSpeedGently)
     expectGentle(&BlendTimes::destination, 35, 41);
 }
 
+TEST(BlendTiming, LeavesAndArrivesAtFullSpeed)
+{
+    const std::vector<BlendTimes> times = blendTimes(waiting(), BlendTiming::Smooth);
+    const std::size_t last = times.size() - 1;
+    EXPECT_DOUBLE_EQ(valueOf(times[1].source) - valueOf(times[0].source), 1);
+    EXPECT_DOUBLE_EQ(valueOf(times[last].destination) - valueOf(times[last - 1].destination), 1);
+}
+
 TEST(BlendTiming, OfOneFrameIsItsCell)
 {
     const std::vector<BlendTimes> times = blendTimes(advancingTogether(5, 38, 1), BlendTiming::Smooth);

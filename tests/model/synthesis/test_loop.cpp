@@ -41,6 +41,18 @@ TEST(Loop, OfAPeriodicMotionIsAWholeNumberOfPeriods)
     EXPECT_NEAR(wrappedAngle(loop.travel.turn - count * curved.pace.turn), 0, 1e-5);
 }
 
+TEST(Loop, KeepsWhatIsAskedFor)
+{
+    test::Stride stride = curved;
+    stride.frames = 65; // two periods fit, with a blend
+    const Clip clip = stridingTube(stride);
+    const FramePair free = seamlessLoop(clip, {}, uprightBlend).closure.frames;
+    const FrameRange asked{FrameIndex(free.destination), FrameIndex(free.source + 10)};
+    const FramePair kept = seamlessLoop(clip, {}, uprightBlend, asked).closure.frames;
+    EXPECT_LE(kept.destination, asked.first.value);
+    EXPECT_GE(kept.source, asked.last.value);
+}
+
 TEST(Loop, NamesTheOriginsOfItsFrames)
 {
     const Clip clip = stridingTube(curved);

@@ -125,7 +125,7 @@ TEST(PathWalk, IsAsGoodAsBranchAndBoundOnSmallCases)
         MoveMotions motions(graph, material.motion, course);
         std::vector<NodeIndex> starts(static_cast<std::size_t>(graph.nodeCount()));
         std::iota(starts.begin(), starts.end(), 0);
-        PathProblem problem{graph, stages, course, costs, motions, starts, 0.1};
+        PathProblem problem{graph, stages, course, costs, motions, starts, 0.1, material.inAir};
         BranchAndBound reference(problem, [] { return false; });
         const double expected = reference.exact();
         if (expected == unreachable)
@@ -314,4 +314,31 @@ TEST(PathWalk, SaysWhatIsInTheWay)
         EXPECT_EQ(error.code(), ErrorCode::WalkDemandUnmet);
         EXPECT_EQ(error.context().values[0].second, "blink");
     }
+}
+
+TEST(PathWalk, SaysWhenEveryWayWasTried)
+{
+    // Without transitions.
+    const WalkWorld world({.seed = 6, .counts = {40, 40}, .missing = 1, .shortest = 4});
+    PathConstraint path = curve(1);
+    path.obstacles = {{.name = "fence", .outline = {{0.3, -5}, {0.4, -5}, {0.4, 5}, {0.3, 5}}}};
+    EXPECT_EQ(test::codeOf([&] { findPathWalk(world, {.path = path}, {}); }), ErrorCode::WalkPathImpassable);
+    path.obstacles.clear();
+    path.spans = {{.from = 0.5, .to = 0.8, .demanded = FrameSet{"blink", {{7, 7}}}}};
+    EXPECT_EQ(test::codeOf([&] { findPathWalk(world, {.path = path}, {}); }),
+              ErrorCode::WalkDemandImpossible);
+}
+
+TEST(PathWalk, NeitherBeginsNorEndsInTheAir)
+{
+    const WalkWorld world({.seed = 4, .counts = {20, 25, 15}, .missing = 0.5, .shortest = 4});
+    WalkMaterial material = world.material();
+    const WalkConstraints constraints{.path = curve(1.5)};
+    const Walk free = findWalk(material, constraints, {.budget = 5000}).walk;
+    material.inAir.assign(60, false);
+    for (const NodeIndex node : {free.spans.front().first, free.spans.back().last})
+        material.inAir[static_cast<std::size_t>(node)] = true;
+    const Walk walk = findWalk(material, constraints, {.budget = 5000}).walk;
+    EXPECT_FALSE(material.inAir[static_cast<std::size_t>(walk.spans.front().first)]);
+    EXPECT_FALSE(material.inAir[static_cast<std::size_t>(walk.spans.back().last)]);
 }
