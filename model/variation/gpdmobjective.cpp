@@ -4,7 +4,7 @@
 #include "model/variation/gpdm.h"
 #include "model/variation/latentkernels.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -14,13 +14,13 @@ namespace quadrille {
 
 namespace {
 
-/// R with G = R·Rᵀ, lower triangular, for a G that is singular as a rule: pivoted, then triangular again.
+/// R with G = R·Rᵀ, lower triangular, for a G that is singular as a rule. Its eigenvectors show what of G is
+/// rounding: the pivots of a factorisation do not, and entries divided by them grow without a limit.
 DenseMatrix triangularRoot(const RowMatrix& gram)
 {
-    const Eigen::LDLT<Eigen::MatrixXd> pivoted(gram);
-    const Eigen::VectorXd roots = pivoted.vectorD().cwiseMax(0).cwiseSqrt();
-    Eigen::MatrixXd root = Eigen::MatrixXd(pivoted.matrixL()) * roots.asDiagonal();
-    root = pivoted.transpositionsP().transpose() * root;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
+    const Eigen::MatrixXd root =
+        solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
     const Eigen::HouseholderQR<Eigen::MatrixXd> triangular(root.transpose());
     const RowMatrix lower = Eigen::MatrixXd(triangular.matrixQR().triangularView<Eigen::Upper>()).transpose();
     return DenseMatrix(lower);
