@@ -19,6 +19,25 @@ double meanAtLag(const Table<float>& distances, Eigen::Index lag)
     return sum / static_cast<double>(pairs);
 }
 
+/// What comes back has moved in the meantime: in frames that are seen twice, and in a cycle, the poses that
+/// are to be the same may differ by this share of the greatest distance of those frames from each other.
+/// Standing before a jump and after it is no repetition.
+constexpr double greatestShareOfRange = 0.4;
+
+/// Greatest distance of so many frames from each other.
+double rangeOf(const Table<float>& distances, Eigen::Index first, Eigen::Index count)
+{
+    return double{distances.block(first, first, count, count).maxCoeff()};
+}
+
+/// Whether the frames that are seen twice move each time.
+bool movesAtLag(const Table<float>& distances, Eigen::Index lag, double mean)
+{
+    const Eigen::Index pairs = distances.rows() - lag;
+    return mean <=
+           greatestShareOfRange * std::min(rangeOf(distances, 0, pairs), rangeOf(distances, lag, pairs));
+}
+
 /// A block of costs, in frames of both takes.
 struct Block
 {
@@ -92,7 +111,8 @@ std::optional<std::int64_t> findPeriod(const Table<float>& distances, double gre
     for (std::size_t lag = 1; lag + 1 < means.size(); ++lag) {
         const bool isLeast = means[lag] < means[lag - 1] && means[lag] <= means[lag + 1];
         const bool isSeen = 5 * (static_cast<std::size_t>(frames) - lag) >= lag;
-        if (isLeast && isSeen && means[lag] <= greatestReturn * largest)
+        if (isLeast && isSeen && means[lag] <= greatestReturn * largest &&
+            movesAtLag(distances, static_cast<Eigen::Index>(lag), means[lag]))
             return static_cast<std::int64_t>(lag);
         largest = std::max(largest, means[lag]);
     }
@@ -136,7 +156,9 @@ std::optional<FrameRange> cycleWithin(const Table<float>& toReference, const Tab
     const int first = found->path.front().take;
     const int next = found->path.back().take;
     const bool matches = found->meanCost() <= greatestMatch * static_cast<double>(toReference.mean());
-    const bool returns = double{own(first, next)} <= greatestReturn * double{own.mean()};
+    const double apart = own(first, next);
+    const bool returns = apart <= greatestReturn * double{own.mean()} &&
+                         apart <= greatestShareOfRange * rangeOf(own, first, next - first + 1);
     // Nobody walks at less than half the tempo of the reference, or at more than twice.
     const std::int64_t count = next - first;
     const bool keepsTempo = 2 * count >= toReference.rows() && count <= 2 * toReference.rows();

@@ -14,8 +14,9 @@
 namespace quadrille {
 
 /// After how many frames the poses of a take of locomotion come back: the least lag at which the mean
-/// distance of frames has a minimum that is low enough, seen over at least a fifth of it. Nothing for takes
-/// that are no locomotion: their poses never come back, or do not go on the same way.
+/// distance of frames has a minimum that is low enough, seen over at least a fifth of it, in frames that
+/// move. Nothing for takes that are no locomotion: their poses never come back, do not go on the same way, or
+/// rest before and after.
 /// \param distances  of the poses of all pairs of frames of the take.
 /// \param greatestReturn  mean distance at that lag, in the largest at a shorter lag.
 std::optional<std::int64_t> findPeriod(const Table<float>& distances, double greatestReturn);

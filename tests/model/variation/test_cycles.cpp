@@ -3,6 +3,7 @@
 #include "model/variation/cycles.h"
 #include "tests/model/codeof.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -53,6 +54,17 @@ TEST(Cycles, MotionThatGoesOutAndBackHasNone)
     EXPECT_EQ(findPeriod(circleDistances(40, 40, outAndBack, outAndBack), 0.3), std::nullopt);
     const auto still = [](int) { return 0.0; };
     EXPECT_EQ(findPeriod(circleDistances(40, 40, still, still), 0.3), std::nullopt);
+}
+
+TEST(Cycles, RestBeforeAndAfterIsNoRepetition)
+{
+    // Once around, as a jump is, from rest to rest: seen again is only the rest, in which somebody sways.
+    const auto once = [](int f) {
+        const double sway = 0.05 * std::sin(2.1 * f);
+        return 2 * std::numbers::pi * std::clamp((f - 10) / 30.0, 0.0, 1.0) + sway;
+    };
+    const Table<float> own = circleDistances(50, 50, once, once);
+    EXPECT_EQ(findPeriod(own, 0.3), std::nullopt);
 }
 
 TEST(Cycles, WindowBeginsInThePhaseOfTheReference)
