@@ -88,6 +88,8 @@ public:
         m_results[selectionStageOf(job.name)] = [this](const Progress& progress) {
             return selection(progress);
         };
+        for (int number = 1; number <= variationCount(drawnEntryOf(job)); ++number)
+            m_results[clipStage(job, number)] = [](const Progress&) { return Result(); };
         int before = 0;
         for (std::size_t set = 0; set < draft.selections.size(); ++set) {
             for (std::size_t i = 0; i < draft.selections[set].clips.size(); ++i)
@@ -174,7 +176,10 @@ DrawnSet drawnSetOf(const VariationSelection& selection)
     return set;
 }
 
-std::shared_ptr<const std::vector<DrawnSet>> readDrawn(const VariationJob& job, const OpenedVariation& opened,
+namespace {
+
+/// \throws Error ResultReplaced.
+std::shared_ptr<const std::vector<DrawnSet>> readFresh(const VariationJob& job, const OpenedVariation& opened,
                                                        const Progress& progress)
 {
     const VariationEntry& entry = drawnEntryOf(job);
@@ -194,7 +199,7 @@ std::shared_ptr<const std::vector<DrawnSet>> readDrawn(const VariationJob& job, 
     if (!std::ranges::all_of(samples, isFresh) || !isFresh(selectionStageOf(job.name)))
         return nullptr;
     const ResultStore store(cacheFolder(job.file));
-    const auto load = [&](const std::string& stage) { return store.load(stage, fresh.at(stage)).result; };
+    const auto load = [&](const std::string& stage) { return store.freshResult(stage, fresh.at(stage)); };
     std::vector<Result> drawnParts;
     drawnParts.reserve(samples.size());
     for (const std::string& stage : samples)
@@ -224,6 +229,20 @@ std::shared_ptr<const std::vector<DrawnSet>> readDrawn(const VariationJob& job, 
         before += entry.samples[s].count;
     }
     return sets;
+}
+
+} // namespace
+
+std::shared_ptr<const std::vector<DrawnSet>> readDrawn(const VariationJob& job, const OpenedVariation& opened,
+                                                       const Progress& progress)
+{
+    try {
+        return readFresh(job, opened, progress);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::ResultReplaced)
+            throw;
+        return nullptr;
+    }
 }
 
 void keepDrawn(const VariationJob& job, const OpenedVariation& opened, const LearnedMovement& learned,

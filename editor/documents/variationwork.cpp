@@ -53,8 +53,12 @@ Models readModels(const VariationJob& job, const std::shared_ptr<SequenceOpener>
         keys[stage.stage] = stage.key;
     const ResultStore store(cacheFolder(job.file));
     Models models;
-    for (const std::string& stage : stages)
-        models.push_back(learningOf(store.load(stage, keys.at(stage)).result));
+    for (const std::string& stage : stages) {
+        ResultStore::Entry entry = store.load(stage, keys.at(stage));
+        if (entry.state != ResultStore::State::Fresh) // replaced by somebody else in the meantime
+            return {};
+        models.push_back(learningOf(entry.result));
+    }
     return models;
 }
 

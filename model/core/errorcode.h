@@ -50,6 +50,7 @@ enum class ErrorCode
     ProjectUnknownData,
     // results
     ResultDamaged,
+    ResultReplaced,
     // use
     BadArgument,
     // the machine, and what nobody foresaw

@@ -114,6 +114,9 @@ ErrorMessage errorMessage(ErrorCode code)
     case ErrorCode::ResultDamaged:
         return {QUADRILLE_MESSAGE("A stored result is damaged."),
                 QUADRILLE_MESSAGE("It will be computed again.")};
+    case ErrorCode::ResultReplaced:
+        return {QUADRILLE_MESSAGE("The result “{stage}” was replaced while it was being used."),
+                QUADRILLE_MESSAGE("Another rebuild of the project is under way; try again once it is done.")};
     case ErrorCode::BadArgument:
         return {QUADRILLE_MESSAGE("{reason}."), QUADRILLE_MESSAGE("{remedy}")};
     case ErrorCode::OutOfMemory:

@@ -199,13 +199,17 @@ ResultStage clipStage(const CharacterWork& work, const AnimationEntry& animation
             {.walk = walkOf(found, graph), .start = placementOf(found), .actions = {askedOf(found)}});
         const CharacterFrames frames = work.open(progress.part(0, 0.05));
         std::vector<TakeVariation> variations;
-        variations.reserve(drawn.size());
-        for (const std::string& clip : drawn)
-            variations.push_back(takeVariation(clip, context.resultOf(clipStageOf(clip)), graph));
+        std::vector<std::string> names;
+        for (const std::string& clip : drawn) {
+            if (auto variation = takeVariation(clip, context.resultOf(clipStageOf(clip)), graph)) {
+                variations.push_back(std::move(*variation));
+                names.push_back(clip);
+            }
+        }
         const auto [processed, shown, spans, hasNoFeet] =
             animationClip(animation, graph, frames, plan, variations, progress.part(0.05, 1));
         Result result = clipResult(processed.clip, graph.layout(), work.sequences,
-                                   unitText(work.opener->project().settings.axes.metresPerUnit), drawn);
+                                   unitText(work.opener->project().settings.axes.metresPerUnit), names);
         if (hasNoFeet)
             context.tell({.severity = Issue::Severity::Info,
                           .context = {.values = {{"text", QUADRILLE_MESSAGE("The character has no feet that "

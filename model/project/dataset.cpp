@@ -55,9 +55,9 @@ std::vector<Member> membersOf(const VariationEntry& variation, const Result& sel
             before += static_cast<std::size_t>(candidatesFor(variation.samples[place.set - 1].count));
         if (isDiscarded(variation, number))
             continue;
-        const int candidate = candidateOf(selection, number);
-        members.push_back(
-            {number, before + static_cast<std::size_t>(candidate), rowOf(selection.tables.front(), number)});
+        if (const auto candidate = candidateOf(selection, number))
+            members.push_back({number, before + static_cast<std::size_t>(*candidate),
+                               rowOf(selection.tables.front(), number)});
     }
     return members;
 }

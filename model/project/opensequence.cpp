@@ -7,6 +7,7 @@
 #include "model/project/clipresult.h"
 #include "model/project/madeclips.h"
 #include "model/project/paths.h"
+#include "model/project/resultstore.h"
 #include "model/sequence/io/findtextures.h"
 #include "model/sequence/io/meshfile.h"
 #include "model/sequence/io/registry.h"
@@ -220,6 +221,10 @@ OpenedSequence SequenceOpener::openMadeClip(const std::string& clip, const Progr
     for (const std::string& sequence : names)
         sequences.push_back(open(sequence, progress)->sequence);
     auto made = readClip(m_results, clip, sequences, m_project.settings.fps);
+    const auto varied = variationOfClip(clip);
+    if (!made && varied &&
+        ResultStore(m_results).load(clipStageOf(clip), {}).state != ResultStore::State::Missing)
+        throw Error(ErrorCode::VariationMissing, {.values = {{"number", std::to_string(varied->number)}}});
     if (!made)
         throwInvalid({}, "The clip “" + clip + "” is not computed yet",
                      QUADRILLE_MESSAGE("Rebuild the project."));

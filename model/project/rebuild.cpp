@@ -197,7 +197,7 @@ private:
         const auto begin = std::chrono::steady_clock::now();
         StageContext context;
         context.resultOf = [this](const std::string& stage) {
-            return m_store.load(stage, m_status[m_byName.at(stage)].key).result;
+            return m_store.freshResult(stage, m_status[m_byName.at(stage)].key);
         };
         context.tell = [&report](Issue issue) { report.issues.push_back(std::move(issue)); };
         const Progress own(m_progress.token(), [this, i](double fraction) {

@@ -158,6 +158,14 @@ ResultStore::Entry ResultStore::load(const std::string& stage, const std::string
     return best;
 }
 
+Result ResultStore::freshResult(const std::string& stage, const std::string& key) const
+{
+    Entry entry = load(stage, key);
+    if (entry.state != State::Fresh)
+        throw Error(ErrorCode::ResultReplaced, {.values = {{"stage", stage}}});
+    return std::move(entry.result);
+}
+
 bool ResultStore::save(const std::string& stage, const std::string& key, const Result& result) const
 {
     const Unstored unstored{m_folder, stage, key, std::make_shared<const Result>(result)};

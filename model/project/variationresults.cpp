@@ -359,14 +359,44 @@ std::vector<VariationSelection> selectionsOf(const Result& selection, const Vari
     return sets;
 }
 
-int candidateOf(const Result& selection, int number)
+std::optional<SelectionNote> noteOn(const SamplesEntry& samples, const VariationSelection& selection)
+{
+    constexpr std::array<std::string_view, variationFaults> reasons{
+        "poses unlike all that were learned", "sliding feet", "a surface that goes through itself",
+        "a body that swells or shrinks"};
+    if (selection.rejectedCount() == 0)
+        return std::nullopt;
+    std::array<int, variationFaults> counts{};
+    for (const Candidate& candidate : selection.candidates) {
+        for (const VariationFault fault : candidate.faults)
+            counts[static_cast<std::size_t>(fault)] += 1;
+    }
+    std::vector<std::string> parts;
+    for (std::size_t fault = 0; fault < variationFaults; ++fault) {
+        if (counts[fault] > 0)
+            parts.push_back(std::string(reasons[fault]) + " (" + std::to_string(counts[fault]) + ")");
+    }
+    SelectionNote note{.isShort = std::ssize(selection.accepted) < samples.count};
+    const std::string of =
+        samples.to.empty() ? "“" + samples.of + "”" : "“" + samples.of + "” and “" + samples.to + "”";
+    if (note.isShort)
+        note.text = "Only " + std::to_string(selection.accepted.size()) + " of " +
+                    std::to_string(samples.count) + " variations of " + of + " were good enough. ";
+    note.text += "Of " + std::to_string(selection.candidates.size()) + " that were drawn of " + of + ", " +
+                 std::to_string(selection.rejectedCount()) + " were rejected: " + joined(parts) + ".";
+    if (note.isShort)
+        note.text += " Draw with another seed, or allow more in the limits.";
+    return note;
+}
+
+std::optional<int> candidateOf(const Result& selection, int number)
 {
     const DataTable& report = selection.tables.front();
     const auto& numbers = columnOf<std::int64_t>(report, "variation");
     const auto& candidates = columnOf<std::int64_t>(report, "candidate");
     const auto found = std::find(numbers.begin(), numbers.end(), number);
     if (found == numbers.end())
-        throw Error(ErrorCode::VariationMissing, {.values = {{"number", std::to_string(number)}}});
+        return std::nullopt;
     return static_cast<int>(candidates[static_cast<std::size_t>(found - numbers.begin())]);
 }
 

@@ -144,7 +144,7 @@ private:
     ResultStage selection() const
     {
         ResultStage made = stage(selectionStageOf(m_name), "variations/" + m_name);
-        made.version = 5;
+        made.version = 6;
         made.settings = selectionSettings(m_work->entry());
         made.inputs = drawnStages();
         made.compute = [self = *this](const StageContext& context, const Progress& progress) {
@@ -170,6 +170,11 @@ private:
             spreads.push_back(selectionSpread(*learned, latents[s], selections.back(), m_work->poses(),
                                               sets[s].seed, progress.part(at + 0.8 * share, at + share)));
         }
+        for (std::size_t s = 0; s < sets.size(); ++s) {
+            if (const auto note = noteOn(sets[s], selections[s]))
+                context.tell({.severity = note->isShort ? Issue::Severity::Warning : Issue::Severity::Info,
+                              .context = {.values = {{"text", note->text}}}});
+        }
         return selectionResult(m_work->entry(), selections, spreads);
     }
 
@@ -177,7 +182,7 @@ private:
     {
         const std::string name = variationClip(m_name, number);
         ResultStage made = stage(clipStageOf(name), name);
-        made.version = 5;
+        made.version = 6;
         VariationEntry drawn;
         drawn.draw = m_work->entry().draw;
         drawn.correctsContacts = m_work->entry().correctsContacts;
@@ -195,12 +200,14 @@ private:
         const auto learned = m_work->learned(models(context), progress.part(0, 0.2));
         const SamplePlace place = *placeOfVariation(m_work->entry(), number);
         const SamplesEntry& samples = m_work->entry().samples[place.set];
-        const int candidate = candidateOf(context.resultOf(selectionStageOf(m_name)), number);
+        const auto candidate = candidateOf(context.resultOf(selectionStageOf(m_name)), number);
+        if (!candidate) // the selection has told that it is missing
+            return {};
         VariationPoses poses = m_work->poses();
-        poses.seed = streamSeed(samples.seed, static_cast<std::uint64_t>(candidate));
+        poses.seed = streamSeed(samples.seed, static_cast<std::uint64_t>(*candidate));
         const Clip made =
             makeVariation(*learned, m_work->subject(samples),
-                          allLatents(context)[place.set].at(static_cast<std::size_t>(candidate)),
+                          allLatents(context)[place.set].at(static_cast<std::size_t>(*candidate)),
                           m_work->layout(), poses, progress.part(0.2, 1));
         std::vector<std::string> takes;
         for (const TrainingEntry& take : m_work->entry().training)

@@ -66,8 +66,11 @@ std::vector<std::string> clipsDrawnFrom(const Project& project, const AnimationE
     return clips;
 }
 
-TakeVariation takeVariation(const std::string& clip, const Result& result, const CharacterGraph& graph)
+std::optional<TakeVariation> takeVariation(const std::string& clip, const Result& result,
+                                           const CharacterGraph& graph)
 {
+    if (result.tables.empty())
+        return std::nullopt;
     const DataTable& frames = result.tables.front();
     const auto& sequences = columnNamed<std::string>(frames, "sequence");
     const auto& sources = columnNamed<std::int64_t>(frames, "source-frame");
@@ -110,8 +113,9 @@ std::vector<TakeVariation> openTakeVariations(Project project, const std::filesy
     const ResultStore store(results);
     for (std::size_t i = 0; i < clips.size(); ++i) {
         progress.part(0.9, 1).report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(clips.size()));
-        variations.push_back(takeVariation(
-            clips[i], store.load(options.targets[i], keys.at(options.targets[i])).result, graph));
+        if (auto variation = takeVariation(
+                clips[i], store.freshResult(options.targets[i], keys.at(options.targets[i])), graph))
+            variations.push_back(std::move(*variation));
     }
     return variations;
 }

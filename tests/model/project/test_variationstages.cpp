@@ -3,6 +3,7 @@
 #include "model/project/jsontext.h"
 #include "model/project/madeclips.h"
 #include "model/project/validate.h"
+#include "tests/model/codeof.h"
 #include "tests/model/project/tubeproject.h"
 
 #include <gmock/gmock.h>
@@ -223,10 +224,27 @@ TEST_F(VariationStages, AreDiscardedByTheirNumberInTheirSet)
     EXPECT_FALSE(isDiscarded(sway(), 5));
 }
 
-TEST_F(VariationStages, RejectWhatIsBadAndSayWhichIsMissing)
+TEST_F(VariationStages, RejectWhatIsBadAndDoWithoutIt)
 {
     sway().limits.poseDistance = 1e-9;
-    EXPECT_THAT(problem(), HasSubstr("There is no variation 1"));
+    const RebuildReport report = run("variations");
+    std::string told;
+    for (const StageReport& stage : report.stages) {
+        EXPECT_FALSE(stage.error) << stage.stage << ": " << stage.error->what();
+        for (const Issue& issue : stage.issues)
+            told += issue.toString() + "\n";
+    }
+    EXPECT_THAT(told, HasSubstr("Only 0 of 2 variations of “calm” were good enough"));
+    EXPECT_THAT(told, HasSubstr("6 were rejected: poses unlike all that were learned (6)"));
+    EXPECT_EQ(codeOf([&] { opened("variations/sway/1"); }), ErrorCode::VariationMissing);
+    // A data set holds what there is.
+    ExportEntry entry;
+    entry.name = "all";
+    entry.what = "variations/sway";
+    entry.path = "set/sway.npy";
+    project.exports = {entry};
+    EXPECT_EQ(problem("exports"), "none");
+    EXPECT_TRUE(std::filesystem::exists(folder / "set/sway.json"));
     const auto faults = column<std::string>("variations/sway/report", "faults");
     ASSERT_EQ(faults.size(), 6U);
     EXPECT_THAT(faults, Contains(HasSubstr("pose-distance")));

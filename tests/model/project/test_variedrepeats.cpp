@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/clipparts.h"
 #include "model/project/jsontext.h"
+#include "model/project/madeclips.h"
+#include "model/project/opencharacter.h"
 #include "model/project/references.h"
+#include "model/project/resultstore.h"
 #include "model/project/validate.h"
 #include "model/project/variedrepeats.h"
+#include "tests/model/codeof.h"
 #include "tests/model/project/tubeproject.h"
 
 #include <gmock/gmock.h>
@@ -162,10 +166,30 @@ TEST_F(VariedRepeatsStages, SayWhenThereIsNothingToDraw)
     EXPECT_THAT(told(), HasSubstr("No captured frames are shown twice"));
 }
 
-TEST_F(VariedRepeatsStages, SayWhichVariationIsMissing)
+TEST_F(VariedRepeatsStages, DoWithoutVariationsThatAreMissing)
 {
     sway().limits.poseDistance = 1e-9;
-    EXPECT_THAT(told(), HasSubstr("There is no variation 1"));
+    EXPECT_THAT(told(), HasSubstr("for no variation varies them"));
+    EXPECT_THAT(drawn(), Each(IsEmpty()));
+}
+
+TEST_F(VariedRepeatsStages, SayWhenAnotherRebuildReplacesThem)
+{
+    told();
+    const std::filesystem::path file = folder / "p.quadrille";
+    const auto character = openCharacter(project, file, {}, GraphOpening::Compute);
+    ASSERT_NE(character, nullptr);
+    const auto open = [&](const Progress& progress) {
+        return openTakeVariations(project, file, animation(), character->graph, progress);
+    };
+    EXPECT_FALSE(open({}).empty());
+    const std::string stage = clipStageOf(clipsDrawnFrom(project, animation()).back());
+    const ResultStore store(cacheFolder(file));
+    const Progress replacing({}, [&](double fraction) {
+        if (fraction >= 0.9)
+            store.save(stage, "another key", {});
+    });
+    EXPECT_EQ(codeOf([&] { open(replacing); }), ErrorCode::ResultReplaced);
 }
 
 TEST_F(VariedRepeatsStages, AreRefusedWhereTheyCannotBe)
