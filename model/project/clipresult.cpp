@@ -95,16 +95,12 @@ Result clipResult(const Clip& clip, const FrameLayout& layout, const std::vector
     return result;
 }
 
-std::optional<MeshSequence> readClip(const std::filesystem::path& results, const std::string& name,
-                                     std::span<const MeshSequence> sequences, double fps)
+std::optional<Clip> clipOf(const Result& result, std::span<const MeshSequence> sequences, double fps)
 {
-    if (results.empty() || sequences.empty())
-        return std::nullopt;
-    const auto entry = ResultStore(results).load(clipStageOf(name), {});
-    if (entry.result.arrays.empty() || entry.result.tables.empty())
+    if (result.arrays.empty() || result.tables.empty() || sequences.empty())
         return std::nullopt;
     const CharacterFrames character(sequences);
-    const DataArray& positions = entry.result.arrays.front();
+    const DataArray& positions = result.arrays.front();
     Clip clip{.topology = sequences.front().topology, .fps = fps};
     if (positions.shape.size() != 3 || positions.shape[1] != clip.topology->vertexCount())
         return std::nullopt;
@@ -113,12 +109,12 @@ std::optional<MeshSequence> readClip(const std::filesystem::path& results, const
     for (std::size_t v = 0; v < clip.positions.size(); ++v)
         clip.positions[v] = Vec3f(values[3 * v], values[3 * v + 1], values[3 * v + 2]);
     const auto texts = [&](Column which) -> const std::vector<std::string>& {
-        return std::get<std::vector<std::string>>(column(entry.result, which).values);
+        return std::get<std::vector<std::string>>(column(result, which).values);
     };
     const auto frames = [&](Column which) -> const std::vector<std::int64_t>& {
-        return std::get<std::vector<std::int64_t>>(column(entry.result, which).values);
+        return std::get<std::vector<std::int64_t>>(column(result, which).values);
     };
-    const auto& lambdas = std::get<std::vector<double>>(column(entry.result, LambdaColumn).values);
+    const auto& lambdas = std::get<std::vector<double>>(column(result, LambdaColumn).values);
     for (std::size_t f = 0; f < lambdas.size(); ++f) {
         const auto source =
             nodeOf(texts(SequenceColumn)[f], frames(SourceColumn)[f], sequences, character.layout());
@@ -131,7 +127,18 @@ std::optional<MeshSequence> readClip(const std::filesystem::path& results, const
                                 .lambda = lambdas[f],
                                 .mirrored = texts(MirroredColumn)[f] == "yes"});
     }
-    return toSequence(name.substr(name.find('/') + 1), std::move(clip), character);
+    return clip;
+}
+
+std::optional<MeshSequence> readClip(const std::filesystem::path& results, const std::string& name,
+                                     std::span<const MeshSequence> sequences, double fps)
+{
+    if (results.empty())
+        return std::nullopt;
+    auto clip = clipOf(ResultStore(results).load(clipStageOf(name), {}).result, sequences, fps);
+    if (!clip)
+        return std::nullopt;
+    return toSequence(name.substr(name.find('/') + 1), std::move(*clip), CharacterFrames(sequences));
 }
 
 } // namespace quadrille

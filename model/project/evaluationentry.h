@@ -30,7 +30,7 @@ struct EvaluationEntry
 };
 
 /// The tables that can be computed, most by their numbers in SMCAS.
-inline constexpr std::array<std::string_view, 11> evaluationTables{
+inline constexpr std::array<std::string_view, 12> evaluationTables{
     "fig4",      ///< interpolation of poses: how edges and volume are kept
     "fig7",      ///< kinds of transitions
     "fig9",      ///< Essential graph and motion graph
@@ -42,6 +42,13 @@ inline constexpr std::array<std::string_view, 11> evaluationTables{
     "walks",     ///< not of the paper: how calm walks along five paths are, and their feet
     "cvs-fig4",  ///< CVS: poses that models reconstruct, against principal components
     "cvs-fig7",  ///< CVS: blends in latent space, with and without learned ones between
+    "variations", ///< not of the paper: what shows of variations, beside the takes that they vary
 };
+
+/// Whether a table is of variations.
+inline bool needsVariations(std::string_view table)
+{
+    return table.starts_with("cvs-") || table == "variations";
+}
 
 } // namespace quadrille

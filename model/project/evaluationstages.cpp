@@ -15,10 +15,10 @@ using MakeStage = ResultStage (*)(const CharacterWork&, const EvaluationEntry&);
 MakeStage makerOf(const std::string& table)
 {
     static const std::map<std::string, MakeStage> makers{
-        {"fig4", fig4Stage},        {"fig7", fig7Stage},       {"fig9", fig9Stage},
-        {"fig11", fig11Stage},      {"fig12", fig12Stage},     {"junctions", junctionsStage},
-        {"walks", walksStage},      {"table1", table1Stage},   {"table2", table2Stage},
-        {"cvs-fig4", cvsFig4Stage}, {"cvs-fig7", cvsFig7Stage}};
+        {"fig4", fig4Stage},        {"fig7", fig7Stage},        {"fig9", fig9Stage},
+        {"fig11", fig11Stage},      {"fig12", fig12Stage},      {"junctions", junctionsStage},
+        {"walks", walksStage},      {"table1", table1Stage},    {"table2", table2Stage},
+        {"cvs-fig4", cvsFig4Stage}, {"cvs-fig7", cvsFig7Stage}, {"variations", variationsStage}};
     const auto found = makers.find(table);
     return found == makers.end() ? nullptr : found->second;
 }
@@ -39,7 +39,7 @@ bool isPossible(const std::string& table, const CharacterWork& work)
 {
     if (table == "table1")
         return !sequencesWithAngles(work).empty();
-    return !table.starts_with("cvs-") || !learnedVariations(work.opener->project(), work.character).empty();
+    return !needsVariations(table) || !learnedVariations(work.opener->project(), work.character).empty();
 }
 
 } // namespace

@@ -24,6 +24,7 @@ ResultStage table2Stage(const CharacterWork& work, const EvaluationEntry& evalua
 /// \pre The character has variations.
 ResultStage cvsFig4Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
 ResultStage cvsFig7Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
+ResultStage variationsStage(const CharacterWork& work, const EvaluationEntry& evaluation);
 
 /// The sequences of a character that have reference joint angles, as positions in its list.
 std::vector<std::size_t> sequencesWithAngles(const CharacterWork& work);

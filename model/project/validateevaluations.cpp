@@ -58,7 +58,7 @@ void validateEvaluation(const Project& project, const EvaluationEntry& evaluatio
         }))
         invalid("", "No sequence has reference joint angles",
                 "Name a BVH file as “joint_angles” of the sequences, or leave out “table1”.");
-    if (evaluation.table.starts_with("cvs-") && project.variations.empty())
+    if (needsVariations(evaluation.table) && project.variations.empty())
         problems.push_back(
             warningAt(pointer, "The project has no variations to evaluate",
                       "Add some under “variations”, or leave out " + quoted(evaluation.table) + "."));

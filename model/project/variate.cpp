@@ -137,6 +137,12 @@ FrameLayout VariationWork::layout(const Progress& progress)
     return m_frames->layout();
 }
 
+const CharacterFrames& VariationWork::frames(const Progress& progress)
+{
+    movement(progress);
+    return *m_frames;
+}
+
 std::shared_ptr<const Movement> VariationWork::movement(const Progress& progress)
 {
     const std::scoped_lock lock(m_mutex);

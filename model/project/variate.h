@@ -37,6 +37,8 @@ public:
     /// The frames of the training takes, as origins of variations count them.
     /// \throws Error what opening the sequences throws.
     FrameLayout layout(const Progress& progress = {});
+    /// The training takes, metres, with their contacts. \throws Error as movement.
+    const CharacterFrames& frames(const Progress& progress = {});
     /// Takes aligned and cut into parts, in metres.
     /// \throws Error what opening the sequences throws; as cutIntoParts and makeMovement; ProjectInvalid (no
     /// take).
