@@ -10,7 +10,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr auto twoCoordinates = "two coordinates on the ground, in metres";
+constexpr auto twoCoordinates = "two coordinates on the ground, in the project's unit";
 
 std::optional<Vec2d> readGroundPoint(const ObjectReader& reader, std::string_view key)
 {
@@ -28,7 +28,7 @@ std::vector<Vec3d> readPoints(const ObjectReader& reader, std::string_view key, 
             std::all_of(json.begin(), json.end(), [](const Json& number) { return number.is_number(); });
         if (!isPoint) {
             reader.invalid(pointer, "A point in brackets is expected here",
-                           "Write two coordinates on the ground, or three in space, in metres.");
+                           "Write two coordinates on the ground, or three in space, in the project's unit.");
             return;
         }
         if (points.empty())

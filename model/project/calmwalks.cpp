@@ -3,7 +3,6 @@
 #include "model/evaluation/walkmeasures.h"
 #include "model/project/animate.h"
 #include "model/project/evaluationstages.h"
-#include "model/project/lengthunit.h"
 #include "model/project/tablebuilder.h"
 #include "model/project/walkrequest.h"
 
@@ -15,14 +14,14 @@ constexpr auto walksNote =
     "Walks along five paths with the settings that animations have by default: how restless they are, and "
     "how much feet slide and speeds change in them beside the takes that they are made of.";
 
-TableBuilder walksTable(const std::string& unit)
+TableBuilder walksTable()
 {
     TableBuilder table("walks", walksNote);
-    table.text("path").real("length", unit).real("seconds", "s").whole("transitions");
+    table.text("path").real("length", "m").real("seconds", "s").whole("transitions");
     table.real("transitions-per-second", "1/s").whole("shortest-run", "frame").real("blended-share");
-    table.real("mean-deviation", unit).real("greatest-deviation", unit);
-    table.real("slide", unit + "/s").real("slide-of-takes", unit + "/s").real("slide-ratio");
-    table.real("speed-change", unit + "/s").real("speed-change-of-takes", unit + "/s");
+    table.real("mean-deviation", "m").real("greatest-deviation", "m");
+    table.real("slide", "m/s").real("slide-of-takes", "m/s").real("slide-ratio");
+    table.real("speed-change", "m/s").real("speed-change-of-takes", "m/s");
     table.real("speed-change-ratio").real("cost").whole("expansions");
     return table;
 }
@@ -50,7 +49,7 @@ ResultStage walksStage(const CharacterWork& work, const EvaluationEntry& evaluat
         const CharacterFrames character = work.open(progress.part(0, 0.05));
         const RootPoses& roots = graph.roots();
         const double level = standingLevel(character, roots.stances, roots.up);
-        TableBuilder table = walksTable(unitText(metres));
+        TableBuilder table = walksTable();
         for (std::size_t p = 0; p < standardPaths.size(); ++p) {
             const auto part = [&](double share) {
                 return 0.05 + 0.95 * (static_cast<double>(p) + share) / standardPaths.size();
@@ -58,22 +57,23 @@ ResultStage walksStage(const CharacterWork& work, const EvaluationEntry& evaluat
             WalkConstraints constraints;
             constraints.path.emplace();
             for (const Vec2d& point : standardPath(standardPaths[p]))
-                constraints.path->points.push_back(Ground(roots.up).at(point / metres, 0));
-            const WalkSolution solution = findWalk(graph.material(blendSettings(animation)), constraints,
-                                                   searchSettings(animation.search, project.fps, metres),
-                                                   progress.part(part(0), part(0.7)));
+                constraints.path->points.push_back(Ground(roots.up).at(point, 0));
+            const WalkSolution solution =
+                findWalk(graph.material(blendSettings(animation)), constraints,
+                         searchSettings(animation.search, project.fps), progress.part(part(0), part(0.7)));
             const ClipPlan plan = animationPlan(animation, graph, solution);
             const WalkCalmness calm = calmnessOf(plan, solution.walk, project.fps);
             const AnimationClip made =
                 animationClip(animation, graph, character, plan, {}, progress.part(part(0.7), part(0.9)));
             const MotionMeasures motion = measureMotion(made.processed.clip, roots.stances, roots.up, level);
             const MotionMeasures takes = measureTakes(character, roots, solution.walk.spans, level);
-            table.add(
-                {std::string(standardPaths[p]), solution.pathLength, calm.seconds,
-                 std::int64_t{calm.transitions}, calm.transitionsPerSecond(), std::int64_t{calm.shortestRun},
-                 calm.blendedShare, solution.meanDeviation, solution.greatestDeviation, motion.slide95,
-                 takes.slide95, ratioOf(motion.slide95, takes.slide95), motion.speedChange, takes.speedChange,
-                 ratioOf(motion.speedChange, takes.speedChange), solution.totalCost, solution.expansions});
+            table.add({std::string(standardPaths[p]), solution.pathLength, calm.seconds,
+                       std::int64_t{calm.transitions}, calm.transitionsPerSecond(),
+                       std::int64_t{calm.shortestRun}, calm.blendedShare, solution.meanDeviation,
+                       solution.greatestDeviation, motion.slide95 * metres, takes.slide95 * metres,
+                       ratioOf(motion.slide95, takes.slide95), motion.speedChange * metres,
+                       takes.speedChange * metres, ratioOf(motion.speedChange, takes.speedChange),
+                       solution.totalCost, solution.expansions});
         }
         Result result;
         result.tables = {std::move(table).table()};

@@ -31,7 +31,7 @@ Digraph essentialGraphOf(const Result& graphs, NodeIndex nodeCount)
     return {nodeCount, std::move(edges)};
 }
 
-void addSupports(Result& result, const std::vector<Support>& supports)
+void addSupports(Result& result, const std::vector<Support>& supports, const std::string& unit)
 {
     std::vector<std::int64_t> counts;
     std::vector<std::int64_t> vertices;
@@ -42,17 +42,18 @@ void addSupports(Result& result, const std::vector<Support>& supports)
         for (const Vec2d& place : support.places)
             places.insert(places.end(), place.begin(), place.end());
     }
-    const auto add = [&result](const char* name, const char* description, const char* unit, auto values) {
-        result.arrays.push_back(columnOf(name, unit, std::move(values)));
+    const auto add = [&result](const char* name, const char* description, const std::string& unitOf,
+                               auto values) {
+        result.arrays.push_back(columnOf(name, unitOf, std::move(values)));
         result.arrays.back().description = description;
     };
     add("support-counts", "How many vertices stand on the ground in each frame.", "", std::move(counts));
     add("support-vertices", "The vertices that stand, frame after frame.", "", std::move(vertices));
-    add("support-places", "Where they stand on the ground, two coordinates each.", "m", std::move(places));
+    add("support-places", "Where they stand on the ground, two coordinates each.", unit, std::move(places));
     result.arrays.back().shape = {result.arrays.back().shape.front() / 2, 2};
 }
 
-void addStances(Result& result, const Stances& stances)
+void addStances(Result& result, const Stances& stances, const std::string& unit)
 {
     DataTable feet{.name = "feet", .description = "The feet of the character; vertices by foot-vertices."};
     std::vector<std::string> names;
@@ -71,17 +72,18 @@ void addStances(Result& result, const Stances& stances)
             standing.push_back(feetOfFrame >> foot & 1U);
     feet.columns = {columnOf("foot", "", std::move(names)), columnOf("vertices", "", std::move(counts))};
     result.tables.push_back(std::move(feet));
-    const auto add = [&result](const char* name, const char* description, const char* unit, auto values) {
-        result.arrays.push_back(columnOf(name, unit, std::move(values)));
+    const auto add = [&result](const char* name, const char* description, const std::string& unitOf,
+                               auto values) {
+        result.arrays.push_back(columnOf(name, unitOf, std::move(values)));
         result.arrays.back().description = description;
     };
     add("foot-vertices", "The vertices of each foot, foot after foot.", "", std::move(vertices));
-    add("foot-height", "Height of the figure.", "m", std::vector{stances.height});
+    add("foot-height", "Height of the figure.", unit, std::vector{stances.height});
     std::vector<double> places;
     places.reserve(3 * stances.places.size());
     for (const Vec3d& place : stances.places)
         places.insert(places.end(), place.begin(), place.end());
-    add("foot-places", "Mean of the vertices of each foot in each frame.", "m", std::move(places));
+    add("foot-places", "Mean of the vertices of each foot in each frame.", unit, std::move(places));
     result.arrays.back().shape = {static_cast<std::int64_t>(stances.standing.size()), count, 3};
     add("stances", "Whether each foot stands in each frame, 1 or 0.", "", std::move(standing));
     result.arrays.back().shape = {static_cast<std::int64_t>(stances.standing.size()), count};
@@ -216,12 +218,12 @@ void settleTake(std::vector<bool>::iterator begin, std::vector<bool>::iterator e
 
 } // namespace
 
-Result rootPosesResult(const RootPoses& roots)
+Result rootPosesResult(const RootPoses& roots, const std::string& unit)
 {
     DataArray centres;
     centres.name = "root-centres";
     centres.description = "Mean of the vertices of each frame.";
-    centres.unit = "m";
+    centres.unit = unit;
     centres.columns = {"x", "y", "z"};
     centres.shape = {static_cast<std::int64_t>(roots.centres.size()), 3};
     std::vector<double> values;
@@ -234,8 +236,8 @@ Result rootPosesResult(const RootPoses& roots)
                      matrixOf("root-turns",
                               "Turn about the up axis that lays the pose of the column on that of the row.",
                               "rad", roots.turns)};
-    addSupports(result, roots.supports);
-    addStances(result, roots.stances);
+    addSupports(result, roots.supports, unit);
+    addStances(result, roots.stances, unit);
     return result;
 }
 
@@ -337,7 +339,10 @@ WalkMaterial CharacterGraph::material(const BlendSettings& blend) const
     return {.graph = m_graph,
             .costs = *m_costs,
             .alpha = alpha(),
-            .motion = {.roots = &m_roots, .transition = transition, .blend = blend},
+            .motion = {.roots = &m_roots,
+                       .transition = transition,
+                       .blend = blend,
+                       .metresPerUnit = metresPerUnit()},
             .locomotion = locomotion(),
             .inAir = inAir()};
 }

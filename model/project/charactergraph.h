@@ -13,7 +13,8 @@
 
 namespace quadrille {
 
-Result rootPosesResult(const RootPoses& roots);
+/// \param unit  of lengths.
+Result rootPosesResult(const RootPoses& roots, const std::string& unit);
 RootPoses rootPosesOf(const Result& result, UpAxis up);
 
 /// What walks through the frames of a character need, from the results of its graph's stages.

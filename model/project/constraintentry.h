@@ -40,7 +40,7 @@ struct KeyEntry
 /// What is asked of a part of a path.
 struct PathSpanEntry
 {
-    double from = 0; ///< metres along the curve
+    double from = 0; ///< along the curve, in the project's unit
     double to = 0;
     std::optional<FrameChoice> frames; ///< that may be played there
     std::optional<double> duration;    ///< seconds
@@ -53,7 +53,7 @@ struct PathSpanEntry
 struct ObstacleEntry
 {
     std::vector<Vec2d> corners; ///< of the polygon; of a disc, its centre alone
-    double radius = 0;          ///< of the disc, metres
+    double radius = 0;          ///< of the disc, in the project's unit
     UnknownKeys unknown;
 
     bool isDisc() const { return corners.size() == 1; }
@@ -72,11 +72,11 @@ struct PathEntry
 {
     PathCurve curve = PathCurve::CatmullRom;
     bool inSpace = false; ///< points have three coordinates
-    /// In the project's axes, metres; on the ground the coordinate along the up axis is 0.
+    /// In the project's axes and unit; on the ground the coordinate along the up axis is 0.
     std::vector<Vec3d> points;
     std::vector<PathSpanEntry> spans;
     std::vector<ObstacleEntry> obstacles;
-    double clearance = 0; ///< metres that the centre keeps from obstacles
+    double clearance = 0; ///< that the centre keeps from obstacles, in the project's unit
     UnknownKeys unknown;
 
     bool operator==(const PathEntry&) const = default;

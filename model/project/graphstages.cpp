@@ -4,6 +4,7 @@
 #include "model/graph/shortestpath.h"
 #include "model/project/charactergraph.h"
 #include "model/project/graphtables.h"
+#include "model/project/lengthunit.h"
 #include "model/project/sequencesettings.h"
 #include "model/synthesis/liveliness.h"
 #include "model/synthesis/stepcosts.h"
@@ -43,19 +44,21 @@ auto bytesOfTables(const CharacterWork& work, double tables)
 
 ResultStage distanceStage(const CharacterWork& work, const std::string& name, PoseDistanceSettings settings)
 {
+    const bool isSurface = settings.metric == PoseMetric::Surface;
     ResultStage stage = work.stage(name);
+    stage.version = isSurface ? 1 : 2;
     stage.settings =
-        work.settings + nlohmann::json({settings.metric == PoseMetric::Surface ? "surface" : "euclidean",
-                                        settings.stretchWeight})
-                            .dump();
+        work.settings + nlohmann::json({isSurface ? "surface" : "euclidean", settings.stretchWeight}).dump();
     stage.files = [work](const Progress& progress) { return work.files(progress); };
     stage.inputs = clipInputs(work.opener->project(), work.sequences);
     if (stage.inputs.empty()) // else frames are not known before
         stage.bytes = bytesOfTables(work, 1);
-    stage.compute = [work, name, settings](const StageContext&, const Progress& progress) {
-        const bool isSurface = settings.metric == PoseMetric::Surface;
+    const auto metres = static_cast<float>(work.opener->project().settings.axes.metresPerUnit);
+    stage.compute = [=](const StageContext&, const Progress& progress) {
         const CharacterFrames frames = work.open(progress.part(0, 0.05));
-        const PoseDistances distances = poseDistances(frames, settings, progress.part(0.05, 1));
+        PoseDistances distances = poseDistances(frames, settings, progress.part(0.05, 1));
+        if (!isSurface)
+            distances.distances *= metres;
         Result result;
         result.arrays = {
             matrixOf(name,
@@ -171,7 +174,8 @@ ResultStage livelinessStage(const CharacterWork& work)
         result.arrays = {matrixOf("liveliness",
                                   "How fast vertices speed up and slow down in each pair of sequences, 95th "
                                   "percentile of the frames.",
-                                  "m/s²", Table<float>(liveliness.cast<float>()))};
+                                  unitText(work.opener->project().settings.axes.metresPerUnit) + "/s²",
+                                  Table<float>(liveliness.cast<float>()))};
         return result;
     };
     return stage;
@@ -195,7 +199,7 @@ ResultStage rootPosesStage(const CharacterWork& work)
         constexpr std::size_t enough = 48; // vertices that stand
         thinSupports(roots.supports, enough);
         roots.stances = findStances(frames, up, progress.part(0.9, 1));
-        return rootPosesResult(roots);
+        return rootPosesResult(roots, unitText(work.opener->project().settings.axes.metresPerUnit));
     };
     return stage;
 }

@@ -9,11 +9,12 @@
 namespace quadrille {
 
 /// The curve of a path as points close together, as walks follow it.
-/// \return the points that it passes, with others between them; none where there are fewer than two.
-std::vector<Vec3d> curveOf(PathCurve curve, const std::vector<Vec3d>& points);
-inline std::vector<Vec3d> curveOf(const PathEntry& path)
+/// \param metresPerUnit  of the points. \return the points that it passes, with others between them; none
+/// where there are fewer than two.
+std::vector<Vec3d> curveOf(PathCurve curve, const std::vector<Vec3d>& points, double metresPerUnit);
+inline std::vector<Vec3d> curveOf(const PathEntry& path, double metresPerUnit)
 {
-    return curveOf(path.curve, path.points);
+    return curveOf(path.curve, path.points, metresPerUnit);
 }
 
 } // namespace quadrille

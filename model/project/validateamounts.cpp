@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/validateamounts.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace quadrille {
@@ -9,13 +10,15 @@ namespace quadrille {
 namespace {
 
 constexpr double longestSeconds = 3600;
-constexpr double farthestMetres = 10000;
 constexpr double longestTransition = 60; ///< seconds
 
 class AmountValidator
 {
 public:
-    explicit AmountValidator(ProjectProblems& problems) : m_problems(problems) {}
+    AmountValidator(const CoordinateSystem& axes, ProjectProblems& problems)
+        : m_farthest(farthestPlace(axes.metresPerUnit)), m_problems(problems)
+    {
+    }
 
     void check(const AnimationEntry& animation, const std::string& place)
     {
@@ -113,8 +116,8 @@ private:
 
     void checkConstraint(const PathEntry& path, const std::string& place)
     {
-        const auto isFar = [](const auto& point) {
-            return point.allFinite() && point.template lpNorm<Eigen::Infinity>() > farthestMetres;
+        const auto isFar = [this](const auto& point) {
+            return point.allFinite() && point.template lpNorm<Eigen::Infinity>() > m_farthest;
         };
         for (std::size_t i = 0; i < path.points.size(); ++i) {
             if (isFar(path.points[i]))
@@ -125,7 +128,7 @@ private:
         for (std::size_t i = 0; i < path.obstacles.size(); ++i) {
             const ObstacleEntry& obstacle = path.obstacles[i];
             const std::string own = place + "/obstacles/" + std::to_string(i);
-            if (obstacle.radius > farthestMetres)
+            if (obstacle.radius > m_farthest)
                 far(own + "/radius");
             for (const Vec2d& corner : obstacle.corners) {
                 if (isFar(corner)) {
@@ -134,14 +137,14 @@ private:
                 }
             }
         }
-        if (path.clearance > farthestMetres)
+        if (path.clearance > m_farthest)
             far(place + "/clearance");
     }
 
     void far(const std::string& pointer)
     {
         m_problems.push_back(invalidAt(pointer, "Places lie at most 10 km from the origin",
-                                       "Write metres, and mind the decimal point."));
+                                       "Write lengths in the project's unit, and mind the decimal point."));
     }
 
     void checkRetime(const RetimeSettings& retime, const std::string& place)
@@ -161,23 +164,32 @@ private:
         }
     }
 
+    double m_farthest; ///< in the project's unit
     ProjectProblems& m_problems;
 };
 
 template <typename Entry>
-void checkAll(const std::vector<Entry>& entries, const char* section, ProjectProblems& problems)
+void checkAll(const std::vector<Entry>& entries, const char* section, AmountValidator validator)
 {
     for (std::size_t i = 0; i < entries.size(); ++i)
-        AmountValidator(problems).check(entries[i], section + std::to_string(i));
+        validator.check(entries[i], section + std::to_string(i));
 }
 
 } // namespace
 
 void validateAmounts(const Project& project, ProjectProblems& problems)
 {
-    checkAll(project.animations, "/animations/", problems);
-    checkAll(project.variations, "/variations/", problems);
-    checkAll(project.graphs, "/graph/", problems);
+    const AmountValidator validator(project.settings.axes, problems);
+    checkAll(project.animations, "/animations/", validator);
+    checkAll(project.variations, "/variations/", validator);
+    checkAll(project.graphs, "/graph/", validator);
+}
+
+double farthestPlace(double metresPerUnit)
+{
+    constexpr double metres = 10'000;
+    constexpr double units = 1e7; // 10 km in millimetres
+    return std::min(metres / metresPerUnit, units);
 }
 
 } // namespace quadrille

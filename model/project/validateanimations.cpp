@@ -153,7 +153,7 @@ private:
             const PathSpanEntry& span = path.spans[i];
             const std::string own = place + "/spans/" + std::to_string(i);
             if (!(span.from >= 0) || !(span.to > span.from))
-                invalid(own, "The span must go from a length, in metres, to a greater one");
+                invalid(own, "The span must go from a length, in the project's unit, to a greater one");
             if (span.frames)
                 checkChoice(*span.frames, own);
             checkPositive(span.duration, own + "/duration", "A duration");

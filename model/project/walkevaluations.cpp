@@ -3,6 +3,7 @@
 #include "model/evaluation/keyexperiment.h"
 #include "model/project/charactergraph.h"
 #include "model/project/evaluationstages.h"
+#include "model/project/lengthunit.h"
 #include "model/project/tablebuilder.h"
 #include "model/synthesis/findwalk.h"
 #include "model/synthesis/junctionreport.h"
@@ -23,7 +24,8 @@ constexpr auto junctionsNote =
     "Transitions drawn from the Essential graph: what shows at each, against its limit from the two takes "
     "(good up to 1), and what might have told so beforehand.";
 constexpr std::array criterionNames{"acceleration", "frozen", "centre-step", "foot-slip", "volume"};
-constexpr std::array criterionUnits{"m/s²", "", "m", "m/s", ""};
+constexpr std::array criterionUnits{"/s²", "", "", "/s", ""}; // behind that of lengths
+constexpr std::array isCriterionLength{true, false, true, true, false};
 constexpr std::array predictorNames{"sum", "mean", "acceleration-cost", "weight", "per-liveliness"};
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -87,7 +89,7 @@ struct JunctionTables
     TableBuilder predictors;
 };
 
-JunctionTables junctionTables(const std::string& unit)
+JunctionTables junctionTables(const std::string& unit, const std::string& length)
 {
     JunctionTables tables{
         TableBuilder("junctions", junctionsNote),
@@ -100,12 +102,13 @@ JunctionTables junctionTables(const std::string& unit)
     tables.rows.text("blend").text("from").whole("from-frame", "frame").text("to");
     tables.rows.whole("to-frame", "frame").whole("length", "frame").whole("source-window", "frame");
     tables.rows.whole("destination-window", "frame");
-    const std::array predictorUnits{unit.c_str(), unit.c_str(), "m/s²", "", ""};
+    const std::array<std::string, junctionPredictors> predictorUnits{unit, unit, length + "/s²", "", ""};
     tables.predictors.text("blend").text("predictor").real("rank-correlation").real("area");
     for (std::size_t p = 0; p < junctionPredictors; ++p)
         tables.rows.real(predictorNames[p], predictorUnits[p]);
     for (std::size_t c = 0; c < junctionCriteria; ++c) {
-        tables.rows.real(criterionColumn(c, ""), criterionUnits[c]);
+        tables.rows.real(criterionColumn(c, ""),
+                         isCriterionLength[c] ? length + criterionUnits[c] : std::string());
         tables.rows.real(criterionColumn(c, "-ratio"));
         tables.predictors.real(criterionColumn(c, "-area"));
     }
@@ -211,7 +214,8 @@ ResultStage junctionsStage(const CharacterWork& work, const EvaluationEntry& eva
                                     .transitions = graph.transitions(),
                                     .settings = transitionSettings(work.graph, fps),
                                     .graph = graph.graph()};
-        JunctionTables tables = junctionTables(work.graph.pose.metric == PoseMetric::Surface ? "rad" : "m");
+        JunctionTables tables = junctionTables(work.graph.pose.metric == PoseMetric::Surface ? "rad" : "m",
+                                               unitText(work.opener->project().settings.axes.metresPerUnit));
         JunctionOptions options{.count = count, .seed = seed};
         const auto judge = [&](const char* name, const Progress& part) {
             addReport(tables, name, graph, judgeJunctions(inputs, options, part));

@@ -84,11 +84,14 @@ private:
 
     void add(const PathEntry& path)
     {
-        PathConstraint constraint{.points = curveOf(path), .inSpace = path.inSpace};
+        const double metres = m_graph.metresPerUnit();
+        PathConstraint constraint{.points = curveOf(path, metres), .inSpace = path.inSpace};
+        for (Vec3d& point : constraint.points)
+            point *= metres;
         for (const PathSpanEntry& span : path.spans) {
             PathSpan& own = constraint.spans.emplace_back();
-            own.from = span.from;
-            own.to = span.to;
+            own.from = span.from * metres;
+            own.to = span.to * metres;
             if (span.frames)
                 own.demanded = frames(*span.frames);
             own.duration = frameCount(span.duration);
@@ -96,10 +99,11 @@ private:
         for (std::size_t i = 0; i < path.obstacles.size(); ++i) {
             const ObstacleEntry& entry = path.obstacles[i];
             Obstacle obstacle{.name = std::to_string(i + 1),
-                              .radius = entry.isDisc() ? entry.radius : 0,
-                              .clearance = path.clearance};
+                              .radius = entry.isDisc() ? entry.radius * metres : 0,
+                              .clearance = path.clearance * metres};
             for (const Vec2d& corner : entry.corners)
-                obstacle.outline.push_back(m_ground.of(pointOnGround(corner, m_project.settings.axes.up)));
+                obstacle.outline.push_back(
+                    m_ground.of(pointOnGround(corner * metres, m_project.settings.axes.up)));
             constraint.obstacles.push_back(std::move(obstacle));
         }
         m_constraints.path = std::move(constraint);
@@ -128,13 +132,13 @@ WalkConstraints walkConstraints(const AnimationEntry& animation, const Character
     return Request(animation, graph).constraints();
 }
 
-SearchSettings searchSettings(const SearchEntry& entry, double fps, double metresPerUnit)
+SearchSettings searchSettings(const SearchEntry& entry, double fps)
 {
     SearchSettings settings;
     if (!entry.isPaper) {
         settings = SearchSettings::calm();
         settings.leastRun = static_cast<int>(std::lround(entry.dwell.value_or(usualDwell) * fps));
-        settings.charging.deadZone = entry.deadZone.value_or(settings.charging.deadZone) / metresPerUnit;
+        settings.charging.deadZone = entry.deadZone.value_or(settings.charging.deadZone);
     }
     settings.beta = entry.beta;
     settings.mu = entry.mu.value_or(settings.mu);

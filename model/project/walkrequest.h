@@ -7,12 +7,12 @@
 
 namespace quadrille {
 
-/// What an animation asks of a walk, its names and seconds turned into frames.
+/// What an animation asks of a walk: its names and seconds turned into frames, its lengths into metres.
 /// \throws Error ProjectInvalid (frames that a sequence does not have, a label that no sequence has).
 WalkConstraints walkConstraints(const AnimationEntry& animation, const CharacterGraph& graph);
 /// Between two transitions, seconds.
 inline constexpr double usualDwell = 0.5;
-SearchSettings searchSettings(const SearchEntry& entry, double fps, double metresPerUnit);
+SearchSettings searchSettings(const SearchEntry& entry, double fps);
 
 /// The walk that an animation has already, and where it starts.
 /// \throws Error ProjectInvalid.

@@ -191,9 +191,10 @@ WalkSolution findStages(const Task& task)
 WalkSolution findAlongPath(const Task& task)
 {
     const PathConstraint& path = *task.constraints.path;
-    const PathCourse course(path, task.material.motion.roots->up);
+    const WalkMotion& motion = task.material.motion;
+    const PathCourse course(path, motion.roots->up, motion.metresPerUnit);
     const PathCosts costs(course, path.spans, task.graph.nodeCount(), task.beta, task.settings.charging);
-    MoveMotions motions(task.graph, task.material.motion, course);
+    MoveMotions motions(task.graph, motion, course);
     const WalkStages stages(task.graph, task.constraints, task.beta, task.settings.mu, task.settings.leastRun,
                             task.settings.leftOutWeight);
     PathProblem problem{.graph = task.graph,

@@ -61,6 +61,7 @@ void MoveMotions::compute(MoveIndex index, Motion& motion) const
     const Transition transition = m_motion.transition({move.from, move.to});
     const TransitionMotion moved = transitionMotion(*m_motion.roots, transition, m_motion.blend);
     motion.exit = moved.exit();
+    motion.exit.shift *= m_course.metresPerUnit();
     Vec3d before = begin;
     for (std::size_t t = 1; t < moved.steps.size(); ++t) {
         const Vec3d here = m_course.pointOf(moved.steps[t].centre);

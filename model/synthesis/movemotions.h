@@ -18,10 +18,11 @@ struct WalkMotion
     const RootPoses* roots = nullptr;
     /// The warp path of a transition that the graph has; called once for each, while it is looked at.
     std::function<Transition(const FramePair&)> transition;
-    BlendSettings blend; ///< how transitions will be blended
+    BlendSettings blend;      ///< how transitions will be blended
+    double metresPerUnit = 1; ///< of the coordinates of the roots
 };
 
-/// How the moves of a graph go over the ground, each computed when it is first asked for.
+/// How the moves of a graph go over the ground, in metres, each computed when it is first asked for.
 class MoveMotions
 {
 public:

@@ -37,13 +37,13 @@ double distanceFrom(const Obstacle& obstacle, const Vec2d& point)
     return isInside ? 0 : nearest;
 }
 
-PathCourse::PathCourse(const PathConstraint& path, UpAxis up)
-    : m_ground(up), m_inSpace(path.inSpace), m_obstacles(path.obstacles)
+PathCourse::PathCourse(const PathConstraint& path, UpAxis up, double metresPerUnit)
+    : m_ground(up), m_inSpace(path.inSpace), m_metresPerUnit(metresPerUnit), m_obstacles(path.obstacles)
 {
     std::vector<Vec3d> points;
     std::vector<double> lengths;
     for (const Vec3d& given : path.points) {
-        const Vec3d point = pointOf(given);
+        const Vec3d point = flattened(given);
         const double step = points.empty() ? 0 : (point - points.back()).norm();
         if (!points.empty() && step == 0)
             continue;
@@ -71,10 +71,15 @@ PathCourse::PathCourse(const PathConstraint& path, UpAxis up)
     }
 }
 
+Vec3d PathCourse::flattened(const Vec3d& point) const
+{
+    const Vec2d ground = m_ground.of(point);
+    return {ground.x(), ground.y(), m_inSpace ? m_ground.heightOf(point) : 0};
+}
+
 Vec3d PathCourse::pointOf(const Vec3d& centre) const
 {
-    const Vec2d ground = m_ground.of(centre);
-    return {ground.x(), ground.y(), m_inSpace ? m_ground.heightOf(centre) : 0};
+    return flattened(centre * m_metresPerUnit);
 }
 
 Vec3d PathCourse::at(double arcLength) const

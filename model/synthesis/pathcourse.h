@@ -10,17 +10,20 @@
 namespace quadrille {
 
 /// The curve of a path by its arc length, and the obstacles beside it. Points are (ground x, ground y,
-/// height), with height 0 where heights do not count.
+/// height), metres, with height 0 where heights do not count.
 class PathCourse
 {
 public:
-    PathCourse(const PathConstraint& path, UpAxis up);
+    /// \param metresPerUnit  of the coordinates of captured frames.
+    PathCourse(const PathConstraint& path, UpAxis up, double metresPerUnit = 1);
 
     double length() const { return m_length; }
+    double metresPerUnit() const { return m_metresPerUnit; }
     /// Beyond its end the curve goes straight on.
     Vec3d at(double arcLength) const;
     /// The angle of the way to a point a little farther on, radians counter-clockwise from the first axis.
     double directionFrom(double arcLength, double ahead) const;
+    /// The point of a captured frame. \param centre  in its coordinates.
     Vec3d pointOf(const Vec3d& centre) const;
     /// The obstacle that a point is too close to; −1: none.
     int obstacleAt(const Vec2d& point) const;
@@ -28,11 +31,14 @@ public:
 private:
     Ground m_ground;
     bool m_inSpace;
+    double m_metresPerUnit;
     double m_length = 0;
     double m_spacing = 1;
     std::vector<Vec3d> m_points; ///< at equal arc lengths
     Vec3d m_direction = Vec3d::Zero();
     std::vector<Obstacle> m_obstacles;
+
+    Vec3d flattened(const Vec3d& point) const;
 };
 
 /// Distance of a point from the closed area of an obstacle; 0 inside.

@@ -6,11 +6,13 @@
 
 namespace quadrille {
 
-std::vector<FollowedFrame> followPath(const PathConstraint& path, const ClipPlan& plan)
+std::vector<FollowedFrame> followPath(const PathConstraint& path, const ClipPlan& plan, double metresPerUnit)
 {
-    const PathCourse course(path, plan.up);
+    const PathCourse course(path, plan.up, metresPerUnit);
     const Ground ground(plan.up);
-    const auto inSpace = [&](const Vec3d& point) { return ground.at(point.head<2>(), point.z()); };
+    const auto inClip = [&](const Vec3d& point) -> Vec3d {
+        return ground.at(point.head<2>(), point.z()) / metresPerUnit;
+    };
     std::vector<FollowedFrame> frames;
     frames.reserve(plan.frames.size());
     double walked = 0;
@@ -20,7 +22,9 @@ std::vector<FollowedFrame> followPath(const PathConstraint& path, const ClipPlan
         if (!frames.empty())
             walked += (point - before).norm();
         before = point;
-        frames.push_back({.centre = inSpace(point), .wanted = inSpace(course.at(walked))});
+        const Vec3d wanted = course.at(walked);
+        frames.push_back(
+            {.centre = inClip(point), .wanted = inClip(wanted), .deviation = (point - wanted).norm()});
     }
     return frames;
 }

@@ -67,6 +67,7 @@ public:
         m_solution.spans.resize(m_spans.size());
         m_path.costs.begin(m_path.motions, start, m_place, m_charge);
         m_solution.start = m_place.placement;
+        m_solution.start.shift /= m_path.course.metresPerUnit();
         m_solution.pathLength = m_path.course.length();
         const Vec3d& point = m_path.motions.point(start);
         const Vec2d ground = m_place.placement(Vec2d(point.head<2>()));

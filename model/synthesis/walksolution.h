@@ -31,7 +31,7 @@ struct KeyTime
 struct WalkSolution
 {
     Walk walk;
-    GroundMotion start; ///< places the first frame of the walk as captured
+    GroundMotion start; ///< places the first frame of the walk as captured, in the coordinates of the roots
     WalkCost cost;
     double totalCost = 0;         ///< cost.total, with the μ that counted
     std::int64_t frameCount = 0;  ///< output frames

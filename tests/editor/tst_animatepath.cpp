@@ -86,8 +86,8 @@ private slots:
         double sum = 0;
         double greatest = 0;
         for (const FollowedFrame& frame : frames) {
-            sum += frame.deviation();
-            greatest = std::max(greatest, frame.deviation());
+            sum += frame.deviation;
+            greatest = std::max(greatest, frame.deviation);
         }
         // The search adds lengths in single precision.
         QVERIFY(std::abs(sum / static_cast<double>(frames.size()) - result->walk.solution.meanDeviation) <
@@ -293,9 +293,9 @@ private slots:
         for (const UpAxis up : {UpAxis::Y, UpAxis::Z}) {
             const PathSpace space{.up = up, .ground = -0.9F};
             for (const PathCurve curve : {PathCurve::CatmullRom, PathCurve::Polyline, PathCurve::Bezier}) {
-                const PathEntry path = withCurve(curved, curve);
+                const PathEntry path = withCurve(curved, curve, 1);
                 const auto drawn = space.sampler()(kindOf(curve), space.toView(path.points, false));
-                const auto followed = space.toView(curveOf(path), false);
+                const auto followed = space.toView(curveOf(path, 1), false);
                 QCOMPARE(drawn.size(), followed.size());
                 for (std::size_t i = 0; i < drawn.size(); ++i)
                     QVERIFY((drawn[i] - followed[i]).length() < 1e-5F);

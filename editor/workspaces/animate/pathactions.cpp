@@ -67,7 +67,7 @@ void PathTool::makeActions()
         "reverse", QKeySequence(),
         [this] {
             edit(tr("Reverse the path"), QStringLiteral("path points"),
-                 [](PathEntry& path) { path = reversed(path); });
+                 [this](PathEntry& path) { path = reversed(path, m_space.metresPerUnit); });
         });
     addAction(
         "animate.path.close", [] { return tr("&Close the path"); },

@@ -14,12 +14,14 @@ namespace quadrille {
 
 namespace {
 
+constexpr double shortestSpan = 0.01; // metres
+
 /// The lengths at which a curve passes its points, last its own length.
-std::vector<double> anchorLengths(const PathEntry& path)
+std::vector<double> anchorLengths(const PathEntry& path, double metresPerUnit)
 {
     const PathSpace space{.up = UpAxis::Y};
     const auto points = space.toView(path.points, false);
-    const widgets::SampledCurve curve(space.toView(curveOf(path), false));
+    const widgets::SampledCurve curve(space.toView(curveOf(path, metresPerUnit), false));
     std::vector<double> lengths;
     if (curve.isEmpty())
         return lengths;
@@ -166,13 +168,13 @@ std::vector<Vec3d> PathSpace::fromView(const std::vector<QVector3D>& points, con
 
 widgets::PathSampler PathSpace::sampler() const
 {
-    return [](widgets::PathKind kind, const std::vector<QVector3D>& points) {
+    return [metres = metresPerUnit](widgets::PathKind kind, const std::vector<QVector3D>& points) {
         std::vector<Vec3d> own;
         own.reserve(points.size());
         for (const QVector3D& point : points)
             own.emplace_back(point.x(), point.y(), point.z());
         std::vector<QVector3D> samples;
-        for (const Vec3d& point : curveOf(curveOf(kind), own)) {
+        for (const Vec3d& point : curveOf(curveOf(kind), own, metres)) {
             const Eigen::Vector3f single = point.cast<float>();
             samples.emplace_back(single.x(), single.y(), single.z());
         }
@@ -198,23 +200,23 @@ ObstacleEntry PathSpace::fromView(const widgets::PathObstacle& obstacle, Obstacl
     return before;
 }
 
-double lengthOf(const PathEntry& path)
+double lengthOf(const PathEntry& path, double metresPerUnit)
 {
-    const std::vector<Vec3d> curve = curveOf(path);
+    const std::vector<Vec3d> curve = curveOf(path, metresPerUnit);
     double length = 0;
     for (std::size_t i = 1; i < curve.size(); ++i)
         length += (curve[i] - curve[i - 1]).norm();
     return length;
 }
 
-PathEntry withPoints(const PathEntry& before, std::vector<Vec3d> points)
+PathEntry withPoints(const PathEntry& before, std::vector<Vec3d> points, double metresPerUnit)
 {
     PathEntry after = before;
     after.points = std::move(points);
     if (before.spans.empty())
         return after;
-    const auto old = anchorLengths(before);
-    const auto now = anchorLengths(after);
+    const auto old = anchorLengths(before, metresPerUnit);
+    const auto now = anchorLengths(after, metresPerUnit);
     // A point between others changes the curve little, so that lengths stay what they are.
     const bool isSameStart = now.size() == old.size() ||
                              (now.size() > old.size() && !before.points.empty() &&
@@ -223,12 +225,12 @@ PathEntry withPoints(const PathEntry& before, std::vector<Vec3d> points)
         return after;
     for (PathSpanEntry& span : after.spans) {
         span.from = std::max(0.0, carried(span.from, old, now));
-        span.to = std::max(span.from + 0.01, carried(span.to, old, now));
+        span.to = std::max(span.from + shortestSpan / metresPerUnit, carried(span.to, old, now));
     }
     return after;
 }
 
-PathEntry withCurve(const PathEntry& before, PathCurve curve)
+PathEntry withCurve(const PathEntry& before, PathCurve curve, double metresPerUnit)
 {
     const PathSpace space{.up = UpAxis::Y};
     const auto points =
@@ -236,11 +238,11 @@ PathEntry withCurve(const PathEntry& before, PathCurve curve)
     PathEntry after = before;
     after.curve = curve;
     after.points = space.fromView(points, false);
-    const auto old = anchorLengths(before);
-    const auto now = anchorLengths(after);
+    const auto old = anchorLengths(before, metresPerUnit);
+    const auto now = anchorLengths(after, metresPerUnit);
     for (PathSpanEntry& span : after.spans) {
         span.from = std::max(0.0, carried(span.from, old, now));
-        span.to = std::max(span.from + 0.01, carried(span.to, old, now));
+        span.to = std::max(span.from + shortestSpan / metresPerUnit, carried(span.to, old, now));
     }
     return after;
 }
@@ -254,15 +256,15 @@ PathEntry withSpace(const PathEntry& before, bool inSpace, UpAxis up, double hei
     return after;
 }
 
-PathEntry reversed(const PathEntry& before)
+PathEntry reversed(const PathEntry& before, double metresPerUnit)
 {
     PathEntry after = before;
-    const double length = lengthOf(before);
+    const double length = lengthOf(before, metresPerUnit);
     std::reverse(after.points.begin(), after.points.end());
     std::reverse(after.spans.begin(), after.spans.end());
     for (PathSpanEntry& span : after.spans) {
         const double from = std::max(0.0, length - span.to);
-        span.to = std::max(from + 0.01, length - span.from);
+        span.to = std::max(from + shortestSpan / metresPerUnit, length - span.from);
         span.from = from;
     }
     return after;

@@ -20,6 +20,7 @@ struct PathSpace
 {
     UpAxis up = UpAxis::Y;
     float ground = 0; ///< height of the view's ground
+    double metresPerUnit = 1;
 
     /// \param onGround  whether its height is that of the ground, which the project calls 0.
     QVector3D toView(const Vec3d& point, bool onGround) const;
@@ -39,15 +40,15 @@ struct PathSpace
 };
 
 /// The length of the curve that a path follows, in the unit of its points.
-double lengthOf(const PathEntry& path);
+double lengthOf(const PathEntry& path, double metresPerUnit);
 /// The path with other points; its spans stay at the points that they were next to.
-PathEntry withPoints(const PathEntry& before, std::vector<Vec3d> points);
+PathEntry withPoints(const PathEntry& before, std::vector<Vec3d> points, double metresPerUnit);
 /// The path of another kind through the same points; handles are made or left out.
-PathEntry withCurve(const PathEntry& before, PathCurve curve);
+PathEntry withCurve(const PathEntry& before, PathCurve curve, double metresPerUnit);
 /// The path on the ground, or in space. \param height  of points that come from the ground.
 PathEntry withSpace(const PathEntry& before, bool inSpace, UpAxis up, double height);
 /// The path the other way round, with its spans.
-PathEntry reversed(const PathEntry& before);
+PathEntry reversed(const PathEntry& before, double metresPerUnit);
 /// The path that ends where it began.
 PathEntry closed(const PathEntry& before);
 bool isClosed(const PathEntry& path);

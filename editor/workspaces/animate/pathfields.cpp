@@ -6,6 +6,7 @@
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathtool.h"
 #include "model/project/lengthunit.h"
+#include "model/project/validateamounts.h"
 
 #include <QDoubleSpinBox>
 #include <QSignalBlocker>
@@ -16,7 +17,8 @@ namespace quadrille {
 QDoubleSpinBox* numberField(double lowest, int decimals, double step)
 {
     auto* field = new QDoubleSpinBox;
-    field->setRange(lowest, farthestPlace);
+    constexpr double highest = 10'000;
+    field->setRange(lowest, highest);
     field->setDecimals(decimals);
     field->setSingleStep(step);
     field->setKeyboardTracking(false);
@@ -47,8 +49,11 @@ QString unitOf(const PathTool& tool)
 
 void setUnit(const PathTool& tool, std::initializer_list<QDoubleSpinBox*> fields)
 {
-    for (QDoubleSpinBox* field : fields)
+    const double farthest = farthestPlace(settingsOf(tool).axes.metresPerUnit);
+    for (QDoubleSpinBox* field : fields) {
+        field->setRange(field->minimum() < 0 ? -farthest : field->minimum(), farthest);
         field->setSuffix(QLatin1Char(' ') + unitOf(tool));
+    }
 }
 
 } // namespace quadrille

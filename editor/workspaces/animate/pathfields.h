@@ -13,10 +13,7 @@ namespace quadrille {
 
 class PathTool;
 
-/// The greatest coordinate or length that can be entered, in the project's unit.
-inline constexpr double farthestPlace = 10000;
-
-/// A field for a number from `lowest` up to farthestPlace.
+/// A field for a number from `lowest` on.
 QDoubleSpinBox* numberField(double lowest, int decimals, double step);
 /// Without telling anybody.
 void setValue(QDoubleSpinBox* field, double value);
@@ -26,7 +23,8 @@ double valueOf(const QDoubleSpinBox* field, double exact);
 const ProjectSettings& settingsOf(const PathTool& tool);
 /// The project's unit of length: "m".
 QString unitOf(const PathTool& tool);
-/// Writes the project's unit behind the numbers of fields.
+/// Writes the project's unit behind the numbers of fields, and lets them reach as far as a path may; those
+/// that may be negative, to both sides.
 void setUnit(const PathTool& tool, std::initializer_list<QDoubleSpinBox*> fields);
 
 } // namespace quadrille

@@ -65,9 +65,8 @@ QString PathForm::resultText() const
     if (!result || !result->walk.constraints.path)
         return QStringLiteral("–");
     const WalkSolution& solution = result->walk.solution;
-    const auto centimetres = [this](double units) {
-        return tr("%1 cm").arg(
-            QLocale().toString(units * settingsOf(m_tool).axes.metresPerUnit * 100, 'f', 1));
+    const auto centimetres = [](double metres) {
+        return tr("%1 cm").arg(QLocale().toString(metres * 100, 'f', 1));
     };
     return tr("mean %1\ngreatest %2")
         .arg(centimetres(solution.meanDeviation), centimetres(solution.greatestDeviation));
@@ -94,8 +93,8 @@ void PathForm::show(const QString& /*name*/)
 
 ObstacleForm::ObstacleForm(PathTool& tool)
     : m_tool(tool)
-    , m_first(numberField(-farthestPlace, 2, 0.1))
-    , m_second(numberField(-farthestPlace, 2, 0.1))
+    , m_first(numberField(-1, 2, 0.1))
+    , m_second(numberField(-1, 2, 0.1))
     , m_radius(numberField(0.01, 2, 0.05))
 {
     addField(

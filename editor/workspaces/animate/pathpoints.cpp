@@ -24,11 +24,14 @@ using widgets::PathPart;
 
 namespace {
 
-/// Shows millimetres of metres, and edits them in a field with limits.
+/// Shows three decimals, and edits them in a field with limits.
 class CoordinateDelegate : public QStyledItemDelegate
 {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    explicit CoordinateDelegate(const PathTool& tool, QObject* parent)
+        : QStyledItemDelegate(parent), m_tool(tool)
+    {
+    }
 
     QString displayText(const QVariant& value, const QLocale& locale) const override
     {
@@ -37,7 +40,9 @@ public:
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& /*option*/,
                           const QModelIndex& /*index*/) const override
     {
-        QDoubleSpinBox* field = numberField(-farthestPlace, 3, 0.1);
+        QDoubleSpinBox* field = numberField(-1, 3, 0.1);
+        setUnit(m_tool, {field});
+        field->setSuffix({});
         field->setParent(parent);
         field->setFrame(false);
         return field;
@@ -50,6 +55,9 @@ public:
         if (const double value = valueOf(field, before); value != before)
             model->setData(index, value, Qt::EditRole);
     }
+
+private:
+    const PathTool& m_tool;
 };
 
 } // namespace
@@ -57,7 +65,7 @@ public:
 PathPoints::PathPoints(PathTool& tool, QWidget* parent) : QTableWidget(parent), m_tool(tool)
 {
     setObjectName(QStringLiteral("pathPoints"));
-    setItemDelegate(new CoordinateDelegate(this));
+    setItemDelegate(new CoordinateDelegate(tool, this));
     setFont(widgets::Theme::tabularFont(font()));
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::SingleSelection);
@@ -144,7 +152,7 @@ void PathPoints::takeValue(const QTableWidgetItem& item)
     m_tool.edit(tr("Move a point of the path"), QStringLiteral("path points"), [&](PathEntry& path) {
         std::vector<Vec3d> points = path.points;
         points[row][axis] = value;
-        path = withPoints(path, std::move(points));
+        path = withPoints(path, std::move(points), settingsOf(m_tool).axes.metresPerUnit);
     });
 }
 

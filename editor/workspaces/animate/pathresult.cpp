@@ -30,6 +30,11 @@ constexpr float ringRadius = 0.08F; // metres
 constexpr std::size_t mostLines = 120;
 const auto layer = QStringLiteral("result");
 
+QString centimetresOf(double metres)
+{
+    return QLocale().toString(metres * 100, 'f', 1);
+}
+
 } // namespace
 
 PathResult::PathResult(CurrentAnimation& animation, QObject* parent) : QObject(parent), m_animation(animation)
@@ -65,15 +70,10 @@ void PathResult::refresh()
     const bool isThere = result && isShown && m_animation.entry() != nullptr;
     m_followed.clear();
     if (isThere && result->walk.constraints.path && result->walk.constraints.path->points.size() > 1)
-        m_followed = followPath(*result->walk.constraints.path, result->plan);
+        m_followed = followPath(*result->walk.constraints.path, result->plan,
+                                result->character->graph.metresPerUnit());
     m_animation.view().viewport().setMarks(layer, isThere ? marks(*result) : SceneMarks());
     showFrame();
-}
-
-QString PathResult::centimetres(double length) const
-{
-    const double metres = m_animation.context().document.project().settings.axes.metresPerUnit;
-    return QLocale().toString(length * metres * 100, 'f', 1);
 }
 
 /// Where the path wants the body in the frame that is shown.
@@ -98,7 +98,7 @@ void PathResult::showFrame()
                          .colors = {},
                          .width = 2.0F}};
         if (!m_animation.view().player().isPlaying())
-            marks.labels = {{wanted, tr("%1 cm").arg(centimetres(m_followed[frame].deviation())), QColor()}};
+            marks.labels = {{wanted, tr("%1 cm").arg(centimetresOf(m_followed[frame].deviation)), QColor()}};
     }
     if (!marks.isEmpty() || m_isFrameMarked)
         m_animation.view().viewport().setMarks(QStringLiteral("frame"), marks);
@@ -152,11 +152,10 @@ void PathResult::addDeviation(const AnimationResult& result, SceneMarks& marks) 
         lines.points.push_back(space.toView(frames[i].wanted, onGround));
     }
     marks.curves.push_back(std::move(lines));
-    const auto worst = std::max_element(frames.begin(), frames.end(), [](const auto& a, const auto& b) {
-        return a.deviation() < b.deviation();
-    });
+    const auto worst = std::max_element(
+        frames.begin(), frames.end(), [](const auto& a, const auto& b) { return a.deviation < b.deviation; });
     marks.labels.push_back({space.toView(worst->centre, onGround),
-                            tr("%1 cm away").arg(centimetres(worst->deviation())), QColor()});
+                            tr("%1 cm away").arg(centimetresOf(worst->deviation)), QColor()});
 }
 
 } // namespace quadrille

@@ -31,8 +31,6 @@ private:
     void addDeviation(const AnimationResult& result, widgets::SceneMarks& marks) const;
     void showFrame();
 
-    QString centimetres(double length) const;
-
     CurrentAnimation& m_animation;
     bool m_isDeviationShown = true;
     bool m_isFrameMarked = false;

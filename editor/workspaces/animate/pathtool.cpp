@@ -144,7 +144,7 @@ void PathTool::takePoints(const std::vector<QVector3D>& points, PathEdit edit, b
             }
             if (path == nullptr)
                 path = &std::get<PathEntry>(animation.constraints.emplace_back(m_blank));
-            *path = withPoints(*path, m_space.fromView(points, *path));
+            *path = withPoints(*path, m_space.fromView(points, *path), m_space.metresPerUnit);
         },
         phaseOf(committed));
 }
@@ -152,8 +152,10 @@ void PathTool::takePoints(const std::vector<QVector3D>& points, PathEdit edit, b
 void PathTool::refresh()
 {
     const EditorContext& context = m_animation.context();
-    m_space = {.up = context.document.project().settings.axes.up,
-               .ground = m_animation.view().viewport().groundHeight()};
+    const CoordinateSystem& axes = context.document.project().settings.axes;
+    m_space = {.up = axes.up,
+               .ground = m_animation.view().viewport().groundHeight(),
+               .metresPerUnit = axes.metresPerUnit};
     m_editor->setSampler(m_space.sampler());
     m_editor->setUsualHeight(static_cast<float>(usualHeight()) - m_space.ground);
     if (const QString before = std::exchange(m_shown, m_animation.name());
@@ -228,7 +230,7 @@ void PathTool::addSpan()
     double from = 0;
     for (const PathSpanEntry& span : path()->spans)
         from = std::max(from, span.to);
-    constexpr double shortest = 0.1;
+    const double shortest = 0.1 / m_space.metresPerUnit;
     if (from > whole - shortest)
         from = 0;
     const double to = from + (whole - from) / 2;
@@ -245,7 +247,7 @@ void PathTool::setCurve(PathCurve curve)
     m_blank.curve = curve;
     if (path() != nullptr)
         edit(tr("Change the kind of curve"), QStringLiteral("path curve"),
-             [&](PathEntry& path) { path = withCurve(path, curve); });
+             [&](PathEntry& path) { path = withCurve(path, curve, m_space.metresPerUnit); });
     else
         refresh();
 }

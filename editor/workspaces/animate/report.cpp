@@ -158,8 +158,8 @@ std::vector<DeviationAt> deviationsOf(const AnimationResult& result, double fps)
     const auto& path = result.walk.constraints.path;
     if (!path || path->points.size() < 2)
         return deviations;
-    for (const FollowedFrame& frame : followPath(*path, result.plan))
-        deviations.push_back({static_cast<double>(deviations.size()) / fps, frame.deviation()});
+    for (const FollowedFrame& frame : followPath(*path, result.plan, result.character->graph.metresPerUnit()))
+        deviations.push_back({static_cast<double>(deviations.size()) / fps, frame.deviation});
     return deviations;
 }
 

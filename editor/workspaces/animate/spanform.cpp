@@ -63,7 +63,7 @@ SpanForm::SpanForm(PathTool& tool)
     const auto ends = [this] {
         edit(tr("Move the end of a span"), "ends", [this](PathSpanEntry& span) {
             // The shown length of the path, or more, stands for its end.
-            constexpr double shortest = 0.01;
+            const double shortest = 0.01 / settingsOf(m_tool).axes.metresPerUnit;
             const double end = m_tool.length();
             span.from = std::clamp(valueOf(m_from, span.from), 0.0, std::max(0.0, end - shortest));
             span.to = std::max(std::min(valueOf(m_to, span.to), end), std::min(span.from + shortest, end));
