@@ -297,6 +297,8 @@ void ImportDialog::setRate(double fps)
         return;
     m_plan.setRate(*planned, fps);
     m_takes->showValues(m_plan);
+    if (planned->take.isSampled)
+        showTake(); // has other frames now
     m_rateReason->setText(rateReason(*planned));
     showProblems();
 }

@@ -107,6 +107,8 @@ QString rateReason(const PlannedTake& planned)
         return Texts::tr("As in %1 beside it.").arg(toQString(planned.rate.beside->file.filename()));
     if (planned.rate.isOfOthers)
         return Texts::tr("As the other takes of the character.");
+    if (planned.take.isSampled)
+        return Texts::tr("A guess: its keys are uneven, or too few to tell a rate.");
     return Texts::tr("A guess: nothing beside the take names its rate.");
 }
 

@@ -5,6 +5,7 @@
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectdocument.h"
 #include "model/project/validate.h"
+#include "model/sequence/meshsequence.h"
 
 #include <algorithm>
 
@@ -25,6 +26,16 @@ std::string nameAfter(const std::filesystem::path& file)
 bool fits(const CharacterEntry& character, const ImportPlan& plan)
 {
     return plan.mesh.empty() || character.mesh.empty() || character.mesh == plan.mesh.string();
+}
+
+/// What has times and no frames of its own has as many frames as its rate makes.
+void sample(PlannedTake& planned)
+{
+    const SurveyedTake& take = planned.take;
+    if (!take.isSampled || take.hasOwnFps || !take.sequence || take.sequence->fps == planned.rate.fps)
+        return;
+    planned.take.sequence = resampled(*take.sequence, planned.rate.fps);
+    planned.range.reset();
 }
 
 } // namespace
@@ -60,6 +71,7 @@ void ImportPlan::setRate(const PlannedTake& planned, double fps)
             continue;
         each.rate.fps = fps;
         each.isRateChosen = true;
+        sample(each);
     }
 }
 
@@ -94,8 +106,10 @@ ImportPlan planFor(std::vector<SurveyedTake> takes, const std::filesystem::path&
         plan.character = known->name;
     else if (!plan.takes.empty())
         plan.character = nameAfter(plan.mesh.empty() ? plan.takes.front().take.source : plan.mesh);
-    for (PlannedTake& planned : plan.takes)
+    for (PlannedTake& planned : plan.takes) {
         planned.rate = takenRate(planned.take.rate, project, plan.character);
+        sample(planned);
+    }
     return plan;
 }
 

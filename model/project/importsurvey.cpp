@@ -178,6 +178,7 @@ std::vector<SurveyedTake> survey(const fs::path& source, const SurveyOptions& op
         take.issues = std::move(result.issues);
         take.coordinates = result.coordinates;
         take.hasOwnFps = result.hasOwnFps;
+        take.isSampled = result.isSampled;
         take.mesh = import.mesh.empty() ? meshNamedBy(take.issues) : import.mesh;
         take.jointAngles = jointAnglesBeside(source);
         std::vector<SurveyedTake> takes;

@@ -44,6 +44,7 @@ struct SurveyedTake
     std::vector<Issue> issues;
     std::optional<CoordinateSystem> coordinates; ///< that the file itself names
     bool hasOwnFps = false;
+    bool isSampled = false;            ///< its times are seconds, see ImportResult::isSampled
     std::optional<RateBeside> rate;    ///< where the file names none and what lies beside it does
     std::filesystem::path mesh;        ///< that gives faces to positions; empty when the file has its own
     std::filesystem::path jointAngles; ///< BVH of the same name beside it; empty without one

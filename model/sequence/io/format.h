@@ -47,7 +47,7 @@ struct ImportOptions
 {
     /// Mesh (OBJ, PLY, …) that gives faces and UVs to positions-only files.
     std::filesystem::path mesh;
-    /// Rate of a source that names none, and rate at which skinned scenes are baked.
+    /// Rate of a source that names none; scenes whose keys are uneven are baked at it.
     double fps = 25.0;
     /// What the file's coordinates mean; where the format itself says (glTF), that wins.
     std::optional<CoordinateSystem> from;
@@ -66,6 +66,8 @@ struct ImportResult
     std::vector<Issue> issues;
     /// The source names its own rate.
     bool hasOwnFps = false;
+    /// Its times are seconds: what names no rate is sampled at ImportOptions::fps, and lasts as long at any.
+    bool isSampled = false;
     /// What the sequences' positions are in, where the format itself says (glTF, FBX, COLLADA); otherwise
     /// ImportOptions::from. The importer leaves the conversion to ImportOptions::to to `openSequences`.
     std::optional<CoordinateSystem> coordinates;

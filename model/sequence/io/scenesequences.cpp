@@ -4,6 +4,7 @@
 
 #include "model/core/message.h"
 #include "model/sequence/io/appendbytes.h"
+#include "model/sequence/io/keyrate.h"
 #include "model/sequence/io/meshfile.h"
 #include "model/sequence/io/skinning.h"
 #include "model/sequence/io/weld.h"
@@ -322,7 +323,8 @@ ImportResult sequencesFromScene(Scene scene, const std::filesystem::path& file, 
     const TextureSet textures = textureSet(std::move(merger.textures));
 
     result.coordinates = scene.coordinates;
-    result.hasOwnFps = true; // scenes have times in seconds, which are baked at any rate
+    result.hasOwnFps = true;
+    result.isSampled = true;
     if (merger.splitCount > topology->vertexCount())
         addIssue(
             result.issues, Issue::Severity::Info, Issue::Code::VerticesWelded, file,
@@ -333,14 +335,18 @@ ImportResult sequencesFromScene(Scene scene, const std::filesystem::path& file, 
 
     if (scene.clips.empty())
         scene.clips.push_back({stem, 0, 0, {}});
-    for (SceneClip& clip : scene.clips) {
+    const std::vector<std::optional<double>> rates = keyRates(scene.clips);
+    for (std::size_t c = 0; c < scene.clips.size(); ++c) {
+        SceneClip& clip = scene.clips[c];
         if (!options.clip.empty() && clip.name != options.clip)
             continue;
-        const std::int64_t frames = clipFrames(clip, options.fps, file);
+        const std::optional<double> own = rates[c];
+        const double fps = own.value_or(options.fps);
+        const std::int64_t frames = clipFrames(clip, fps, file);
+        result.hasOwnFps = result.hasOwnFps && (own || frames == 1);
         const auto shared = std::make_shared<const SceneClip>(std::move(clip));
-        auto sequence =
-            makeSequence(shared->name, topology,
-                         std::make_shared<SkinnedFrames>(model, shared, options.fps, frames), options.fps);
+        auto sequence = makeSequence(shared->name, topology,
+                                     std::make_shared<SkinnedFrames>(model, shared, fps, frames), fps);
         sequence.textures = textures;
         result.sequences.push_back(std::move(sequence));
     }
