@@ -123,6 +123,8 @@ bool ProjectFiles::openWith(const std::filesystem::path& file, const Show& show,
         case Locked::OpenCopy: {
             Project project = copy();
             emit aboutToLeave();
+            // First, so that what looks for results finds them.
+            giveResults(file, m_document.untitledFile(), m_jobs, m_issues, m_window);
             m_document.reset(std::move(project));
             return true;
         }

@@ -71,9 +71,14 @@ const CharacterEntry* ProjectDocument::characterOf(const SequenceEntry& sequence
     return findByName(m_project.characters, sequence.character);
 }
 
+std::filesystem::path ProjectDocument::untitledFile() const
+{
+    return toPath(m_untitledFolder.filePath(QStringLiteral("untitled.quadrille")));
+}
+
 std::filesystem::path ProjectDocument::workingFile() const
 {
-    return isUntitled() ? toPath(m_untitledFolder.filePath(QStringLiteral("untitled.quadrille"))) : m_file;
+    return isUntitled() ? untitledFile() : m_file;
 }
 
 Project ProjectDocument::snapshot() const

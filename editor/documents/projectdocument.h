@@ -42,6 +42,8 @@ public:
     /// The project file; empty while it is untitled.
     const std::filesystem::path& file() const { return m_file; }
     bool isUntitled() const { return m_file.empty(); }
+    /// What results lie beside while the document is untitled.
+    std::filesystem::path untitledFile() const;
     /// The file that results lie beside: the project's, or one in a temporary folder while it is untitled.
     std::filesystem::path workingFile() const;
     /// The project as its file would hold it, beside workingFile(): for jobs that rebuild parts of it.

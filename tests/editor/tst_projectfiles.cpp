@@ -3,6 +3,8 @@
 // Opening and saving when something is wrong: files that cannot be read, that others have open or write.
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
+#include "model/project/paths.h"
+#include "model/project/resultstore.h"
 #include "projectfilesfixture.h"
 #include "tests/qt/registry.h"
 #include "widgets/controls/fieldnote.h"
@@ -171,11 +173,14 @@ private slots:
             QVERIFY(answer.wasAsked());
         }
         QVERIFY(document().isUntitled() && document().project().sequences.empty());
+        ResultStore(cacheFolder(toPath(file()))).save("graph/transitions", "key", Result{});
         {
             const Answer answer("projectLocked", "lockedCopy");
             m_window->open({file()});
         }
         QVERIFY(document().isUntitled());
+        const ResultStore copied(cacheFolder(document().workingFile()));
+        QVERIFY(copied.load("graph/transitions", "key").state == ResultStore::State::Fresh);
         QCOMPARE(document().project().sequences.size(), 1U);
         {
             const Answer answer("projectLocked", "lockedReadOnly");
