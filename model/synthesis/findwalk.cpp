@@ -146,7 +146,8 @@ WalkSolution findKeys(const Task& task)
     const auto search = task.settings.globalKeys ? walkOverAllKeys : walkFromKeyToKey;
     const KeyWalk walk =
         search(task.graph, task.starts, keys, task.beta, task.settings.budget, task.progress);
-    FoundRoute route{.route = walk.route, .expansions = walk.expansions, .optimal = walk.optimal};
+    FoundRoute route{
+        .route = walk.route, .expansions = walk.expansions, .optimal = walk.optimal, .bound = walk.bound};
     std::int64_t time = 0;
     NodeIndex node = walk.route.start;
     for (std::size_t m = 0;; ++m) {
@@ -161,6 +162,7 @@ WalkSolution findKeys(const Task& task)
     const WalkStages stages(task.graph, task.constraints, task.beta, 1);
     WalkSolution solution =
         solutionOf(task.graph, stages, task.constraints, route, task.settings.mu, nullptr);
+    solution.eachLeg = !task.settings.globalKeys && keys.size() > 1;
     if (task.found)
         task.found(solution);
     return solution;

@@ -17,6 +17,7 @@ struct FoundRoute
     double cost = 0;                ///< total
     std::int64_t expansions = 0;    ///< until it was found
     bool optimal = false;
+    double bound = 0; ///< no walk of the graph costs less; 0 where nothing is known
 };
 
 /// What a search has done.

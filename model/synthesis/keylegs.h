@@ -5,6 +5,7 @@
 #include "model/core/progress.h"
 #include "model/synthesis/walkgraph.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -23,6 +24,14 @@ public:
     /// The same with θ of one sign only: bounds of neighbouring legs of one sign may be added, where all
     /// keys count (the difference of their θ is at most β).
     double ofSign(bool isNegative, NodeIndex node, double time) const;
+    /// The least of these wherever a leg may begin.
+    double leastOfSign(bool isNegative, const std::vector<NodeIndex>& sources, double time) const
+    {
+        double least = unreachable;
+        for (const NodeIndex source : sources)
+            least = std::min(least, ofSign(isNegative, source, time));
+        return least;
+    }
     /// The ways that the bounds come from.
     struct Weighted
     {

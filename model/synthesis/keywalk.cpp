@@ -279,12 +279,11 @@ public:
         : m_legs(legs), m_bounds(bounds), m_half(boundsOf(graph, keys, beta / 2))
     {
         for (std::size_t k = 0; k < legs.size(); ++k) {
-            std::array<double, 3> least{unreachable, unreachable, unreachable};
-            for (const NodeIndex source : legs[k].sources) {
-                least[0] = std::min(least[0], bounds[k].ofSign(true, source, legs[k].wanted));
-                least[1] = std::min(least[1], bounds[k].ofSign(false, source, legs[k].wanted));
+            std::array<double, 3> least{bounds[k].leastOfSign(true, legs[k].sources, legs[k].wanted),
+                                        bounds[k].leastOfSign(false, legs[k].sources, legs[k].wanted),
+                                        unreachable};
+            for (const NodeIndex source : legs[k].sources)
                 least[2] = std::min(least[2], m_half[k](source, legs[k].wanted));
-            }
             // The errors of two neighbouring keys are together at least that of the leg between them: each
             // leg alone, its error at half the cost, is another bound; this one is exact.
             Leg alone = legs[k];
@@ -308,6 +307,9 @@ public:
                                 m_sum[2] - m_least[k][2] + m_half[k](node, time)});
     }
 
+    /// Of all legs together.
+    double whole() const { return std::ranges::max(m_sum); }
+
 private:
     const std::vector<Leg>& m_legs;
     const std::vector<LegBounds>& m_bounds;
@@ -324,8 +326,17 @@ KeyWalk walkFromKeyToKey(const WalkGraph& graph, const std::vector<NodeIndex>& s
 {
     const std::int64_t allowed = withinMemory(budget, graph);
     std::int64_t left = allowed;
-    KeyWalk walk = fromKeyToKey(graph, starts, keys, boundsOf(graph, keys, beta), beta, left, progress);
+    const std::vector<LegBounds> bounds = boundsOf(graph, keys, beta);
+    KeyWalk walk = fromKeyToKey(graph, starts, keys, bounds, beta, left, progress);
     walk.expansions = allowed - std::max(left, std::int64_t{0});
+    for (const bool isNegative : {true, false}) {
+        double sum = 0;
+        for (std::size_t k = 0; k < keys.size(); ++k) {
+            const Leg leg = legTo(keys, k, starts, k == 0 ? 0 : keys[k - 1].time);
+            sum += bounds[k].leastOfSign(isNegative, leg.sources, leg.wanted);
+        }
+        walk.bound = std::max(walk.bound, sum);
+    }
     return walk;
 }
 
@@ -346,6 +357,7 @@ KeyWalk walkOverAllKeys(const WalkGraph& graph, const std::vector<NodeIndex>& st
     KeyTimes times(keys, beta);
     std::vector<LegSearch> searches;
     first.optimal = false;
+    first.bound = sum.whole();
     for (std::size_t k = 0; k < keys.size(); ++k) {
         std::map<std::int32_t, double> costs;
         const auto bound = [&](NodeIndex node, std::int32_t elapsed, double cost) {
@@ -379,6 +391,7 @@ KeyWalk walkOverAllKeys(const WalkGraph& graph, const std::vector<NodeIndex>& st
         best.times.push_back(time);
         best.timing += beta * std::abs(static_cast<double>(time) - keys[k].time);
     }
+    best.bound = best.edges + best.timing;
     return best;
 }
 

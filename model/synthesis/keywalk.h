@@ -15,6 +15,7 @@ struct KeyWalk
     double edges = 0;                ///< sum of the weights
     double timing = 0;               ///< β · sum of the timing errors
     bool optimal = false;            ///< of each pair, or over all keys
+    double bound = 0;                ///< no walk that shows the keys costs less, over all of them
     std::int64_t expansions = 0;
 };
 

@@ -141,8 +141,10 @@ FrameRange WalkSolution::asked() const
 WalkSolution solutionOf(const WalkGraph& graph, const WalkStages& stages, const WalkConstraints& constraints,
                         const FoundRoute& found, double mu, const PathMeasure* path)
 {
-    WalkSolution solution{
-        .walk = graph.walk(found.route), .expansions = found.expansions, .optimal = found.optimal};
+    WalkSolution solution{.walk = graph.walk(found.route),
+                          .expansions = found.expansions,
+                          .optimal = found.optimal,
+                          .bound = found.bound};
     StageAccount account(stages, constraints, solution);
     std::optional<PathAccount> along;
     if (path)

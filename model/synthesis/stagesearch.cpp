@@ -61,6 +61,7 @@ public:
                 return routeTo(visit, m_visits, visit.cost);
             if (m_visits.size() >= mostVisits || budget-- <= 0) {
                 m_isComplete = false;
+                m_bound = best.rank;
                 return std::nullopt;
             }
             if (budget % 256 == 0)
@@ -72,6 +73,8 @@ public:
 
     /// Whether nothing better can be left, once run has returned.
     bool isComplete() const { return m_isComplete; }
+    /// What no walk costs less than, where it is not complete.
+    double bound() const { return m_bound; }
 
 private:
     struct Entry
@@ -127,6 +130,7 @@ private:
     std::priority_queue<Entry> m_open;
     std::vector<SettledStage> m_settled;
     bool m_isComplete = true;
+    double m_bound = 0;
 };
 
 /// Looks at the most promising states of every output frame only, so that there is a walk soon.
@@ -266,6 +270,8 @@ std::optional<FoundRoute> searchStages(const WalkGraph& graph, const WalkStages&
     else if (best && exact.isComplete())
         best->optimal = true;
     keep(std::move(cheapest));
+    if (best)
+        best->bound = best->optimal ? best->cost : std::min(exact.bound(), best->cost);
     return best;
 }
 

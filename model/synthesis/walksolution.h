@@ -45,7 +45,13 @@ struct WalkSolution
     /// From the first output frame that shows a key, an action or a path span to the last.
     FrameRange asked() const;
     std::int64_t expansions = 0; ///< until this walk was found; when a search ends, of the whole search
-    bool optimal = false;        ///< it is proven that no walk costs less
+    /// It is proven that no walk of the graph costs less; or, with `eachLeg`, that no stretch from a key to
+    /// the next does, begun where the one before it ends (as in the paper).
+    bool optimal = false;
+    bool eachLeg = false;
+    /// It is proven that no walk of the graph that meets the constraints costs less; 0 where nothing is
+    /// known.
+    double bound = 0;
 
     bool operator==(const WalkSolution&) const = default;
 };

@@ -99,6 +99,9 @@ TEST(ActionWalk, IsTheCheapestOfAllWalksThatPerformInOrder)
             try {
                 const WalkSolution solution = find(world, {.actions = actions}, {.beta = 0.02});
                 EXPECT_TRUE(solution.optimal);
+                EXPECT_NEAR(solution.bound, solution.totalCost, 1e-12);
+                const WalkSolution hasty = find(world, {.actions = actions}, {.beta = 0.02, .budget = 6});
+                EXPECT_LE(hasty.bound, solution.totalCost + 1e-12) << seed;
                 if (solution.frameCount <= 10)
                     EXPECT_NEAR(solution.totalCost, expected, 1e-12) << seed;
                 else

@@ -76,6 +76,7 @@ TEST(KeyWalk, IsTheCheapestOfAllWalksBetweenEachPair)
 TEST(KeyWalk, IsTheCheapestOverAllKeys)
 {
     int better = 0;
+    int tight = 0;
     for (std::uint32_t seed = 0; seed < 20; ++seed) {
         const WalkGraph graph = randomWalks(seed, {4, 3}, 0.8);
         const std::vector<PoseKey> keys{{2, 1}, {5, 5}, {1, 8.5}};
@@ -86,6 +87,9 @@ TEST(KeyWalk, IsTheCheapestOverAllKeys)
                 const double expected = exhaustiveOverAllKeys(graph, {2}, keys, beta, 9);
                 EXPECT_NEAR(all.edges + all.timing, expected, 1e-12) << seed << ", " << beta;
                 EXPECT_TRUE(all.optimal);
+                EXPECT_NEAR(all.bound, expected, 1e-12);
+                EXPECT_LE(pairs.bound, expected + 1e-12) << "walks from key to key cost no less";
+                tight += pairs.bound > 0.5 * expected ? 1 : 0;
                 EXPECT_EQ(elapsed(graph, all.route), all.times.back());
                 better += all.edges + all.timing < pairs.edges + pairs.timing - 1e-9 ? 1 : 0;
             } catch (const Error& error) {
@@ -94,6 +98,7 @@ TEST(KeyWalk, IsTheCheapestOverAllKeys)
         }
     }
     EXPECT_GT(better, 0) << "no case tells the two apart";
+    EXPECT_GT(tight, 5) << "bounds are not far below";
 }
 
 TEST(KeyWalk, ReturnsToTheSamePose)
@@ -159,6 +164,13 @@ TEST(KeyWalk, FindsSomethingWithoutABudget)
     const KeyWalk best = walkFromKeyToKey(graph, allNodes(graph), keys, alpha, 1'000'000);
     EXPECT_FALSE(quick.optimal);
     EXPECT_EQ(quick.times.size(), 3U);
+    EXPECT_GT(quick.bound, 0);
+    EXPECT_LE(quick.bound, best.edges + best.timing);
+    const KeyWalk quickOverAll = walkOverAllKeys(graph, allNodes(graph), keys, alpha, 1);
+    const KeyWalk bestOverAll = walkOverAllKeys(graph, allNodes(graph), keys, alpha, 1'000'000);
+    EXPECT_FALSE(quickOverAll.optimal);
+    EXPECT_GT(quickOverAll.bound, 0);
+    EXPECT_LE(quickOverAll.bound, bestOverAll.edges + bestOverAll.timing + 1e-12);
     EXPECT_TRUE(best.optimal);
     EXPECT_LE(best.expansions, 1'000'000);
     CancelToken token;
