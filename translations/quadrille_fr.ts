@@ -1519,7 +1519,7 @@
     </message>
     <message>
         <source>The character has no feet that could be told apart: contacts are not corrected.</source>
-        <translation>Le personnage n’a pas de pieds que l’on distingue : les appuis ne sont pas corrigés.</translation>
+        <translation>Le personnage n’a pas de pieds que l’on distingue&#xa0;: les appuis ne sont pas corrigés.</translation>
     </message>
 </context>
 <context>
@@ -1889,6 +1889,14 @@
         <source>, proven best</source>
         <translation>, prouvé le meilleur</translation>
     </message>
+    <message>
+        <source>, cost %1 m²</source>
+        <translation>, coût %1&#xa0;m²</translation>
+    </message>
+    <message>
+        <source>, proven best from key to key</source>
+        <translation>, prouvé le meilleur d’une clé à l’autre</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AnimationCamera</name>
@@ -2119,10 +2127,6 @@
         <translation>recherche en cours</translation>
     </message>
     <message>
-        <source>Proven best</source>
-        <translation>Meilleur prouvé</translation>
-    </message>
-    <message>
         <source>Key</source>
         <translation>Clé</translation>
     </message>
@@ -2162,6 +2166,26 @@
     <message>
         <source>Repeats drawn from variations</source>
         <translation>Reprises tirées de variations</translation>
+    </message>
+    <message>
+        <source>Their weight μ</source>
+        <translation>Leur poids μ</translation>
+    </message>
+    <message>
+        <source>Weight β of a frame</source>
+        <translation>Poids β d’une image</translation>
+    </message>
+    <message>
+        <source>No walk of the graph costs less than</source>
+        <translation>Aucun parcours du graphe ne coûte moins de</translation>
+    </message>
+    <message>
+        <source>from key to key</source>
+        <translation>d’une clé à l’autre</translation>
+    </message>
+    <message>
+        <source>Proven best in the Essential graph</source>
+        <translation>Meilleur prouvé dans le graphe essentiel</translation>
     </message>
 </context>
 <context>
@@ -3702,7 +3726,7 @@
     </message>
     <message>
         <source>What it costs to blend frames of which every foot stands in one only; 0 as published</source>
-        <translation>Ce que coûte de fondre des images dont chaque pied n’est à l’appui que dans une seule ; 0 comme publié</translation>
+        <translation>Ce que coûte de fondre des images dont chaque pied n’est à l’appui que dans une seule&#xa0;; 0 comme publié</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -3710,11 +3734,11 @@
     </message>
     <message>
         <source>What it costs when body and feet move otherwise, for a body height a second; 0 as published</source>
-        <translation>Ce que coûte un mouvement différent du corps et des pieds, pour une hauteur du corps par seconde ; 0 comme publié</translation>
+        <translation>Ce que coûte un mouvement différent du corps et des pieds, pour une hauteur du corps par seconde&#xa0;; 0 comme publié</translation>
     </message>
     <message>
         <source>Costs and windows as the paper has them, for comparison: transitions show more</source>
-        <translation>Coûts et fenêtres de l’article, pour comparer : les transitions se voient davantage</translation>
+        <translation>Coûts et fenêtres de l’article, pour comparer&#xa0;: les transitions se voient davantage</translation>
     </message>
     <message>
         <source>Weigh feet otherwise</source>
@@ -3731,6 +3755,23 @@
     <message>
         <source>As published</source>
         <translation>Comme publié</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Lissage</translation>
+    </message>
+    <message>
+        <source>Over how many frames costs are averaged before the minima of the motion graph are sought; as published over none</source>
+        <translation>Sur combien d’images les coûts sont moyennés avant de chercher les minima du graphe de mouvement&#xa0;; comme publié, sur aucune</translation>
+    </message>
+    <message>
+        <source>Smooth the costs otherwise</source>
+        <translation>Lisser les coûts autrement</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>smoothing</comment>
+        <translation>aucun</translation>
     </message>
 </context>
 <context>
@@ -4051,6 +4092,15 @@
         <source>Of what the transition is made</source>
         <translation>De quoi la transition est faite</translation>
     </message>
+    <message>
+        <source>&amp;List the best transitions from “%1” to “%2”</source>
+        <extracomment>two takes</extracomment>
+        <translation>&amp;Lister les meilleures transitions de «&#xa0;%1&#xa0;» à «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>&amp;Only this take</source>
+        <translation>&amp;Seulement cette prise</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::HelpFlow</name>
@@ -4268,6 +4318,10 @@
             <numerusform>Importer %n prise à %1 i/s</numerusform>
             <numerusform>Importer %n prises à %1 i/s</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A guess: its keys are uneven, or too few to tell a rate.</source>
+        <translation>Une supposition&#xa0;: ses clés sont irrégulières, ou trop peu nombreuses pour dire une cadence.</translation>
     </message>
 </context>
 <context>
@@ -9574,6 +9628,40 @@ maximal %2</translation>
     <message>
         <source>How much the body’s velocity over the ground changes, from the frames before the transition to those behind it</source>
         <translation>De combien la vitesse du corps au-dessus du sol change, des images avant la transition à celles d’après</translation>
+    </message>
+    <message>
+        <source>Best from “%1” to “%2”</source>
+        <extracomment>two takes</extracomment>
+        <translation>Les meilleures de «&#xa0;%1&#xa0;» à «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3 %</source>
+        <extracomment>a cost, its unit, and its share</extracomment>
+        <translation>%1 %2, %3&#xa0;%</translation>
+    </message>
+    <message>
+        <source>of which poses</source>
+        <translation>dont poses</translation>
+    </message>
+    <message>
+        <source>How far the poses are from each other that are blended</source>
+        <translation>De combien les poses fondues sont éloignées les unes des autres</translation>
+    </message>
+    <message>
+        <source>of which feet</source>
+        <translation>dont pieds</translation>
+    </message>
+    <message>
+        <source>What blended frames cost in which other feet stand (Feet, under Settings)</source>
+        <translation>Ce que coûtent des images fondues où d’autres pieds sont posés (Pieds, dans Réglages)</translation>
+    </message>
+    <message>
+        <source>of which speeds</source>
+        <translation>dont vitesses</translation>
+    </message>
+    <message>
+        <source>What blended frames cost in which body and feet move otherwise (Speed, under Settings)</source>
+        <translation>Ce que coûtent des images fondues où le corps et les pieds bougent autrement (Vitesse, dans Réglages)</translation>
     </message>
 </context>
 <context>

@@ -30,6 +30,7 @@ void addImport(CLI::App& app, Session& session);
 void addCheck(CLI::App& app, Session& session);
 void addRebuild(CLI::App& app, Session& session);
 void addData(CLI::App& app, Session& session);
+void addTransitions(CLI::App& app, Session& session);
 
 /// Reads a project and says what in it has no effect or may not be meant.
 /// \throws Error as loadProject.

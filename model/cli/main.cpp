@@ -40,6 +40,7 @@ void addCommands(CLI::App& app, Session& session)
     addCheck(app, session);
     addRebuild(app, session);
     addData(app, session);
+    addTransitions(app, session);
 }
 
 int run(int argc, char** argv)

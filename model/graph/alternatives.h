@@ -24,4 +24,12 @@ struct AlternativeSettings
 std::vector<FramePair> alternatives(const TransitionCosts& costs, double alpha, const FramePair& chosen,
                                     const AlternativeSettings& settings = {});
 
+/// The transitions of least weight from one sequence to another (or to itself), each by itself: of those that
+/// leave and arrive within `apart` frames of each other the cheapest. Without those inside one sequence that
+/// are dearer than playing on.
+/// \param settings  `reach` does not count. \return the cheapest first (of two alike that of the earlier
+/// source, then destination). Cost: O(cells · log cells).
+std::vector<FramePair> bestTransitions(const TransitionCosts& costs, double alpha, int from, int to,
+                                       const AlternativeSettings& settings = {});
+
 } // namespace quadrille

@@ -25,6 +25,7 @@ public:
     const FrameLayout& layout() const { return m_layout; }
     const Table<float>& cost() const { return m_cost; }
     const Table<std::uint16_t>& length() const { return m_length; }
+    double largestDistance() const { return m_largestDistance; }
     bool hasTransition(NodeIndex from, NodeIndex to) const { return m_cost(from, to) < infinite; }
     /// E(i,j) = D/d_max + α·L; `unreachable` where there is no transition. Original edges weigh α.
     double weight(NodeIndex from, NodeIndex to, double alpha) const

@@ -67,8 +67,9 @@ AnimationWalk animationWalk(const AnimationEntry& animation, const CharacterGrap
                          {{"reason", "The animation “" + animation.name + "” asks for nothing"},
                           {"remedy", QUADRILLE_MESSAGE("Give it a path, keys or actions.")}}});
         AnimationWalk walk{.constraints = walkConstraints(animation, graph), .solution = {}};
-        walk.solution = findWalk(graph.material(blendSettings(animation)), walk.constraints,
-                                 searchSettings(animation.search, graph.fps()), progress, found);
+        walk.solution =
+            findWalk(graph.material(blendSettings(animation), walk.constraints.path.has_value()),
+                     walk.constraints, searchSettings(animation.search, graph.fps()), progress, found);
         if (hasLoopEnds(animation))
             extend(walk.solution, graph.layout(),
                    2 * transitionSettings(graph.work().graph, graph.fps()).shortest());

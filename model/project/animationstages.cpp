@@ -62,6 +62,8 @@ DataTable walkTable(const WalkSolution& solution, const CharacterGraph& graph, c
     TableBuilder table("walk", "The captured frames of the animation, and the transitions after them.");
     table.text("sequence").whole("first", "frame").whole("last", "frame").whole("shown-from", "frame");
     table.whole("transition-length", "frame").real("transition-cost").real("transition-weight");
+    // What the cost is made of.
+    table.real("pose-cost").real("contact-cost").real("velocity-cost");
     const std::vector<WalkSpan>& spans = solution.walk.spans;
     for (std::size_t i = 0; i < spans.size(); ++i) {
         const NamedFrame first = graph.nameOf(spans[i].first);
@@ -69,22 +71,26 @@ DataTable walkTable(const WalkSolution& solution, const CharacterGraph& graph, c
         std::int64_t length = 0;
         double cost = 0;
         double weight = 0;
+        CostParts parts;
         if (!isLast) {
             const FramePair pair = solution.walk.transition(i);
             length = graph.costs().length()(pair.source, pair.destination);
             cost = static_cast<double>(graph.costs().cost()(pair.source, pair.destination));
             weight = graph.costs().weight(pair.source, pair.destination, graph.alpha());
+            parts = graph.partsOf(pair);
         }
         table.add({first.sequence, first.frame.value, graph.nameOf(spans[i].last).frame.value,
-                   plan.spanStarts[i], length, cost, weight});
+                   plan.spanStarts[i], length, cost, weight, parts.pose, parts.contacts, parts.velocity});
     }
     return std::move(table).table();
 }
 
 /// What was wanted and what came out.
-DataTable reportTable(const AnimationEntry& animation, const WalkSolution& solution,
-                      const WalkConstraints& constraints, double fps, std::int64_t frameCount)
+DataTable reportTable(const AnimationEntry& animation, const CharacterGraph& graph,
+                      const WalkSolution& solution, const WalkConstraints& constraints,
+                      std::int64_t frameCount)
 {
+    const double fps = graph.fps();
     TableBuilder table("report", "What was asked of the animation, and what it does.");
     table.text("what").text("name").real("wanted").real("obtained").text("unit");
     constexpr double open = std::numeric_limits<double>::quiet_NaN(); // nothing was asked
@@ -93,11 +99,18 @@ DataTable reportTable(const AnimationEntry& animation, const WalkSolution& solut
     table.add({"cost of edges", "", open, solution.cost.edges, ""});
     if (animation.walk)
         return std::move(table).table();
-    table.add({"cost of timing", "", open, solution.cost.timing, ""});
+    const char* const unit = constraints.path ? "m²" : "";
+    const CostWeights weights = costWeights(animation, graph);
+    table.add({"weight of edges", "mu", open, weights.mu, unit});
+    table.add({"cost of timing", "", open, solution.cost.timing, unit});
+    table.add({"weight of timing", "beta, of a frame", open, weights.beta, unit});
     table.add({"cost of deviation", "", open, solution.cost.deviation, "m²"});
-    table.add({"total cost", "", open, solution.totalCost, ""});
+    table.add({"total cost", "", open, solution.totalCost, unit});
     table.add({"expansions", "", open, static_cast<double>(solution.expansions), ""});
-    table.add({"proven best", "", open, solution.optimal ? 1.0 : 0.0, ""});
+    table.add({"proven best in the Essential graph", solution.eachLeg ? "each stretch from key to key" : "",
+               open, solution.optimal ? 1.0 : 0.0, ""});
+    table.add({"proven least cost of any walk in the Essential graph", "", open,
+               solution.bound > 0 ? solution.bound : open, unit});
     for (std::size_t k = 0; k < solution.keys.size(); ++k)
         table.add({"key", std::to_string(k + 1), solution.keys[k].wanted / fps,
                    static_cast<double>(solution.keys[k].obtained) / fps, "s"});
@@ -128,7 +141,6 @@ Result walkResult(const AnimationEntry& animation, const CharacterGraph& graph, 
 {
     const auto [constraints, solution] = animationWalk(animation, graph, progress);
     const ClipPlan plan = planClip(graph.roots(), graph.layout(), graph.paths(), solution.walk);
-    const double fps = graph.work().opener->project().settings.fps;
     Result result;
     result.arrays = {groundMotionArray("placement",
                                        "Turn about the up axis, radians, and shift over the ground, "
@@ -136,7 +148,7 @@ Result walkResult(const AnimationEntry& animation, const CharacterGraph& graph, 
                                        solution.start),
                      askedArray(solution.asked())};
     result.tables = {walkTable(solution, graph, plan),
-                     reportTable(animation, solution, constraints, fps, plan.frameCount())};
+                     reportTable(animation, graph, solution, constraints, plan.frameCount())};
     return result;
 }
 
@@ -144,7 +156,7 @@ ResultStage walkStage(const CharacterWork& work, const AnimationEntry& animation
 {
     ResultStage stage;
     stage.name = "animations/" + animation.name + "/walk";
-    stage.version = 3;
+    stage.version = 4;
     stage.dataPrefix = "animations/" + animation.name;
     stage.settings = walkSettings(animation, work);
     stage.inputs = CharacterGraph::inputs(work);

@@ -59,7 +59,7 @@ ResultStage walksStage(const CharacterWork& work, const EvaluationEntry& evaluat
             for (const Vec2d& point : standardPath(standardPaths[p]))
                 constraints.path->points.push_back(Ground(roots.up).at(point, 0));
             const WalkSolution solution =
-                findWalk(graph.material(blendSettings(animation)), constraints,
+                findWalk(graph.material(blendSettings(animation), true), constraints,
                          searchSettings(animation.search, project.fps), progress.part(part(0), part(0.7)));
             const ClipPlan plan = animationPlan(animation, graph, solution);
             const WalkCalmness calm = calmnessOf(plan, solution.walk, project.fps);

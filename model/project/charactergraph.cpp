@@ -286,6 +286,27 @@ CharacterGraph::CharacterGraph(const CharacterWork& work, const StageContext& co
     m_paths.emplace(steps(), m_layout, transitionSettings(work.graph, settings.fps));
 }
 
+CostParts CharacterGraph::partsOf(const FramePair& pair) const
+{
+    CostParts parts;
+    const auto transition = m_paths->of(m_transitions, pair);
+    if (!transition)
+        return parts;
+    const Stances& stances = m_roots.stances;
+    for (const auto& [i, j] : transition->path) {
+        const auto pose = static_cast<double>(m_distances(i, j));
+        const double contacts = m_work.graph.steps.contacts * differingFeet(stances, i, j);
+        parts.pose += pose;
+        parts.contacts += contacts;
+        parts.velocity += std::max(static_cast<double>(steps()(i, j)) - pose - contacts, 0.0);
+    }
+    // A mean, or in shares of liveliness.
+    const double sum = parts.sum();
+    const double scale =
+        sum > 0 ? static_cast<double>(m_costs->cost()(pair.source, pair.destination)) / sum : 1;
+    return {parts.pose * scale, parts.contacts * scale, parts.velocity * scale};
+}
+
 std::vector<bool> CharacterGraph::locomotion() const
 {
     constexpr double leastPace = 0.15; // heights of the figure a second
@@ -330,7 +351,7 @@ std::vector<bool> CharacterGraph::inAir() const
     return frames;
 }
 
-WalkMaterial CharacterGraph::material(const BlendSettings& blend) const
+WalkMaterial CharacterGraph::material(const BlendSettings& blend, bool isAlongPath) const
 {
     const auto transition = [this](const FramePair& pair) {
         const auto known = m_paths->of(m_transitions, pair);
@@ -343,7 +364,7 @@ WalkMaterial CharacterGraph::material(const BlendSettings& blend) const
                        .transition = transition,
                        .blend = blend,
                        .metresPerUnit = metresPerUnit()},
-            .locomotion = locomotion(),
+            .locomotion = isAlongPath ? locomotion() : std::vector<bool>(),
             .inAir = inAir()};
 }
 

@@ -17,6 +17,16 @@ namespace quadrille {
 Result rootPosesResult(const RootPoses& roots, const std::string& unit);
 RootPoses rootPosesOf(const Result& result, UpAxis up);
 
+/// The cost of a transition in parts, in the unit of the pose distances.
+struct CostParts
+{
+    double pose = 0;     ///< distances between the poses that are blended
+    double contacts = 0; ///< feet that stand in one of two blended frames only
+    double velocity = 0; ///< body and feet that move otherwise
+
+    double sum() const { return pose + contacts + velocity; }
+};
+
 /// What walks through the frames of a character need, from the results of its graph's stages.
 class CharacterGraph
 {
@@ -34,6 +44,8 @@ public:
     const TransitionCosts& costs() const { return *m_costs; }
     /// What transitions are sought by: the distances, and what else frames that are blended differ in.
     const Table<float>& steps() const { return m_steps.size() > 0 ? m_steps : m_distances; }
+    /// What the cost of a transition is made of; adds up to costs().cost() of it. \pre It has a transition.
+    CostParts partsOf(const FramePair& pair) const;
     const WarpPaths& paths() const { return *m_paths; }
     /// All transitions, whatever costs are scaled by.
     const TransitionTable& transitions() const { return m_transitions; }
@@ -50,7 +62,8 @@ public:
     /// In which frames no foot stands; empty where that is not known of any.
     std::vector<bool> inAir() const;
     /// What walks are sought in; refers to this object. \param blend  how transitions will be blended.
-    WalkMaterial material(const BlendSettings& blend) const;
+    /// \param isAlongPath  whether there will be a path, for which locomotion counts.
+    WalkMaterial material(const BlendSettings& blend, bool isAlongPath) const;
 
     /// A frame by the name of its sequence. \throws Error ProjectInvalid where there is none.
     NodeIndex node(const NamedFrame& frame) const;

@@ -20,7 +20,8 @@ struct EvaluationEntry
     /// fig11 and fig12: which sequence is blended into which; those that turn most to the left and to the
     /// right where there are none. table2: those that keys are drawn from; all where there are none.
     std::vector<std::string> sequences;
-    std::vector<double> alphas; ///< fig9: weights of time; those of the paper where there are none
+    /// fig9: weights of time; those of the paper where there are none. density: the graph's.
+    std::vector<double> alphas;
     /// What is drawn: fig4: pairs of frames, 20; table2: keys, 10; junctions: transitions, 200.
     std::optional<std::int64_t> count;
     std::int64_t seed = 1; ///< of what is drawn
@@ -39,6 +40,7 @@ inline constexpr std::array<std::string_view, 12> evaluationTables{
     "table1",    ///< pose distances against reference joint angles
     "table2",    ///< poses at times
     "junctions", ///< not of the paper: what shows at transitions
+    "density",   ///< not of the paper: what makes Essential graphs dense
     "walks",     ///< not of the paper: how calm walks along five paths are, and their feet
     "cvs-fig4",  ///< CVS: poses that models reconstruct, against principal components
     "cvs-fig7",  ///< CVS: blends in latent space, with and without learned ones between

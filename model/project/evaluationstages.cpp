@@ -14,11 +14,19 @@ using MakeStage = ResultStage (*)(const CharacterWork&, const EvaluationEntry&);
 
 MakeStage makerOf(const std::string& table)
 {
-    static const std::map<std::string, MakeStage> makers{
-        {"fig4", fig4Stage},        {"fig7", fig7Stage},        {"fig9", fig9Stage},
-        {"fig11", fig11Stage},      {"fig12", fig12Stage},      {"junctions", junctionsStage},
-        {"walks", walksStage},      {"table1", table1Stage},    {"table2", table2Stage},
-        {"cvs-fig4", cvsFig4Stage}, {"cvs-fig7", cvsFig7Stage}, {"variations", variationsStage}};
+    static const std::map<std::string, MakeStage> makers{{"fig4", fig4Stage},
+                                                         {"fig7", fig7Stage},
+                                                         {"fig9", fig9Stage},
+                                                         {"fig11", fig11Stage},
+                                                         {"fig12", fig12Stage},
+                                                         {"junctions", junctionsStage},
+                                                         {"density", densityStage},
+                                                         {"walks", walksStage},
+                                                         {"table1", table1Stage},
+                                                         {"table2", table2Stage},
+                                                         {"cvs-fig4", cvsFig4Stage},
+                                                         {"cvs-fig7", cvsFig7Stage},
+                                                         {"variations", variationsStage}};
     const auto found = makers.find(table);
     return found == makers.end() ? nullptr : found->second;
 }

@@ -16,6 +16,7 @@ ResultStage fig9Stage(const CharacterWork& work, const EvaluationEntry& evaluati
 ResultStage fig11Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
 ResultStage fig12Stage(const CharacterWork& work, const EvaluationEntry& evaluation);
 ResultStage junctionsStage(const CharacterWork& work, const EvaluationEntry& evaluation);
+ResultStage densityStage(const CharacterWork& work, const EvaluationEntry& evaluation);
 ResultStage walksStage(const CharacterWork& work, const EvaluationEntry& evaluation);
 /// \pre A sequence has reference joint angles.
 ResultStage table1Stage(const CharacterWork& work, const EvaluationEntry& evaluation);

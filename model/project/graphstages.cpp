@@ -128,12 +128,14 @@ ResultStage graphStage(const CharacterWork& work)
 {
     ResultStage stage = work.stage(graphstage::graphs);
     stage.version = 2;
-    stage.settings = nlohmann::json({work.graph.alpha, costSettings(work.graph), work.sequences}).dump();
+    stage.settings = nlohmann::json({work.graph.alpha, costSettings(work.graph), work.sequences,
+                                     static_cast<int>(work.graph.smoothing)})
+                         .dump();
     stage.inputs = costInputs(work);
     stage.compute = [work, graph = work.graph, sequences = work.sequences](const StageContext& context,
                                                                            const Progress& progress) {
         const TransitionCosts costs = costsOf(work, context);
-        const auto minima = costMinima(costs, CostSmoothing::None, progress.part(0, 0.05));
+        const auto minima = costMinima(costs, graph.smoothing, progress.part(0, 0.05));
         const Digraph motion = motionGraph(costs, minima, graph.alpha);
         const EssentialGraph essential = essentialGraph(costs, graph.alpha, progress.part(0.05, 0.6));
         const GraphStatistics ofEssential = graphStatistics(essential.graph, essential.pathCosts);

@@ -137,6 +137,9 @@ GraphEntry readGraph(const Json& json, const std::string& pointer, ProjectProble
     if (const auto seconds = reader.numbers("durations", 2, "two numbers of seconds, [shortest, longest]"))
         graph.durations = {seconds->at(0), seconds->at(1)};
     graph.alpha = reader.number("alpha").value_or(graph.alpha);
+    reader.word(
+        "smoothing", graph.smoothing,
+        {{"none", CostSmoothing::None}, {"3x3", CostSmoothing::Mean3}, {"5x5", CostSmoothing::Mean5}});
     graph.greatestDistance = reader.number("d_max");
     graph.unknown = reader.unknown(projectkeys::graph);
     return graph;

@@ -125,6 +125,8 @@ Json graphToJson(const GraphEntry& graph)
     if (graph.durations)
         json["durations"] = Json::array({graph.durations->first, graph.durations->second});
     json["alpha"] = graph.alpha;
+    if (graph.smoothing != usual.smoothing)
+        json["smoothing"] = graph.smoothing == CostSmoothing::Mean3 ? "3x3" : "5x5";
     addOptional(json, "d_max", graph.greatestDistance);
     addUnknown(json, graph.unknown);
     return json;

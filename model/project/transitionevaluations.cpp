@@ -113,11 +113,13 @@ ResultStage fig9Stage(const CharacterWork& work, const EvaluationEntry& evaluati
     if (alphas.empty())
         alphas.assign(figure9Alphas.begin(), figure9Alphas.end());
     ResultStage stage = evaluationStage(work, evaluation);
-    stage.settings = nlohmann::json({alphas, costSettings(work.graph), work.sequences}).dump();
+    stage.settings = nlohmann::json({alphas, costSettings(work.graph), work.sequences,
+                                     static_cast<int>(work.graph.smoothing)})
+                         .dump();
     stage.inputs = costInputs(work);
     stage.compute = [=](const StageContext& context, const Progress& progress) {
         const TransitionCosts costs = costsOf(work, context);
-        const auto minima = costMinima(costs, CostSmoothing::None, progress.part(0, 0.05));
+        const auto minima = costMinima(costs, work.graph.smoothing, progress.part(0, 0.05));
         return fig9Result(sweepAlpha(costs, minima, alphas, progress.part(0.05, 1)), costs.layout(),
                           work.sequences);
     };

@@ -52,7 +52,7 @@ KeyTables keyTables()
     tables.keys.whole("wanted", "frame").whole("obtained", "frame").whole("error", "frame");
     tables.summary.text("search").real("cost").real("edge-cost").real("timing-cost").whole("frames", "frame");
     tables.summary.whole("transitions").real("mean-error", "frame").whole("greatest-error", "frame");
-    tables.summary.whole("expansions").text("optimal");
+    tables.summary.whole("expansions").text("optimal").real("bound");
     return tables;
 }
 
@@ -74,7 +74,11 @@ void addWalk(KeyTables& tables, const char* search, const CharacterGraph& graph,
                         solution.cost.timing, solution.frameCount,
                         static_cast<std::int64_t>(solution.walk.transitionCount()),
                         static_cast<double>(sum) / static_cast<double>(std::max<std::size_t>(keys.size(), 1)),
-                        greatest, solution.expansions, solution.optimal ? "yes" : "no"});
+                        greatest, solution.expansions,
+                        !solution.optimal  ? "no"
+                        : solution.eachLeg ? "from key to key"
+                                           : "yes",
+                        solution.bound});
 }
 
 std::string criterionColumn(std::size_t criterion, const char* what)
@@ -178,7 +182,7 @@ ResultStage table2Stage(const CharacterWork& work, const EvaluationEntry& evalua
             duration += span.frameCount();
         WalkConstraints constraints;
         constraints.keys = drawKeys(connectedFrames(graph.graph(), spans), count, duration, seed);
-        const WalkMaterial material = graph.material({});
+        const WalkMaterial material = graph.material({}, false);
         KeyTables tables = keyTables();
         addWalk(tables, "pairs", graph, constraints.keys,
                 findWalk(material, constraints, {.budget = enough}, progress.part(0, 0.5)));

@@ -7,6 +7,7 @@
 #include "model/project/animationjson.h"
 #include "model/project/pathcurve.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace quadrille {
@@ -145,6 +146,15 @@ SearchSettings searchSettings(const SearchEntry& entry, double fps)
     settings.budget = entry.budget.value_or(settings.budget);
     settings.globalKeys = entry.globalKeys;
     return settings;
+}
+
+CostWeights costWeights(const AnimationEntry& animation, const CharacterGraph& graph)
+{
+    const SearchSettings settings = searchSettings(animation.search, graph.fps());
+    const bool hasPath = std::ranges::any_of(animation.constraints, [](const ConstraintEntry& constraint) {
+        return std::holds_alternative<PathEntry>(constraint);
+    });
+    return {.mu = hasPath ? settings.mu : 1, .beta = settings.beta.value_or(betaPerAlpha * graph.alpha())};
 }
 
 Walk acceptedWalk(const WalkEntry& entry, const CharacterGraph& graph)

@@ -14,6 +14,14 @@ WalkConstraints walkConstraints(const AnimationEntry& animation, const Character
 inline constexpr double usualDwell = 0.5;
 SearchSettings searchSettings(const SearchEntry& entry, double fps);
 
+/// What costs of a walk are counted by.
+struct CostWeights
+{
+    double mu = 1;   ///< of edges; squared metres where there is a path, else 1
+    double beta = 0; ///< of a frame of timing error
+};
+CostWeights costWeights(const AnimationEntry& animation, const CharacterGraph& graph);
+
 /// The walk that an animation has already, and where it starts.
 /// \throws Error ProjectInvalid.
 Walk acceptedWalk(const WalkEntry& entry, const CharacterGraph& graph);

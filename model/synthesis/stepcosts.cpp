@@ -30,6 +30,13 @@ std::vector<Vec3d> velocitiesOf(const FrameLayout& layout, double scale, const a
 
 } // namespace
 
+double differingFeet(const Stances& stances, NodeIndex i, NodeIndex j)
+{
+    if (!stances.isKnown())
+        return 0;
+    return std::popcount(stances.at(i) ^ stances.at(j)) / static_cast<double>(stances.feet.size());
+}
+
 StepCosts stepCosts(const RootPoses& roots, const FrameLayout& layout, double fps)
 {
     const NodeIndex frames = layout.frameCount();
@@ -51,8 +58,7 @@ StepCosts stepCosts(const RootPoses& roots, const FrameLayout& layout, double fp
         for (NodeIndex j = 0; j < frames; ++j) {
             if (i == j)
                 continue;
-            const int differing = std::popcount(stances.at(i) ^ stances.at(j));
-            parts.contacts(i, j) = static_cast<float>(differing) / static_cast<float>(feet);
+            parts.contacts(i, j) = static_cast<float>(differingFeet(stances, i, j));
             const Eigen::Rotation2Dd turn(static_cast<double>(roots.turns(i, j)));
             const auto difference = [&](std::size_t point) {
                 const Vec3d& here = moving[point][static_cast<std::size_t>(i)];

@@ -26,6 +26,9 @@ struct StepCosts
     Table<float> velocity;
 };
 
+/// The share of the feet that stand in one of both frames only; 0 where nothing is known of feet.
+double differingFeet(const Stances& stances, NodeIndex i, NodeIndex j);
+
 /// \param roots  with turns and known stances; zeros where nothing is known of feet.
 /// \return both frames × frames, symmetric, zeros on the diagonal.
 /// Cost: O(frames² · feet).

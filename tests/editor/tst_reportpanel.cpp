@@ -82,7 +82,7 @@ private slots:
             QLocale().toString(static_cast<double>(result().sequence.frameCount()) / fps, 'f', 2);
         QCOMPARE(row("Duration"), QStringList({"", duration + " s"}));
         QCOMPARE(row("Transitions").last(), QString::number(result().walk.solution.walk.transitionCount()));
-        QVERIFY(!row("Proven best").last().isEmpty());
+        QVERIFY(!row("Proven best in the Essential graph").last().isEmpty());
         QVERIFY(!test::find<widgets::LineChart>("deviationChart")->isVisible());
         // Keys that cannot be met in time are marked.
         set([](AnimationEntry& entry) {

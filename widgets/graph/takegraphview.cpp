@@ -5,6 +5,7 @@
 #include "widgets/theme/theme.h"
 
 #include <QAccessible>
+#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -286,6 +287,23 @@ void TakeGraphView::mouseMoveEvent(QMouseEvent* event)
 {
     const int node = nodeAt(event->position());
     setHovered(node, node >= 0 ? std::nullopt : linkAt(event->position()));
+}
+
+void TakeGraphView::contextMenuEvent(QContextMenuEvent* event)
+{
+    const bool isByKey = event->reason() == QContextMenuEvent::Keyboard;
+    if (isByKey && m_current >= 0) {
+        emit menuAsked(m_current, m_current, mapToGlobal(nodeRect(m_current).center().toPoint()));
+        return;
+    }
+    const int node = nodeAt(event->pos());
+    const auto link = linkAt(event->pos());
+    if (!isByKey && node >= 0)
+        emit menuAsked(node, node, event->globalPos());
+    else if (!isByKey && link)
+        emit menuAsked(link->from, link->to, event->globalPos());
+    else
+        event->ignore();
 }
 
 void TakeGraphView::leaveEvent(QEvent* /*event*/)

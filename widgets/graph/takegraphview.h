@@ -67,6 +67,8 @@ public:
 signals:
     /// The user chose these nodes; none for all.
     void chosenByUser(const std::vector<int>& nodes);
+    /// What can be done with a node, then `from` and `to` are the same, or with a link.
+    void menuAsked(int from, int to, const QPoint& globalPosition);
 
 protected:
     bool event(QEvent* event) override;
@@ -75,6 +77,7 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     QPointF middleOf(int node) const;

@@ -156,9 +156,10 @@ QString AnimationBar::resultText() const
     const auto junctions = static_cast<int>(result->plan.junctions.size());
     QString text = tr("%1 s, %n transitions", nullptr, junctions).arg(locale.toString(seconds, 'f', 2));
     if (!result->entry.walk)
-        text += tr(", cost %1").arg(locale.toString(result->walk.solution.totalCost, 'g', 4));
+        text += (result->walk.constraints.path ? tr(", cost %1 m²") : tr(", cost %1"))
+                    .arg(locale.toString(result->walk.solution.totalCost, 'g', 4));
     if (result->walk.solution.optimal)
-        text += tr(", proven best");
+        text += result->walk.solution.eachLeg ? tr(", proven best from key to key") : tr(", proven best");
     return text;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/report.h"
 
+#include "model/project/walkrequest.h"
 #include "model/synthesis/pathfollowing.h"
 
 #include <QCoreApplication>
@@ -40,6 +41,8 @@ private:
     const WalkSolution& solution() const { return m_result.walk.solution; }
     const WalkConstraints& constraints() const { return m_result.walk.constraints; }
     static QString seconds() { return Texts::tr("s", "seconds"); }
+    static QString squareMetres() { return Texts::tr("m²", "square metres"); }
+    CostWeights weights() const { return costWeights(m_result.entry, m_result.character->graph); }
     static QString centimetres() { return Texts::tr("cm", "centimetres"); }
 
     void add(const QString& what, double obtained, const QString& unit = {})
@@ -61,6 +64,8 @@ private:
                 static_cast<double>(m_result.plan.frameCount()) / m_fps, seconds());
         add(Texts::tr("Transitions"), static_cast<double>(solution().walk.transitionCount()));
         add(Texts::tr("Cost of transitions"), solution().cost.edges);
+        if (!m_result.entry.walk && constraints().path)
+            add(Texts::tr("Their weight μ"), weights().mu, squareMetres());
         if (m_result.entry.post.variations) {
             const auto& spans = m_result.spans;
             const auto drawn =
@@ -71,15 +76,20 @@ private:
 
     void addSearch()
     {
-        add(Texts::tr("Cost of timing"), solution().cost.timing);
+        const QString unit = constraints().path ? squareMetres() : QString();
+        add(Texts::tr("Cost of timing"), solution().cost.timing, unit);
+        add(Texts::tr("Weight β of a frame"), weights().beta, unit);
         if (constraints().path)
-            add(Texts::tr("Cost of deviation"), solution().cost.deviation, Texts::tr("m²", "square metres"));
-        add(Texts::tr("Total cost"), solution().totalCost);
+            add(Texts::tr("Cost of deviation"), solution().cost.deviation, squareMetres());
+        add(Texts::tr("Total cost"), solution().totalCost, unit);
+        if (solution().bound > 0)
+            add(Texts::tr("No walk of the graph costs less than"), solution().bound, unit);
         add(Texts::tr("States looked at"), static_cast<double>(solution().expansions));
-        const QString best = solution().optimal ? Texts::tr("yes")
+        const QString best = solution().optimal
+                                 ? solution().eachLeg ? Texts::tr("from key to key") : Texts::tr("yes")
                              : m_result.isFinal ? Texts::tr("not proven")
                                                 : Texts::tr("still seeking");
-        m_rows.push_back({Texts::tr("Proven best"), {}, {}, {}, {}, best});
+        m_rows.push_back({Texts::tr("Proven best in the Essential graph"), {}, {}, {}, {}, best});
     }
 
     void addKeys()

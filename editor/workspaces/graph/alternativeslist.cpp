@@ -15,6 +15,7 @@
 #include <QHeaderView>
 #include <QLocale>
 #include <QPainter>
+#include <algorithm>
 
 namespace quadrille {
 
@@ -69,24 +70,42 @@ void AlternativesList::choose(QTreeWidgetItem* item)
 void AlternativesList::show(const std::optional<FramePair>& pair)
 {
     m_pair = pair;
+    if (!pair || std::ranges::find(m_listed, *pair) == m_listed.end())
+        m_ends.reset();
     refresh();
+}
+
+void AlternativesList::showBest(int from, int to)
+{
+    m_ends.emplace(from, to);
+    refresh();
+}
+
+std::vector<FramePair> AlternativesList::sought() const
+{
+    const TransitionCosts& costs = m_explorer.character()->graph.costs();
+    const double alpha = m_explorer.alpha();
+    if (m_ends)
+        return bestTransitions(costs, alpha, m_ends->first, m_ends->second, {.most = mostListed});
+    if (!m_pair)
+        return {};
+    return alternatives(costs, alpha, *m_pair,
+                        {.most = m_explorer.filter().isEmpty() ? mostListed : mostSought});
 }
 
 void AlternativesList::refresh()
 {
     clear();
     m_listed.clear();
-    if (!m_pair || !m_explorer.character())
+    if (!m_explorer.character())
         return;
     const CharacterGraph& graph = m_explorer.character()->graph;
     const TransitionCosts& costs = graph.costs();
     const TakeFilter& filter = m_explorer.filter();
-    const auto sought = alternatives(costs, m_explorer.alpha(), *m_pair,
-                                     {.most = filter.isEmpty() ? mostListed : mostSought});
-    for (const FramePair& pair : sought) {
+    for (const FramePair& pair : sought()) {
         if (static_cast<int>(m_listed.size()) < mostListed &&
-            filter.passes(graph.layout().sequenceOf(pair.source),
-                          graph.layout().sequenceOf(pair.destination)))
+            (m_ends || filter.passes(graph.layout().sequenceOf(pair.source),
+                                     graph.layout().sequenceOf(pair.destination))))
             m_listed.push_back(pair);
     }
     for (const FramePair& pair : m_listed) {
@@ -102,7 +121,7 @@ void AlternativesList::refresh()
     showPictures();
     showSpeeds();
     std::vector<FramePair> asked = m_listed;
-    if (costs.hasTransition(m_pair->source, m_pair->destination))
+    if (m_pair && costs.hasTransition(m_pair->source, m_pair->destination))
         asked.insert(asked.begin(), *m_pair);
     m_speeds.ask(std::move(asked));
 }

@@ -6,6 +6,7 @@
 
 #include <QTreeWidget>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace quadrille {
@@ -14,8 +15,8 @@ class FramePictures;
 class GraphExplorer;
 class TransitionSpeeds;
 
-/// Transitions that could be taken instead of one, with pictures of both frames, what they cost and how well
-/// they join.
+/// Transitions that could be taken instead of one, or between two takes, with pictures of both frames, what
+/// they cost and how well they join.
 class AlternativesList : public QTreeWidget
 {
     Q_OBJECT
@@ -26,6 +27,10 @@ public:
 
     /// Shows those of a transition; none without one.
     void show(const std::optional<FramePair>& pair);
+    /// Shows the best from one take to another, until a transition is shown that is not among them.
+    void showBest(int from, int to);
+    /// The takes of showBest, while these are shown.
+    const std::optional<std::pair<int, int>>& ends() const { return m_ends; }
     using QTreeWidget::show;
     /// Those that are listed, the cheapest first.
     const std::vector<FramePair>& listed() const { return m_listed; }
@@ -52,7 +57,10 @@ private:
     GraphExplorer& m_explorer;
     TransitionSpeeds& m_speeds;
     FramePictures& m_pictures;
+    std::vector<FramePair> sought() const;
+
     std::optional<FramePair> m_pair;
+    std::optional<std::pair<int, int>> m_ends;
     std::vector<FramePair> m_listed;
 };
 

@@ -5,10 +5,11 @@
 #include "widgets/theme/theme.h"
 
 #include <QPainter>
+#include <numeric>
 
 namespace quadrille {
 
-void CostBar::setParts(double deformation, double duration)
+void CostBar::setParts(const std::array<double, 3>& deformation, double duration)
 {
     m_deformation = deformation;
     m_duration = duration;
@@ -19,21 +20,23 @@ void CostBar::paintEvent(QPaintEvent* /*event*/)
 {
     using widgets::ColorRole;
     using widgets::Theme;
-    const double sum = m_deformation + m_duration;
+    const double sum = std::accumulate(m_deformation.begin(), m_deformation.end(), m_duration);
     if (sum <= 0)
         return;
     QPainter painter(this);
     const QRectF all = QRectF(rect()).adjusted(0.5, 2.5, -0.5, -2.5);
-    QRectF first = all;
-    first.setWidth(all.width() * m_deformation / sum);
-    QRectF second = all;
-    second.setLeft(first.right());
-    painter.fillRect(first, Theme::categorical(0));
-    painter.fillRect(second, Theme::color(ColorRole::Raised));
-    painter.fillRect(second, QBrush(Theme::color(ColorRole::TextMuted), Qt::BDiagPattern));
     painter.setPen(Theme::color(ColorRole::Line));
+    QRectF part = all;
+    for (std::size_t p = 0; p < m_deformation.size(); ++p) {
+        part.setWidth(all.width() * m_deformation[p] / sum);
+        painter.fillRect(part, Theme::categorical(static_cast<int>(p)));
+        painter.drawLine(part.topRight(), part.bottomRight());
+        part.setLeft(part.right());
+    }
+    part.setRight(all.right());
+    painter.fillRect(part, Theme::color(ColorRole::Raised));
+    painter.fillRect(part, QBrush(Theme::color(ColorRole::TextMuted), Qt::BDiagPattern));
     painter.drawRect(all);
-    painter.drawLine(first.topRight(), first.bottomRight());
 }
 
 } // namespace quadrille

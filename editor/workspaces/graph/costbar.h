@@ -3,17 +3,20 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 
 namespace quadrille {
 
-/// The two parts of a transition's cost as one bar: deformation plain, duration hatched.
+/// The parts of a transition's cost as one bar: deformation – poses, feet and speeds – plain, duration
+/// hatched.
 class CostBar : public QWidget
 {
     Q_OBJECT
 
 public:
     using QWidget::QWidget;
-    void setParts(double deformation, double duration);
+    /// \param deformation  of poses, feet and speeds.
+    void setParts(const std::array<double, 3>& deformation, double duration);
     QSize sizeHint() const override { return {160, 16}; }
     QSize minimumSizeHint() const override { return {80, 16}; }
 
@@ -21,7 +24,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    double m_deformation = 0;
+    std::array<double, 3> m_deformation{};
     double m_duration = 0;
 };
 

@@ -123,7 +123,7 @@ void GraphExplorer::computeGraphs()
             made->minima = minima;
             if (!minima)
                 made->minima = std::make_shared<const std::vector<FramePair>>(
-                    costMinima(costs, CostSmoothing::None, progress));
+                    costMinima(costs, opened->graph.work().graph.smoothing, progress));
             EssentialGraph essential = essentialGraph(costs, alpha, progress);
             made->essential = std::move(essential.graph);
             made->essentialCosts = summarizePathCosts(essential.pathCosts);

@@ -82,6 +82,7 @@ void GraphMap::makeTakeFilter()
     connect(m_takeFilter, &QToolButton::clicked, this, &GraphMap::filterDropped);
     connect(m_takes, &TakeGraphView::chosenByUser, this,
             [this](const std::vector<int>& takes) { m_explorer.setFilter({takes}); });
+    connect(m_takes, &TakeGraphView::menuAsked, this, &GraphMap::takesMenuAsked);
 }
 
 void GraphMap::setMode(Mode mode)

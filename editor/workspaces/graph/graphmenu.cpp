@@ -7,11 +7,14 @@
 #include "editor/workspaces/graph/framenames.h"
 #include "editor/workspaces/graph/graphbar.h"
 #include "editor/workspaces/graph/graphexplorer.h"
+#include "editor/workspaces/graph/graphmap.h"
 #include "editor/workspaces/graph/graphworkspace.h"
+#include "editor/workspaces/graph/transitionpanel.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QMenu>
+#include <QTabWidget>
 #include <algorithm>
 
 namespace quadrille {
@@ -61,16 +64,53 @@ void GraphWorkspace::askWhatToDo(const FramePair& pair, const QPoint& globalPosi
     menu->addSeparator();
     const int from = graph.layout().sequenceOf(pair.source);
     const int to = graph.layout().sequenceOf(pair.destination);
-    menu->addAction(tr("&Only these takes"), this, [this, from, to] {
-        m_explorer->setFilter(
-            {from == to ? std::vector{from} : std::vector{std::min(from, to), std::max(from, to)}});
-    });
-    menu->addAction(tr("&All takes"), this, [this] { m_explorer->setFilter({}); })
-        ->setEnabled(!m_explorer->filter().isEmpty());
+    addTakes(*menu, from, to);
     addBan(*menu, pair);
     menu->addSeparator();
     menu->addAction(m_context.actions.action(QStringLiteral("graph.saveTables")));
     menu->popup(globalPosition);
+}
+
+void GraphWorkspace::askAboutTakes(int from, int to, const QPoint& globalPosition)
+{
+    if (!m_explorer->character())
+        return;
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setObjectName(QStringLiteral("takesMenu"));
+    addTakes(*menu, from, to);
+    menu->addSeparator();
+    menu->addAction(m_context.actions.action(QStringLiteral("graph.saveTables")));
+    menu->popup(globalPosition);
+}
+
+/// What can be done with one take, or with two.
+void GraphWorkspace::addTakes(QMenu& menu, int from, int to)
+{
+    const std::vector<std::string>& takes = m_explorer->character()->graph.work().sequences;
+    const auto nameOf = [&](int take) {
+        return QString::fromStdString(takes[static_cast<std::size_t>(take)]);
+    };
+    //: two takes
+    menu.addAction(tr("&List the best transitions from “%1” to “%2”").arg(nameOf(from), nameOf(to)), this,
+                   [this, from, to] { listBest(from, to); })
+        ->setObjectName(QStringLiteral("listBest"));
+    menu.addAction(from == to ? tr("&Only this take") : tr("&Only these takes"), this, [this, from, to] {
+        m_explorer->setFilter(
+            {from == to ? std::vector{from} : std::vector{std::min(from, to), std::max(from, to)}});
+    });
+    menu.addAction(tr("&All takes"), this, [this] { m_explorer->setFilter({}); })
+        ->setEnabled(!m_explorer->filter().isEmpty());
+}
+
+/// Lists them beside the best one.
+void GraphWorkspace::listBest(int from, int to)
+{
+    if (const auto best = m_transition->listBest(from, to)) {
+        m_tabs->setCurrentIndex(0);
+        m_map->setCurrent(*best);
+        activate(*best);
+    }
 }
 
 /// Banned are transitions of animations: of the one that was worked on last.

@@ -41,6 +41,7 @@ GraphSettingsPanel::GraphSettingsPanel(EditorContext& context, QWidget* parent)
     , m_stretch(new QDoubleSpinBox)
     , m_cost(new QComboBox)
     , m_scale(new QComboBox)
+    , m_smoothing(new QComboBox)
     , m_contacts(new QDoubleSpinBox)
     , m_velocity(new QDoubleSpinBox)
     , m_slope(new QSpinBox)
@@ -62,6 +63,8 @@ void GraphSettingsPanel::makeFields()
         box->addItems({QString(), QString()});
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     }
+    m_smoothing->addItems({QString(), QStringLiteral("3 × 3"), QStringLiteral("5 × 5")});
+    m_smoothing->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_stretch->setRange(0, 100);
     m_stretch->setDecimals(3);
     m_stretch->setSingleStep(0.01);
@@ -115,6 +118,12 @@ void GraphSettingsPanel::makeFields()
         "graphLongest", [] { return tr("Longest window"); }, m_longest,
         [] { return tr("Frames of each take that a transition blends at the most, in seconds"); });
     addField(
+        "graphSmoothing", [] { return tr("Smoothing"); }, m_smoothing,
+        [] {
+            return tr("Over how many frames costs are averaged before the minima of the motion graph are "
+                      "sought; as published over none");
+        });
+    addField(
         "graphGreatest", [] { return tr("Largest distance"); }, m_greatest,
         [] { return tr("What costs are divided by; automatic is the largest distance of two poses"); });
     addField(
@@ -155,7 +164,12 @@ void GraphSettingsPanel::connectFields()
             entry.costScale = paper.costScale;
             entry.steps = paper.steps;
             entry.durations = paper.durations;
+            entry.smoothing = paper.smoothing;
         });
+    });
+    connect(m_smoothing, &QComboBox::activated, this, [this](int index) {
+        edit(tr("Smooth the costs otherwise"), QStringLiteral("smoothing"),
+             [index](GraphEntry& entry) { entry.smoothing = static_cast<CostSmoothing>(index); });
     });
     connect(m_slope, &QSpinBox::valueChanged, this, [this](int slope) {
         edit(tr("Change the slope of transitions"), QStringLiteral("slope"),
@@ -208,6 +222,7 @@ void GraphSettingsPanel::refresh()
     setFieldVisible(m_stretch, entry.pose.metric == PoseMetric::Surface);
     showIn(m_cost, entry.cost);
     showIn(m_scale, entry.costScale);
+    showIn(m_smoothing, entry.smoothing);
     showIn(m_contacts, entry.steps.contacts);
     showIn(m_velocity, entry.steps.velocity);
     showIn(m_slope, entry.slope);
@@ -225,6 +240,7 @@ void GraphSettingsPanel::retranslate()
     m_metric->setItemText(1, tr("By their vertices"));
     m_cost->setItemText(0, tr("Sum of the distances"));
     m_cost->setItemText(1, tr("Mean of the distances"));
+    m_smoothing->setItemText(0, tr("none", "smoothing"));
     m_scale->setItemText(0, tr("Nothing else"));
     m_scale->setItemText(1, tr("Liveliness of the takes"));
     //: after a number: steps of a warp path in a row

@@ -176,6 +176,7 @@ void GraphWorkspace::connectParts()
     });
     connect(m_map, &GraphMap::activated, this, &GraphWorkspace::activate);
     connect(m_map, &GraphMap::menuAsked, this, &GraphWorkspace::askWhatToDo);
+    connect(m_map, &GraphMap::takesMenuAsked, this, &GraphWorkspace::askAboutTakes);
     connect(m_map, &GraphMap::filterDropped, this, [this] { m_explorer->setFilter({}); });
     connect(&m_context.selection, &Selection::changed, this, &GraphWorkspace::followSelection);
     connect(m_transition, &TransitionPanel::chosen, this, &GraphWorkspace::activate);

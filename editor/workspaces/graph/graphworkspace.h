@@ -59,6 +59,9 @@ private:
     void makeMenuActions();
     void followSelection();
     void askWhatToDo(const FramePair& pair, const QPoint& globalPosition);
+    void askAboutTakes(int from, int to, const QPoint& globalPosition);
+    void addTakes(QMenu& menu, int from, int to);
+    void listBest(int from, int to);
     void addBan(QMenu& menu, const FramePair& pair);
     void copyFrames();
     void makePanels();

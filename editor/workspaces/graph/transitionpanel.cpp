@@ -56,6 +56,9 @@ TransitionPanel::TransitionPanel(GraphExplorer& explorer, TransitionSpeeds& spee
     m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     m_weight = addFact("transitionWeight");
     m_deformation = addFact("transitionDeformation");
+    m_poseCost = addFact("transitionPoses");
+    m_feetCost = addFact("transitionFeet");
+    m_speedCost = addFact("transitionSpeeds");
     m_duration = addFact("transitionDuration");
     m_form->addRow(m_bar);
     m_length = addFact("transitionLength");
@@ -107,6 +110,28 @@ void TransitionPanel::show(const std::optional<FramePair>& pair)
     m_pair = pair;
     refresh();
     m_alternatives->show(pair);
+    showHeading();
+}
+
+std::optional<FramePair> TransitionPanel::listBest(int from, int to)
+{
+    m_alternatives->showBest(from, to);
+    showHeading();
+    const auto& listed = m_alternatives->listed();
+    return listed.empty() ? std::nullopt : std::optional(listed.front());
+}
+
+void TransitionPanel::showHeading()
+{
+    const auto& ends = m_alternatives->ends();
+    const auto nameOf = [this](int take) {
+        return QString::fromStdString(
+            m_explorer.character()->graph.work().sequences[static_cast<std::size_t>(take)]);
+    };
+    //: two takes
+    m_heading->setText(ends ? tr("Best from “%1” to “%2”").arg(nameOf(ends->first), nameOf(ends->second))
+                            : tr("Next best from about there"));
+    m_alternatives->setAccessibleName(m_heading->text());
 }
 
 void TransitionPanel::refresh()
@@ -129,11 +154,12 @@ void TransitionPanel::showCost()
     const auto [i, j] = *m_pair;
     const QString none = QStringLiteral("–");
     if (!costs.hasTransition(i, j)) {
-        for (QLabel* label : {m_deformation, m_duration, m_length, m_windows})
+        for (QLabel* label :
+             {m_deformation, m_poseCost, m_feetCost, m_speedCost, m_duration, m_length, m_windows})
             label->setText(none);
         m_weight->setText(i == j ? tr("a frame is no transition to itself")
                                  : tr("none: no windows fit between these frames"));
-        m_bar->setParts(0, 0);
+        m_bar->setParts({}, 0);
         return;
     }
     const double alpha = m_explorer.alpha();
@@ -156,7 +182,19 @@ void TransitionPanel::showCost()
     //: frames of the source window and of the destination window
     m_windows->setText(
         tr("%1 and %2 frames").arg(table.sourceWindow(i, j)).arg(table.destinationWindow(i, j)));
-    m_bar->setParts(deformation, alpha * length);
+    const CostParts parts = graph.partsOf(*m_pair);
+    const double sum = parts.sum();
+    const auto part = [&](double value) {
+        //: a cost, its unit, and its share
+        return tr("%1 %2, %3 %")
+            .arg(chartNumber(value), costUnit(m_explorer),
+                 QLocale().toString(sum > 0 ? 100 * value / sum : 0, 'f', 0));
+    };
+    m_poseCost->setText(part(parts.pose));
+    m_feetCost->setText(part(parts.contacts));
+    m_speedCost->setText(part(parts.velocity));
+    const double scale = sum > 0 ? deformation / sum : 0;
+    m_bar->setParts({parts.pose * scale, parts.contacts * scale, parts.velocity * scale}, alpha * length);
 }
 
 QString TransitionPanel::replacement() const
@@ -230,6 +268,11 @@ void TransitionPanel::retranslate()
     const std::vector<std::pair<QString, QString>> names{
         {tr("Weight"), tr("Deformation and duration together")},
         {tr("Deformation"), tr("Cost of the warp path over the largest pose distance")},
+        {tr("of which poses"), tr("How far the poses are from each other that are blended")},
+        {tr("of which feet"),
+         tr("What blended frames cost in which other feet stand (Feet, under Settings)")},
+        {tr("of which speeds"),
+         tr("What blended frames cost in which body and feet move otherwise (Speed, under Settings)")},
         {tr("Duration"), tr("α for each frame that the transition lasts")},
         {tr("Lasts"), tr("From the last captured pose to the next")},
         {tr("Windows"), tr("How many frames of both takes are blended")},
@@ -244,8 +287,6 @@ void TransitionPanel::retranslate()
         m_facts[i].name->setToolTip(names[i].second);
         m_facts[i].value->setAccessibleName(names[i].first);
     }
-    m_heading->setText(tr("Next best from about there"));
-    m_alternatives->setAccessibleName(m_heading->text());
     show(m_pair);
 }
 

@@ -31,6 +31,9 @@ public:
 
     void setFps(double fps);
     void show(const std::optional<FramePair>& pair);
+    /// Lists the best transitions from one take to another until one is shown that is not among them.
+    /// \return the best one; nothing where there is none.
+    std::optional<FramePair> listBest(int from, int to);
     using QWidget::show;
     std::optional<FramePair> shown() const { return m_pair; }
 
@@ -46,6 +49,7 @@ private:
     };
     QLabel* addFact(const char* objectName);
     void refresh();
+    void showHeading();
     void showCost();
     void showMembership();
     void showSpeeds();
@@ -64,6 +68,9 @@ private:
     CostBar* m_bar;
     QLabel* m_weight = nullptr;
     QLabel* m_deformation = nullptr;
+    QLabel* m_poseCost = nullptr;
+    QLabel* m_feetCost = nullptr;
+    QLabel* m_speedCost = nullptr;
     QLabel* m_duration = nullptr;
     QLabel* m_length = nullptr;
     QLabel* m_windows = nullptr;

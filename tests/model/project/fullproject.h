@@ -118,6 +118,7 @@ inline Project fullProject()
     graph.slope = 4;
     graph.durations = {0.5, 1.5};
     graph.alpha = 0.05;
+    graph.smoothing = CostSmoothing::Mean5;
     graph.greatestDistance = 0.75;
     project.graphs = {graph};
     project.bodyParts = {fullBodyParts()};

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/clipresult.h"
 #include "model/project/exportentry.h"
-#include "model/project/lengthunit.h"
 #include "model/project/media.h"
 #include "model/project/validate.h"
 #include "tests/model/audio/tone.h"
@@ -152,63 +151,6 @@ TEST_F(AnimationStages, FollowAPathAndSayHowWell)
     EXPECT_GT(x.back(), 1.2);
     EXPECT_THAT(column<std::string>("animations/dance/report", "what"),
                 ::testing::Contains("mean deviation"));
-}
-
-TEST_F(AnimationStages, TakeTheSameWalkInWhateverUnitTheProjectIs)
-{
-    for (int f = 0; f < 30; ++f)
-        folder.write("gone/f_" + std::to_string(100 + f) + ".obj",
-                     bentStrip(0.3 * std::sin(0.35 * f), 0.2 * f));
-    project.sequences.push_back(sequenceOf("gone", "gone"));
-    animation().walk.reset();
-    animation().search.mu = 0.02;
-    PathEntry path;
-    path.points = {{0, 0, 0}, {1, 0, 0.3}, {2, 0, -0.1}, {3.5, 0, 0.5}};
-    path.obstacles = {{.corners = {{1.5, -2.5}}, .radius = 0.4}};
-    path.clearance = 0.1;
-    path.spans = {{.from = 0.5, .to = 2, .duration = 2}};
-    struct Found
-    {
-        std::vector<std::string> sequences;
-        std::vector<std::int64_t> frames;
-        std::vector<double> report;
-        std::vector<std::string> units;
-        std::vector<double> places;
-    };
-    const auto found = [&](const std::string& unit) {
-        const double metres = metresPerUnit(unit).value();
-        project.settings.axes.metresPerUnit = metres;
-        PathEntry own = path;
-        for (Vec3d& point : own.points)
-            point /= metres;
-        own.obstacles[0].corners[0] /= metres;
-        own.obstacles[0].radius /= metres;
-        own.clearance /= metres;
-        own.spans[0].from /= metres;
-        own.spans[0].to /= metres;
-        animation().constraints = {own};
-        computed(run("animations"));
-        Found result{column<std::string>("animations/dance/frames", "sequence"),
-                     column<std::int64_t>("animations/dance/frames", "source-frame"),
-                     column<double>("animations/dance/report", "obtained"),
-                     column<std::string>("animations/dance/report", "unit"),
-                     column<double>("animations/dance/frames", "centre-x")};
-        for (double& place : result.places)
-            place *= metres;
-        return result;
-    };
-    const Found metres = found("m");
-    ASSERT_GT(metres.frames.size(), 10U);
-    for (const char* unit : {"cm", "mm", "ft", "km"}) {
-        const Found other = found(unit);
-        EXPECT_EQ(other.sequences, metres.sequences) << unit;
-        EXPECT_EQ(other.frames, metres.frames) << unit;
-        EXPECT_EQ(other.units, metres.units) << unit;
-        EXPECT_THAT(other.report,
-                    ::testing::Pointwise(::testing::NanSensitiveDoubleNear(1e-3), metres.report))
-            << unit;
-        EXPECT_THAT(other.places, ::testing::Pointwise(::testing::DoubleNear(1e-3), metres.places)) << unit;
-    }
 }
 
 TEST_F(AnimationStages, SayWhatStandsInTheWayOfConstraints)

@@ -154,7 +154,11 @@ TEST_F(EvaluationStages, Table2ShowsPosesAtNewTimes)
         EXPECT_EQ(error[k], obtained[k] - wanted[k]);
     const auto cost = column<double>("evaluation/table2-summary", "cost");
     EXPECT_LE(cost[1], cost[0] + 1e-9); // over all keys no dearer than pair by pair
-    EXPECT_THAT(column<std::string>("evaluation/table2-summary", "optimal"), ElementsAre("yes", "yes"));
+    EXPECT_THAT(column<std::string>("evaluation/table2-summary", "optimal"),
+                ElementsAre("from key to key", "yes"));
+    const auto bound = column<double>("evaluation/table2-summary", "bound");
+    EXPECT_LE(bound[0], cost[1] + 1e-9);
+    EXPECT_NEAR(bound[1], cost[1], 1e-9);
     project.evaluations[0].sequences = {"slow"};
     EXPECT_THAT(computed(run()), UnorderedElementsAre("evaluations/table2"));
     EXPECT_THAT(column<std::string>("evaluation/table2", "sequence"), ::testing::Each("slow"));
@@ -186,6 +190,28 @@ TEST_F(EvaluationStages, JunctionsAreJudgedWithBothBlends)
         const auto i = fromFrame[row] + (from[row] == "slow" ? 0 : 14);
         const auto j = toFrame[row] + (to[row] == "slow" ? 0 : 14);
         EXPECT_NEAR(sum[row], transitions.cost(i, j), 1e-6);
+    }
+}
+
+TEST_F(EvaluationStages, DensityVariesOneThingAtATime)
+{
+    project.graphs = {GraphEntry()};
+    evaluate({"density"});
+    computed(run());
+    const auto variants = column<std::string>("evaluation/density", "variant");
+    const auto essential = column<std::int64_t>("evaluation/density", "essential-transitions");
+    const auto takes = column<std::int64_t>("evaluation/density", "takes");
+    const auto greatest = column<double>("evaluation/density", "d-max");
+    computed(StripProject::run("graph"));
+    EXPECT_EQ(variants.front(), "as set");
+    EXPECT_EQ(essential.front(), column<std::int64_t>("graph-statistics", "transitions").front());
+    EXPECT_EQ(takes.front(), 2);
+    EXPECT_FLOAT_EQ(static_cast<float>(greatest.front()), matrix("pose-distance").maxCoeff());
+    for (std::size_t row = 0; row < variants.size(); ++row) {
+        const bool isJoined = variants[row].find("joined") != std::string::npos;
+        const bool isQuantile = variants[row].find("quantile") != std::string::npos;
+        EXPECT_EQ(takes[row], isJoined ? 1 : 2) << variants[row];
+        EXPECT_EQ(greatest[row] < greatest.front(), isQuantile) << variants[row];
     }
 }
 

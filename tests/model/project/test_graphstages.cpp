@@ -34,6 +34,16 @@ TEST_F(GraphStages, HoldWhatTheFunctionsCompute)
         (matrix("euclidean-distance") == poseDistances(frames(), {.metric = PoseMetric::Euclidean}).distances)
             .all());
     const TransitionTable transitions = transitionTable(poses.distances, poses.layout, {.fps = 6});
+    project.settings.axes.metresPerUnit = 0.01;
+    run();
+    EXPECT_LT((matrix("euclidean-distance") -
+               poseDistances(frames(), {.metric = PoseMetric::Euclidean}).distances / 100)
+                  .abs()
+                  .maxCoeff(),
+              1e-5)
+        << "metres in every unit";
+    project.settings.axes.metresPerUnit = 1;
+    run();
     EXPECT_TRUE((matrix("transition-cost") == transitions.cost).all());
     const Table<float> lengths = matrix("transition-length");
     EXPECT_TRUE((lengths.isFinite() == (transitions.length > 0)).all());

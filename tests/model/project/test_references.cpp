@@ -40,7 +40,7 @@ Project referringProject()
     return project;
 }
 
-std::string textOf(const Project& project)
+std::string projectText(const Project& project)
 {
     return writeJson(projectToJson(project));
 }
@@ -65,9 +65,9 @@ TEST(References, FollowASequenceThatGetsAnotherName)
     project.characters[0].notes.clear();
     project.exports[0].name = "ply";
     project.exports[0].path = "a.ply";
-    ASSERT_THAT(textOf(project), HasSubstr("talk"));
+    ASSERT_THAT(projectText(project), HasSubstr("talk"));
     renameEntry(project, NamedKind::Sequence, "talk", "speech");
-    EXPECT_THAT(textOf(project), Not(HasSubstr("talk")));
+    EXPECT_THAT(projectText(project), Not(HasSubstr("talk")));
     EXPECT_FALSE(hasErrors(validate(project)));
 }
 
@@ -83,7 +83,7 @@ TEST(References, FollowAnAnimationAndACharacter)
     renameEntry(project, NamedKind::Animation, "tour", "trip");
     renameEntry(project, NamedKind::Character, "liam", "noah");
     project.exports[1].name = "x";
-    const std::string text = textOf(project);
+    const std::string text = projectText(project);
     EXPECT_THAT(text, Not(HasSubstr("tour")));
     EXPECT_THAT(text, Not(HasSubstr("liam")));
     EXPECT_FALSE(hasErrors(validate(project)));

@@ -229,6 +229,10 @@ TEST(Schema, AgreesWithTheReaderOnHandWrittenFiles)
         {animation(R"("constraints": [{"kind": "path", "points": [[0, 0], [1, 2]]}])"), true},
         {animation(R"("constraints": [{"kind": "path", "points": [[0, 0, 1], [1, 2, 1]]}])"), true},
         {animation(R"("constraints": [{"kind": "path", "points": [[0, 0], [1]]}])"), false},
+        {animation(R"("constraints": [{"kind": "path", "points": [[0, 0], [20000000, 2]]}])"), false},
+        {R"(, "settings": {"unit": "mm"})" +
+             animation(R"("constraints": [{"kind": "path", "points": [[0, 0], [5000000, 2]]}])"),
+         true}, // five kilometres
         {animation(R"("constraints": [{"kind": "path", "points": [[0, 0]]}])"), false},
         {animation(R"("constraints": [{"kind": "key", "sequence": "s", "frame": 3, "time": 2}])"), true},
         {animation(R"("constraints": [{"kind": "key", "sequence": "s", "frame": 3}])"), false},

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/graph/comparison.h"
+#include "model/project/pictureoptions.h"
+#include "model/project/projectjson.h"
+#include "model/project/walkrequest.h"
+#include "tests/model/project/fullproject.h"
+
+#include <gmock/gmock.h>
+#include <map>
+#include <regex>
+
+using namespace quadrille;
+using namespace quadrille::test;
+using ::testing::HasSubstr;
+
+namespace {
+
+struct Place
+{
+    std::string pointer; ///< of an object of this kind in the full project
+    std::string entry;   ///< as the manual calls it
+};
+
+/// By the names of the schema's definitions.
+const std::map<std::string, Place> places{
+    {"settings", {"/settings", "settings"}},
+    {"graph", {"/graph/0", "graph"}},
+    {"evaluation", {"/evaluations/0", "evaluations"}},
+    {"animation", {"/animations/0", "animations"}},
+    {"path", {"/animations/0/constraints/0", "path"}},
+    {"path_span", {"/animations/0/constraints/0/spans/0", "path.spans"}},
+    {"action", {"/animations/0/constraints/2", "action"}},
+    {"search", {"/animations/0/search", "search"}},
+    {"walk", {"/animations/0/walk", "walk"}},
+    {"post", {"/animations/0/post", "post"}},
+    {"varied_repeats", {"/animations/0/post/variations", "post.variations"}},
+    {"loop", {"/animations/0/post/loop", "post.loop"}},
+    {"contact_correction", {"/animations/0/post/contact_correction", "post.contact_correction"}},
+    {"retime", {"/animations/0/post/retime", "post.retime"}},
+    {"audio", {"/animations/0/audio", "audio"}},
+    {"camera_key", {"/animations/0/camera/0", "camera"}},
+    {"variation", {"/variations/0", "variations"}},
+    {"blend", {"/variations/0/blends/0", "blends"}},
+    {"across_blend", {"/variations/0/blends/0/across", "blends.across"}},
+    {"learning", {"/variations/0/learning", "learning"}},
+    {"sampling", {"/variations/0/sampling", "sampling"}},
+    {"variation_limits", {"/variations/0/limits", "limits"}},
+    {"samples", {"/variations/0/samples/0", "samples"}},
+    {"across_samples", {"/variations/0/samples/0/across", "samples.across"}},
+    {"named_frame", {"/variations/0/template", "template"}},
+    {"export", {"/exports/0", "exports"}},
+    {"picture", {"/exports/0/picture", "exports.picture"}},
+};
+
+/// Defaults by entry and key.
+using Defaults = std::map<std::string, std::map<std::string, Json>>;
+
+const Json& definitions()
+{
+    static const Json json = Json::parse(textOf(QUADRILLE_SCHEMA_FILE))["definitions"];
+    return json;
+}
+
+Defaults ofSchema()
+{
+    Defaults defaults;
+    for (const auto& [name, definition] : definitions().items()) {
+        if (!definition.contains("properties"))
+            continue;
+        for (const auto& [key, property] : definition["properties"].items())
+            if (property.contains("default"))
+                defaults[places.contains(name) ? places.at(name).entry : name][key] = property["default"];
+    }
+    return defaults;
+}
+
+std::string manualPage(const std::string& language, const std::string& page)
+{
+    return textOf(std::filesystem::path(QUADRILLE_HELP_FOLDER) / language / page);
+}
+
+/// Rows of the table of defaults: | `entry` | `key: value`, … |
+Defaults ofManual(const std::string& language)
+{
+    const std::string page = manualPage(language, "project.md");
+    const std::regex row(R"(\n\| `([a-z_.]+)` \| (`[a-z_]+: [^|]+) \|)");
+    const std::regex cell(R"re(`([a-z_]+): ([^`]+)`)re");
+    Defaults defaults;
+    for (std::sregex_iterator r(page.begin(), page.end(), row), end; r != end; ++r) {
+        const std::string cells = (*r)[2];
+        for (std::sregex_iterator c(cells.begin(), cells.end(), cell); c != end; ++c)
+            defaults[(*r)[1]][(*c)[1]] = Json::parse((*c)[2].str());
+    }
+    return defaults;
+}
+
+/// The project with what code takes where nothing is written.
+Project effective(const Json& document)
+{
+    ProjectProblems problems;
+    Project project = projectFromJson(document, problems);
+    EXPECT_TRUE(problems.empty()) << problems.size();
+    for (GraphEntry& graph : project.graphs)
+        graph.durations = graph.durations.value_or(usualDurations);
+    for (EvaluationEntry& evaluation : project.evaluations)
+        if (evaluation.alphas.empty())
+            evaluation.alphas.assign(figure9Alphas.begin(), figure9Alphas.end());
+    for (AnimationEntry& animation : project.animations) {
+        for (ConstraintEntry& constraint : animation.constraints)
+            if (auto* action = std::get_if<ActionEntry>(&constraint))
+                action->leastShare = action->leastShare.value_or(Action().leastShare);
+        SearchEntry& search = animation.search;
+        constexpr double fps = 1000;
+        search.isPaper = false;
+        const SearchSettings settings = searchSettings(search, fps);
+        search.budget = settings.budget;
+        search.mu = settings.mu;
+        search.dwell = settings.leastRun / fps;
+        search.deadZone = settings.charging.deadZone;
+    }
+    for (ExportEntry& entry : project.exports)
+        entry.picture = pictureToJson(pictureFromJson(entry.picture, "", problems));
+    return project;
+}
+
+} // namespace
+
+TEST(Defaults, OfTheSchemaAreThoseOfTheCode)
+{
+    const Json full = projectToJson(fullProject());
+    for (const auto& [name, definition] : definitions().items()) {
+        if (!definition.contains("properties"))
+            continue;
+        for (const auto& [key, property] : definition["properties"].items()) {
+            if (!property.contains("default"))
+                continue;
+            ASSERT_TRUE(places.contains(name)) << name;
+            const Json::json_pointer place(places.at(name).pointer);
+            Json without = full;
+            ASSERT_EQ(without[place].erase(key), 1U) << name << "." << key;
+            Json with = without;
+            with[place][key] = property["default"];
+            EXPECT_EQ(effective(with), effective(without)) << name << "." << key;
+        }
+    }
+}
+
+TEST(Defaults, OfTheManualAreThoseOfTheSchema)
+{
+    const Defaults schema = ofSchema();
+    EXPECT_GT(schema.size(), 20U);
+    for (const char* language : {"en", "fr"})
+        EXPECT_EQ(ofManual(language), schema) << language;
+}
+
+/// “`stretch_weight` (0.01)”, “`dwell` is the least time between two transitions (0.5 seconds)”.
+TEST(Defaults, InTheTextOfTheManualAreThoseOfTheSchema)
+{
+    const std::regex stated(
+        R"re(`([a-z_]+)`[^`()|]{0,60}\(([0-9.]+)( seconds?| secondes?| metres| mètres?)?\))re");
+    const Defaults schema = ofSchema();
+    int found = 0;
+    for (const char* language : {"en", "fr"}) {
+        for (const char* name : {"project.md", "animating.md", "variations.md", "graph.md"}) {
+            const std::string page = manualPage(language, name);
+            for (std::sregex_iterator match(page.begin(), page.end(), stated), end; match != end; ++match) {
+                bool isKnown = false;
+                bool isRight = false;
+                for (const auto& [entry, keys] : schema) {
+                    if (const auto key = keys.find((*match)[1]); key != keys.end()) {
+                        isKnown = true;
+                        isRight |= key->second == Json::parse((*match)[2].str());
+                    }
+                }
+                EXPECT_TRUE(!isKnown || isRight) << language << "/" << name << ": " << match->str();
+                found += isKnown ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(found, 8);
+}
+
+TEST(Defaults, OfBetaAreTenTimesAlphaEverywhere)
+{
+    EXPECT_EQ(betaPerAlpha, 10);
+    EXPECT_FALSE(searchSettings({}, 25).beta);
+    const std::string description = definitions()["search"]["properties"]["beta"]["description"];
+    EXPECT_THAT(description, HasSubstr("ten times the graph's alpha"));
+    EXPECT_THAT(manualPage("en", "project.md"), HasSubstr("`beta` is ten times the graph's `alpha`"));
+    EXPECT_THAT(manualPage("fr", "project.md"), HasSubstr("`beta` vaut dix fois l’`alpha` du graphe"));
+}
+
+TEST(Defaults, OfTheStyleOfThePaperAreAsTheManualSays)
+{
+    SearchEntry paper;
+    paper.isPaper = true;
+    for (const char* language : {"en", "fr"})
+        EXPECT_THAT(manualPage(language, "project.md"),
+                    ::testing::ContainsRegex("`budget` (is|vaut) " +
+                                             std::to_string(searchSettings(paper, 25).budget)));
+}
