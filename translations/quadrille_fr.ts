@@ -4095,7 +4095,7 @@
     <message>
         <source>&amp;List the best transitions from “%1” to “%2”</source>
         <extracomment>two takes</extracomment>
-        <translation>&amp;Lister les meilleures transitions de «&#xa0;%1&#xa0;» à «&#xa0;%2&#xa0;»</translation>
+        <translation>Lister les &amp;meilleures transitions de «&#xa0;%1&#xa0;» à «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>&amp;Only this take</source>

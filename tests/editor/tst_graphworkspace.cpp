@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Stories of the Graph workspace, with three small takes and real keys and clicks.
 #include "editor/playback/player.h"
+#include "editor/workspaces/graph/alternativeslist.h"
 #include "editor/workspaces/graph/gapspanel.h"
 #include "editor/workspaces/graph/graphbar.h"
 #include "editor/workspaces/graph/pairpreview.h"
@@ -14,10 +15,13 @@
 #include "widgets/graph/linechart.h"
 #include "widgets/graph/logslider.h"
 #include "widgets/graph/matrixview.h"
+#include "widgets/graph/takegraphview.h"
 
+#include <QContextMenuEvent>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
@@ -169,6 +173,12 @@ private slots:
         QCOMPARE(tracks[0].spans[1].last - tracks[0].spans[1].first + 1, length - 2);
         const double deformation = graph().costs().weight(pair.source, pair.destination, 0);
         QVERIFY(text("transitionDeformation").startsWith(widgets::chartNumber(deformation)));
+        const CostParts parts = graph().partsOf(pair);
+        QVERIFY(std::abs(parts.sum() -
+                         static_cast<double>(graph().costs().cost()(pair.source, pair.destination))) < 1e-5);
+        QVERIFY(text("transitionPoses").startsWith(widgets::chartNumber(parts.pose)));
+        QVERIFY(text("transitionFeet").startsWith(widgets::chartNumber(parts.contacts)));
+        QVERIFY(text("transitionSpeeds").startsWith(widgets::chartNumber(parts.velocity)));
         QVERIFY(text("transitionDuration").startsWith(widgets::chartNumber(projectAlpha() * length)));
         QCOMPARE(text("transitionEssential") == "Yes",
                  explorer().graphs()->essential.find(pair.source, pair.destination) != nullptr);
@@ -179,6 +189,37 @@ private slots:
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, {10, row.center().y()});
         QVERIFY(test::find<TransitionPanel>("transitionPanel")->shown() != pair);
         QTRY_VERIFY(workspace().player().isPlaying());
+    }
+
+    void theMenuOfTheOverviewListsTheBestBetweenTwoTakes()
+    {
+        compute();
+        workspace().map().setMode(GraphMap::Mode::Takes);
+        auto* overview = test::find<widgets::TakeGraphView>("takeGraphView");
+        QTRY_VERIFY(overview->isVisible() && !overview->links().empty());
+        const auto link =
+            *std::ranges::find_if(overview->links(), [](const auto& each) { return each.from != each.to; });
+        const QPoint place = overview->linkMiddle(link).toPoint();
+        QContextMenuEvent event(QContextMenuEvent::Mouse, place, overview->mapToGlobal(place));
+        QApplication::sendEvent(overview, &event);
+        auto* menu = workspace().findChild<QMenu*>("takesMenu");
+        QVERIFY(menu != nullptr && menu->isVisible());
+        menu->findChild<QAction*>("listBest")->trigger();
+        menu->close();
+        auto* list = test::find<AlternativesList>("transitionAlternatives");
+        QVERIFY(list->ends() == std::pair(link.from, link.to));
+        QVERIFY(list->listed().size() > 1);
+        for (const FramePair& pair : list->listed()) {
+            QCOMPARE(graph().layout().sequenceOf(pair.source), link.from);
+            QCOMPARE(graph().layout().sequenceOf(pair.destination), link.to);
+        }
+        auto* panel = test::find<TransitionPanel>("transitionPanel");
+        QVERIFY(panel->shown() == list->listed().front());
+        // They stay listed while one of them is looked at.
+        const QRect row = list->visualItemRect(list->topLevelItem(1));
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, {10, row.center().y()});
+        QVERIFY(panel->shown() == list->listed()[1]);
+        QVERIFY(list->ends().has_value());
     }
 
     void everythingIsReachedByKeyboard()

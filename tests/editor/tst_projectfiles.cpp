@@ -3,8 +3,8 @@
 // Opening and saving when something is wrong: files that cannot be read, that others have open or write.
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
-#include "model/project/paths.h"
 #include "model/project/resultstore.h"
+#include "model/project/stage.h"
 #include "projectfilesfixture.h"
 #include "tests/qt/registry.h"
 #include "widgets/controls/fieldnote.h"

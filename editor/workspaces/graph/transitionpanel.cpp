@@ -49,6 +49,7 @@ TransitionPanel::TransitionPanel(GraphExplorer& explorer, TransitionSpeeds& spee
     heavier.setWeight(QFont::DemiBold);
     m_title->setFont(heavier);
     m_heading->setFont(heavier);
+    m_heading->setWordWrap(true);
     m_form = new QFormLayout;
     m_form->setContentsMargins(0, 0, 0, 0);
     m_form->setHorizontalSpacing(12);
