@@ -76,9 +76,9 @@ ResultPointer makeResult(const AnimationEntry& entry, std::shared_ptr<const Open
 {
     auto result = std::make_shared<AnimationResult>();
     const CharacterGraph& graph = character->graph;
-    AnimationClip made = animationClip(
-        entry, graph, character->frames, animationPlan(entry, graph, walk.solution),
-        variations ? std::span(*variations) : std::span<const TakeVariation>(), progress);
+    AnimationClip made =
+        animationClip(entry, graph, character->frames, animationPlan(entry, graph, walk.solution),
+                      variations ? std::span(*variations) : std::span<const TakeVariation>(), progress);
     PostProcessed& processed = made.processed;
     result->plan = std::move(made.plan);
     result->spans = std::move(made.spans);

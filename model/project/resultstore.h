@@ -35,8 +35,8 @@ public:
     /// Reads a result and verifies its checksum. Without a fresh one, the newest of the places.
     /// \throws Error PermissionDenied, ReadFailed.
     Entry load(const std::string& stage, const std::string& key) const;
-    /// A result that was fresh a moment ago. \throws Error ResultReplaced (somebody else has put another in its
-    /// place, or removed it, in the meantime); as load.
+    /// A result that was fresh a moment ago. \throws Error ResultReplaced (somebody else has put another in
+    /// its place, or removed it, in the meantime); as load.
     Result freshResult(const std::string& stage, const std::string& key) const;
     /// Stores a result here, else in the next place of the project, else in memory.
     /// \return whether it is on a disk.

@@ -27,7 +27,8 @@ std::vector<std::string> clipsDrawnFrom(const Project& project, const AnimationE
 /// One of them; nothing where too few were good enough for it to be there. \param clip  its name. \param
 /// result  of the stage of its clip.
 /// \throws Error ProjectInvalid (its take is not in the graph, or is another by now).
-std::optional<TakeVariation> takeVariation(const std::string& clip, const Result& result, const CharacterGraph& graph);
+std::optional<TakeVariation> takeVariation(const std::string& clip, const Result& result,
+                                           const CharacterGraph& graph);
 
 /// All of them, brought up to date among the results of a project first: models that are not there are
 /// learned. \throws Error of the stage that failed; as takeVariation; Cancelled.
