@@ -57,17 +57,8 @@ std::string toText(TakeUse use)
 
 std::string toText(GpdmStop stop)
 {
-    switch (stop) {
-    case GpdmStop::Converged:
-        return "converged";
-    case GpdmStop::IterationLimit:
-        return "iteration limit";
-    case GpdmStop::Stalled:
-        return "stalled";
-    case GpdmStop::Cancelled:
-        return "cancelled";
-    }
-    return {};
+    constexpr std::array<const char*, 4> texts{"converged", "iteration limit", "stalled", "cancelled"};
+    return texts[static_cast<std::size_t>(stop)];
 }
 
 std::array<double, 7> listed(const GpdmHyperparameters& h)
