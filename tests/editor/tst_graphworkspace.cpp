@@ -195,7 +195,7 @@ private slots:
     {
         compute();
         workspace().map().setMode(GraphMap::Mode::Takes);
-        auto* overview = test::find<widgets::TakeGraphView>("takeGraphView");
+        widgets::TakeGraphView* overview = &workspace().map().takes();
         QTRY_VERIFY(overview->isVisible() && !overview->links().empty());
         const auto link =
             *std::ranges::find_if(overview->links(), [](const auto& each) { return each.from != each.to; });
