@@ -33,6 +33,7 @@ AnimationBar::AnimationBar(CurrentAnimation& animation, QWidget* parent)
     m_names->setMinimumContentsLength(12);
     m_state->setObjectName(QStringLiteral("animationState"));
     m_state->setFont(widgets::Theme::tabularFont(m_state->font()));
+    m_state->setMinimumWidth(1); // the window must not become wider with what a search finds
     makeActions();
     ActionRegistry& actions = animation.context().actions;
     m_stop = makeActionButton(actions.action("animate.stop"));
@@ -125,6 +126,7 @@ void AnimationBar::refreshState()
     m_stop->setVisible(state == State::Solving);
     m_solve->setVisible(!m_stop->isVisibleTo(this));
     m_state->setText(stateText());
+    m_state->setToolTip(m_state->text());
 }
 
 QString AnimationBar::stateText() const
