@@ -20,7 +20,7 @@ struct PathProblem
     MoveMotions& motions;
     std::vector<NodeIndex> starts;
     double mu = 0.1;
-    const std::vector<bool>& inAir; ///< WalkMaterial::inAir
+    std::vector<bool> inAir = {}; ///< WalkMaterial::inAir
 };
 
 /// Seeks the walk of least total cost along a path: states (frame, walked length, offset, heading and what

@@ -125,7 +125,7 @@ TEST(PathWalk, IsAsGoodAsBranchAndBoundOnSmallCases)
         MoveMotions motions(graph, material.motion, course);
         std::vector<NodeIndex> starts(static_cast<std::size_t>(graph.nodeCount()));
         std::iota(starts.begin(), starts.end(), 0);
-        PathProblem problem{graph, stages, course, costs, motions, starts, 0.1, material.inAir};
+        PathProblem problem{graph, stages, course, costs, motions, starts, 0.1};
         BranchAndBound reference(problem, [] { return false; });
         const double expected = reference.exact();
         if (expected == unreachable)
