@@ -1521,6 +1521,38 @@
         <source>The character has no feet that could be told apart: contacts are not corrected.</source>
         <translation>Le personnage n’a pas de pieds que l’on distingue&#xa0;: les appuis ne sont pas corrigés.</translation>
     </message>
+    <message>
+        <source>The result “{stage}” was replaced while it was being used.</source>
+        <translation>Le résultat « {stage} » a été remplacé pendant qu’il servait.</translation>
+    </message>
+    <message>
+        <source>Another rebuild of the project is under way; try again once it is done.</source>
+        <translation>Une autre reconstruction du projet est en cours ; réessayez quand elle sera finie.</translation>
+    </message>
+    <message>
+        <source>No walk gets past “{name}” at {reached} m of the path; every way was tried.</source>
+        <translation>Aucun parcours ne passe « {name} » à {reached} m du trajet ; toutes les voies ont été essayées.</translation>
+    </message>
+    <message>
+        <source>Lead the path around it, or leave more room.</source>
+        <translation>Menez le trajet autour, ou laissez plus de place.</translation>
+    </message>
+    <message>
+        <source>No walk shows “{name}” from {from} m to {to} m of the path; the best one fails at {reached} m, and every way was tried.</source>
+        <translation>Aucun parcours ne montre « {name} » de {from} m à {to} m du trajet ; le meilleur échoue à {reached} m, et toutes les voies ont été essayées.</translation>
+    </message>
+    <message>
+        <source>End the span at {reached} m, or demand other frames.</source>
+        <translation>Terminez le segment à {reached} m, ou demandez d’autres images.</translation>
+    </message>
+    <message>
+        <source>No walk does all that is asked at once; every way was tried.</source>
+        <translation>Aucun parcours ne fait à la fois tout ce qui est demandé ; toutes les voies ont été essayées.</translation>
+    </message>
+    <message>
+        <source>Take back a chosen, locked or banned transition, or ask for less.</source>
+        <translation>Annulez une transition choisie, verrouillée ou interdite, ou demandez moins.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AboutDialog</name>
