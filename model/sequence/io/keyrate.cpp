@@ -28,8 +28,8 @@ std::vector<double> timesOf(const SceneClip& clip)
             times.insert(times.end(), track->times.begin(), track->times.end());
     }
     std::ranges::sort(times);
-    const auto same = std::ranges::unique(times, [](double a, double b) { return b - a < sameTime; });
-    times.erase(same.begin(), same.end());
+    times.erase(std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < sameTime; }),
+                times.end());
     for (std::size_t k = times.size(); k-- > 0;)
         times[k] -= times.front();
     return times;
