@@ -5408,6 +5408,42 @@
         <source>Keep standing &amp;feet still</source>
         <translation>&amp;Tenir immobiles les pieds posés</translation>
     </message>
+    <message>
+        <source>Collapse</source>
+        <translation>Effondrement</translation>
+    </message>
+    <message>
+        <source>How much of a foot, a hand or another region of the body may shrink or fold up</source>
+        <translation>Quelle part d’un pied, d’une main ou d’une autre région du corps peut rétrécir ou se replier</translation>
+    </message>
+    <message>
+        <source>Sink</source>
+        <translation>Enfoncement</translation>
+    </message>
+    <message>
+        <source>How much deeper than the take the body may reach, as a share of its size</source>
+        <translation>De combien le corps peut descendre plus bas que dans la prise, en part de sa taille</translation>
+    </message>
+    <message>
+        <source>Trajectories</source>
+        <translation>Trajectoires</translation>
+    </message>
+    <message>
+        <source>Smooth deviations from the take, as far apart as the spread says, or the model’s own trajectories as they are drawn, which jitter</source>
+        <translation>Des écarts lisses par rapport à la prise, aussi grands que le dit l’écart, ou les trajectoires du modèle telles qu’elles sont tirées, qui tremblent</translation>
+    </message>
+    <message>
+        <source>Change what variations are drawn from</source>
+        <translation>Changer d’où les variations sont tirées</translation>
+    </message>
+    <message>
+        <source>Smooth deviations</source>
+        <translation>Écarts lisses</translation>
+    </message>
+    <message>
+        <source>Of the model</source>
+        <translation>Du modèle</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::LostMediaTable</name>
@@ -8560,6 +8596,14 @@ maximal %2</translation>
     <message>
         <source>How far variations are apart, as a share of how far the takes are; of all sets alike. Usually %1</source>
         <translation>L’écart entre les variations, en part de l’écart entre les prises&#xa0;; le même pour tous les ensembles. D’ordinaire %1</translation>
+    </message>
+    <message>
+        <source>Rejected, a region of the body crumples: %1</source>
+        <translation>Rejetées, une région du corps se chiffonne&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Rejected, it sinks into the ground: %1</source>
+        <translation>Rejetées, elle s’enfonce dans le sol&#xa0;: %1</translation>
     </message>
 </context>
 <context>

@@ -121,7 +121,8 @@ MovedMeasures measureMoved(const Clip& clip, const Movement& movement, const Sta
     return measures;
 }
 
-VariationComparison compared(const MovedMeasures& of, const MovedMeasures& take, UpAxis up)
+VariationComparison compared(const MovedMeasures& of, const MovedMeasures& take,
+                             std::span<const std::size_t> frames, UpAxis up)
 {
     VariationComparison comparison{.acceleration = ratioOf(of.acceleration, take.acceleration),
                                    .centreAcceleration =
@@ -133,8 +134,9 @@ VariationComparison compared(const MovedMeasures& of, const MovedMeasures& take,
         std::max(0.0, *std::ranges::min_element(take.lowest) - *std::ranges::min_element(of.lowest));
     const Vec3d upwards = Vec3d::Unit(static_cast<Eigen::Index>(up));
     for (std::size_t f = 0; f < of.lowest.size(); ++f) {
-        comparison.hover = std::max(comparison.hover, of.lowest[f] - take.lowest[f]);
-        const Eigen::Quaterniond apart = of.placements[f].rotation * take.placements[f].rotation.conjugate();
+        comparison.hover = std::max(comparison.hover, of.lowest[f] - take.lowest[frames[f]]);
+        const Eigen::Quaterniond apart =
+            of.placements[f].rotation * take.placements[frames[f]].rotation.conjugate();
         comparison.heading = std::max(comparison.heading, std::abs(turnAbout(apart, upwards)));
     }
     const RowMatrix own = swings(of.limbs, take.limbs);
@@ -160,16 +162,21 @@ VariationComparison compared(const MovedMeasures& of, const MovedMeasures& take,
     return comparison;
 }
 
-Clip capturedClip(const Clip& clip, const CharacterFrames& character)
+FollowedTake followedTake(const Clip& clip, const CharacterFrames& character)
 {
-    Clip captured{.topology = clip.topology, .fps = clip.fps};
-    for (const FrameOrigin& origin : clip.origins) {
-        const NodeIndex node = origin.nearest();
-        captured.origins.push_back({.source = node, .destination = node});
-        const Positions pose = character.frame(node).positions();
-        captured.positions.insert(captured.positions.end(), pose.begin(), pose.end());
+    FollowedTake take;
+    take.clip.topology = clip.topology;
+    take.clip.fps = clip.fps;
+    const NodeIndex first = clip.origins.front().nearest();
+    for (NodeIndex node = first; node <= clip.origins.back().nearest(); ++node) {
+        take.clip.origins.push_back({.source = node, .destination = node});
+        const Frame frame = character.frame(node);
+        take.clip.positions.insert(take.clip.positions.end(), frame.positions().begin(),
+                                   frame.positions().end());
     }
-    return captured;
+    for (const FrameOrigin& origin : clip.origins)
+        take.frames.push_back(static_cast<std::size_t>(origin.nearest() - first));
+    return take;
 }
 
 } // namespace quadrille

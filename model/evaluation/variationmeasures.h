@@ -43,10 +43,17 @@ struct VariationComparison
     double closing = 0; ///< metres beyond that of the take
 };
 
-/// \param of  the variation. \param take  the captured frames of its origins, one for each of its frames.
-VariationComparison compared(const MovedMeasures& of, const MovedMeasures& take, UpAxis up);
+/// The captured frames that a clip follows: of two the nearer ones.
+struct FollowedTake
+{
+    Clip clip;                       ///< from the first to the last of them, each once
+    std::vector<std::size_t> frames; ///< of each frame of the variation its frame in it
+};
+/// \pre The clip follows one take, forwards.
+FollowedTake followedTake(const Clip& clip, const CharacterFrames& character);
 
-/// The captured frames that a clip follows, as a clip: of two the nearer ones.
-Clip capturedClip(const Clip& clip, const CharacterFrames& character);
+/// \param of  the variation. \param take  of the take that it follows. \param frames  FollowedTake::frames.
+VariationComparison compared(const MovedMeasures& of, const MovedMeasures& take,
+                             std::span<const std::size_t> frames, UpAxis up);
 
 } // namespace quadrille

@@ -229,6 +229,8 @@ ResultStage clipStage(const CharacterWork& work, const AnimationEntry& animation
                                                                             "are not corrected.")}}}});
         if (animation.post.variations) {
             result.tables.push_back(repeatsTable(spans, variations, graph));
+            if (const auto problem = problemWithMissing(drawn, names))
+                context.tell({.context = {.values = {{"text", *problem}}}});
             if (const auto problem = problemWithRepeats(spans, graph))
                 context.tell({.context = {.values = {{"text", *problem}}}});
         }

@@ -56,8 +56,8 @@ inline constexpr std::array<std::string_view, 14> variation{
     "name",    "character", "sequences",          "reference", "template",
     "cycles",  "blends",    "displacement_share", "learning",  "sampling",
     "samples", "poses",     "contact_correction", "limits"};
-inline constexpr std::array<std::string_view, 4> variationLimits{"pose_distance", "skate", "intersections",
-                                                                 "volume_change"};
+inline constexpr std::array<std::string_view, 6> variationLimits{"pose_distance", "skate",    "intersections",
+                                                                 "volume_change", "collapse", "sink"};
 inline constexpr std::array<std::string_view, 2> training{"sequence", "range"};
 inline constexpr std::array<std::string_view, 2> namedFrame{"sequence", "frame"};
 inline constexpr std::array<std::string_view, 4> blend{"from", "to", "weights", "across"};

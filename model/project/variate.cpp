@@ -186,7 +186,7 @@ const VariationMeter& VariationWork::meter(const Progress& progress)
         const auto made = movement(progress.part(0, 0.5));
         std::vector<int> varied(made->capturedCount());
         std::iota(varied.begin(), varied.end(), 0);
-        m_meter.emplace(*m_frames, varied, made->alignment.takes, project().settings.axes.up,
+        m_meter.emplace(*m_frames, varied, made->alignment.takes, project().settings.axes.up, made->parts,
                         progress.part(0.5, 1));
     }
     return *m_meter;
@@ -205,6 +205,7 @@ VariationPoses VariationWork::poses(const VariationEntry& entry, const Progress&
     return {.draw = entry.draw,
             .up = up,
             .standing = &*m_standing,
+            .tempo = entry.extent.draw == TrajectoryDraw::Smooth ? entry.extent.spread : 0,
             .contacts = entry.correctsContacts ? &*m_contacts : nullptr};
 }
 

@@ -137,9 +137,10 @@ ComparedSet comparedSet(VariationWork& work, std::size_t set, const StageContext
             continue;
         for (Vec3f& position : clip->positions)
             position *= metres;
-        const Clip captured = capturedClip(*clip, frames);
-        compared.variations.push_back(quadrille::compared(
-            measureMoved(*clip, *movement, stances, up), measureMoved(captured, *movement, stances, up), up));
+        const FollowedTake take = followedTake(*clip, frames);
+        compared.variations.push_back(quadrille::compared(measureMoved(*clip, *movement, stances, up),
+                                                          measureMoved(take.clip, *movement, stances, up),
+                                                          take.frames, up));
         compared.lengths.push_back(clip->frameCount());
     }
     return compared;

@@ -158,7 +158,10 @@ void readSampling(const ObjectReader& reader, VariationEntry& variation)
         chain.greatestAcceptance = shares->at(1);
     }
     TrajectoryLimits& extent = variation.extent;
-    extent.spread = reader.number("spread").value_or(extent.spread);
+    if (const Json* spread = reader.find("spread"); spread != nullptr && spread->is_string())
+        reader.word("spread", extent.draw, {{"model", TrajectoryDraw::Model}});
+    else
+        extent.spread = reader.number("spread").value_or(extent.spread);
     extent.uncertainty = reader.number("uncertainty").value_or(extent.uncertainty);
     variation.unknownOfSampling = reader.unknown(projectkeys::sampling);
 }
@@ -170,6 +173,8 @@ void readLimits(const ObjectReader& reader, VariationEntry& variation)
     limits.skate = reader.number("skate").value_or(limits.skate);
     limits.intersections = reader.number("intersections").value_or(limits.intersections);
     limits.volumeChange = reader.number("volume_change").value_or(limits.volumeChange);
+    limits.collapse = reader.number("collapse").value_or(limits.collapse);
+    limits.sink = reader.number("sink").value_or(limits.sink);
     variation.unknownOfLimits = reader.unknown(projectkeys::variationLimits);
 }
 

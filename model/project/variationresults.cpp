@@ -87,17 +87,18 @@ DataTable chainsTable(const std::vector<PartVariations>& sets)
     TableBuilder table("chains",
                        "How the Markov chains ran, one for each trajectory that was drawn around, what their "
                        "deviations were multiplied by, and how far the samples are apart then, as a share of "
-                       "how far the takes are; how many samples were sure enough, and how many were not.");
+                       "how far takes of the same movement are, which is a guess where there is one alone; "
+                       "how many samples were sure enough, and how many were not.");
     table.whole("samples").whole("chain").real("acceptance").real("step-size").whole("thinning");
     table.real("effective-sample-size").real("lag-1-autocorrelation").real("scale").real("spread");
-    table.whole("accepted").whole("rejected");
+    table.text("spread-of-takes").whole("accepted").whole("rejected");
     for (std::size_t s = 0; s < sets.size(); ++s) {
         for (std::size_t c = 0; c < sets[s].reports.size(); ++c) {
             const SampleReport& report = sets[s].reports[c];
             const HmcReport& chain = report.chain;
             table.add({static_cast<std::int64_t>(s + 1), static_cast<std::int64_t>(c + 1), chain.acceptance,
                        chain.stepSize, std::int64_t{chain.thinning}, chain.effectiveSampleSize, chain.lag1,
-                       report.scale, report.spread,
+                       report.scale, report.spread, report.isGuess ? "guess" : "measured",
                        std::ssize(sets[s].trajectories) - std::int64_t{report.uncertain},
                        std::int64_t{report.rejected}});
         }
@@ -271,7 +272,7 @@ Result selectionResult(const VariationEntry& entry, const std::vector<VariationS
     table.text("across-of").text("across-to").real("across-weight").whole("seed").whole("candidate");
     table.text("faults").real("mean-pose-distance", "m").real("worst-pose-distance", "m");
     table.real("skate", "m/s").real("take-skate", "m/s").whole("intersections").whole("take-intersections");
-    table.real("volume-change");
+    table.real("volume-change").real("collapse").real("sink", "m");
     std::int64_t before = 0;
     for (std::size_t s = 0; s < sets.size(); ++s) {
         const SamplesEntry& samples = entry.samples[s];
@@ -284,7 +285,8 @@ Result selectionResult(const VariationEntry& entry, const std::vector<VariationS
                        static_cast<std::int64_t>(samples.seed), static_cast<std::int64_t>(c),
                        faultsText(candidate), quality.meanPoseDistance, quality.worstPoseDistance,
                        quality.skate.value_or(0), quality.takeSkate, quality.intersections,
-                       quality.takeIntersections, quality.volumeChange.value_or(0)});
+                       quality.takeIntersections, quality.volumeChange.value_or(0), quality.collapse,
+                       quality.sink});
         }
         before += samples.count;
     }
@@ -341,6 +343,8 @@ std::vector<VariationSelection> selectionsOf(const Result& selection, const Vari
         if (skates[row] != 0)
             candidate.quality.skate = skates[row];
         candidate.quality.volumeChange = volumes[row];
+        candidate.quality.collapse = columnOf<double>(report, "collapse")[row];
+        candidate.quality.sink = columnOf<double>(report, "sink")[row];
         candidate.quality.takeSkate = columnOf<double>(report, "take-skate")[row];
         candidate.quality.intersections = columnOf<std::int64_t>(report, "intersections")[row];
         candidate.quality.takeIntersections = columnOf<std::int64_t>(report, "take-intersections")[row];
@@ -348,36 +352,6 @@ std::vector<VariationSelection> selectionsOf(const Result& selection, const Vari
             sets.back().accepted.push_back(static_cast<int>(candidates[row]));
     }
     return sets;
-}
-
-std::optional<SelectionNote> noteOn(const SamplesEntry& samples, const VariationSelection& selection)
-{
-    constexpr std::array<std::string_view, variationFaults> reasons{
-        "poses unlike all that were learned", "sliding feet", "a surface that goes through itself",
-        "a body that swells or shrinks"};
-    if (selection.rejectedCount() == 0)
-        return std::nullopt;
-    std::array<int, variationFaults> counts{};
-    for (const Candidate& candidate : selection.candidates) {
-        for (const VariationFault fault : candidate.faults)
-            counts[static_cast<std::size_t>(fault)] += 1;
-    }
-    std::vector<std::string> parts;
-    for (std::size_t fault = 0; fault < variationFaults; ++fault) {
-        if (counts[fault] > 0)
-            parts.push_back(std::string(reasons[fault]) + " (" + std::to_string(counts[fault]) + ")");
-    }
-    SelectionNote note{.isShort = std::ssize(selection.accepted) < samples.count};
-    const std::string of =
-        samples.to.empty() ? "“" + samples.of + "”" : "“" + samples.of + "” and “" + samples.to + "”";
-    if (note.isShort)
-        note.text = "Only " + std::to_string(selection.accepted.size()) + " of " +
-                    std::to_string(samples.count) + " variations of " + of + " were good enough. ";
-    note.text += "Of " + std::to_string(selection.candidates.size()) + " that were drawn of " + of + ", " +
-                 std::to_string(selection.rejectedCount()) + " were rejected: " + joined(parts) + ".";
-    if (note.isShort)
-        note.text += " Draw with another seed, or allow more in the limits.";
-    return note;
 }
 
 std::optional<int> candidateOf(const Result& selection, int number)

@@ -8,7 +8,6 @@
 #include "model/variation/variationspread.h"
 
 #include <optional>
-#include <string>
 
 namespace quadrille {
 
@@ -35,14 +34,6 @@ Result selectionResult(const VariationEntry& entry, const std::vector<VariationS
                        const std::vector<std::vector<PartSpread>>& spreads);
 /// What was judged of each set, without the clips. \pre The result is one of selectionResult of the entry.
 std::vector<VariationSelection> selectionsOf(const Result& selection, const VariationEntry& entry);
-/// What to tell about the candidates of a set of samples, in English sentences: how many were rejected and
-/// why, and whether too few are left; nothing where all were good.
-struct SelectionNote
-{
-    std::string text;
-    bool isShort = false; ///< fewer variations than were asked for
-};
-std::optional<SelectionNote> noteOn(const SamplesEntry& samples, const VariationSelection& selection);
 /// The candidate, from 0 in its set, that became a variation; nothing where too few candidates were good.
 /// \pre The result is one of selectionResult.
 std::optional<int> candidateOf(const Result& selection, int number);

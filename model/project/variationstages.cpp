@@ -6,6 +6,7 @@
 #include "model/project/clipresult.h"
 #include "model/project/lengthunit.h"
 #include "model/project/madeclips.h"
+#include "model/project/selectionnote.h"
 #include "model/project/stage.h"
 #include "model/project/variate.h"
 #include "model/project/variationjson.h"
@@ -118,7 +119,7 @@ private:
         ResultStage made =
             stage(samplesStageOf(m_name, m_parts[part]), "variations/" + m_name + "/" + m_parts[part]);
         const std::string model = modelStageOf(m_name, m_parts[part]);
-        made.version = 4;
+        made.version = 5;
         made.settings = samplesSettings(m_work->entry());
         made.inputs = {model};
         made.compute = [work = m_work, name = m_parts[part], model](const StageContext& context,

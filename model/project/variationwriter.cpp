@@ -102,7 +102,10 @@ Json samplingToJson(const VariationEntry& variation)
         chain.greatestAcceptance != usual.greatestAcceptance)
         json["acceptance"] = Json::array({chain.leastAcceptance, chain.greatestAcceptance});
     const TrajectoryLimits usualExtent;
-    addUnless(json, "spread", variation.extent.spread, usualExtent.spread);
+    if (variation.extent.draw == TrajectoryDraw::Model)
+        json["spread"] = "model";
+    else
+        addUnless(json, "spread", variation.extent.spread, usualExtent.spread);
     addUnless(json, "uncertainty", variation.extent.uncertainty, usualExtent.uncertainty);
     addUnknown(json, variation.unknownOfSampling);
     return json;
@@ -117,6 +120,8 @@ Json limitsToJson(const VariationEntry& variation)
     addUnless(json, "skate", limits.skate, usual.skate);
     addUnless(json, "intersections", limits.intersections, usual.intersections);
     addUnless(json, "volume_change", limits.volumeChange, usual.volumeChange);
+    addUnless(json, "collapse", limits.collapse, usual.collapse);
+    addUnless(json, "sink", limits.sink, usual.sink);
     addUnknown(json, variation.unknownOfLimits);
     return json;
 }

@@ -78,10 +78,26 @@ std::optional<TakeVariation> takeVariation(const std::string& clip, const Result
                             .first = graph.node({sequences.front(), FrameIndex(sources.front())}),
                             .last = graph.node({sequences.back(), FrameIndex(sources.back())}),
                             .positions = {}};
-    const auto& values = std::get<std::vector<float>>(arrayOf(result, "positions").values);
-    variation.positions.reserve(values.size() / 3);
-    for (std::size_t v = 0; v + 2 < values.size(); v += 3)
-        variation.positions.emplace_back(values[v], values[v + 1], values[v + 2]);
+    // Evenly faster or slower it has the tempo of the take.
+    const DataArray& positions = arrayOf(result, "positions");
+    const auto& values = std::get<std::vector<float>>(positions.values);
+    const auto own = static_cast<std::size_t>(positions.shape[0]);
+    const auto vertices = static_cast<std::size_t>(positions.shape[1]);
+    const auto wanted = static_cast<std::size_t>(variation.frameCount());
+    const auto at = [&](std::size_t frame, std::size_t vertex) {
+        return Vec3f(&values[3 * (frame * vertices + vertex)]);
+    };
+    variation.positions.reserve(wanted * vertices);
+    for (std::size_t f = 0; f < wanted; ++f) {
+        const double place = wanted > 1 ? static_cast<double>(f) * static_cast<double>(own - 1) /
+                                              static_cast<double>(wanted - 1)
+                                        : 0;
+        const auto before = std::min(static_cast<std::size_t>(place), own - 1);
+        const auto after = std::min(before + 1, own - 1);
+        const auto share = static_cast<float>(place - static_cast<double>(before));
+        for (std::size_t v = 0; v < vertices; ++v)
+            variation.positions.emplace_back((1 - share) * at(before, v) + share * at(after, v));
+    }
     return variation;
 }
 
@@ -147,6 +163,20 @@ DataTable repeatsTable(std::span<const SpanDraw> spans, std::span<const TakeVari
                    variedLast});
     }
     return std::move(table).table();
+}
+
+std::optional<std::string> problemWithMissing(const std::vector<std::string>& wanted,
+                                              const std::vector<std::string>& found)
+{
+    std::string missing;
+    for (const std::string& clip : wanted) {
+        if (!contains(found, clip))
+            missing += (missing.empty() ? "“" : ", “") + clip + "”";
+    }
+    if (missing.empty())
+        return std::nullopt;
+    return "Too few variations were good enough: " + missing +
+           (found.empty() ? " are missing." : " are missing, and others are shown in their place.");
 }
 
 std::optional<std::string> problemWithRepeats(std::span<const SpanDraw> spans, const CharacterGraph& graph)

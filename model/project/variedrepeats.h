@@ -40,6 +40,11 @@ std::vector<TakeVariation> openTakeVariations(Project project, const std::filesy
 DataTable repeatsTable(std::span<const SpanDraw> spans, std::span<const TakeVariation> variations,
                        const CharacterGraph& graph);
 
+/// That variations were to be drawn from which are not there, in one English sentence; nothing where all are.
+/// \param wanted  of clipsDrawnFrom. \param found  those that are there.
+std::optional<std::string> problemWithMissing(const std::vector<std::string>& wanted,
+                                              const std::vector<std::string>& found);
+
 /// Why an animation shows frames again as they were captured, or that it shows none again, in one English
 /// sentence; nothing where all is as it should be.
 std::optional<std::string> problemWithRepeats(std::span<const SpanDraw> spans, const CharacterGraph& graph);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 namespace quadrille {
 
@@ -242,6 +243,23 @@ Progress partOf(const Progress& progress, double from, double to, std::size_t ta
                          from + share * static_cast<double>(take + 1));
 }
 
+/// The labels that most of these frames have, sorted.
+std::vector<std::string> labelsOf(const MeshSequence& sequence, FrameRange frames)
+{
+    std::map<std::string, std::int64_t> counts;
+    for (const LabelSpan& span : sequence.labels) {
+        const std::int64_t first = std::max(span.frames.first.value, frames.first.value);
+        const std::int64_t last = std::min(span.frames.last.value, frames.last.value);
+        counts[span.label] += std::max<std::int64_t>(last - first + 1, 0);
+    }
+    std::vector<std::string> labels;
+    for (const auto& [label, count] : counts) {
+        if (2 * count > frames.count())
+            labels.push_back(label);
+    }
+    return labels;
+}
+
 void fillPhases(const TakeWarp& warp, WarpReport& report)
 {
     for (const double position : warp.playback)
@@ -302,6 +320,7 @@ Alignment alignTakes(std::span<const TrainingTake> takes, std::size_t reference,
                          .poses = {},
                          .placements = {},
                          .laidOnto = laidOnto};
+        take.labels = labelsOf(takes[t].sequence, take.warp.frames);
         alignPoses(takes[t].sequence, take, partOf(progress, 0.8, 1, t, takes.size()));
         fillPhases(take.warp, report);
         alignment.reports.push_back(std::move(report));

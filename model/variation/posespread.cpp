@@ -9,7 +9,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr double shareOfOneTake = 0.25;
+constexpr double shareOfOneTake = 0.15;
 /// Takes that are nearer to each other than this share of how far their frames are apart are the same.
 constexpr double leastShare = 1e-3;
 
@@ -37,25 +37,39 @@ RowMatrix posesOnParent(const PartTraining& training, const BodyPart& part)
 }
 
 PoseSpread::PoseSpread(const GpdmState& state, const Eigen::Ref<const RowMatrix>& rows,
-                       std::span<const RowSpan> takes, Eigen::Index vertices, const Progress& progress)
+                       std::span<const SpreadGroup> groups, Eigen::Index vertices, const Progress& progress)
     : m_poses(state, RowMatrix(rows.rows(), 0), Eigen::RowVectorXd())
     , m_priorVariance(state.hyperparameters.alpha1)
     , m_gram(gramMatrix(rows.leftCols(3 * vertices), progress))
     , m_vertices(vertices)
 {
-    const auto identity = RowMatrix::Identity(rows.rows(), rows.rows());
+    for (const SpreadGroup& group : groups)
+        addReference(group);
+}
+
+PoseSpread::PoseSpread(const GpdmState& state, const Eigen::Ref<const RowMatrix>& rows,
+                       std::span<const RowSpan> takes, Eigen::Index vertices, const Progress& progress)
+    : PoseSpread(state, rows, std::vector<SpreadGroup>{{1, {takes.begin(), takes.end()}}}, vertices, progress)
+{
+}
+
+void PoseSpread::addReference(const SpreadGroup& group)
+{
+    const auto identity = RowMatrix::Identity(m_gram.rows(), m_gram.rows());
     std::vector<PosedTrajectory> captured;
     double ownSquares = 0;
     Eigen::Index frames = 0;
-    for (const RowSpan& take : takes) {
+    for (const RowSpan& take : group.takes) {
         captured.push_back({.coefficients = identity.middleRows(take.first, take.count)});
         ownSquares += distanceSquares(captured.back().coefficients);
         frames += take.count;
     }
-    const auto values = static_cast<double>(std::max<Eigen::Index>(frames * vertices, 1));
+    const auto values = static_cast<double>(std::max<Eigen::Index>(frames * m_vertices, 1));
     const double own = std::sqrt(ownSquares / values);
     const double apart = between(captured);
-    m_reference = apart > leastShare * own ? apart : shareOfOneTake * own;
+    const bool isGuess = apart <= leastShare * own;
+    m_isGuess = m_isGuess || isGuess;
+    m_reference += group.share * (isGuess ? shareOfOneTake * own : apart);
 }
 
 PosedTrajectory PoseSpread::posed(const RowMatrix& trajectory) const
@@ -70,6 +84,17 @@ double PoseSpread::distanceSquares(const RowMatrix& coefficients) const
 {
     const RowMatrix apart = coefficients.rowwise() - coefficients.colwise().mean();
     return std::max(0.0, (apart * m_gram).cwiseProduct(apart).sum());
+}
+
+double PoseSpread::bending(const PosedTrajectory& trajectory) const
+{
+    const Eigen::Index bends = trajectory.coefficients.rows() - 2;
+    if (bends < 1 || m_vertices == 0)
+        return 0;
+    const RowMatrix& c = trajectory.coefficients;
+    const RowMatrix second = c.bottomRows(bends) - 2 * c.middleRows(1, bends) + c.topRows(bends);
+    const double squares = std::max(0.0, (second * m_gram).cwiseProduct(second).sum());
+    return std::sqrt(squares / static_cast<double>(bends * m_vertices));
 }
 
 double PoseSpread::between(std::span<const PosedTrajectory> trajectories) const

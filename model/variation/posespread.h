@@ -22,6 +22,13 @@ struct PosedTrajectory
     double uncertainty = 0; ///< the greatest variance of a pose, as a share of that of an unknown one
 };
 
+/// Captured takes of one movement.
+struct SpreadGroup
+{
+    double share = 1;           ///< of all groups
+    std::vector<RowSpan> takes; ///< their rows, as many in each; at least one
+};
+
 /// How far apart poses of a part are, metres: in each frame the root mean square distance of a vertex from
 /// its mean, of that the mean over the frames. Poses are sums of training poses, so that Y·Yᵀ is all that is
 /// needed of them. Immutable; safe from any thread.
@@ -29,8 +36,10 @@ class PoseSpread
 {
 public:
     /// \param rows  centred training rows, three coordinates of each vertex first; of a part that is laid
-    /// onto its parent those of posesOnParent. \param takes  the rows of the captured takes, as many in each;
-    /// at least one.
+    /// onto its parent those of posesOnParent. \param groups  of captured takes; their shares add up to 1.
+    PoseSpread(const GpdmState& state, const Eigen::Ref<const RowMatrix>& rows,
+               std::span<const SpreadGroup> groups, Eigen::Index vertices, const Progress& progress = {});
+    /// \overload of one group.
     PoseSpread(const GpdmState& state, const Eigen::Ref<const RowMatrix>& rows,
                std::span<const RowSpan> takes, Eigen::Index vertices, const Progress& progress = {});
 
@@ -38,18 +47,25 @@ public:
     /// Between trajectories of the same length, frame by frame, made larger by √(n/(n − 1)); 0 of fewer than
     /// two.
     double between(std::span<const PosedTrajectory> trajectories) const;
-    /// Between the captured takes. Where there is one, or all are the same, a quarter of how far its frames
-    /// are apart.
+    /// How much the way of a vertex bends from frame to frame: the root mean square of second differences,
+    /// metres; 0 of fewer than three frames.
+    double bending(const PosedTrajectory& trajectory) const;
+    /// Between the captured takes of a group, the mean over groups by their shares. Where there is one, or
+    /// all are the same, 0.15 of how far its frames are apart.
     double reference() const { return m_reference; }
+    /// Whether the reference is such a guess, in any group.
+    bool isGuess() const { return m_isGuess; }
 
 private:
     double distanceSquares(const RowMatrix& coefficients) const;
+    void addReference(const SpreadGroup& group);
 
     PoseReconstruction m_poses; ///< without coordinates: its coefficients and variances are what counts
     double m_priorVariance;
     RowMatrix m_gram; ///< of the vertices' coordinates
     Eigen::Index m_vertices;
     double m_reference = 0;
+    bool m_isGuess = false;
 };
 
 } // namespace quadrille

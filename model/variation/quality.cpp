@@ -26,6 +26,15 @@ std::vector<Positions> posesOf(std::span<const AlignedTake> takes, std::size_t v
     return poses;
 }
 
+double lowestOf(Positions pose, UpAxis up)
+{
+    const auto upwards = static_cast<Eigen::Index>(up);
+    float lowest = pose.front()[upwards];
+    for (const Vec3f& position : pose)
+        lowest = std::min(lowest, position[upwards]);
+    return static_cast<double>(lowest);
+}
+
 /// Mean of the values that are there.
 std::optional<double> meanOf(std::span<const std::optional<double>> values)
 {
@@ -42,8 +51,8 @@ std::optional<double> meanOf(std::span<const std::optional<double>> values)
 
 std::string_view toString(VariationFault fault)
 {
-    constexpr std::array<std::string_view, variationFaults> names{"pose-distance", "foot-skate",
-                                                                  "intersections", "volume"};
+    constexpr std::array<std::string_view, variationFaults> names{
+        "pose-distance", "foot-skate", "intersections", "volume", "collapse", "ground"};
     return names[static_cast<std::size_t>(fault)];
 }
 
@@ -59,16 +68,22 @@ std::vector<VariationFault> judge(const VariationQuality& quality, const Variati
         faults.push_back(VariationFault::Intersections);
     if (quality.volumeChange && std::abs(*quality.volumeChange) > limits.volumeChange)
         faults.push_back(VariationFault::Volume);
+    if (quality.collapse > limits.collapse)
+        faults.push_back(VariationFault::Collapse);
+    if (quality.sink > limits.sink * quality.size)
+        faults.push_back(VariationFault::Ground);
     return faults;
 }
 
 VariationMeter::VariationMeter(const CharacterFrames& character, std::span<const int> varied,
-                               std::span<const AlignedTake> training, UpAxis up, const Progress& progress)
+                               std::span<const AlignedTake> training, UpAxis up, const BodyParts& parts,
+                               const Progress& progress)
     : m_up(up)
     , m_frames(static_cast<std::size_t>(character.frameCount()))
     , m_training(posesOf(training, character.vertexCount()))
     , m_intersections(character.sequences().front().topology, m_training.front())
     , m_volume(*character.sequences().front().topology)
+    , m_collapse(*character.sequences().front().topology, parts, m_training)
 {
     m_size = boundsOf(m_training.front()).size().norm();
     std::vector<MeshSequence> sequences;
@@ -87,7 +102,8 @@ VariationMeter::VariationMeter(const CharacterFrames& character, std::span<const
         const Frame frame = character.frame(nodes[i]);
         m_frames[static_cast<std::size_t>(nodes[i])] = {
             std::move(supports[i].vertices), measures[i].slip,
-            static_cast<std::int64_t>(m_intersections.find(frame.positions()).size())};
+            static_cast<std::int64_t>(m_intersections.find(frame.positions()).size()),
+            lowestOf(frame.positions(), up)};
         rest.report(++done, static_cast<std::int64_t>(nodes.size()));
     });
     for (const FrameBaseline& frame : m_frames)
@@ -148,6 +164,19 @@ void VariationMeter::addVolume(VariationQuality& quality) const
     quality.volumeChange = change / m_meanVolume;
 }
 
+void VariationMeter::addGround(const Clip& clip, VariationQuality& quality) const
+{
+    double ofTake = std::numeric_limits<double>::infinity();
+    double own = ofTake;
+    for (std::size_t f = 0; f < quality.frames.size(); ++f) {
+        const FrameOrigin& origin = clip.origins[f];
+        ofTake = std::min({ofTake, baselineOf(origin.source).lowest, baselineOf(origin.destination).lowest});
+        own = std::min(own, quality.frames[f].lowest);
+        quality.collapse = std::max(quality.collapse, quality.frames[f].collapse);
+    }
+    quality.sink = quality.frames.empty() ? 0 : std::max(0.0, ofTake - own);
+}
+
 VariationQuality VariationMeter::measure(const Clip& clip, const Progress& progress) const
 {
     VariationQuality quality{.frames = std::vector<VariationFrameQuality>(clip.origins.size()),
@@ -164,7 +193,9 @@ VariationQuality VariationMeter::measure(const Clip& clip, const Progress& progr
                              .skate = std::nullopt,
                              .intersections =
                                  static_cast<std::int64_t>(m_intersections.find(poses[f]).size()),
-                             .volume = m_volume.of(poses[f])};
+                             .volume = m_volume.of(poses[f]),
+                             .collapse = m_collapse.of(poses[f]),
+                             .lowest = lowestOf(poses[f], m_up)};
         rest.report(++done, static_cast<std::int64_t>(poses.size()));
     });
     for (const NearestPose& pose : nearest) {
@@ -174,6 +205,7 @@ VariationQuality VariationMeter::measure(const Clip& clip, const Progress& progr
     addSkate(clip, quality);
     addIntersections(quality);
     addVolume(quality);
+    addGround(clip, quality);
     return quality;
 }
 

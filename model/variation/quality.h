@@ -7,6 +7,7 @@
 #include "model/synthesis/clip.h"
 #include "model/synthesis/supports.h"
 #include "model/transition/nearestposes.h"
+#include "model/variation/surfacecollapse.h"
 #include "model/variation/training.h"
 #include "model/variation/variationlimits.h"
 
@@ -27,6 +28,8 @@ struct VariationFrameQuality
     std::optional<double> skate;
     std::int64_t intersections = 0; ///< pairs of triangles that go through each other
     std::optional<double> volume;   ///< signed, m³; nothing where the surface has no inside
+    double collapse = 0;            ///< SurfaceCollapse::of
+    double lowest = 0;              ///< height of the lowest vertex, metres
 };
 
 /// What a variation is like, against the takes that it varies and all poses learned from.
@@ -44,6 +47,9 @@ struct VariationQuality
     /// How far the volume leaves the range of the poses learned from, as a share of their mean: negative
     /// where it falls below; 0 inside.
     std::optional<double> volumeChange;
+    double collapse = 0; ///< of the worst frame
+    /// How much deeper its deepest point is than that of the captured frames that it follows, metres.
+    double sink = 0;
 };
 
 /// Why a variation is bad.
@@ -53,10 +59,12 @@ enum class VariationFault
     FootSkate,     ///< feet slide
     Intersections, ///< the surface goes through itself
     Volume,        ///< the body swells or shrinks
+    Collapse,      ///< a region of the surface shrinks or folds up
+    Ground,        ///< it sinks into the ground
 };
-constexpr std::size_t variationFaults = 4;
+constexpr std::size_t variationFaults = 6;
 
-/// "pose-distance", "foot-skate", "intersections" or "volume".
+/// "pose-distance", "foot-skate", "intersections", "volume", "collapse" or "ground".
 std::string_view toString(VariationFault fault);
 
 /// All that is wrong with a variation; nothing where it is good. What could not be measured is good.
@@ -70,9 +78,11 @@ public:
     /// \param character  whose frames the origins of variations count.
     /// \param varied  its sequences that variations are made of, each once.
     /// \param training  what was learned from, with at least one pose.
+    /// \param parts  of the body, whose regions may not collapse.
     /// \throws Error what reading frames throws, Cancelled.
     VariationMeter(const CharacterFrames& character, std::span<const int> varied,
-                   std::span<const AlignedTake> training, UpAxis up, const Progress& progress = {});
+                   std::span<const AlignedTake> training, UpAxis up, const BodyParts& parts = {},
+                   const Progress& progress = {});
 
     /// \pre The origins of the clip are frames of the varied sequences.
     /// \throws Error Cancelled.
@@ -84,12 +94,14 @@ private:
         std::vector<std::uint32_t> standing; ///< vertices
         std::optional<double> slip;          ///< m/s
         std::int64_t intersections = 0;
+        double lowest = 0; ///< metres
     };
     const FrameBaseline& baselineOf(NodeIndex node) const { return m_frames[static_cast<std::size_t>(node)]; }
     std::vector<std::uint32_t> standingIn(const FrameOrigin& origin) const;
     void addSkate(const Clip& clip, VariationQuality& quality) const;
     void addIntersections(VariationQuality& quality) const;
     void addVolume(VariationQuality& quality) const;
+    void addGround(const Clip& clip, VariationQuality& quality) const;
 
     UpAxis m_up;
     double m_size;
@@ -97,6 +109,7 @@ private:
     std::vector<Positions> m_training;
     SelfIntersections m_intersections;
     SurfaceVolume m_volume;
+    SurfaceCollapse m_collapse;
     std::int64_t m_takeIntersections = 0;
     double m_leastVolume = 0;
     double m_greatestVolume = 0;

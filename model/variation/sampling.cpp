@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 namespace quadrille {
@@ -18,6 +19,10 @@ namespace {
 
 /// So many candidates are drawn for each sample.
 constexpr int candidatesPerSample = 2;
+/// Deviations may make a movement bend so much more than it does …
+constexpr double greatestBending = 1.1;
+/// … or as much as where it swings so often by what its takes are apart, if it hardly moves.
+constexpr double swings = 1;
 /// The first so many decide on the scale; at least half of them must be sure enough.
 constexpr std::size_t trials = 24;
 constexpr double leastShareSure = 0.5;
@@ -26,20 +31,56 @@ constexpr double scaleTolerance = 0.01;
 /// … or after so many measurements.
 constexpr int greatestMeasurements = 20;
 
+/// A deviation from a trajectory without what runs along it. Where the trajectory hardly moves, nothing is
+/// known of its direction.
+RowMatrix acrossTrajectory(const RowMatrix& trajectory, bool closes, RowMatrix deviation)
+{
+    constexpr double leastShare = 0.2; // of the mean speed
+    const Eigen::Index last = trajectory.rows() - 1;
+    RowMatrix along(trajectory.rows(), trajectory.cols());
+    for (Eigen::Index f = 0; f <= last; ++f) {
+        const Eigen::Index before = f > 0 ? f - 1 : closes ? last : 0;
+        const Eigen::Index after = f < last ? f + 1 : closes ? 0 : last;
+        along.row(f) = trajectory.row(after) - trajectory.row(before);
+    }
+    const double least = leastShare * leastShare * along.squaredNorm() / static_cast<double>(along.rows());
+    for (Eigen::Index f = 0; f <= last; ++f) {
+        const double squares = along.row(f).squaredNorm() + least;
+        if (squares > 0)
+            deviation.row(f) -= deviation.row(f).dot(along.row(f)) / squares * along.row(f);
+    }
+    return deviation;
+}
+
+/// The same, smooth again: what is left out turns with the trajectory. By projections in turn.
+RowMatrix smoothAcross(const LearnedTrajectory& trajectory, const SmoothDeviations& smooth,
+                       RowMatrix deviation)
+{
+    constexpr int turns = 6;
+    for (int i = 0; i < turns; ++i)
+        deviation =
+            smooth.smoothed(acrossTrajectory(trajectory.positions, trajectory.closes, std::move(deviation)));
+    return deviation;
+}
+
 /// Deviations that a chain drew, centred, as variations of any scale.
 class Candidates
 {
 public:
-    Candidates(const PoseSpread& poses, const RowMatrix& trajectory, const SmoothDeviations& smooth,
+    Candidates(const PoseSpread& poses, const LearnedTrajectory& trajectory, const SmoothDeviations& smooth,
                const std::vector<Eigen::VectorXd>& amplitudes, double uncertainty, const CancelToken& token)
-        : m_poses(poses), m_trajectory(trajectory), m_uncertainty(uncertainty), m_token(token)
+        : m_poses(poses), m_trajectory(trajectory.positions), m_uncertainty(uncertainty), m_token(token)
     {
+        const double frequency =
+            2 * std::numbers::pi * swings / static_cast<double>(trajectory.positions.rows());
+        m_bending = std::max(greatestBending * poses.bending(poses.posed(trajectory.positions)),
+                             poses.reference() * frequency * frequency);
         const std::size_t tried = std::min(amplitudes.size(), trials);
         Eigen::VectorXd mean = Eigen::VectorXd::Zero(smooth.size());
         for (std::size_t i = 0; i < tried; ++i)
             mean += amplitudes[i] / static_cast<double>(tried);
         for (const Eigen::VectorXd& each : amplitudes)
-            m_deviations.push_back(smooth.deviation(each - mean));
+            m_deviations.push_back(smoothAcross(trajectory, smooth, smooth.deviation(each - mean)));
     }
 
     std::size_t count() const { return m_deviations.size(); }
@@ -51,21 +92,25 @@ public:
 
     struct Measurement
     {
-        double spread = 0; ///< metres
-        bool isSure = false;
+        double spread = 0;   ///< metres
+        bool isSure = false; ///< so are most of them, and all together bend no more than they may
     };
     Measurement measure(double scale) const
     {
         std::vector<PosedTrajectory> posed;
         std::size_t sure = 0;
-        for (std::size_t i = 0; i < std::min(count(), trials); ++i) {
+        double bending = 0;
+        const std::size_t tried = std::min(count(), trials);
+        for (std::size_t i = 0; i < tried; ++i) {
             if (m_token.isCancelled())
                 throw Error(ErrorCode::Cancelled);
             posed.push_back(m_poses.posed(trajectory(i, scale)));
             sure += isSure(posed.back());
+            bending += m_poses.bending(posed.back()) / static_cast<double>(tried);
         }
         return {m_poses.between(posed),
-                static_cast<double>(sure) >= leastShareSure * static_cast<double>(posed.size())};
+                bending <= m_bending &&
+                    static_cast<double>(sure) >= leastShareSure * static_cast<double>(tried)};
     }
 
 private:
@@ -73,10 +118,12 @@ private:
     RowMatrix m_trajectory;
     std::vector<RowMatrix> m_deviations;
     double m_uncertainty;
+    double m_bending = 0; ///< at most
     CancelToken m_token;
 };
 
-/// The scale at which candidates are so far apart, or the largest one at which enough of them are sure.
+/// The scale at which candidates are so far apart, or the largest one at which enough of them are sure, and
+/// that does not make them bend too much.
 double scaleFor(const Candidates& candidates, double spread, const Progress& progress)
 {
     double below = 0;
@@ -136,6 +183,43 @@ void choose(const Candidates& candidates, const PoseSpread& poses, int count, co
     samples.report.spread = poses.reference() > 0 ? poses.between(given) / poses.reference() : 0;
 }
 
+/// The model's own trajectories, and what is said of them.
+TrajectorySamples modelTrajectories(const GpdmDynamics& dynamics, const PoseSpread& poses,
+                                    const LearnedTrajectory& trajectory, int count, std::uint64_t seed,
+                                    const SamplingSettings& settings, const Progress& progress)
+{
+    const Eigen::Index frames = trajectory.positions.rows();
+    const Eigen::Index dimensions = trajectory.positions.cols();
+    const Eigen::RowVectorXd start = trajectory.positions.row(0);
+    const auto whole = [&](const Eigen::VectorXd& positions) {
+        RowMatrix all(frames, dimensions);
+        all << start, Eigen::Map<const RowMatrix>(positions.data(), frames - 1, dimensions);
+        return all;
+    };
+    const HmcEnergy energy = [&](const Eigen::VectorXd& positions, Eigen::VectorXd& gradient) {
+        RowMatrix byPositions;
+        const double value = dynamics.energy(whole(positions), &byPositions);
+        gradient = byPositions.bottomRows(frames - 1).reshaped<Eigen::RowMajor>();
+        return value;
+    };
+    const RowMatrix predicted = dynamics.meanPrediction(start, frames);
+    const Eigen::VectorXd first = predicted.bottomRows(frames - 1).reshaped<Eigen::RowMajor>();
+    constexpr double step = 1e-4; // of the size of latent positions, which is one
+    HmcChain chain =
+        drawByHmc(energy, first, curvatureOf(energy, first, step), count, seed, settings.chain, progress);
+    TrajectorySamples samples;
+    std::vector<PosedTrajectory> posed;
+    for (const Eigen::VectorXd& positions : chain.samples) {
+        samples.trajectories.push_back(whole(positions));
+        posed.push_back(poses.posed(samples.trajectories.back()));
+        samples.report.uncertain += posed.back().uncertainty > settings.limits.uncertainty ? 1 : 0;
+    }
+    samples.report.chain = std::move(chain.report);
+    samples.report.isGuess = poses.isGuess();
+    samples.report.spread = poses.reference() > 0 ? poses.between(posed) / poses.reference() : 0;
+    return samples;
+}
+
 void check(const LearnedTrajectory& trajectory, const TrajectoryLimits& limits)
 {
     if (trajectory.positions.rows() == 0)
@@ -164,6 +248,8 @@ TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const PoseSpr
         samples.trajectories.assign(static_cast<std::size_t>(count), trajectory.positions);
         return samples;
     }
+    if (settings.limits.draw == TrajectoryDraw::Model)
+        return modelTrajectories(dynamics, poses, trajectory, count, seed, settings, progress);
     const SmoothDeviations smooth(dynamics, trajectory);
     const HmcEnergy energy = [&](const Eigen::VectorXd& amplitudes, Eigen::VectorXd& gradient) {
         return smooth.energy(amplitudes, gradient);
@@ -171,9 +257,10 @@ TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const PoseSpr
     const int drawn = std::max(candidatesPerSample * count, static_cast<int>(trials));
     HmcChain chain = drawByHmc(energy, Eigen::VectorXd::Zero(smooth.size()), smooth.curvature(), drawn, seed,
                                settings.chain, progress.part(0, 0.8));
-    const Candidates candidates(poses, trajectory.positions, smooth, chain.samples,
-                                settings.limits.uncertainty, progress.token());
+    const Candidates candidates(poses, trajectory, smooth, chain.samples, settings.limits.uncertainty,
+                                progress.token());
     samples.report.chain = std::move(chain.report);
+    samples.report.isGuess = poses.isGuess();
     samples.report.scale =
         scaleFor(candidates, settings.limits.spread * poses.reference(), progress.part(0.8, 0.95));
     choose(candidates, poses, count, progress.part(0.95, 1), samples);

@@ -61,8 +61,9 @@ struct SampleReport
     double scale = 1;
     /// How far the samples are apart, as a share of PoseSpread::reference.
     double spread = 0;
-    int rejected = 0;  ///< more uncertain than the limit
-    int uncertain = 0; ///< of the samples, where too few of all were sure
+    bool isGuess = false; ///< PoseSpread::isGuess: how far takes of the movement are apart is not known
+    int rejected = 0;     ///< more uncertain than the limit
+    int uncertain = 0;    ///< of the samples, where too few of all were sure
 };
 
 struct TrajectorySamples
@@ -80,14 +81,19 @@ struct LearnedTrajectory
     /// When each frame is played, in any unit, ascending, the last one after the first: deviations are smooth
     /// in it. Empty: one after the other.
     std::vector<double> times = {};
+    bool closes = false; ///< a cycle: its first position follows its last one
 };
 
 /// Draws variations of a learned latent trajectory by Hybrid Monte Carlo (CVS §6). The chain's target is the
-/// joint conditional of the dynamics, given the first position, on trajectories that deviate smoothly from
-/// the learned one (see SmoothDeviations), where it starts. What it draws is centred, so that variations lie
-/// around what they vary, and scaled until poses are as far apart as `limits.spread` says. Of innovations
-/// that were scaled instead, noise became jitter, and errors grew along the trajectory until it left all that
-/// was learned. The first position stays. The same seed gives the same samples, for any number of threads.
+/// joint conditional of the dynamics, given the first position, which stays. By TrajectoryDraw:
+/// - smooth: on trajectories that deviate smoothly from the learned one (see SmoothDeviations), where it
+///   starts. What it draws is centred, so that variations lie around what they vary; what of it runs along
+///   the learned trajectory is left out, as parts of a body that hurry or lag each on its own fall out of
+///   step (see inTempo); it is scaled until poses are as far apart as `limits.spread` says, or bend by a
+///   tenth more than the take. Of innovations that were scaled instead, noise became jitter, and errors grew
+///   along the trajectory until it left all that was learned.
+/// - model: on all positions, from the mean prediction on (CVS §6). What is drawn is given as it is.
+/// The same seed gives the same samples, for any number of threads.
 /// \param poses  of the same model. \throws Error BadArgument (a trajectory without positions, limits that
 /// are negative or no numbers), Cancelled.
 TrajectorySamples sampleTrajectories(const GpdmDynamics& dynamics, const PoseSpread& poses,

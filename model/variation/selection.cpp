@@ -21,7 +21,7 @@ struct Made
 
 int candidatesFor(int count)
 {
-    return count == 0 ? 0 : 2 * count + 2;
+    return count == 0 ? 0 : 4 * count + 4;
 }
 
 VariationSelection selectVariations(const LearnedMovement& learned, const VariationSubject& subject,

@@ -10,7 +10,7 @@
 
 namespace quadrille {
 
-/// How many latent variations to draw so that enough of them are good.
+/// How many latent variations are drawn at most so that so many of them are good.
 int candidatesFor(int count);
 
 /// A variation that was drawn and judged.

@@ -32,9 +32,21 @@ std::vector<double> placesIn(const std::vector<double>& times, Eigen::Index fram
     return places;
 }
 
-/// As many waves as can be told apart at these places, orthonormal, the longest first.
-/// \return frames × waves.
-Eigen::MatrixXd sineWaves(const std::vector<double>& places)
+/// Waves as columns, as many as can be told apart, orthonormal in their order.
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& waves)
+{
+    constexpr double leastOwn = 1e-6; // of a wave's length that those before leave
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(waves);
+    Eigen::Index own = 0;
+    while (own < waves.cols() && std::abs(qr.matrixQR()(own, own)) > leastOwn)
+        ++own;
+    Eigen::MatrixXd result = qr.householderQ() * Eigen::MatrixXd::Identity(waves.rows(), own);
+    result.row(0).setZero(); // but for rounding it is
+    return result;
+}
+
+/// The longest first: a quarter of a period, then odd multiples of it. \return frames × waves.
+Eigen::MatrixXd openWaves(const std::vector<double>& places)
 {
     const std::ptrdiff_t frames = std::ssize(places);
     Eigen::MatrixXd waves(frames, frames - 1);
@@ -44,14 +56,24 @@ Eigen::MatrixXd sineWaves(const std::vector<double>& places)
             waves(f, w) = std::sqrt(2 / span) * std::sin((static_cast<double>(w) + 0.5) * std::numbers::pi *
                                                          places[static_cast<std::size_t>(f)] / span);
     }
-    constexpr double leastOwn = 1e-6; // of a wave's length that the longer ones leave
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(waves);
-    Eigen::Index own = 0;
-    while (own < waves.cols() && std::abs(qr.matrixQR()(own, own)) > leastOwn)
-        ++own;
-    waves = qr.householderQ() * Eigen::MatrixXd::Identity(frames, own);
-    waves.row(0).setZero(); // but for rounding it is
-    return waves;
+    return orthonormal(waves);
+}
+
+/// Of a cycle, which its first frame follows again: whole periods, sines and cosines less one in turn.
+/// \return frames × waves.
+Eigen::MatrixXd closedWaves(const std::vector<double>& places)
+{
+    const std::ptrdiff_t frames = std::ssize(places);
+    Eigen::MatrixXd waves(frames, frames - 1);
+    const double scale = std::sqrt(2 / static_cast<double>(frames));
+    for (Eigen::Index f = 0; f < frames; ++f) {
+        for (Eigen::Index w = 0; w < waves.cols(); ++w) {
+            const double phase = 2 * std::numbers::pi * static_cast<double>(w / 2 + 1) *
+                                 places[static_cast<std::size_t>(f)] / static_cast<double>(frames);
+            waves(f, w) = scale * (w % 2 == 0 ? std::sin(phase) : 1 - std::cos(phase));
+        }
+    }
+    return orthonormal(waves);
 }
 
 } // namespace
@@ -59,7 +81,8 @@ Eigen::MatrixXd sineWaves(const std::vector<double>& places)
 SmoothDeviations::SmoothDeviations(const GpdmDynamics& dynamics, const LearnedTrajectory& trajectory)
     : m_dynamics(dynamics), m_trajectory(trajectory.positions)
 {
-    const Eigen::MatrixXd all = sineWaves(placesIn(trajectory.times, m_trajectory.rows()));
+    const std::vector<double> places = placesIn(trajectory.times, m_trajectory.rows());
+    const Eigen::MatrixXd all = trajectory.closes ? closedWaves(places) : openWaves(places);
     const RowMatrix own = all.transpose() * (m_trajectory.rowwise() - m_trajectory.row(0));
     const double squares = own.squaredNorm();
     Eigen::Index count = std::min(leastWaves, all.cols());
@@ -87,20 +110,28 @@ Eigen::MatrixXd SmoothDeviations::curvature() const
 {
     // Far below the length scales of the kernel, far above rounding.
     const double step = m_size > 0 ? 1e-4 * m_size : 1e-6;
-    Eigen::MatrixXd second(size(), size());
+    return curvatureOf([this](const Eigen::VectorXd& amplitudes,
+                              Eigen::VectorXd& gradient) { return energy(amplitudes, gradient); },
+                       Eigen::VectorXd::Zero(size()), step);
+}
+
+Eigen::MatrixXd curvatureOf(const HmcEnergy& energy, const Eigen::VectorXd& at, double step)
+{
+    const Eigen::Index size = at.size();
+    Eigen::MatrixXd second(size, size);
     Eigen::VectorXd above;
     Eigen::VectorXd below;
-    for (Eigen::Index i = 0; i < size(); ++i) {
-        energy(step * Eigen::VectorXd::Unit(size(), i), above);
-        energy(-step * Eigen::VectorXd::Unit(size(), i), below);
+    for (Eigen::Index i = 0; i < size; ++i) {
+        energy(at + step * Eigen::VectorXd::Unit(size, i), above);
+        energy(at - step * Eigen::VectorXd::Unit(size, i), below);
         second.col(i) = (above - below) / (2 * step);
     }
     if (!second.allFinite())
-        return Eigen::MatrixXd::Identity(size(), size());
+        return Eigen::MatrixXd::Identity(size, size);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (second + second.transpose()));
     const Eigen::VectorXd sizes = solver.eigenvalues().cwiseAbs();
     if (sizes.maxCoeff() <= 0)
-        return Eigen::MatrixXd::Identity(size(), size());
+        return Eigen::MatrixXd::Identity(size, size);
     const Eigen::VectorXd raised = sizes.cwiseMax(leastCurvature * sizes.maxCoeff());
     return solver.eigenvectors() * raised.asDiagonal() * solver.eigenvectors().transpose();
 }

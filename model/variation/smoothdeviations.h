@@ -10,7 +10,8 @@ namespace quadrille {
 /// the joint conditional of the dynamics (GpdmDynamics::energy) on sums of sine waves in the time of the
 /// take, a quarter of a period over the whole, then odd multiples of that, as many as the learned trajectory
 /// itself consists of. Noise that goes anywhere from one frame to the next has no place in them, and what the
-/// take passes quickly on the reference it passes without a jerk. Refers to the dynamics.
+/// take passes quickly on the reference it passes without a jerk. Those of a cycle end as they begin: whole
+/// periods of sines and cosines. Refers to the dynamics.
 class SmoothDeviations
 {
 public:
@@ -21,6 +22,11 @@ public:
     Eigen::Index size() const { return m_waves.cols() * m_trajectory.cols(); }
     /// Waves × dimensions as positions, frames × dimensions; the first row is zero.
     RowMatrix deviation(const Eigen::VectorXd& amplitudes) const;
+    /// Of any deviation what waves make of it: the nearest smooth one.
+    RowMatrix smoothed(const RowMatrix& deviation) const
+    {
+        return m_waves * (m_waves.transpose() * deviation);
+    }
     /// Negative log density, without constants, and its gradient.
     double energy(const Eigen::VectorXd& amplitudes, Eigen::VectorXd& gradient) const;
     /// Second derivatives of the energy where nothing deviates, made positive definite: a good mass for
@@ -33,5 +39,9 @@ private:
     RowMatrix m_waves; ///< frames × waves, orthonormal
     double m_size;     ///< of the movement from where it began, per wave
 };
+
+/// Second derivatives of an energy by central differences of its gradient, made positive definite: their
+/// sizes count, and the flattest are raised. Cost: two energies for each coordinate.
+Eigen::MatrixXd curvatureOf(const HmcEnergy& energy, const Eigen::VectorXd& at, double step);
 
 } // namespace quadrille

@@ -21,7 +21,8 @@ struct CapturedStanding
 /// displacements that know nothing of the legs. Legs are drawn without knowing of each other, so the way is
 /// evened out from step to step; what little slides then is for the correction of contacts. Where nothing
 /// stands, the way over the ground stays as it is, and the height has an even share of what it was moved by
-/// before and after. Poses and headings stay.
+/// before and after, unless something would be deeper than the deepest point of the captured frames. Poses
+/// and headings stay.
 /// \param captured  the frames that origins count.
 void keepStanding(Clip& clip, const CapturedStanding& captured, UpAxis up);
 

@@ -37,6 +37,8 @@ struct AlignedTake
     std::vector<RigidMotion> placements;
     /// Of each kind (MovementSettings::coefficients) reference frames × values; may be empty.
     std::vector<RowMatrix> coefficients;
+    /// Labels that most of its frames have, sorted.
+    std::vector<std::string> labels;
     /// That the poses lie on; blends of two such takes are laid onto it, too. Null where poses lie anywhere.
     std::shared_ptr<const AlignmentTemplate> laidOnto;
 

@@ -19,6 +19,11 @@ struct VariationLimits
     /// See VariationQuality::volumeChange. An arm that is a fifth too long changes the body by 3 %; takes of
     /// walks and runs differ by 1 %.
     double volumeChange = 0.03;
+    /// Triangles of a region of the body that shrink or fold up, a share of them (see SurfaceCollapse).
+    double collapse = 0.1;
+    /// How much deeper than the take a variation may reach, in sizes of the figure: 0.015 are 3 cm of a
+    /// grown-up.
+    double sink = 0.015;
 
     bool operator==(const VariationLimits&) const = default;
 };

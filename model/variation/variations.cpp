@@ -8,6 +8,8 @@
 #include "model/variation/playback.h"
 #include "model/variation/posespread.h"
 #include "model/variation/preblend.h"
+#include "model/variation/rootpath.h"
+#include "model/variation/samemovement.h"
 
 #include <algorithm>
 #include <atomic>
@@ -21,6 +23,75 @@ namespace {
 /// Of what variations differ in height and tilt from what they vary, seconds: a jump that rises at another
 /// speed would else land half a metre above the ground, or below.
 constexpr double driftHalfLife = 0.08;
+
+/// Draws of the tempo are no further from the mean, in standard deviations.
+constexpr double greatestTempo = 2;
+/// Logarithm of a duration's factor, at most: at a tenth quicker all accelerations are a fifth higher.
+constexpr double greatestTempoChange = 0.1;
+
+/// The captured takes of a subject. \param layout  their frames.
+std::vector<OriginTake> originTakes(const Movement& movement, const VariationSubject& subject,
+                                    const FrameLayout& layout)
+{
+    std::vector<OriginTake> takes;
+    for (const auto& [index, share] : capturedShares(movement, subject))
+        takes.push_back({{&movement.take(index).warp, share}, layout.firstOf(static_cast<int>(index))});
+    return takes;
+}
+
+TakeWarp warpOfSubject(const Movement& movement, const VariationSubject& subject)
+{
+    std::vector<WarpShare> warps;
+    for (const auto& [index, share] : capturedShares(movement, subject))
+        warps.push_back({&movement.take(index).warp, share});
+    return blendedWarp(warps);
+}
+
+/// When the frames of a variation are played. \param range  that its tempo is drawn from.
+TempoPlayback tempoOf(const Movement& movement, const VariationSubject& subject, const WayRange& range,
+                      const VariationPoses& settings)
+{
+    const std::vector<double> playback = warpOfSubject(movement, subject).playback;
+    std::vector<bool> stands(playback.size(), true);
+    if (settings.tempo > 0 && settings.standing != nullptr) {
+        const auto origins =
+            variationOrigins(originTakes(movement, subject, settings.standing->character.layout()));
+        for (std::size_t f = 0; f < stands.size(); ++f)
+            stands[f] =
+                !settings.standing->supports[static_cast<std::size_t>(origins[f].nearest())].vertices.empty();
+        if (std::ranges::none_of(stands, [](bool stand) { return stand; }))
+            stands.assign(stands.size(), true);
+    }
+    // A stream of its own, that poses do not draw from.
+    constexpr std::uint64_t tempoStream = 0x7E3E0;
+    Random random(streamSeed(settings.seed, tempoStream));
+    const double drawn = std::clamp(random.normal(), -greatestTempo, greatestTempo);
+    const double tempo =
+        std::clamp(settings.tempo * range.tempo * drawn, -greatestTempoChange, greatestTempoChange);
+    return inTempo(playback, stands, tempo);
+}
+
+/// Whether the frames of a take are one cycle; pre-blends are where the reference is.
+bool isCycle(const Movement& movement, std::size_t take)
+{
+    const Alignment& alignment = movement.alignment;
+    return alignment.cycle && (take == alignment.reference || take >= movement.capturedCount() ||
+                               alignment.reports[take].use == TakeUse::Cycle);
+}
+
+/// The takes of the same movement as each of those that are varied.
+std::vector<SpreadGroup> spreadGroups(const Movement& movement, std::size_t part,
+                                      const VariationSubject& subject)
+{
+    std::vector<SpreadGroup> groups;
+    for (const BlendShare& each : capturedShares(movement, subject)) {
+        SpreadGroup& group = groups.emplace_back();
+        group.share = each.share;
+        for (const std::size_t take : sameMovement(movement, each.take))
+            group.takes.push_back(movement.training.at(part).spans.at(take));
+    }
+    return groups;
+}
 
 /// Pose vectors of a part, one row for each frame.
 RowMatrix partRows(const LearnedMovement& learned, std::size_t part, const RowMatrix& latents,
@@ -101,9 +172,8 @@ PartVariations drawPart(const Movement& movement, std::size_t part, const GpdmSt
     const std::vector<RowSpan>& spans = training.spans;
     const GpdmDynamics dynamics(state, spans);
     const BodyPart& body = movement.parts.parts.at(part);
-    const PoseSpread poses(state, posesOnParent(training, body),
-                           std::span(spans).first(movement.capturedCount()), std::ssize(body.vertices),
-                           Progress(progress.token()));
+    const PoseSpread poses(state, posesOnParent(training, body), spreadGroups(movement, part, subject),
+                           std::ssize(body.vertices), Progress(progress.token()));
     double squares = 0;
     for (const BlendShare& each : around)
         squares += each.share * each.share;
@@ -117,7 +187,8 @@ PartVariations drawPart(const Movement& movement, std::size_t part, const GpdmSt
         const auto at = static_cast<double>(c);
         drawn.push_back(sampleTrajectories(dynamics, poses,
                                            {.positions = state.latents.middleRows(span.first, span.count),
-                                            .times = movement.take(around[c].take).warp.positions},
+                                            .times = movement.take(around[c].take).warp.positions,
+                                            .closes = isCycle(movement, around[c].take)},
                                            count, streamSeed(streamSeed(seed, part), around[c].take), own,
                                            progress.part(at * share, (at + 1) * share)));
         result.reports.push_back(drawn.back().report);
@@ -172,26 +243,25 @@ Clip makeVariation(const LearnedMovement& learned, const VariationSubject& subje
     const std::vector<RowMatrix> rows = allRows(learned, latents, settings);
     const std::vector<Vec3f> poses = stitched(learned, rows, progress.part(0.2, 0.9));
     std::vector<TakeShare> takes;
-    std::vector<OriginTake> origins;
-    std::vector<WarpShare> warps;
-    for (const auto& [index, share] : shares) {
-        const AlignedTake& take = movement.take(index);
-        takes.push_back({&take, share});
-        warps.push_back({&take.warp, share});
-        origins.push_back({warps.back(), layout.firstOf(static_cast<int>(index))});
-    }
-    const TakeWarp warp = blendedWarp(warps);
+    for (const auto& [index, share] : shares)
+        takes.push_back({&movement.take(index), share});
+    const WayRange range = wayRange(movement, subject, settings.up);
     const std::vector<RigidMotion> guide = blendedPlacements(takes, settings.up);
-    const RowMatrix& root = rows.front();
-    const std::vector<Displacement> displacements = partDisplacements(root, movement.training.front(), warp);
+    TakeWarp warp = warpOfSubject(movement, subject);
+    const std::vector<Displacement> displacements =
+        partDisplacements(rows.front(), movement.training.front(), warp);
     const std::vector<RigidMotion> placements =
-        pathOnGround(displacements, guide,
-                     {.up = settings.up, .fps = movement.alignment.fps, .driftHalfLife = driftHalfLife});
+        boundedPath(displacements, guide, range,
+                    {.up = settings.up, .fps = movement.alignment.fps, .driftHalfLife = driftHalfLife});
     Clip clip;
     clip.topology = movement.topology;
     clip.fps = movement.alignment.fps;
+    const TempoPlayback tempo = tempoOf(movement, subject, range, settings);
+    warp.playback = tempo.positions;
     clip.positions = played(poses, placements, warp, progress.part(0.9, 1));
-    clip.origins = variationOrigins(origins);
+    const std::vector<FrameOrigin> origins = variationOrigins(originTakes(movement, subject, layout));
+    for (const std::size_t frame : tempo.nearest)
+        clip.origins.push_back(origins[frame]);
     if (settings.standing)
         keepStanding(clip, *settings.standing, settings.up);
     if (settings.contacts && !settings.contacts->legs.feet.empty()) {
@@ -208,17 +278,15 @@ std::vector<RowMatrix> variationCoefficients(const LearnedMovement& learned, con
                                              const LatentVariation& latents, const VariationPoses& settings)
 {
     const Movement& movement = learned.movement();
-    std::vector<WarpShare> warps;
-    for (const auto& [index, share] : capturedShares(movement, subject))
-        warps.push_back({&movement.take(index).warp, share});
-    const TakeWarp warp = blendedWarp(warps);
+    const TempoPlayback tempo =
+        tempoOf(movement, subject, wayRange(movement, subject, settings.up), settings);
     std::vector<RowMatrix> coefficients;
     const std::vector<BlockColumns>& blocks = movement.training.front().blocks;
     if (blocks.size() < 2)
         return coefficients;
     const RowMatrix rows = partRows(learned, 0, latents.front(), settings);
     for (const BlockColumns& block : std::span(blocks).subspan(1))
-        coefficients.push_back(valuesAt(blockValues(rows, block), warp.playback));
+        coefficients.push_back(valuesAt(blockValues(rows, block), tempo.positions));
     return coefficients;
 }
 

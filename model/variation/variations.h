@@ -85,12 +85,16 @@ struct VariationPoses
     /// What of the captured frames stands: the way follows the steps then (see keepStanding). Null: it
     /// follows the displacements alone.
     const CapturedStanding* standing = nullptr;
+    /// How much faster or slower than its take a variation may be, as a share of how durations of takes of
+    /// the same movement differ (wayRange); 0: as fast.
+    double tempo = 0;
     /// Null: feet slip as the poses and the way let them.
     const VariationContacts* contacts = nullptr;
 };
 
-/// One variation as a clip: parts reconstructed, stitched and moved over the ground, in the timing of what
-/// it varies. \param layout  the frames of the captured takes, which origins count.
+/// One variation as a clip: parts reconstructed, stitched and moved over the ground by a way that differs
+/// from what it varies no further than takes do (boundedPath), in its timing, at a tempo that the seed draws.
+/// \param layout  the frames of the captured takes, which origins count.
 /// \throws Error as subjectTakes; Cancelled.
 Clip makeVariation(const LearnedMovement& learned, const VariationSubject& subject,
                    const LatentVariation& latents, const FrameLayout& layout,

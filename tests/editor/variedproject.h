@@ -20,7 +20,8 @@ inline Project variedProject(const QString& folder)
     sways.learning.restarts = 0;
     sways.chain.burnIn = 20;
     // The spire is no body: what would be bad of one is not bad of it.
-    sways.limits = {.poseDistance = 10, .skate = 100, .intersections = 1, .volumeChange = 10};
+    sways.limits = {
+        .poseDistance = 10, .skate = 100, .intersections = 1, .volumeChange = 10, .collapse = 1, .sink = 10};
     for (const char* take : {"first", "second"}) {
         TrainingEntry training;
         training.sequence = take;

@@ -200,32 +200,61 @@ void LearningSettings::addLimits()
                [](const VariationEntry& entry) { return entry.limits.volumeChange * inPercent; },
                [](VariationEntry& entry, double value) { entry.limits.volumeChange = value / inPercent; }, 0,
                1000, 0.5, 2, [] { return tr("%", "percent"); }});
+    addNumber(
+        {"limitCollapse", [] { return tr("Collapse"); },
+         [] { return tr("How much of a foot, a hand or another region of the body may shrink or fold up"); },
+         [](const VariationEntry& entry) { return entry.limits.collapse * inPercent; },
+         [](VariationEntry& entry, double value) { entry.limits.collapse = value / inPercent; }, 0, 100, 1, 1,
+         [] { return tr("% of triangles", "percent"); }});
+    addNumber({"limitSink", [] { return tr("Sink"); },
+               [] { return tr("How much deeper than the take the body may reach, as a share of its size"); },
+               [](const VariationEntry& entry) { return entry.limits.sink * inPercent; },
+               [](VariationEntry& entry, double value) { entry.limits.sink = value / inPercent; }, 0, 1000,
+               0.5, 2, [] { return tr("%", "percent"); }});
+}
+
+void LearningSettings::addChoice(const Choice& choice)
+{
+    auto* box = new QComboBox;
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->addItems({QString(), QString()});
+    const auto set = [this, choice](int index) {
+        if (!m_isShowing && m_variation.entry() != nullptr)
+            m_variation.edit(choice.undoText(), QString::fromUtf8(choice.name),
+                             [choice, index](VariationEntry& entry) { choice.write(entry, index); });
+    };
+    connect(box, &QComboBox::activated, this, set);
+    m_form->add(choice.name, choice.label, choice.tip, box, [set] { set(0); });
+    m_bindings.push_back({box,
+                          [box, choice](const VariationEntry& entry) {
+                              box->setItemText(0, choice.first());
+                              box->setItemText(1, choice.second());
+                              box->setCurrentIndex(choice.read(entry));
+                          },
+                          [choice](const VariationEntry& entry) { return choice.read(entry) == 0; }});
 }
 
 void LearningSettings::addPoses()
 {
-    auto* draw = new QComboBox;
-    draw->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    draw->addItems({QString(), QString()});
-    const auto set = [this](int index) {
-        if (!m_isShowing && m_variation.entry() != nullptr)
-            m_variation.edit(tr("Change how poses come about"), QStringLiteral("draw"),
-                             [index](VariationEntry& entry) { entry.draw = static_cast<PoseDraw>(index); });
-    };
-    connect(draw, &QComboBox::activated, this, set);
-    m_form->add(
-        "poseDraw", [] { return tr("Poses"); },
-        [] {
-            return tr("The most probable pose of each place in the latent space, or one draw for all frames");
-        },
-        draw, [set] { set(0); });
-    m_bindings.push_back({draw,
-                          [draw](const VariationEntry& entry) {
-                              draw->setItemText(0, tr("Most probable"));
-                              draw->setItemText(1, tr("One draw"));
-                              draw->setCurrentIndex(static_cast<int>(entry.draw));
-                          },
-                          [](const VariationEntry& entry) { return entry.draw == PoseDraw::Mean; }});
+    addChoice(
+        {"trajectoryDraw", [] { return tr("Trajectories"); },
+         [] {
+             return tr("Smooth deviations from the take, as far apart as the spread says, or the "
+                       "model’s own trajectories as they are drawn, which jitter");
+         },
+         [] { return tr("Change what variations are drawn from"); }, [] { return tr("Smooth deviations"); },
+         [] { return tr("Of the model"); },
+         [](const VariationEntry& entry) { return static_cast<int>(entry.extent.draw); },
+         [](VariationEntry& entry, int index) { entry.extent.draw = static_cast<TrajectoryDraw>(index); }});
+    addChoice({"poseDraw", [] { return tr("Poses"); },
+               [] {
+                   return tr("The most probable pose of each place in the latent space, or one draw for all "
+                             "frames");
+               },
+               [] { return tr("Change how poses come about"); }, [] { return tr("Most probable"); },
+               [] { return tr("One draw"); },
+               [](const VariationEntry& entry) { return static_cast<int>(entry.draw); },
+               [](VariationEntry& entry, int index) { entry.draw = static_cast<PoseDraw>(index); }});
 }
 
 void LearningSettings::addContacts()

@@ -38,6 +38,18 @@ private:
         int decimals = 0;
         SettingForm::Text unit = {}; ///< behind the number; none where it is a count
     };
+    /// One of two.
+    struct Choice
+    {
+        const char* name; ///< object name of the field
+        SettingForm::Text label;
+        SettingForm::Text tip;
+        std::function<QString()> undoText;
+        std::function<QString()> first;
+        std::function<QString()> second;
+        std::function<int(const VariationEntry&)> read; ///< 0 or 1
+        std::function<void(VariationEntry&, int)> write;
+    };
     struct Binding
     {
         QWidget* field;
@@ -51,6 +63,7 @@ private:
     void addChain();
     void addLimits();
     void addNumber(const Number& number);
+    void addChoice(const Choice& choice);
     void addPoses();
     void addContacts();
     void refresh();

@@ -44,6 +44,8 @@ QString faultsText(const DrawnSet& set)
     add(VariationFault::FootSkate, SamplesPanel::tr("Rejected, feet slide: %1"));
     add(VariationFault::Intersections, SamplesPanel::tr("Rejected, the surface goes through itself: %1"));
     add(VariationFault::Volume, SamplesPanel::tr("Rejected, the body swells or shrinks: %1"));
+    add(VariationFault::Collapse, SamplesPanel::tr("Rejected, a region of the body crumples: %1"));
+    add(VariationFault::Ground, SamplesPanel::tr("Rejected, it sinks into the ground: %1"));
     return lines.join(QLatin1Char('\n'));
 }
 

@@ -85,7 +85,12 @@ inline VariationEntry fullVariation()
     variation.samples = {samples, alone};
     variation.draw = PoseDraw::Sample;
     variation.correctsContacts = false;
-    variation.limits = {.poseDistance = 0.1, .skate = 0.2, .intersections = 0.02, .volumeChange = 0.3};
+    variation.limits = {.poseDistance = 0.1,
+                        .skate = 0.2,
+                        .intersections = 0.02,
+                        .volumeChange = 0.3,
+                        .collapse = 0.2,
+                        .sink = 0.03};
     return variation;
 }
 

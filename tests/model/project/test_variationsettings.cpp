@@ -139,6 +139,7 @@ TEST_F(VariationSettings, NameTheTakeWhoseTimingCountsAndThePoseToLieOn)
 TEST_F(VariationSettings, MeasureInMetresWhateverTheUnit)
 {
     project.settings.axes.metresPerUnit = 0.01;
+    sway().extent.spread = 0; // in the take's tempo
     for (SequenceEntry& sequence : project.sequences)
         sequence.sourceAxes = CoordinateSystem{project.settings.axes.up, 0.01};
     computed(run("variations"));
@@ -155,6 +156,7 @@ TEST_F(VariationSettings, NumberVariationsOverAllSets)
     sway().samples.push_back(sway().samples.front());
     sway().samples[1].of = "wild";
     sway().samples[1].count = 1;
+    sway().extent.spread = 0; // in the takes' tempo
     ExportEntry entry;
     entry.name = "all";
     entry.what = "variations/sway";

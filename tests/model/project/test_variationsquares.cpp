@@ -8,7 +8,9 @@
 #include "tests/model/project/fullproject.h"
 #include "tests/model/project/tubeproject.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
+#include <numeric>
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -165,6 +167,7 @@ TEST_F(VariationSquare, GoesWithEachOfItsTakes)
 TEST_F(TubeSquare, LearnsTheNodesOfItsGridAndBlendsBetweenThem)
 {
     sample(0.25, 0.5);
+    project.variations.front().extent.spread = 0; // in the tempo of the takes
     computed(run("variations"));
     // Four takes, four edges and the middle on the reference's 18 frames.
     EXPECT_THAT(item("variations/sway/tip/latents").shape(), ElementsAre(9 * 18, 3));
@@ -219,6 +222,10 @@ TEST_F(TubeSquare, IsMeasuredAgainstTrueBlendsInTheMiddleOfItsCells)
                 ElementsAre(0.25, 0.25, 0.25, 0.25, 0.75, 0.75, 0.75, 0.75));
     EXPECT_THAT(column<double>("evaluation/cvs-fig7-means", "across-weight"),
                 ElementsAre(0.25, 0.25, 0.75, 0.75, 0.25, 0.25, 0.75, 0.75));
-    for (const double error : column<double>("evaluation/cvs-fig7-means", "from-nearby"))
-        EXPECT_TRUE(error > 0 && error < 0.05) << error;
+    // Learned blends between them bring the blends nearer to the true ones.
+    const auto nearby = column<double>("evaluation/cvs-fig7-means", "from-nearby");
+    const auto takes = column<double>("evaluation/cvs-fig7-means", "from-takes");
+    EXPECT_GT(std::ranges::min(nearby), 0);
+    EXPECT_LT(std::accumulate(nearby.begin(), nearby.end(), 0.0),
+              0.8 * std::accumulate(takes.begin(), takes.end(), 0.0));
 }

@@ -6,7 +6,9 @@
 #include "tests/model/codeof.h"
 #include "tests/model/project/tubeproject.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
+#include <set>
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -45,7 +47,7 @@ TEST_F(VariationStages, OfferTheDataOfEachPart)
     EXPECT_THAT(shape(base + "latents"), ElementsAre(36, 3));
     EXPECT_THAT(shape(base + "hyperparameters"), ElementsAre(7));
     // As many candidates as may be needed, on the frames of the reference.
-    EXPECT_THAT(shape(base + "samples"), ElementsAre(6, 18, 3));
+    EXPECT_THAT(shape(base + "samples"), ElementsAre(12, 18, 3));
     const auto spans =
         std::get<std::vector<std::int64_t>>(std::get<DataArray>(item(base + "spans").content).values);
     EXPECT_THAT(spans, ElementsAre(0, 17, 18, 35));
@@ -71,10 +73,13 @@ TEST_F(VariationStages, SayHowFarVariationsAreApart)
         EXPECT_GT(takes[p], 0.001);
         EXPECT_DOUBLE_EQ(ratios[p], variations[p] / takes[p]);
     }
-    // Twelve of those that were scaled to 0.8; the base is measured after the tip was laid onto it.
+    // All 52 candidates, of which the first 24 were scaled to 0.8.
     const auto drawn = column<double>("variations/sway/tip/chains", "spread");
-    EXPECT_NEAR(drawn[0], 0.8, 0.3);
-    EXPECT_NEAR(ratios[1], drawn[0], 0.4);
+    EXPECT_NEAR(drawn[0], 0.8, 0.15);
+    EXPECT_EQ(column<std::string>("variations/sway/tip/chains", "spread-of-takes")[0], "measured");
+    // Twelve of them; the base is measured after the tip was laid onto it.
+    EXPECT_GT(ratios[1], 0.2);
+    EXPECT_LT(ratios[1], 1.2);
     sway().extent.spread = 0.2;
     const auto names = computed(run("variations"));
     EXPECT_THAT(names, Not(Contains("variations/sway/tip/model")));
@@ -104,17 +109,24 @@ TEST_F(VariationStages, CentreTheTrainingRows)
 
 TEST_F(VariationStages, MakeClipsInTheTimingOfWhatTheyVary)
 {
+    sway().samples.front().count = 6;
     computed(run("variations"));
     const MeshSequence take = opened("sequences/calm");
     const MeshSequence first = opened("variations/sway/1");
-    EXPECT_EQ(first.frameCount(), take.frameCount());
+    // The other take is a sixth shorter: so lengths vary.
+    std::set<std::int64_t> lengths;
+    for (int number = 1; number <= 6; ++number)
+        lengths.insert(opened("variations/sway/" + std::to_string(number)).frameCount());
+    EXPECT_GT(lengths.size(), 1U);
+    EXPECT_GE(*lengths.begin(), 13);
+    EXPECT_LE(*lengths.rbegin(), 25);
     EXPECT_EQ(first.topology->vertexCount(), take.topology->vertexCount());
     const std::vector<Vec3f> one = frames("variations/sway/1");
     const std::vector<Vec3f> two = frames("variations/sway/2");
     const std::vector<Vec3f> captured = loadFrames(take);
     double between = 0;
     double fromTake = 0;
-    for (std::size_t v = 0; v < one.size(); ++v) {
+    for (std::size_t v = 0; v < std::min({one.size(), two.size(), captured.size()}); ++v) {
         between = std::max(between, static_cast<double>((one[v] - two[v]).norm()));
         fromTake = std::max(fromTake, static_cast<double>((one[v] - captured[v]).norm()));
     }
@@ -159,6 +171,7 @@ TEST_F(VariationStages, VaryBlendsOfTakes)
     between.weight = 0.25;
     between.count = 1;
     sway().samples = {between};
+    sway().extent.spread = 0; // in the tempo of the takes
     computed(run("variations"));
     EXPECT_THAT(shape("variations/sway/tip/latents"), ElementsAre(54, 3));
     // A quarter of the way from 18 frames to 15.
@@ -210,7 +223,8 @@ TEST_F(VariationStages, AreWrittenAsDataSetsWithoutTheDiscarded)
     EXPECT_EQ(json["variations"][1]["variation"], 3);
     EXPECT_EQ(json["variations"][1]["file"], "sway_3.npy");
     EXPECT_EQ(json["variations"][1]["of"], "calm");
-    EXPECT_EQ(json["variations"][1]["frames"]["source-frame"].size(), 18U);
+    EXPECT_EQ(json["variations"][1]["frames"]["source-frame"].size(),
+              static_cast<std::size_t>(opened("variations/sway/3").frameCount()));
     EXPECT_EQ(json["latents"]["tip"], "sway_tip_latents.npy");
 }
 
@@ -235,7 +249,7 @@ TEST_F(VariationStages, RejectWhatIsBadAndDoWithoutIt)
             told += issue.toString() + "\n";
     }
     EXPECT_THAT(told, HasSubstr("Only 0 of 2 variations of “calm” were good enough"));
-    EXPECT_THAT(told, HasSubstr("6 were rejected: poses unlike all that were learned (6)"));
+    EXPECT_THAT(told, HasSubstr("12 were rejected: poses unlike all that were learned (12)"));
     EXPECT_EQ(codeOf([&] { opened("variations/sway/1"); }), ErrorCode::VariationMissing);
     // A data set holds what there is.
     ExportEntry entry;
@@ -246,7 +260,7 @@ TEST_F(VariationStages, RejectWhatIsBadAndDoWithoutIt)
     EXPECT_EQ(problem("exports"), "none");
     EXPECT_TRUE(std::filesystem::exists(folder / "set/sway.json"));
     const auto faults = column<std::string>("variations/sway/report", "faults");
-    ASSERT_EQ(faults.size(), 6U);
+    ASSERT_EQ(faults.size(), 12U);
     EXPECT_THAT(faults, Contains(HasSubstr("pose-distance")));
 }
 
@@ -299,6 +313,35 @@ TEST_F(VariationStages, CompareModelsWithPrincipalComponents)
     project.evaluations = {evaluation};
     computed(run("evaluations"));
     EXPECT_THAT(column<std::string>("evaluation/cvs-fig4", "part"), ElementsAre("base", "tip"));
-    for (const double error : column<double>("evaluation/cvs-fig4", "model-error"))
-        EXPECT_TRUE(error > 0 && error < 0.01) << error;
+    const auto model = column<double>("evaluation/cvs-fig4", "model-error");
+    const auto principal = column<double>("evaluation/cvs-fig4", "principal-components-error");
+    const auto ratio = column<double>("evaluation/cvs-fig4", "ratio");
+    for (std::size_t p = 0; p < 2; ++p) {
+        const std::string part = p == 0 ? "base" : "tip";
+        EXPECT_GT(model[p], 0);
+        EXPECT_LT(model[p], 0.5 * principal[p]) << part;
+        EXPECT_DOUBLE_EQ(ratio[p], model[p] / principal[p]);
+        computed(run("variations/sway/" + part + "/model"));
+        EXPECT_EQ(model[p], column<double>("variations/sway/" + part + "/learning", "model-error")[0]);
+    }
+}
+
+TEST_F(VariationStages, AreMeasuredBesideTheirTakes)
+{
+    EvaluationEntry evaluation;
+    evaluation.table = "variations";
+    project.evaluations = {evaluation};
+    sway().extent.spread = 0;
+    computed(run("evaluations"));
+    const auto value = [this](const std::string& name) {
+        return column<double>("evaluation/variations", name).at(0);
+    };
+    EXPECT_THAT(column<std::int64_t>("evaluation/variations", "asked"), ElementsAre(2));
+    EXPECT_THAT(column<std::int64_t>("evaluation/variations", "delivered"), ElementsAre(2));
+    EXPECT_THAT(column<std::int64_t>("evaluation/variations", "rejected-collapse"), ElementsAre(0));
+    // Without a spread they repeat the take as far as the model knows it.
+    EXPECT_NEAR(value("acceleration"), 1, 0.2);
+    EXPECT_LT(value("sink"), 0.005);
+    EXPECT_LT(value("heading"), 2);
+    EXPECT_EQ(value("length-spread"), 0);
 }

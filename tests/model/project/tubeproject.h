@@ -76,7 +76,12 @@ protected:
         sway.cycles = false;
         sway.learning.restarts = 0;
         sway.chain = {.leapfrogSteps = 10, .burnIn = 20, .thinning = 2};
-        sway.limits = {.poseDistance = 10, .skate = 10, .intersections = 1, .volumeChange = 10};
+        sway.limits = {.poseDistance = 10,
+                       .skate = 10,
+                       .intersections = 1,
+                       .volumeChange = 10,
+                       .collapse = 1,
+                       .sink = 10};
         SamplesEntry samples;
         samples.of = "calm";
         samples.count = 2;

@@ -60,7 +60,7 @@ TEST(Cycles, RestBeforeAndAfterIsNoRepetition)
 {
     // Once around, as a jump is, from rest to rest: seen again is only the rest, in which somebody sways.
     const auto once = [](int f) {
-        const double sway = 0.05 * std::sin(2.1 * f);
+        const double sway = 0.05 * std::sin(1.7 * f * f);
         return 2 * std::numbers::pi * std::clamp((f - 10) / 30.0, 0.0, 1.0) + sway;
     };
     const Table<float> own = circleDistances(50, 50, once, once);

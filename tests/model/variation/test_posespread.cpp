@@ -54,7 +54,7 @@ TEST(PoseSpread, betweenTakesIsThatOfTheirPoses)
 TEST(PoseSpread, ofOneTakeAndOfTheSameTakesComesFromHowFarItMoves)
 {
     // 0.3 m to both sides of the mean.
-    const double expected = 0.25 * 0.3;
+    const double expected = 0.15 * 0.3;
     const std::vector<RowSpan> one{{0, 2}};
     EXPECT_NEAR(ofOneVertex({0, 0.6}, one).reference(), expected, 1e-12);
     const std::vector<RowSpan> same{{0, 2}, {2, 2}};

@@ -148,7 +148,7 @@ TEST(VariationQuality, FindsSurfacesThatGoThroughThemselves)
     EXPECT_GE(quality.intersections, 2);
     EXPECT_EQ(quality.intersections, quality.frames[3].intersections);
     EXPECT_EQ(quality.frames[2].intersections, 0);
-    EXPECT_EQ(judge(quality, {.poseDistance = 1, .volumeChange = 1}),
+    EXPECT_EQ(judge(quality, {.poseDistance = 1, .volumeChange = 1, .collapse = 1}),
               std::vector{VariationFault::Intersections});
     // Where the take does so in some frame, the variation may in another.
     std::vector<Vec3f> pierced = standing();
@@ -158,7 +158,7 @@ TEST(VariationQuality, FindsSurfacesThatGoThroughThemselves)
     const VariationQuality allowed = likewise.measured(pierce);
     EXPECT_EQ(allowed.intersections, quality.intersections);
     EXPECT_EQ(allowed.takeIntersections, quality.intersections);
-    EXPECT_TRUE(judge(allowed, {.poseDistance = 1, .volumeChange = 1}).empty());
+    EXPECT_TRUE(judge(allowed, {.poseDistance = 1, .volumeChange = 1, .collapse = 1}).empty());
 }
 
 TEST(VariationQuality, FindsBodiesThatSwellOrShrink)
@@ -258,7 +258,7 @@ TEST(VariationQuality, StopsWhenCancelled)
     EXPECT_EQ(codeOf([&] { (void)subject.meter.measure(subject.clip(subject.poses), Progress(token)); }),
               ErrorCode::Cancelled);
     EXPECT_EQ(codeOf([&] {
-                  VariationMeter(subject.character, subject.varied, subject.training, UpAxis::Z,
+                  VariationMeter(subject.character, subject.varied, subject.training, UpAxis::Z, {},
                                  Progress(token));
               }),
               ErrorCode::Cancelled);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/variation/sampling.h"
+#include "plaindynamics.h"
 #include "posedloops.h"
 #include "tests/model/codeof.h"
 
@@ -15,10 +16,6 @@ using namespace quadrille;
 using namespace quadrille::test;
 
 namespace {
-
-/// All that the chain draws, its samples next to each other.
-constexpr SamplingSettings anywhere{.chain = {.thinning = 1},
-                                    .limits = {.uncertainty = std::numeric_limits<double>::infinity()}};
 
 TrajectorySamples sampled(const PosedLoops& posed, std::size_t sequence, int count, std::uint64_t seed,
                           const SamplingSettings& settings = {}, const Progress& progress = {})
@@ -60,89 +57,149 @@ SampleMoments momentsOf(const Samples& samples)
     return moments;
 }
 
-/// A chain in the positions themselves, with the energy and its gradient; its mass are the energy's second
-/// derivatives at the mean prediction.
-HmcChain drawInPositions(const GpdmDynamics& dynamics, const RowMatrix& trajectory, int count)
+/// The settings of the model's own trajectories.
+SamplingSettings ofModel()
 {
-    RowMatrix mean = dynamics.meanPrediction(trajectory.row(0), trajectory.rows());
-    const auto evaluate = [&](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
-        RowMatrix moved = mean;
-        moved.bottomRows(mean.rows() - 1) =
-            Eigen::Map<const RowMatrix>(x.data(), mean.rows() - 1, mean.cols());
-        RowMatrix byPositions;
-        const double energy = dynamics.energy(moved, &byPositions);
-        gradient = laterPositions(byPositions);
-        return energy;
-    };
-    const Eigen::VectorXd start = laterPositions(mean);
-    Eigen::MatrixXd second(start.size(), start.size());
-    for (Eigen::Index i = 0; i < start.size(); ++i) {
-        const Eigen::VectorXd step = 1e-4 * Eigen::VectorXd::Unit(start.size(), i);
-        Eigen::VectorXd above;
-        Eigen::VectorXd below;
-        evaluate(start + step, above);
-        evaluate(start - step, below);
-        second.col(i) = (above - below) / 2e-4;
+    SamplingSettings settings{.chain = {.thinning = 4}};
+    settings.limits.draw = TrajectoryDraw::Model;
+    return settings;
+}
+
+/// An exact draw from the joint conditional: position after position, each given all before it and the
+/// training, by inverses.
+RowMatrix ancestralDraw(const PlainDynamics& training, const Eigen::RowVectorXd& start, Eigen::Index frames,
+                        Random& random)
+{
+    PlainDynamics known = training;
+    RowMatrix trajectory(frames, start.size());
+    trajectory.row(0) = start;
+    for (Eigen::Index f = 1; f < frames; ++f) {
+        const auto [mean, covariance] = known.joint(trajectory.row(f - 1));
+        trajectory.row(f) = mean;
+        for (double& value : trajectory.row(f))
+            value += std::sqrt(covariance(0, 0)) * random.normal();
+        known.inputs.emplace_back(trajectory.row(f - 1));
+        known.outputs.emplace_back(trajectory.row(f));
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (second + second.transpose()));
-    const Eigen::VectorXd values =
-        solver.eigenvalues().cwiseAbs().cwiseMax(1e-3 * solver.eigenvalues().maxCoeff());
-    return drawByHmc(evaluate, start,
-                     solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose(), count,
-                     5, {.thinning = 2});
+    return trajectory;
+}
+
+Eigen::MatrixXd covarianceOf(const std::vector<Eigen::VectorXd>& samples)
+{
+    const Eigen::VectorXd mean = momentsOf(samples).mean;
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(mean.size(), mean.size());
+    for (const Eigen::VectorXd& sample : samples)
+        covariance += (sample - mean) * (sample - mean).transpose() / static_cast<double>(samples.size());
+    return covariance;
 }
 
 } // namespace
 
-// Two frames: given the first, the second is Gaussian with the variance of eq. 10.
-TEST(TrajectorySamples, ofTwoFramesHaveTheVarianceOfThePrediction)
+// Two frames: given the first, the second is Gaussian with the mean and the variance of eq. 9 and 10.
+TEST(TrajectorySamples, ofTheModelAreExactForTwoFrames)
 {
     const PosedLoops posed(2, 20);
     const RowMatrix start = posed.loops.trajectory(0).topRows(2);
     constexpr int count = 2000;
     const TrajectorySamples samples =
-        sampleTrajectories(posed.dynamics, posed.poses, {start}, count, 3, anywhere);
+        sampleTrajectories(posed.dynamics, posed.poses, {start}, count, 3, ofModel());
     ASSERT_EQ(samples.trajectories.size(), static_cast<std::size_t>(count));
-    const double scale = samples.report.scale;
-    ASSERT_GT(scale, 0);
-    const double variance = scale * scale * posed.dynamics.variance(start.row(0));
+    EXPECT_EQ(samples.report.scale, 1);
+    const double variance = posed.dynamics.variance(start.row(0));
+    const Eigen::RowVectorXd next = posed.dynamics.next(start.row(0));
     std::vector<Eigen::VectorXd> later;
     for (const RowMatrix& trajectory : samples.trajectories) {
         ASSERT_EQ(trajectory.row(0), start.row(0));
         later.push_back(laterPositions(trajectory));
     }
     const SampleMoments moments = momentsOf(later);
-    // The first 24 say where the middle is.
+    const double n = std::min<double>(count, samples.report.chain.effectiveSampleSize);
+    EXPECT_GE(n, 0.5 * count);
     for (Eigen::Index d = 0; d < 3; ++d) {
-        EXPECT_NEAR(moments.mean[d], start(1, d), 5 * std::sqrt(variance / 24));
-        EXPECT_NEAR(moments.variance[d], variance, 5 * variance * std::sqrt(2.0 / count));
+        EXPECT_NEAR(moments.mean[d], next[d], 5 * std::sqrt(variance / n));
+        EXPECT_NEAR(moments.variance[d], variance, 5 * variance * std::sqrt(2 / n));
     }
 }
 
-// Waves make any trajectory of so few frames: both chains have the joint conditional as their target, one in
-// positions, one in waves. Variances of n independent draws from distributions with variance v differ by
-// about 2·v/√n (somewhat more where tails are long); five of that are allowed.
-TEST(TrajectorySamples, haveTheVariancesOfAChainInPositions)
+// Longer ones by mean, covariance and energy, against draws position after position. Five standard errors of
+// both samples are allowed; those of covariances are of Gaussian ones, twice where tails are longer.
+TEST(TrajectorySamples, ofTheModelAreLikeAncestralDraws)
 {
     LatentLoops loops = latentLoops(3, 12);
     loops.state.hyperparameters.beta4 = 300;
+    const PlainDynamics training(loops);
     const PosedLoops posed(std::move(loops));
-    const RowMatrix trajectory = posed.loops.trajectory(1).topRows(6);
-    const HmcChain inPositions = drawInPositions(posed.dynamics, trajectory, 1500);
-    SamplingSettings settings = anywhere;
-    settings.chain.thinning = 4;
+    constexpr Eigen::Index frames = 5;
+    constexpr int count = 1500;
+    const RowMatrix trajectory = posed.loops.trajectory(1).topRows(frames);
     const TrajectorySamples samples =
-        sampleTrajectories(posed.dynamics, posed.poses, {trajectory}, 1500, 6, settings);
-    EXPECT_GE(inPositions.report.effectiveSampleSize, 1000);
-    std::vector<Eigen::VectorXd> later;
-    for (const RowMatrix& sample : samples.trajectories)
-        later.push_back(laterPositions(sample) / samples.report.scale);
-    const SampleMoments expected = momentsOf(inPositions.samples);
-    const SampleMoments found = momentsOf(later);
-    const double n = std::min(1500.0, inPositions.report.effectiveSampleSize);
-    for (Eigen::Index i = 0; i < expected.mean.size(); ++i)
-        EXPECT_NEAR(found.variance[i], expected.variance[i], 5 * 2 * expected.variance[i] / std::sqrt(n))
-            << i;
+        sampleTrajectories(posed.dynamics, posed.poses, {trajectory}, count, 6, ofModel());
+    Random random(5);
+    std::vector<Eigen::VectorXd> exact;
+    std::vector<Eigen::VectorXd> found;
+    Eigen::VectorXd exactEnergies(count);
+    Eigen::VectorXd energies(count);
+    for (int i = 0; i < count; ++i) {
+        const RowMatrix draw = ancestralDraw(training, trajectory.row(0), frames, random);
+        const RowMatrix& sample = samples.trajectories[static_cast<std::size_t>(i)];
+        exact.push_back(laterPositions(draw));
+        found.push_back(laterPositions(sample));
+        exactEnergies[i] = posed.dynamics.energy(draw);
+        energies[i] = posed.dynamics.energy(sample);
+    }
+    const double n = std::min<double>(count, samples.report.chain.effectiveSampleSize) / 2;
+    EXPECT_GE(n, 200);
+    const Eigen::MatrixXd expected = covarianceOf(exact);
+    const Eigen::MatrixXd covariance = covarianceOf(found);
+    const SampleMoments exactMoments = momentsOf(exact);
+    const SampleMoments moments = momentsOf(found);
+    for (Eigen::Index i = 0; i < expected.rows(); ++i) {
+        EXPECT_NEAR(moments.mean[i], exactMoments.mean[i], 5 * std::sqrt(expected(i, i) / n)) << i;
+        for (Eigen::Index j = 0; j <= i; ++j)
+            EXPECT_NEAR(covariance(i, j), expected(i, j),
+                        5 * 2 * std::sqrt(expected(i, i) * expected(j, j) / n))
+                << i << " " << j;
+    }
+    const double deviation = std::sqrt((exactEnergies.array() - exactEnergies.mean()).square().mean() / n);
+    EXPECT_NEAR(energies.mean(), exactEnergies.mean(), 5 * deviation);
+    // What is reported is of the chain that is delivered, one state for each sample or more.
+    EXPECT_EQ(samples.report.chain.energies.back(), energies[count - 1]);
+}
+
+// What runs along the learned trajectory would let parts of a body hurry each on its own.
+TEST(TrajectorySamples, deviateAcrossWhatWasLearned)
+{
+    const PosedLoops posed(4, 40);
+    const RowMatrix learned = posed.loops.trajectory(1);
+    const TrajectorySamples samples = sampled(posed, 1, 20, 1);
+    double along = 0;
+    double all = 0;
+    for (const RowMatrix& trajectory : samples.trajectories) {
+        for (Eigen::Index f = 1; f + 1 < learned.rows(); ++f) {
+            const Eigen::RowVectorXd direction = (learned.row(f + 1) - learned.row(f - 1)).normalized();
+            const Eigen::RowVectorXd deviation = trajectory.row(f) - learned.row(f);
+            along += std::pow(deviation.dot(direction), 2);
+            all += deviation.squaredNorm();
+        }
+    }
+    EXPECT_GT(all, 0);
+    EXPECT_LT(along, 0.01 * all);
+}
+
+// A cycle ends where it began, and goes on as it came.
+TEST(TrajectorySamples, ofCyclesClose)
+{
+    const PosedLoops posed(4, 40);
+    const RowMatrix learned = posed.loops.trajectory(1);
+    const TrajectorySamples samples = sampleTrajectories(
+        posed.dynamics, posed.poses, {.positions = learned, .closes = true}, 20, 1, SamplingSettings{});
+    for (const RowMatrix& trajectory : samples.trajectories) {
+        const RowMatrix deviation = trajectory - learned;
+        const double greatest = deviation.rowwise().norm().maxCoeff();
+        EXPECT_GT(greatest, 0);
+        EXPECT_LT(deviation.row(39).norm(), 0.4 * greatest);
+        EXPECT_LT((deviation.row(39) + deviation.row(1)).norm(), 0.6 * greatest);
+    }
 }
 
 TEST(TrajectorySamples, varyAroundWhatWasLearnedAndAreWorthTheirNumber)
@@ -174,7 +231,7 @@ TEST(TrajectorySamples, areAsFarApartAsWasAskedFor)
 {
     const PosedLoops posed(4, 40);
     double before = 0;
-    for (const double spread : {0.1, 0.3, 0.6, 1.0}) {
+    for (const double spread : {0.1, 0.2, 0.4, 0.6}) {
         SamplingSettings settings;
         settings.limits.spread = spread;
         const TrajectorySamples samples = sampled(posed, 1, 24, 1, settings);
@@ -197,6 +254,20 @@ TEST(TrajectorySamples, ofOneTakeDifferByAShareOfHowFarItMoves)
     const TrajectorySamples samples = sampled(one, 0, 24, 1, settings);
     EXPECT_NEAR(samples.report.spread, 0.4, 0.005);
     EXPECT_GT(one.poses.reference(), 0);
+}
+
+// However far apart they are asked to be.
+TEST(TrajectorySamples, areNotRestless)
+{
+    const PosedLoops posed(1, 40);
+    SamplingSettings settings;
+    settings.limits = {.spread = 20, .uncertainty = std::numeric_limits<double>::infinity()};
+    const TrajectorySamples samples = sampled(posed, 0, 24, 1, settings);
+    double bending = 0;
+    for (const RowMatrix& trajectory : samples.trajectories)
+        bending += posed.poses.bending(posed.poses.posed(trajectory)) / 24;
+    EXPECT_GT(samples.report.spread, 0.05);
+    EXPECT_LE(bending, 1.11 * posed.poses.bending(posed.poses.posed(posed.loops.trajectory(0))));
 }
 
 TEST(TrajectorySamples, withoutSpreadRepeatTheTake)

@@ -36,14 +36,23 @@ Clip slidingSteps(double left, double right)
     return clip;
 }
 
+/// The height of a flight.
+double arc(NodeIndex f)
+{
+    return 0.1 * static_cast<double>(f) * (frames - f) / frames;
+}
+
 /// The capture that the clip's frames come from: feet on the ground. \param flight  frames in which neither
 /// foot stands, before the step and after it.
 CapturedStanding standing(NodeIndex flight = 0)
 {
-    CapturedStanding captured{.character = characterOf(sequenceOf(
-                                  triangle(), std::vector<std::vector<Vec3f>>(
-                                                  frames, {Vec3f::Zero(), Vec3f::Zero(), Vec3f::UnitY()}))),
-                              .supports = {}};
+    std::vector<std::vector<Vec3f>> poses;
+    for (NodeIndex f = 0; f < frames; ++f) {
+        const bool flies = step - flight < f && f < step + flight;
+        const auto height = static_cast<float>(flies ? arc(f) : 0);
+        poses.push_back({Vec3f(0, height, 0), Vec3f(0, height, 0), Vec3f(0, height + 1, 0)});
+    }
+    CapturedStanding captured{.character = characterOf(sequenceOf(triangle(), poses)), .supports = {}};
     for (NodeIndex f = 0; f < frames; ++f) {
         Support& support = captured.supports.emplace_back();
         if (f <= step - flight)
@@ -112,12 +121,31 @@ TEST(Standing, WhatStandsIsAsHighAsItWas)
     }
 }
 
+// Where no stance is known, what is lowest stays where it was, and nothing reaches deeper.
+TEST(Standing, NothingSinksWhereNoStanceIsKnown)
+{
+    Clip clip = slidingSteps(0, 0);
+    CapturedStanding nothing = standing();
+    for (Support& support : nothing.supports)
+        support.vertices.clear();
+    for (NodeIndex f = 0; f < frames; ++f) {
+        for (Vec3f& position : clip.frame(f))
+            position.y() -= 0.14F;
+    }
+    clip.frame(12)[0].y() -= 0.05F; // a heel
+    keepStanding(clip, nothing, UpAxis::Y);
+    for (NodeIndex f = 0; f < frames; ++f) {
+        for (const Vec3f& position : clip.frame(f))
+            EXPECT_GT(position.y(), -0.004F) << f;
+    }
+    EXPECT_NEAR(clip.frame(0)[0].y(), 0, 1e-6);
+}
+
 // A flight that is too low at its start and too high at its end keeps its curve: what it is moved by changes
 // evenly, as that of the frames around it does.
 TEST(Standing, AFlightKeepsItsCurve)
 {
     Clip clip = slidingSteps(0, 0);
-    const auto arc = [](NodeIndex f) { return 0.1 * static_cast<double>(f) * (frames - f) / frames; };
     const auto error = [](NodeIndex f) { return 0.02 * static_cast<double>(f) - 0.2; };
     constexpr NodeIndex flight = 10;
     for (NodeIndex f = 0; f < frames; ++f) {
