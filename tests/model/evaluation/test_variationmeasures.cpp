@@ -23,6 +23,7 @@ struct VariedTake
         : character(std::vector{swayingTake(
               "take", 40, [](int f) { return 0.3 * f; }, strideAt)})
         , movement(learned())
+        , stances(givenStances(character))
     {
     }
     Clip clip(const std::function<Vec3d(int frame, const Vec3d& place)>& change) const
