@@ -84,16 +84,16 @@ std::vector<Vec2d> shiftsOf(const Clip& clip, std::span<const FollowedFrame> pos
 }
 
 /// How far each frame is to be raised so that it is as low as what it follows where that is on the ground;
-/// elsewhere evenly from the frame before to the one after that is.
+/// between such frames evenly from the one to the other, and before the first and after the last, where no
+/// flight is seen whole, as low as what it follows.
 std::vector<double> risesOf(std::span<const double> lowest, std::span<const FollowedFrame> poses)
 {
     std::vector<double> rises(poses.size());
     std::vector<std::size_t> known;
     for (std::size_t f = 0; f < poses.size(); ++f) {
-        if (!poses[f].isOnGround)
-            continue;
         rises[f] = poses[f].lowest - lowest[f];
-        known.push_back(f);
+        if (poses[f].isOnGround)
+            known.push_back(f);
     }
     if (known.empty())
         return rises;
@@ -104,8 +104,6 @@ std::vector<double> risesOf(std::span<const double> lowest, std::span<const Foll
             rises[f] = std::lerp(rises[first], rises[last],
                                  static_cast<double>(f - first) / static_cast<double>(last - first));
     }
-    std::fill_n(rises.begin(), known.front(), rises[known.front()]);
-    std::fill_n(rises.rbegin(), rises.size() - known.back(), rises[known.back()]);
     return rises;
 }
 

@@ -141,6 +141,28 @@ TEST(Standing, NothingSinksWhereNoStanceIsKnown)
     EXPECT_NEAR(clip.frame(0)[0].y(), 0, 1e-6);
 }
 
+// Before the first stance that is known, and after the last, frames are as high as those that they follow,
+// whatever height the stances have.
+TEST(Standing, EndsWithoutStancesAreAsHighAsTheyWere)
+{
+    // On a step of 20 cm at first, where no stance was found, then beside it.
+    std::vector<std::vector<Vec3f>> poses;
+    Clip clip = slidingSteps(0, 0);
+    for (NodeIndex f = 0; f < frames; ++f) {
+        const float height = f < step ? 0.2F : 0;
+        poses.push_back({Vec3f(0, height, 0), Vec3f(0, height, 0), Vec3f(0, height + 1, 0)});
+        for (Vec3f& position : clip.frame(f))
+            position.y() += height + (f < step ? 0.09F : 0.02F);
+    }
+    CapturedStanding captured{.character = characterOf(sequenceOf(triangle(), poses)), .supports = {}};
+    captured.supports.resize(frames);
+    for (std::size_t f = step; f < frames; ++f)
+        captured.supports[f].vertices = {1};
+    keepStanding(clip, captured, UpAxis::Y);
+    EXPECT_NEAR(clip.frame(3)[0].y(), 0.2, 1e-3);
+    EXPECT_NEAR(clip.frame(frames - 3)[0].y(), 0, 1e-3);
+}
+
 // A flight that is too low at its start and too high at its end keeps its curve: what it is moved by changes
 // evenly, as that of the frames around it does.
 TEST(Standing, AFlightKeepsItsCurve)
