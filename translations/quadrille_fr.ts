@@ -1523,15 +1523,15 @@
     </message>
     <message>
         <source>The result “{stage}” was replaced while it was being used.</source>
-        <translation>Le résultat « {stage} » a été remplacé pendant qu’il servait.</translation>
+        <translation>Le résultat «&#xa0;{stage}&#xa0;» a été remplacé pendant qu’il servait.</translation>
     </message>
     <message>
         <source>Another rebuild of the project is under way; try again once it is done.</source>
-        <translation>Une autre reconstruction du projet est en cours ; réessayez quand elle sera finie.</translation>
+        <translation>Une autre reconstruction du projet est en cours&#xa0;; réessayez quand elle sera finie.</translation>
     </message>
     <message>
         <source>No walk gets past “{name}” at {reached} m of the path; every way was tried.</source>
-        <translation>Aucun parcours ne passe « {name} » à {reached} m du trajet ; toutes les voies ont été essayées.</translation>
+        <translation>Aucun parcours ne passe «&#xa0;{name}&#xa0;» à {reached} m du trajet&#xa0;; toutes les voies ont été essayées.</translation>
     </message>
     <message>
         <source>Lead the path around it, or leave more room.</source>
@@ -1539,7 +1539,7 @@
     </message>
     <message>
         <source>No walk shows “{name}” from {from} m to {to} m of the path; the best one fails at {reached} m, and every way was tried.</source>
-        <translation>Aucun parcours ne montre « {name} » de {from} m à {to} m du trajet ; le meilleur échoue à {reached} m, et toutes les voies ont été essayées.</translation>
+        <translation>Aucun parcours ne montre «&#xa0;{name}&#xa0;» de {from} m à {to} m du trajet&#xa0;; le meilleur échoue à {reached} m, et toutes les voies ont été essayées.</translation>
     </message>
     <message>
         <source>End the span at {reached} m, or demand other frames.</source>
@@ -1547,7 +1547,7 @@
     </message>
     <message>
         <source>No walk does all that is asked at once; every way was tried.</source>
-        <translation>Aucun parcours ne fait à la fois tout ce qui est demandé ; toutes les voies ont été essayées.</translation>
+        <translation>Aucun parcours ne fait à la fois tout ce qui est demandé&#xa0;; toutes les voies ont été essayées.</translation>
     </message>
     <message>
         <source>Take back a chosen, locked or banned transition, or ask for less.</source>

@@ -19,24 +19,37 @@ double meanAtLag(const Table<float>& distances, Eigen::Index lag)
     return sum / static_cast<double>(pairs);
 }
 
-/// What comes back has moved in the meantime: in frames that are seen twice, and in a cycle, the poses that
-/// are to be the same may differ by this share of the greatest distance of those frames from each other.
-/// Standing before a jump and after it is no repetition.
-constexpr double greatestShareOfRange = 0.4;
-
 /// Greatest distance of so many frames from each other.
 double rangeOf(const Table<float>& distances, Eigen::Index first, Eigen::Index count)
 {
     return double{distances.block(first, first, count, count).maxCoeff()};
 }
 
-/// Whether the frames that are seen twice move each time.
-bool movesAtLag(const Table<float>& distances, Eigen::Index lag, double mean)
+/// What the greatest distances of so many frames from each other are in the mean, over the whole take.
+double meanRange(const Table<float>& distances, Eigen::Index count)
 {
-    const Eigen::Index pairs = distances.rows() - lag;
-    return mean <=
-           greatestShareOfRange * std::min(rangeOf(distances, 0, pairs), rangeOf(distances, lag, pairs));
+    constexpr Eigen::Index mostWindows = 32;
+    const Eigen::Index last = distances.rows() - count;
+    const Eigen::Index windows = std::min(last + 1, mostWindows);
+    double sum = 0;
+    for (Eigen::Index w = 0; w < windows; ++w)
+        sum += rangeOf(distances, windows > 1 ? w * last / (windows - 1) : 0, count);
+    return sum / static_cast<double>(windows);
 }
+
+/// Whether the frames that are seen twice move each time as the take does, or at least this share of it:
+/// standing before a jump and after it is no repetition.
+bool movesAtLag(const Table<float>& distances, Eigen::Index lag)
+{
+    constexpr double leastShare = 0.25; // real gaits 0.43 – 1.28
+    const Eigen::Index pairs = distances.rows() - lag;
+    return std::min(rangeOf(distances, 0, pairs), rangeOf(distances, lag, pairs)) >=
+           leastShare * meanRange(distances, pairs);
+}
+
+/// What comes back has moved in the meantime: the ends of a cycle may differ by this share of the greatest
+/// distance of its frames from each other.
+constexpr double greatestShareOfRange = 0.4;
 
 /// A block of costs, in frames of both takes.
 struct Block
@@ -112,7 +125,7 @@ std::optional<std::int64_t> findPeriod(const Table<float>& distances, double gre
         const bool isLeast = means[lag] < means[lag - 1] && means[lag] <= means[lag + 1];
         const bool isSeen = 5 * (static_cast<std::size_t>(frames) - lag) >= lag;
         if (isLeast && isSeen && means[lag] <= greatestReturn * largest &&
-            movesAtLag(distances, static_cast<Eigen::Index>(lag), means[lag]))
+            movesAtLag(distances, static_cast<Eigen::Index>(lag)))
             return static_cast<std::int64_t>(lag);
         largest = std::max(largest, means[lag]);
     }
