@@ -68,7 +68,8 @@ Eigen::MatrixXd closedWaves(const std::vector<double>& places)
     const double scale = std::sqrt(2 / static_cast<double>(frames));
     for (Eigen::Index f = 0; f < frames; ++f) {
         for (Eigen::Index w = 0; w < waves.cols(); ++w) {
-            const double phase = 2 * std::numbers::pi * static_cast<double>(w / 2 + 1) *
+            const Eigen::Index periods = w / 2 + 1;
+            const double phase = 2 * std::numbers::pi * static_cast<double>(periods) *
                                  places[static_cast<std::size_t>(f)] / static_cast<double>(frames);
             waves(f, w) = scale * (w % 2 == 0 ? std::sin(phase) : 1 - std::cos(phase));
         }

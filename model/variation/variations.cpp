@@ -243,6 +243,7 @@ Clip makeVariation(const LearnedMovement& learned, const VariationSubject& subje
     const std::vector<RowMatrix> rows = allRows(learned, latents, settings);
     const std::vector<Vec3f> poses = stitched(learned, rows, progress.part(0.2, 0.9));
     std::vector<TakeShare> takes;
+    takes.reserve(shares.size());
     for (const auto& [index, share] : shares)
         takes.push_back({&movement.take(index), share});
     const WayRange range = wayRange(movement, subject, settings.up);
