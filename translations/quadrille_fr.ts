@@ -4604,14 +4604,6 @@
         <translation>Garde le parcours montré&#xa0;: rien n’est plus cherché</translation>
     </message>
     <message>
-        <source>Seek instead of the accepted &amp;walk</source>
-        <translation>Chercher au lieu du &amp;parcours accepté</translation>
-    </message>
-    <message>
-        <source>Forgets the walk that was accepted and seeks what is asked for</source>
-        <translation>Oublie le parcours accepté et cherche ce qui est demandé</translation>
-    </message>
-    <message>
         <source>Choose another transition</source>
         <translation>Choisir une autre transition</translation>
     </message>
@@ -4771,6 +4763,18 @@
     <message>
         <source>How much of what is still good is used up, measured on the frames of the transition: what is above 100 % is likely to be seen</source>
         <translation>Part utilisée de ce qui est encore bon, mesurée sur les images de la transition&#xa0;: ce qui dépasse 100 % se verra sans doute</translation>
+    </message>
+    <message>
+        <source>Seek the whole &amp;walk again</source>
+        <translation>Chercher à nouveau tout le &amp;parcours</translation>
+    </message>
+    <message>
+        <source>Forgets the walk that was accepted, or that decisions keep to, and seeks what is asked for</source>
+        <translation>Oublie le parcours accepté, ou celui auquel les décisions se tiennent, et cherche ce qui est demandé</translation>
+    </message>
+    <message>
+        <source>Only what you decide changes, and what is next to it; the rest of the walk stays.</source>
+        <translation>Seul change ce que vous décidez, et ce qui est à côté ; le reste du parcours demeure.</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "model/project/characterstages.h"
 
 #include <QCoreApplication>
+#include <tuple>
 
 namespace quadrille {
 
@@ -28,9 +29,18 @@ QString duplicateAnimation(ProjectDocument& document, const QString& name)
     return duplicateEntry<AnimationEntry>(document, AnimationTexts::tr("Duplicate “%1”").arg(name), name);
 }
 
+bool asksTheSame(const AnimationEntry& a, const AnimationEntry& b)
+{
+    return std::tie(a.character, a.start, a.constraints, a.search) ==
+           std::tie(b.character, b.start, b.constraints, b.search);
+}
+
 void setAnimation(ProjectDocument& document, const QString& name, const QString& text,
                   const QString& property, AnimationEntry after, EditPhase phase)
 {
+    if (const AnimationEntry* before = document.animation(name);
+        before != nullptr && !asksTheSame(*before, after))
+        after.junctions.walk.clear();
     setEntry(document, name, text, property, std::move(after), phase);
 }
 

@@ -13,7 +13,10 @@ namespace quadrille {
 QString addAnimation(ProjectDocument& document, AnimationEntry animation);
 /// \return the copy's name.
 QString duplicateAnimation(ProjectDocument& document, const QString& name);
-/// Exchanges an animation's values; its name stays.
+/// Whether two animations ask for the same walk, but for what was decided about transitions.
+bool asksTheSame(const AnimationEntry& a, const AnimationEntry& b);
+/// Exchanges an animation's values; its name stays. Where they ask for another walk than before, decisions do
+/// not keep to the one that they were made on any more.
 /// \param text what the history calls the edit, translated.
 /// \param property tells what is edited: steps of a drag of the same property merge.
 void setAnimation(ProjectDocument& document, const QString& name, const QString& text,

@@ -21,7 +21,7 @@ namespace {
 /// The walk that was accepted, with its cost.
 WalkSolution acceptedSolution(const WalkEntry& entry, const CharacterGraph& graph)
 {
-    WalkSolution solution{.walk = acceptedWalk(entry, graph), .start = startOf(entry, graph)};
+    WalkSolution solution{.walk = walkOf(entry.spans, graph), .start = startOf(entry, graph)};
     for (const WalkSpan& span : solution.walk.spans)
         solution.cost.edges += graph.alpha() * (span.frameCount() - 1);
     for (const Transition& transition : transitionsOf(solution.walk, graph.layout(), graph.paths()))

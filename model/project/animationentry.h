@@ -47,18 +47,6 @@ struct JunctionEntry
     bool operator==(const JunctionEntry&) const = default;
 };
 
-/// Transitions that the user decided on.
-struct JunctionsEntry
-{
-    std::vector<JunctionEntry> banned; ///< never used
-    std::vector<JunctionEntry> locked; ///< kept from a walk that was accepted
-    std::vector<JunctionEntry> chosen; ///< preferred to what the search would take
-    UnknownKeys unknown;
-
-    bool isEmpty() const { return banned.empty() && locked.empty() && chosen.empty(); }
-    bool operator==(const JunctionsEntry&) const = default;
-};
-
 /// Captured frames of a walk.
 struct WalkSpanEntry
 {
@@ -66,6 +54,21 @@ struct WalkSpanEntry
     FrameRange frames;
 
     bool operator==(const WalkSpanEntry&) const = default;
+};
+
+/// Transitions that the user decided on.
+struct JunctionsEntry
+{
+    std::vector<JunctionEntry> banned; ///< never used
+    std::vector<JunctionEntry> locked; ///< kept from a walk that was accepted
+    std::vector<JunctionEntry> chosen; ///< preferred to what the search would take
+    /// The walk that these were decided on: what they do not say of it stays; empty: a walk is sought anew.
+    std::vector<WalkSpanEntry> walk;
+    UnknownKeys unknown;
+
+    /// Whether nothing was decided.
+    bool isEmpty() const { return banned.empty() && locked.empty() && chosen.empty(); }
+    bool operator==(const JunctionsEntry&) const = default;
 };
 
 /// A walk that was accepted, or written by hand; it is used as it is.

@@ -209,26 +209,33 @@ std::vector<JunctionEntry> readJunctionList(const ObjectReader& reader, const ch
     return junctions;
 }
 
-JunctionsEntry readJunctions(const ObjectReader& reader)
+std::vector<WalkSpanEntry> readWalkSpans(const ObjectReader& reader, const char* key)
 {
-    return {.banned = readJunctionList(reader, "banned"),
-            .locked = readJunctionList(reader, "locked"),
-            .chosen = readJunctionList(reader, "chosen"),
-            .unknown = reader.unknown(projectkeys::junctions)};
-}
-
-WalkEntry readWalk(const ObjectReader& reader)
-{
-    WalkEntry walk;
-    reader.each("spans", [&](const Json& json, const std::string& pointer) {
+    std::vector<WalkSpanEntry> spans;
+    reader.each(key, [&](const Json& json, const std::string& pointer) {
         const ObjectReader span(json, pointer, reader.problems());
         WalkSpanEntry entry{.sequence = span.requiredText("sequence")};
         const auto frames = span.range("frames");
         if (span.find("frames") == nullptr)
             span.missing("frames");
         entry.frames = frames.value_or(FrameRange{});
-        walk.spans.push_back(std::move(entry));
+        spans.push_back(std::move(entry));
     });
+    return spans;
+}
+
+JunctionsEntry readJunctions(const ObjectReader& reader)
+{
+    return {.banned = readJunctionList(reader, "banned"),
+            .locked = readJunctionList(reader, "locked"),
+            .chosen = readJunctionList(reader, "chosen"),
+            .walk = readWalkSpans(reader, "walk"),
+            .unknown = reader.unknown(projectkeys::junctions)};
+}
+
+WalkEntry readWalk(const ObjectReader& reader)
+{
+    WalkEntry walk{.spans = readWalkSpans(reader, "spans")};
     walk.turn = reader.number("turn").value_or(0);
     walk.at = readGroundPoint(reader, "at");
     walk.unknown = reader.unknown(projectkeys::walk);

@@ -120,12 +120,26 @@ void addJunctions(Json& json, const char* key, const std::vector<JunctionEntry>&
         json[key].push_back(Json::array({frameJson(junction.from), frameJson(junction.to)}));
 }
 
+Json toJson(const std::vector<WalkSpanEntry>& spans)
+{
+    Json json = Json::array();
+    for (const WalkSpanEntry& span : spans) {
+        Json item = Json::object();
+        item["sequence"] = span.sequence;
+        item["frames"] = rangeToJson(span.frames);
+        json.push_back(std::move(item));
+    }
+    return json;
+}
+
 Json toJson(const JunctionsEntry& junctions)
 {
     Json json = Json::object();
     addJunctions(json, "banned", junctions.banned);
     addJunctions(json, "locked", junctions.locked);
     addJunctions(json, "chosen", junctions.chosen);
+    if (!junctions.walk.empty())
+        json["walk"] = toJson(junctions.walk);
     addUnknown(json, junctions.unknown);
     return json;
 }
@@ -133,13 +147,7 @@ Json toJson(const JunctionsEntry& junctions)
 Json toJson(const WalkEntry& walk)
 {
     Json json = Json::object();
-    json["spans"] = Json::array();
-    for (const WalkSpanEntry& span : walk.spans) {
-        Json item = Json::object();
-        item["sequence"] = span.sequence;
-        item["frames"] = rangeToJson(span.frames);
-        json["spans"].push_back(std::move(item));
-    }
+    json["spans"] = toJson(walk.spans);
     addUnless(json, "turn", walk.turn, 0);
     if (walk.at)
         json["at"] = pairJson(*walk.at);

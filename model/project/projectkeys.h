@@ -40,7 +40,7 @@ inline constexpr std::array<std::string_view, 7> action{"kind",   "label",    "s
 inline constexpr std::array<std::string_view, 3> frameChoice{"label", "sequence", "range"};
 inline constexpr std::array<std::string_view, 7> search{"budget", "beta",  "mu",       "global",
                                                         "style",  "dwell", "dead_zone"};
-inline constexpr std::array<std::string_view, 3> junctions{"banned", "locked", "chosen"};
+inline constexpr std::array<std::string_view, 4> junctions{"banned", "locked", "chosen", "walk"};
 inline constexpr std::array<std::string_view, 3> walk{"spans", "turn", "at"};
 inline constexpr std::array<std::string_view, 7> post{
     "variations", "loop", "contact_correction", "mirror", "symmetry", "repeats", "retime"};

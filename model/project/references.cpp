@@ -184,9 +184,14 @@ private:
                 return !keeps(junction.to.sequence) || !keepsFrom;
             });
         // A walk with a part missing is none.
-        if (animation.walk && !std::all_of(animation.walk->spans.begin(), animation.walk->spans.end(),
-                                           [&](WalkSpanEntry& span) { return keeps(span.sequence); }))
+        const auto keepsWalk = [&](std::vector<WalkSpanEntry>& spans) {
+            return std::all_of(spans.begin(), spans.end(),
+                               [&](WalkSpanEntry& span) { return keeps(span.sequence); });
+        };
+        if (animation.walk && !keepsWalk(animation.walk->spans))
             animation.walk.reset();
+        if (!keepsWalk(animation.junctions.walk))
+            animation.junctions.walk.clear();
     }
 
     void changeSequences(EvaluationEntry& evaluation) const

@@ -45,6 +45,7 @@ public:
         checkJunctions(m_animation.junctions.banned, "/junctions/banned/");
         checkJunctions(m_animation.junctions.locked, "/junctions/locked/");
         checkJunctions(m_animation.junctions.chosen, "/junctions/chosen/");
+        checkSpans(m_animation.junctions.walk, "/junctions/walk/");
         if (m_animation.walk)
             checkWalk(*m_animation.walk);
         if (m_animation.post.variations)
@@ -208,10 +209,14 @@ private:
         if (walk.spans.empty())
             invalid("/walk", "The walk has no spans",
                     "Write {\"sequence\": NAME, \"frames\": [first, last]}, one for each part.");
-        for (std::size_t i = 0; i < walk.spans.size(); ++i) {
-            const std::string place = "/walk/spans/" + std::to_string(i);
-            checkSequence(walk.spans[i].sequence, place + "/sequence");
-            checkRange(walk.spans[i].frames, place + "/frames");
+        checkSpans(walk.spans, "/walk/spans/");
+    }
+
+    void checkSpans(const std::vector<WalkSpanEntry>& spans, const std::string& place)
+    {
+        for (std::size_t i = 0; i < spans.size(); ++i) {
+            checkSequence(spans[i].sequence, place + std::to_string(i) + "/sequence");
+            checkRange(spans[i].frames, place + std::to_string(i) + "/frames");
         }
     }
 

@@ -37,6 +37,7 @@ public:
         m_constraints.junctions.required = pairs(junctions.locked);
         for (const FramePair& chosen : pairs(junctions.chosen))
             m_constraints.junctions.required.push_back(chosen);
+        m_constraints.junctions.walk = walkOf(junctions.walk, m_graph);
         return std::move(m_constraints);
     }
 
@@ -157,10 +158,10 @@ CostWeights costWeights(const AnimationEntry& animation, const CharacterGraph& g
     return {.mu = hasPath ? settings.mu : 1, .beta = settings.beta.value_or(betaPerAlpha * graph.alpha())};
 }
 
-Walk acceptedWalk(const WalkEntry& entry, const CharacterGraph& graph)
+Walk walkOf(const std::vector<WalkSpanEntry>& spans, const CharacterGraph& graph)
 {
     Walk walk;
-    for (const WalkSpanEntry& span : entry.spans)
+    for (const WalkSpanEntry& span : spans)
         walk.spans.push_back(graph.span(span.sequence, span.frames));
     return walk;
 }

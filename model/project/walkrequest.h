@@ -22,9 +22,9 @@ struct CostWeights
 };
 CostWeights costWeights(const AnimationEntry& animation, const CharacterGraph& graph);
 
-/// The walk that an animation has already, and where it starts.
-/// \throws Error ProjectInvalid.
-Walk acceptedWalk(const WalkEntry& entry, const CharacterGraph& graph);
+/// The walk of spans that a file names. \throws Error ProjectInvalid.
+Walk walkOf(const std::vector<WalkSpanEntry>& spans, const CharacterGraph& graph);
+/// Where the walk that an animation has already starts. \throws Error ProjectInvalid.
 GroundMotion startOf(const WalkEntry& entry, const CharacterGraph& graph);
 
 /// All of an animation and its character that a walk depends on beside the graph, as text.

@@ -160,6 +160,7 @@ void checkConstraints(const WalkConstraints& constraints, const SearchSettings& 
     if (constraints.start)
         checkSet(*constraints.start, layout);
     checkSpans(junctions.spans, layout);
+    checkSpans(junctions.walk.spans, layout);
 }
 
 } // namespace quadrille

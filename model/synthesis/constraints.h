@@ -90,6 +90,9 @@ struct Junctions
     std::vector<FramePair> banned;   ///< transitions not to be used
     std::vector<FramePair> required; ///< transitions that must be used, whether the graph has them or not
     std::vector<WalkSpan> spans;     ///< captured frames that must be played without a break
+    /// The walk that these were decided on; it is changed where they say so and kept everywhere else (see
+    /// repairedWalk). Empty: a walk is sought anew.
+    Walk walk;
 
     bool operator==(const Junctions&) const = default;
 };

@@ -4,36 +4,18 @@
 
 #include "model/core/error.h"
 #include "model/synthesis/keywalk.h"
-#include "model/synthesis/pathsearch.h"
 #include "model/synthesis/reach.h"
-#include "model/synthesis/solution.h"
 #include "model/synthesis/stagesearch.h"
+#include "model/synthesis/walkimprovement.h"
+#include "model/synthesis/walkrepair.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numeric>
-#include <set>
 
 namespace quadrille {
 
 namespace {
-
-using Values = std::vector<std::pair<std::string, std::string>>;
-
-std::vector<NodeIndex> startsOf(const WalkConstraints& constraints, NodeIndex nodes)
-{
-    std::vector<NodeIndex> starts(static_cast<std::size_t>(nodes));
-    std::iota(starts.begin(), starts.end(), 0);
-    if (!constraints.start)
-        return starts;
-    std::set<NodeIndex> chosen;
-    for (const WalkSpan& span : constraints.start->spans) {
-        for (NodeIndex node = span.first; node <= span.last; ++node)
-            chosen.insert(node);
-    }
-    return {chosen.begin(), chosen.end()};
-}
 
 /// \throws Error WalkKeyUnreachable.
 void checkKeysReachable(const WalkGraph& graph, const std::vector<PoseKey>& keys,
@@ -111,41 +93,21 @@ void checkActionsPossible(const WalkGraph& graph, const std::vector<Action>& act
                 {.values = {{"budget", std::to_string(settings.budget)}}});
 }
 
-/// What playing on from each frame costs along a path; empty where it is as in the graph.
-std::vector<double> frameWeights(const WalkMaterial& material, const WalkConstraints& constraints,
-                                 const SearchSettings& settings)
+/// A search, and who hears of it.
+struct Search
 {
-    const auto& isLocomotion = material.locomotion;
-    if (!constraints.path || !settings.prefersLocomotion)
-        return {};
-    const auto frames = static_cast<std::size_t>(material.costs.layout().frameCount());
-    std::vector<double> weights(frames, 0);
-    if (std::ranges::find(isLocomotion, true) == isLocomotion.end())
-        return weights;
-    for (std::size_t node = 0; node < frames; ++node)
-        weights[node] = isLocomotion[node] ? 0 : settings.strayWeight * material.alpha;
-    return weights;
-}
-
-/// What all searches share.
-struct Task
-{
-    const WalkMaterial& material;
-    const WalkConstraints& constraints;
-    const SearchSettings& settings;
+    const WalkTask& task;
     const Progress& progress;
     const SolutionCallback& found;
-    const WalkGraph& graph;
-    std::vector<NodeIndex> starts;
-    double beta = 0;
 };
 
-WalkSolution findKeys(const Task& task)
+WalkSolution findKeys(const Search& search)
 {
+    const WalkTask& task = search.task;
     const auto& keys = task.constraints.keys;
-    const auto search = task.settings.globalKeys ? walkOverAllKeys : walkFromKeyToKey;
+    const auto seek = task.settings.globalKeys ? walkOverAllKeys : walkFromKeyToKey;
     const KeyWalk walk =
-        search(task.graph, task.starts, keys, task.beta, task.settings.budget, task.progress);
+        seek(task.graph, task.starts, keys, task.beta, task.settings.budget, search.progress);
     FoundRoute route{
         .route = walk.route, .expansions = walk.expansions, .optimal = walk.optimal, .bound = walk.bound};
     std::int64_t time = 0;
@@ -159,73 +121,38 @@ WalkSolution findKeys(const Task& task)
         time += move.elapsed;
         node = move.to;
     }
-    const WalkStages stages(task.graph, task.constraints, task.beta, 1);
-    WalkSolution solution =
-        solutionOf(task.graph, stages, task.constraints, route, task.settings.mu, nullptr);
+    WalkSolution solution = WalkCourse(task, 0).solution(route);
     solution.eachLeg = !task.settings.globalKeys && keys.size() > 1;
-    if (task.found)
-        task.found(solution);
+    if (search.found)
+        search.found(solution);
     return solution;
 }
 
-WalkSolution findStages(const Task& task)
+WalkSolution findByStages(const Search& search)
 {
-    const WalkStages stages(task.graph, task.constraints, task.beta, 1, task.settings.leastRun,
-                            task.settings.leftOutWeight);
-    const auto solve = [&](const FoundRoute& route) {
-        return solutionOf(task.graph, stages, task.constraints, route, task.settings.mu, nullptr);
+    const WalkTask& task = search.task;
+    WalkCourse course(task, task.settings.leastRun);
+    const auto tell = [&](const FoundRoute& better) {
+        if (search.found)
+            search.found(course.solution(better));
     };
-    SearchEffort effort;
-    const std::optional<FoundRoute> route = searchStages(
-        task.graph, stages, task.starts, task.settings.budget,
-        [&](const FoundRoute& better) {
-            if (task.found)
-                task.found(solve(better));
-        },
-        effort, task.progress);
-    if (!route)
-        refuse(task.constraints, task.settings, {}, effort);
-    WalkSolution solution = solve(*route);
-    solution.expansions = effort.expansions;
-    return solution;
-}
-
-WalkSolution findAlongPath(const Task& task)
-{
-    const PathConstraint& path = *task.constraints.path;
-    const WalkMotion& motion = task.material.motion;
-    const PathCourse course(path, motion.roots->up, motion.metresPerUnit);
-    const PathCosts costs(course, path.spans, task.graph.nodeCount(), task.beta, task.settings.charging);
-    MoveMotions motions(task.graph, motion, course);
-    const WalkStages stages(task.graph, task.constraints, task.beta, task.settings.mu, task.settings.leastRun,
-                            task.settings.leftOutWeight);
-    PathProblem problem{.graph = task.graph,
-                        .stages = stages,
-                        .course = course,
-                        .costs = costs,
-                        .motions = motions,
-                        .starts = task.starts,
-                        .mu = task.settings.mu,
-                        .inAir = task.material.inAir};
-    if (!task.constraints.start && !problem.inAir.empty())
-        std::erase_if(problem.starts,
-                      [&](NodeIndex node) { return problem.inAir[static_cast<std::size_t>(node)]; });
-    const PathMeasure measure{course, costs, motions};
-    const auto solve = [&](const FoundRoute& route) {
-        return solutionOf(task.graph, stages, task.constraints, route, task.settings.mu, &measure);
+    const auto improve = [&](FoundRoute route) {
+        return improvedRoute(task, course, std::move(route), tell, search.progress);
     };
+    if (course.path() != nullptr)
+        course.path()->improve = improve;
     PathFailure failure;
     SearchEffort effort;
-    const std::optional<FoundRoute> route = searchPath(
-        problem, task.settings.budget,
-        [&](const FoundRoute& better) {
-            if (task.found)
-                task.found(solve(better));
-        },
-        failure, effort, task.progress);
+    const std::int64_t budget = task.settings.budget;
+    std::optional<FoundRoute> route =
+        course.path() != nullptr
+            ? searchPath(*course.path(), budget, tell, failure, effort, search.progress)
+            : searchStages(task.graph, course.stages(), task.starts, budget, tell, effort, search.progress);
     if (!route)
         refuse(task.constraints, task.settings, failure, effort);
-    WalkSolution solution = solve(*route);
+    if (course.path() == nullptr && !route->optimal)
+        route = improve(*std::move(route));
+    WalkSolution solution = course.solution(*route);
     solution.expansions = effort.expansions;
     return solution;
 }
@@ -239,24 +166,19 @@ WalkSolution findWalk(const WalkMaterial& material, const WalkConstraints& const
     const FrameLayout& layout = material.costs.layout();
     checkConstraints(constraints, settings, layout,
                      material.motion.roots ? material.motion.roots->up : UpAxis::Y);
-    const WalkGraph graph(material.graph, material.costs, material.alpha, constraints.junctions,
-                          frameWeights(material, constraints, settings));
-    Task task{.material = material,
-              .constraints = constraints,
-              .settings = settings,
-              .progress = progress,
-              .found = found,
-              .graph = graph,
-              .starts = startsOf(constraints, graph.nodeCount()),
-              .beta = settings.beta.value_or(betaPerAlpha * material.alpha)};
-    checkKeysReachable(graph, constraints.keys, task.starts);
-    checkActionsPossible(graph, constraints.actions, task.starts);
-    if (constraints.path)
-        return findAlongPath(task);
+    if (std::optional<WalkSolution> kept = repairedWalk(material, constraints, settings, progress)) {
+        if (found)
+            found(*kept);
+        return *std::move(kept);
+    }
+    const WalkTask task(material, constraints, settings);
+    checkKeysReachable(task.graph, constraints.keys, task.starts);
+    checkActionsPossible(task.graph, constraints.actions, task.starts);
     const Junctions& junctions = constraints.junctions;
-    if (constraints.actions.empty() && junctions.required.empty() && junctions.spans.empty())
-        return findKeys(task);
-    return findStages(task);
+    const bool areKeysAlone = !constraints.path && constraints.actions.empty() &&
+                              junctions.required.empty() && junctions.spans.empty();
+    const Search search{task, progress, found};
+    return areKeysAlone ? findKeys(search) : findByStages(search);
 }
 
 } // namespace quadrille

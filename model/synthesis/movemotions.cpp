@@ -16,6 +16,10 @@ MoveMotions::MoveMotions(const WalkGraph& graph, const WalkMotion& motion, const
     for (const Vec3d& centre : motion.roots->centres)
         m_points.push_back(course.pointOf(centre));
     m_walkable.assign(m_points.size(), 0);
+    for (MoveIndex index = 0; index < static_cast<MoveIndex>(graph.moves().size()); ++index) {
+        if (graph.move(index).kind == EdgeKind::Original)
+            of(index);
+    }
     for (NodeIndex node = graph.nodeCount() - 1; node >= 0; --node) {
         double& walkable = m_walkable[static_cast<std::size_t>(node)];
         const auto [begin, end] = graph.from(node);
@@ -40,6 +44,13 @@ const MoveMotions::Motion& MoveMotions::of(MoveIndex index)
 void MoveMotions::prepare(MoveIndex begin, MoveIndex end)
 {
     tbb::parallel_for(begin, end, [this](MoveIndex index) { of(index); });
+}
+
+void MoveMotions::prepare(std::vector<MoveIndex> moves)
+{
+    std::sort(moves.begin(), moves.end());
+    moves.erase(std::unique(moves.begin(), moves.end()), moves.end());
+    tbb::parallel_for(std::size_t{0}, moves.size(), [&](std::size_t i) { of(moves[i]); });
 }
 
 void MoveMotions::compute(MoveIndex index, Motion& motion) const

@@ -44,9 +44,10 @@ public:
     MoveMotions(const WalkGraph& graph, const WalkMotion& motion, const PathCourse& course);
 
     const Motion& of(MoveIndex move);
-    /// Computes the motions of some moves, [begin, end), on all cores; `of` is then free. What it computes
-    /// does not depend on when.
+    /// Computes the motions of some moves, [begin, end) or given ones, on all cores; `of` is then free. What
+    /// it computes does not depend on when.
     void prepare(MoveIndex begin, MoveIndex end);
+    void prepare(std::vector<MoveIndex> moves);
     /// Where a captured frame lies.
     const Vec3d& point(NodeIndex node) const { return m_points[static_cast<std::size_t>(node)]; }
     /// Metres that can still be walked from a frame: without bounds where a transition leaves it or one

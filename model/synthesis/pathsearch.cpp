@@ -232,9 +232,9 @@ private:
         const auto cell = [](double value, double size) {
             return static_cast<std::int64_t>(std::floor(value / size));
         };
-        const auto [stage, time] = m_problem.stages.future(candidate.stage, candidate.time);
-        return fingerprintOf({stage.node, stage.key, stage.step, stage.span, stage.since, stage.required,
-                              stage.isFollowing ? 1 : 0, stage.run, time, candidate.place.timed,
+        const std::size_t future =
+            StageFutureHash()(m_problem.stages.future(candidate.stage, candidate.time));
+        return fingerprintOf({static_cast<std::int64_t>(future), candidate.place.timed,
                               candidate.place.timedFrames / 2,
                               cell(candidate.place.walked, m_settings.offset),
                               cell(ground.x(), m_settings.offset), cell(ground.y(), m_settings.offset),
@@ -277,6 +277,8 @@ std::optional<FoundRoute> searchPath(PathProblem& problem, std::int64_t budget, 
             best = std::move(better);
             best->expansions = effort.expansions;
             found(*best);
+            if (problem.improve)
+                best = problem.improve(*std::move(best));
         }
         effort.isComplete = pass.isComplete() && settings.offset <= finestOffset;
         if (left == before || (effort.isComplete && !best))

@@ -6,6 +6,7 @@
 #include "model/synthesis/foundroute.h"
 #include "model/synthesis/pathcosts.h"
 
+#include <functional>
 #include <optional>
 
 namespace quadrille {
@@ -21,6 +22,8 @@ struct PathProblem
     std::vector<NodeIndex> starts;
     double mu = 0.1;
     std::vector<bool> inAir = {}; ///< WalkMaterial::inAir
+    /// Makes a walk that was found cheaper before the next pass; empty: as it is.
+    std::function<FoundRoute(FoundRoute)> improve = {};
 };
 
 /// Seeks the walk of least total cost along a path: states (frame, walked length, offset, heading and what

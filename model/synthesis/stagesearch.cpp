@@ -23,19 +23,6 @@ struct Visit
     double cost = 0;
 };
 
-/// What counts for the future (see WalkStages::future).
-using Key = std::pair<StageState, std::int64_t>;
-
-struct KeyHash
-{
-    std::size_t operator()(const Key& key) const
-    {
-        const StageState& stage = key.first;
-        return fingerprintOf({stage.node, stage.key, stage.step, stage.span, stage.since, stage.required,
-                              stage.isFollowing ? 1 : 0, stage.run, key.second});
-    }
-};
-
 /// A*: what it finds is the cheapest.
 class StagePass
 {
@@ -88,7 +75,7 @@ private:
         }
     };
 
-    Key keyOf(const Visit& visit) const { return m_stages.future(visit.stage, visit.time); }
+    StageFuture keyOf(const Visit& visit) const { return m_stages.future(visit.stage, visit.time); }
 
     void expand(const Visit& from, std::int32_t parent)
     {
@@ -126,7 +113,7 @@ private:
     const WalkStages& m_stages;
     double m_limit;
     std::vector<Visit> m_visits;
-    std::unordered_map<Key, double, KeyHash> m_costs;
+    std::unordered_map<StageFuture, double, StageFutureHash> m_costs;
     std::priority_queue<Entry> m_open;
     std::vector<SettledStage> m_settled;
     bool m_isComplete = true;
@@ -176,7 +163,7 @@ private:
 
     std::uint64_t fingerprint(const Visit& visit) const
     {
-        return KeyHash()(m_stages.future(visit.stage, visit.time));
+        return StageFutureHash()(m_stages.future(visit.stage, visit.time));
     }
 
     void expand(const Visit& from)

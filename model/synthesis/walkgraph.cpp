@@ -103,6 +103,16 @@ std::pair<MoveIndex, MoveIndex> WalkGraph::from(NodeIndex node) const
     return {m_firstOf[n], m_firstOf[n + 1]};
 }
 
+MoveIndex WalkGraph::transition(const FramePair& pair) const
+{
+    const auto [begin, end] = from(pair.source);
+    for (MoveIndex index = begin; index < end; ++index) {
+        if (move(index).to == pair.destination && move(index).kind == EdgeKind::Transition)
+            return index;
+    }
+    return noMove;
+}
+
 WalkGraph::Ways WalkGraph::waysTo(std::vector<double> goal, double perFrame) const
 {
     Ways ways{.costs = std::move(goal), .moves = std::vector<MoveIndex>(m_firstOf.size() - 1, noMove)};

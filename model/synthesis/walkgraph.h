@@ -51,6 +51,8 @@ public:
     /// The moves that leave a frame, [begin, end): the lightest first, of two alike the one to the earlier
     /// frame.
     std::pair<MoveIndex, MoveIndex> from(NodeIndex node) const;
+    /// The move of a transition; noMove where the graph has none.
+    MoveIndex transition(const FramePair& pair) const;
     /// Any move takes at least so much weight for each frame that goes by.
     double leastWeightPerFrame() const { return m_leastWeightPerFrame; }
 

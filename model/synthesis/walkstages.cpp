@@ -3,6 +3,7 @@
 #include "model/synthesis/walkstages.h"
 
 #include "model/core/error.h"
+#include "model/synthesis/fingerprints.h"
 
 #include <algorithm>
 #include <cassert>
@@ -33,6 +34,13 @@ std::size_t indexOf(NodeIndex node)
 }
 
 } // namespace
+
+std::size_t StageFutureHash::operator()(const StageFuture& future) const
+{
+    const StageState& stage = future.first;
+    return fingerprintOf({stage.node, stage.key, stage.step, stage.span, stage.since, stage.required,
+                          stage.isFollowing ? 1 : 0, stage.run, future.second});
+}
 
 WalkStages::WalkStages(const WalkGraph& graph, const WalkConstraints& constraints, double beta,
                        double edgeFactor, int leastRun, double leftOutWeight)
@@ -266,7 +274,7 @@ bool WalkStages::isDone(const StageState& state) const
            hasRun(state);
 }
 
-std::pair<StageState, std::int64_t> WalkStages::future(StageState state, std::int64_t time) const
+StageFuture WalkStages::future(StageState state, std::int64_t time) const
 {
     if (static_cast<std::size_t>(state.key) < m_keys.size())
         return {state, time};

@@ -30,6 +30,14 @@ struct StageState
     bool operator==(const StageState&) const = default;
 };
 
+/// What of a state and its output frame counts for what comes next (see WalkStages::future).
+using StageFuture = std::pair<StageState, std::int64_t>;
+
+struct StageFutureHash
+{
+    std::size_t operator()(const StageFuture& future) const;
+};
+
 /// What a walk can be after a frame, and what that costs.
 struct SettledStage
 {
@@ -73,7 +81,7 @@ public:
     int runLeft(const StageState& state) const { return m_leastRun - state.run; }
     /// What of a state and its output frame counts for what comes next: states that agree in it have one
     /// future.
-    std::pair<StageState, std::int64_t> future(StageState state, std::int64_t time) const;
+    StageFuture future(StageState state, std::int64_t time) const;
     /// How much of the action that is being performed is behind, in quarters, 0 … 4.
     int quartersDone(const StageState& state, std::int64_t time) const;
     /// No walk goes on from a state with less cost; `unreachable` where none meets what is asked.

@@ -80,6 +80,16 @@ double secondsSince(Clock::time_point begin)
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
+WalkMaterial materialOf(const RealCharacter& character, const WarpPaths& warps)
+{
+    return {.graph = character.essential.graph,
+            .costs = character.costs,
+            .alpha = RealCharacter::alpha,
+            .motion = {.roots = &character.roots, .transition = [&](const FramePair& frames) {
+                           return *warps.of(character.table, frames);
+                       }}};
+}
+
 /// The product's search: when its first walk was there, and what it had after two seconds and in the end.
 void path(benchmark::State& state)
 {
@@ -89,13 +99,7 @@ void path(benchmark::State& state)
         return;
     }
     const WarpPaths warps(character->distances, character->layout, character->settings);
-    const WalkMaterial material{
-        .graph = character->essential.graph,
-        .costs = character->costs,
-        .alpha = RealCharacter::alpha,
-        .motion = {.roots = &character->roots, .transition = [&](const FramePair& frames) {
-                       return *warps.of(character->table, frames);
-                   }}};
+    const WalkMaterial material = materialOf(*character, warps);
     const auto& [label, from, to] = demands[static_cast<std::size_t>(state.range(0))];
     const WalkConstraints constraints = sCurve(*character, label, from, to);
     for (auto _ : state) {
@@ -122,6 +126,31 @@ void path(benchmark::State& state)
         state.counters["frames"] = static_cast<double>(best.frameCount);
         state.counters["transitions"] = static_cast<double>(best.walk.transitionCount());
     }
+}
+
+/// A transition in the middle of a walk is banned: the rest of the walk kept, or all of it sought anew.
+void ban(benchmark::State& state)
+{
+    const RealCharacter* character = test::realCharacter();
+    if (!character) {
+        state.SkipWithError("no real takes");
+        return;
+    }
+    const WarpPaths warps(character->distances, character->layout, character->settings);
+    const WalkMaterial material = materialOf(*character, warps);
+    const auto& [label, from, to] = demands[2];
+    WalkConstraints constraints = sCurve(*character, label, from, to);
+    const SearchSettings settings = SearchSettings::calm();
+    const WalkSolution before = findWalk(material, constraints, settings);
+    constraints.junctions.banned = {before.walk.transition(before.walk.transitionCount() / 2)};
+    if (state.range(0) != 0)
+        constraints.junctions.walk = before.walk;
+    WalkSolution after;
+    for (auto _ : state)
+        after = findWalk(material, constraints, settings);
+    state.counters["cost"] = after.totalCost;
+    state.counters["cost_before"] = before.totalCost;
+    state.counters["deviation_m"] = after.meanDeviation;
 }
 
 /// The paper's incremental branch and bound, look-ahead 20 frames, from one start after the other for 20 s.
@@ -158,5 +187,6 @@ void incremental(benchmark::State& state)
 } // namespace
 
 BENCHMARK(path)->ArgsProduct({{0, 1, 2}, {60'000, 400'000}})->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(ban)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(incremental)->ArgsProduct({{0, 1, 2}, {2, 20}})->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(keys)->ArgsProduct({{1, 2}, {0, 1}, {1, 3, 10}})->Unit(benchmark::kMillisecond);

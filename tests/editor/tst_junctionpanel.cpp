@@ -213,6 +213,33 @@ private slots:
         QVERIFY(entry().junctions.locked.size() <= 2);
     }
 
+    void whatIsNotDecidedStaysUntilSomethingElseIsAsked()
+    {
+        const Walk walk = result().walk.solution.walk;
+        auto* strip = test::find<widgets::MessageStrip>("junctionMessage");
+        QVERIFY(!strip->isVisible());
+        key(Qt::Key_Period);
+        key(Qt::Key_L, Qt::ShiftModifier);
+        QCOMPARE(entry().junctions.walk, walkSpansOf(result()));
+        QVERIFY(waitForResult());
+        // The lock seeks nothing.
+        QCOMPARE(result().walk.solution.walk, walk);
+        QCOMPARE(result().walk.solution.expansions, 0);
+        QTRY_VERIFY(strip->isVisible());
+        QTest::mouseClick(strip->findChild<QPushButton*>("messageStripAction"), Qt::LeftButton);
+        QVERIFY(entry().junctions.walk.empty() && !entry().junctions.isEmpty());
+        QVERIFY(waitForResult());
+        QVERIFY(result().walk.solution.expansions > 0);
+        QTRY_VERIFY(!strip->isVisible());
+        context().document.undo();
+        QVERIFY(!entry().junctions.walk.empty());
+        // Something else is asked for: nothing is kept to any more.
+        AnimationEntry other = entry();
+        other.search.budget = 5000;
+        setAnimation(context().document, "dance", "Budget", "budget", other);
+        QVERIFY(entry().junctions.walk.empty() && !entry().junctions.isEmpty());
+    }
+
     void anAcceptedWalkStaysAsItIs()
     {
         const Walk walk = result().walk.solution.walk;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What can be done with the transitions of a clip.
 #include "editor/application/editorcontext.h"
+#include "editor/commands/animationedits.h"
 #include "editor/fields/actionbutton.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/junctionpanel.h"
@@ -116,8 +117,11 @@ void JunctionPanel::makeWalkActions()
                 [this] { acceptWalk(); });
     actions.add({"animate.releaseWalk",
                  group,
-                 [] { return tr("Seek instead of the accepted &walk"); },
-                 [] { return tr("Forgets the walk that was accepted and seeks what is asked for"); },
+                 [] { return tr("Seek the whole &walk again"); },
+                 [] {
+                     return tr("Forgets the walk that was accepted, or that decisions keep to, and seeks "
+                               "what is asked for");
+                 },
                  "refresh",
                  {}},
                 [this] { releaseWalk(); });
@@ -183,7 +187,8 @@ void JunctionPanel::updateActions()
     enable("junction.lockSegment", isSought && !m_junctions.empty());
     enable("junction.forget", m_decisionsList->currentItem() != nullptr);
     enable("animate.acceptWalk", isSought && m_result != nullptr);
-    enable("animate.releaseWalk", entry != nullptr && entry->walk.has_value());
+    enable("animate.releaseWalk",
+           entry != nullptr && (entry->walk.has_value() || !entry->junctions.walk.empty()));
     actions.action("junction.lock")
         ->setChecked(entry != nullptr && junction != nullptr &&
                      contains(entry->junctions.locked, junction->transition.names));
@@ -249,8 +254,15 @@ void JunctionPanel::chooseCurrent()
 
 void JunctionPanel::decide(const QString& text, const std::function<void(JunctionsEntry&)>& edit)
 {
-    m_animation.edit(text, QStringLiteral("junctions"),
-                     [&](AnimationEntry& entry) { edit(entry.junctions); });
+    m_animation.edit(text, QStringLiteral("junctions"), [&](AnimationEntry& entry) {
+        JunctionsEntry& junctions = entry.junctions;
+        edit(junctions);
+        // What is not decided stays as it is shown, until something else is asked for.
+        if (junctions.isEmpty())
+            junctions.walk.clear();
+        else if (junctions.walk.empty() && m_result != nullptr && asksTheSame(m_result->entry, entry))
+            junctions.walk = walkSpansOf(*m_result);
+    });
 }
 
 void JunctionPanel::banCurrent()
@@ -327,8 +339,10 @@ void JunctionPanel::acceptWalk()
 void JunctionPanel::releaseWalk()
 {
     if (m_animation.entry() != nullptr)
-        m_animation.edit(tr("Seek again"), QStringLiteral("walk"),
-                         [](AnimationEntry& entry) { entry.walk.reset(); });
+        m_animation.edit(tr("Seek again"), QStringLiteral("walk"), [](AnimationEntry& entry) {
+            entry.walk.reset();
+            entry.junctions.walk.clear();
+        });
 }
 
 } // namespace quadrille

@@ -319,6 +319,11 @@ void JunctionPanel::showState()
         m_message->show(widgets::MessageStrip::Kind::Info,
                         tr("This walk was accepted: it stays as it is, and nothing is sought."));
         m_message->setAction(tr("Seek again"));
+    } else if (entry != nullptr && !entry->junctions.walk.empty()) {
+        m_message->show(
+            widgets::MessageStrip::Kind::Info,
+            tr("Only what you decide changes, and what is next to it; the rest of the walk stays."));
+        m_message->setAction(tr("Seek again"));
     } else {
         m_message->clear();
     }

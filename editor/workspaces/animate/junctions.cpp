@@ -122,15 +122,22 @@ std::vector<JunctionEntry> neighboursOf(const CharacterGraph& graph, const Frame
     return neighbours;
 }
 
+std::vector<WalkSpanEntry> walkSpansOf(const AnimationResult& result)
+{
+    const CharacterGraph& graph = result.character->graph;
+    std::vector<WalkSpanEntry> spans;
+    for (const WalkSpan& span : result.walk.solution.walk.spans) {
+        const NamedFrame first = graph.nameOf(span.first);
+        spans.push_back({first.sequence, {first.frame, graph.nameOf(span.last).frame}});
+    }
+    return spans;
+}
+
 WalkEntry walkEntryOf(const AnimationResult& result)
 {
     const CharacterGraph& graph = result.character->graph;
     const WalkSolution& solution = result.walk.solution;
-    WalkEntry entry;
-    for (const WalkSpan& span : solution.walk.spans) {
-        const NamedFrame first = graph.nameOf(span.first);
-        entry.spans.push_back({first.sequence, {first.frame, graph.nameOf(span.last).frame}});
-    }
+    WalkEntry entry{.spans = walkSpansOf(result)};
     entry.turn = solution.start.turn * 180 / std::numbers::pi;
     const Vec3d centre = graph.roots().centres[static_cast<std::size_t>(solution.walk.spans.front().first)];
     entry.at = pointOfFile(solution.start(centre, Ground(result.plan.up)), result.plan.up);

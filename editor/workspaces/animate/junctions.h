@@ -55,6 +55,8 @@ std::vector<PricedJunction> alternativesTo(const AnimationResult& result, std::s
 /// lie within two frames.
 std::vector<JunctionEntry> neighboursOf(const CharacterGraph& graph, const FramePair& transition);
 
+/// The walk of a result, for the file.
+std::vector<WalkSpanEntry> walkSpansOf(const AnimationResult& result);
 /// The walk of a result as an entry that keeps it.
 WalkEntry walkEntryOf(const AnimationResult& result);
 

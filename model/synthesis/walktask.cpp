@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/synthesis/walktask.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace quadrille {
+
+namespace {
+
+std::vector<NodeIndex> startsOf(const WalkConstraints& constraints, NodeIndex nodes)
+{
+    std::vector<NodeIndex> starts(static_cast<std::size_t>(nodes));
+    std::iota(starts.begin(), starts.end(), 0);
+    if (!constraints.start)
+        return starts;
+    std::set<NodeIndex> chosen;
+    for (const WalkSpan& span : constraints.start->spans) {
+        for (NodeIndex node = span.first; node <= span.last; ++node)
+            chosen.insert(node);
+    }
+    return {chosen.begin(), chosen.end()};
+}
+
+/// What playing on from each frame costs along a path; empty where it is as in the graph.
+std::vector<double> frameWeights(const WalkMaterial& material, const WalkConstraints& constraints,
+                                 const SearchSettings& settings)
+{
+    const auto& isLocomotion = material.locomotion;
+    if (!constraints.path || !settings.prefersLocomotion)
+        return {};
+    const auto frames = static_cast<std::size_t>(material.costs.layout().frameCount());
+    std::vector<double> weights(frames, 0);
+    if (std::ranges::find(isLocomotion, true) == isLocomotion.end())
+        return weights;
+    for (std::size_t node = 0; node < frames; ++node)
+        weights[node] = isLocomotion[node] ? 0 : settings.strayWeight * material.alpha;
+    return weights;
+}
+
+} // namespace
+
+WalkTask::WalkTask(const WalkMaterial& walkMaterial, const WalkConstraints& asked,
+                   const SearchSettings& sought)
+    : material(walkMaterial)
+    , constraints(asked)
+    , settings(sought)
+    , graph(walkMaterial.graph, walkMaterial.costs, walkMaterial.alpha, asked.junctions,
+            frameWeights(walkMaterial, asked, sought))
+    , starts(startsOf(asked, graph.nodeCount()))
+    , beta(sought.beta.value_or(betaPerAlpha * walkMaterial.alpha))
+{
+    const std::vector<bool>& inAir = material.inAir;
+    if (asked.path && !asked.start && !inAir.empty())
+        std::erase_if(starts, [&](NodeIndex node) { return inAir[static_cast<std::size_t>(node)]; });
+}
+
+WalkCourse::Along::Along(const WalkTask& task, const WalkStages& stages)
+    : course(*task.constraints.path, task.material.motion.roots->up, task.material.motion.metresPerUnit)
+    , costs(course, task.constraints.path->spans, task.graph.nodeCount(), task.beta, task.settings.charging)
+    , motions(task.graph, task.material.motion, course)
+    , problem{.graph = task.graph,
+              .stages = stages,
+              .course = course,
+              .costs = costs,
+              .motions = motions,
+              .starts = task.starts,
+              .mu = task.settings.mu,
+              .inAir = task.material.inAir}
+{
+}
+
+WalkCourse::WalkCourse(const WalkTask& task, int leastRun)
+    : m_task(task)
+    , m_stages(task.graph, task.constraints, task.beta, task.constraints.path ? task.settings.mu : 1,
+               leastRun, task.settings.leftOutWeight)
+{
+    if (task.constraints.path)
+        m_along.emplace(task, m_stages);
+}
+
+FollowedCourse WalkCourse::followed()
+{
+    const WalkConstraints& asked = m_task.constraints;
+    return {.graph = m_task.graph,
+            .stages = m_stages,
+            .path = path(),
+            .starts = m_task.starts,
+            .beginsLater = !asked.path && asked.keys.empty()};
+}
+
+WalkSolution WalkCourse::solution(const FoundRoute& route)
+{
+    std::optional<PathMeasure> measure;
+    if (m_along)
+        measure.emplace(m_along->course, m_along->costs, m_along->motions);
+    return solutionOf(m_task.graph, m_stages, m_task.constraints, route, m_task.settings.mu,
+                      measure ? &*measure : nullptr);
+}
+
+} // namespace quadrille
