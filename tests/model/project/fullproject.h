@@ -47,7 +47,10 @@ inline AnimationEntry fullAnimation()
                         .deadZone = 0.02};
     const NamedFrame from{"talk", FrameIndex(4)};
     const NamedFrame to{"talk", FrameIndex(30)};
-    animation.junctions = {.banned = {{from, to}}, .locked = {{to, from}}, .chosen = {{from, from}}};
+    animation.junctions = {.banned = {{from, to}},
+                           .locked = {{to, from}},
+                           .chosen = {{from, from}},
+                           .walk = {{"talk", {FrameIndex(2), FrameIndex(9)}}}};
     animation.walk = WalkEntry{
         .spans = {{"talk", {FrameIndex(0), FrameIndex(4)}}, {"talk", {FrameIndex(30), FrameIndex(38)}}},
         .turn = 90,

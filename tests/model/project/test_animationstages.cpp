@@ -248,6 +248,10 @@ TEST_F(AnimationStages, CannotBeMadeOfThemselves)
     ASSERT_EQ(problems.size(), 1U);
     EXPECT_EQ(problems.front().pointer, "/animations/0/walk/spans/2/sequence");
     EXPECT_THAT(problems.front().toString(), HasSubstr("is itself made from this graph"));
+    animation().junctions.walk.push_back(animation().walk->spans.back());
+    animation().walk->spans.pop_back();
+    ASSERT_EQ(validate(project).size(), 1U);
+    EXPECT_EQ(validate(project).front().pointer, "/animations/0/junctions/walk/0/sequence");
 }
 
 TEST_F(AnimationStages, GoRoundInNoCircleThroughTwoCharacters)

@@ -116,6 +116,7 @@ TEST(References, ToASequenceGoWithItAndLeaveTheRestOfAnAnimation)
     EXPECT_FALSE(tour.start);
     EXPECT_FALSE(tour.walk);
     EXPECT_TRUE(tour.junctions.isEmpty());
+    EXPECT_TRUE(tour.junctions.walk.empty());
     ASSERT_EQ(tour.constraints.size(), 1U);
     EXPECT_EQ(std::get<PathEntry>(tour.constraints.front()).spans.size(), 1U);
     EXPECT_TRUE(project.evaluations.front().sequences.empty());

@@ -255,6 +255,8 @@ TEST(Schema, AgreesWithTheReaderOnHandWrittenFiles)
         {walkAnd(R"("post": {"loop": "yes"})"), false},
         {walkAnd(R"("junctions": {"banned": [[["s", 1], ["s", 2]]]})"), true},
         {walkAnd(R"("junctions": {"banned": [["s", 1, "s", 2]]})"), false},
+        {walkAnd(R"("junctions": {"walk": [{"sequence": "s", "frames": [1, 4]}]})"), true},
+        {walkAnd(R"("junctions": {"walk": [{"sequence": "s"}]})"), false},
         {walkAnd(R"("search": {"budget": 0})"), false},
         {walkAnd(R"("interpolation": "cubic")"), false},
         {animation(R"("constraints": [])"), true}, // not finished
