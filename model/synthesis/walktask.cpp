@@ -93,11 +93,10 @@ FollowedCourse WalkCourse::followed()
 
 WalkSolution WalkCourse::solution(const FoundRoute& route)
 {
-    std::optional<PathMeasure> measure;
-    if (m_along)
-        measure.emplace(m_along->course, m_along->costs, m_along->motions);
-    return solutionOf(m_task.graph, m_stages, m_task.constraints, route, m_task.settings.mu,
-                      measure ? &*measure : nullptr);
+    if (!m_along)
+        return solutionOf(m_task.graph, m_stages, m_task.constraints, route, m_task.settings.mu, nullptr);
+    const PathMeasure measure{m_along->course, m_along->costs, m_along->motions};
+    return solutionOf(m_task.graph, m_stages, m_task.constraints, route, m_task.settings.mu, &measure);
 }
 
 } // namespace quadrille
