@@ -34,6 +34,14 @@ QWidget* NameDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
     return QStyledItemDelegate::createEditor(parent, option, index);
 }
 
+void NameDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const
+{
+    // What is being typed, or is selected to be typed over, stays when a result changes the row meanwhile.
+    const auto* field = qobject_cast<QLineEdit*>(editor);
+    if (field == nullptr || (!field->isModified() && field->text() != index.data(Qt::EditRole).toString()))
+        QStyledItemDelegate::setEditorData(editor, index);
+}
+
 bool NameDelegate::eventFilter(QObject* watched, QEvent* event)
 {
     auto* field = qobject_cast<QLineEdit*>(watched);

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "tests/qt/patience.h"
+
 #include <QApplication>
-#include <QTest>
 
 namespace quadrille::test {
 
