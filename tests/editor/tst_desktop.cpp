@@ -322,12 +322,17 @@ private slots:
     void threeFailedStartsOfferDefaultSettings()
     {
         const QTemporaryDir folder;
-        for (int start = 0; start < StartGuard::patience; ++start) {
+        // A start that has shown its window before it is killed did not fail, and takes those before it
+        // along.
+        int failed = 0;
+        for (int start = 0; failed < StartGuard::patience && start < 20; ++start) {
             test::DesktopProgram program(folder.path());
             program.start();
-            QTRY_COMPARE_WITH_TIMEOUT(program.markers(), start + 1, 60000);
+            QTRY_VERIFY_WITH_TIMEOUT(program.markers() != failed || program.window().id != 0, 60000);
             program.kill();
+            failed = program.markers();
         }
+        QCOMPARE(failed, StartGuard::patience);
         test::DesktopProgram program(folder.path());
         write(program.settings() + "/quadrille.conf", "[General]\ntheme=light\nlanguage=en\n");
         program.start();
