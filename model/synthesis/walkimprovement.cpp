@@ -12,20 +12,19 @@ FoundRoute improvedRoute(const WalkTask& task, WalkCourse& course, FoundRoute ro
     constexpr double least = 1e-6; ///< of the cost, that is worth an exchange
     progress.report(0);
     Walk walk = task.graph.walk(route.route);
-    std::size_t place = 0;
-    for (std::size_t inVain = 0; inVain < walk.transitionCount(); ++place) {
-        const WalkExchanges exchanges(task.graph, walk, place % walk.transitionCount(), {},
-                                      task.settings.leastRun);
+    std::size_t tried = 0;
+    for (std::size_t place = 0; tried < walk.transitionCount(); ++tried) {
+        const WalkExchanges exchanges(task.graph, walk, place, {}, task.settings.leastRun);
         auto better = bestExchange(course.followed(), exchanges, route.cost * (1 - least), progress);
-        ++inVain;
-        if (!better)
-            continue;
-        inVain = 0;
-        better->expansions = route.expansions;
-        better->bound = route.bound;
-        route = *std::move(better);
-        found(route);
-        walk = task.graph.walk(route.route);
+        if (better) {
+            better->expansions = route.expansions;
+            better->bound = route.bound;
+            route = *std::move(better);
+            found(route);
+            walk = task.graph.walk(route.route);
+            tried = 0;
+        }
+        place = walk.transitionCount() > 0 ? (place + 1) % walk.transitionCount() : 0;
     }
     return route;
 }
