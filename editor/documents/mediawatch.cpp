@@ -14,8 +14,9 @@ namespace {
 constexpr int pollMilliseconds = 3000;
 /// While something changes.
 constexpr int settlingMilliseconds = 700;
-/// A look takes at most this part of the time.
-constexpr int rarity = 20;
+/// A look takes at most this part of the time, unless that makes looks rarer than the longest pause.
+constexpr qint64 rarity = 20;
+constexpr qint64 longestPauseMilliseconds = 15'000;
 
 std::map<std::string, FileStamp> stampsOf(const Project& project)
 {
@@ -55,6 +56,11 @@ QStringList MediaWatch::changedFiles() const
     for (const std::string& file : m_changed)
         files += QString::fromStdString(file);
     return files;
+}
+
+bool MediaWatch::isWatching() const
+{
+    return m_knownGeneration == m_generation;
 }
 
 void MediaWatch::setInterval(int milliseconds)
@@ -103,6 +109,7 @@ void MediaWatch::look()
 
 void MediaWatch::take(const Stamps& now, qint64 milliseconds)
 {
+    m_knownGeneration = m_generation;
     bool isSettling = false;
     for (const auto& [file, stamp] : now) {
         const auto [known, isNew] = m_known.try_emplace(file, stamp);
@@ -113,7 +120,8 @@ void MediaWatch::take(const Stamps& now, qint64 milliseconds)
         m_found.insert(file);
     }
     m_last = now;
-    const auto pause = std::max<qint64>(m_interval, milliseconds * rarity);
+    const auto pause =
+        std::max<qint64>(m_interval, std::min(milliseconds * rarity, longestPauseMilliseconds));
     m_timer.start(static_cast<int>(isSettling ? std::min<qint64>(pause, settlingMilliseconds) : pause));
     // All at once, when the last of them is done.
     if (isSettling || m_found == m_changed)

@@ -28,7 +28,9 @@ public:
 
     /// Files that were written since they were opened.
     QStringList changedFiles() const;
-    /// Milliseconds between two looks; they are rarer where looking takes long.
+    /// Whether the files of the open project were looked at once: what is written from now on is told.
+    bool isWatching() const;
+    /// Milliseconds between two looks; they are rarer where looking takes long, up to a quarter of a minute.
     void setInterval(int milliseconds);
 
 signals:
@@ -46,6 +48,7 @@ private:
     QTimer m_timer;
     int m_interval;
     int m_generation = 0; ///< of what is known; what was looked at before says nothing
+    int m_knownGeneration = -1; ///< that was looked at
     bool m_isLooking = false;
     Stamps m_known;                  ///< as they were opened
     Stamps m_last;                   ///< as they were seen last

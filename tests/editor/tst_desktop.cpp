@@ -300,7 +300,7 @@ private slots:
                 test::DesktopProgram program(folder.path());
                 program.setScale(scale);
                 program.start();
-                QTRY_VERIFY_WITH_TIMEOUT(program.window().id != 0, 60000);
+                QTRY_VERIFY(program.window().id != 0);
                 const test::DesktopWindow window = program.window();
                 if (size.isEmpty()) {
                     const QSize usual = test::sizeOf(window);
@@ -310,9 +310,9 @@ private slots:
                 }
                 QTRY_COMPARE(test::sizeOf(window), size);
                 // A start counts as one that did not fail as soon as the window has stood for a while.
-                QTRY_VERIFY_WITH_TIMEOUT(QDir(program.settings()).entryList({"starting-*"}).isEmpty(), 60000);
+                QTRY_VERIFY(QDir(program.settings()).entryList({"starting-*"}).isEmpty());
                 test::ask(test::WindowWish::Close, window);
-                QTRY_VERIFY_WITH_TIMEOUT(!program.isRunning(), 20000);
+                QTRY_VERIFY(!program.isRunning());
                 QCOMPARE(program.process().exitStatus(), QProcess::NormalExit);
                 QCOMPARE(program.process().exitCode(), 0);
             }
@@ -328,7 +328,7 @@ private slots:
         for (int start = 0; failed < StartGuard::patience && start < 20; ++start) {
             test::DesktopProgram program(folder.path());
             program.start();
-            QTRY_VERIFY_WITH_TIMEOUT(program.markers() != failed || program.window().id != 0, 60000);
+            QTRY_VERIFY(program.markers() != failed || program.window().id != 0);
             program.kill();
             failed = program.markers();
         }
@@ -336,14 +336,14 @@ private slots:
         test::DesktopProgram program(folder.path());
         write(program.settings() + "/quadrille.conf", "[General]\ntheme=light\nlanguage=en\n");
         program.start();
-        QTRY_VERIFY_WITH_TIMEOUT(program.window("did not start").id != 0, 60000);
+        QTRY_VERIFY(program.window("did not start").id != 0);
         // Escape and the window's cross start as before; the settings stay.
         test::ask(test::WindowWish::Close, program.window("did not start"));
-        QTRY_VERIFY_WITH_TIMEOUT(program.window("Untitled").id != 0, 60000);
-        QTRY_VERIFY_WITH_TIMEOUT(QDir(program.settings()).entryList({"starting-*"}).isEmpty(), 60000);
+        QTRY_VERIFY(program.window("Untitled").id != 0);
+        QTRY_VERIFY(QDir(program.settings()).entryList({"starting-*"}).isEmpty());
         QVERIFY(contentsOf(program.settings() + "/quadrille.conf").contains("theme=light"));
         test::ask(test::WindowWish::Close, program.window("Untitled"));
-        QTRY_VERIFY_WITH_TIMEOUT(!program.isRunning(), 20000);
+        QTRY_VERIFY(!program.isRunning());
     }
 
     void settingsThatCannotBeReadArePutAside()
@@ -354,10 +354,10 @@ private slots:
         const QByteArray garbage("\x00\x9c]]\n[[[=\n\xff\xfe", 12);
         write(program.settings() + "/quadrille.conf", garbage);
         program.start();
-        QTRY_VERIFY_WITH_TIMEOUT(program.window("Untitled").id != 0, 60000);
+        QTRY_VERIFY(program.window("Untitled").id != 0);
         QCOMPARE(contentsOf(program.settings() + "/quadrille.conf.aside"), garbage);
         test::ask(test::WindowWish::Close, program.window("Untitled"));
-        QTRY_VERIFY_WITH_TIMEOUT(!program.isRunning(), 20000);
+        QTRY_VERIFY(!program.isRunning());
         QCOMPARE(program.process().exitCode(), 0);
     }
 };

@@ -116,7 +116,7 @@ private slots:
         type(place("walk.pc2"));
         answer(true);
         accept();
-        QTRY_VERIFY_WITH_TIMEOUT(isDone(), 30000);
+        QTRY_VERIFY(isDone());
         QVERIFY2(m_asked.contains("“walk PC2”"), qPrintable(m_asked));
         QCOMPARE(document().project().exports.size(), 1U);
         accept();
@@ -157,7 +157,7 @@ private slots:
         QVERIFY(!QFile::exists(elsewhere.filePath("walk.pc2")));
         answer(true);
         accept();
-        QTRY_VERIFY_WITH_TIMEOUT(isDone(), 30000);
+        QTRY_VERIFY(isDone());
         QVERIFY(QFile::exists(elsewhere.filePath("walk.pc2")));
         accept();
         QTRY_VERIFY(dialog() == nullptr);

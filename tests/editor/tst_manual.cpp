@@ -60,7 +60,7 @@ private:
     /// Compares the window with a picture of the manual, or writes it.
     void keep(const QString& name)
     {
-        QTRY_VERIFY_WITH_TIMEOUT(context().jobs.jobs().empty(), 60000);
+        QTRY_VERIFY(context().jobs.jobs().empty());
         QTest::qWait(200); // what was computed last is drawn
         const QImage picture = m_window->grab().toImage();
         QVERIFY(!picture.isNull());
@@ -118,7 +118,7 @@ private slots:
         m_window->sequences().player().goTo(12);
         m_window->sequences().viewport().frameAll();
         const CardPictures& pictures = m_window->findChild<SequenceCards*>()->pictures();
-        QTRY_VERIFY_WITH_TIMEOUT(pictures.countOf("right turn 2") > 0, 60000);
+        QTRY_VERIFY(pictures.countOf("right turn 2") > 0);
         keep("sequences");
     }
 
@@ -130,7 +130,7 @@ private slots:
                                  120000);
         m_window->workspaces().select("graph");
         GraphWorkspace& workspace = m_window->graph();
-        QTRY_VERIFY_WITH_TIMEOUT(workspace.explorer().paths() != nullptr, 60000);
+        QTRY_VERIFY(workspace.explorer().paths() != nullptr);
         const Digraph& graph = workspace.explorer().graphs()->essential;
         const auto isFar = [](const Edge& edge) {
             return edge.kind == EdgeKind::Transition && edge.to > edge.from + 200;
@@ -185,7 +185,7 @@ private slots:
         m_window->workspaces().select("variations");
         Workspace::showPanel(test::find<QWidget>("bodyPartsPanel"));
         QTRY_VERIFY(m_window->variations().parts().editor().isActive());
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->variations().parts().surface().graph() != nullptr, 20000);
+        QTRY_VERIFY(m_window->variations().parts().surface().graph() != nullptr);
         m_window->variations().viewport().frameAll();
         keep("body-parts");
     }

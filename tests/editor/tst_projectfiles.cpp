@@ -273,10 +273,11 @@ private slots:
             return sequence == nullptr ? 99 : sequence->frame(FrameIndex(0)).positions()[0].x();
         };
         QTRY_COMPARE(firstX(), 0.F);
+        QTRY_VERIFY(m_window->strips().media().isWatching());
         duplicateSequence(document(), "walk");
         const QString take = m_folder->filePath("walk_1.obj");
         write(take, contentOf(take).replace("v 0 0 0\n", "v -0.5 0 0\n"));
-        QTRY_VERIFY_WITH_TIMEOUT(strip("mediaStrip")->isVisible(), 20000);
+        QTRY_VERIFY(strip("mediaStrip")->isVisible());
         QCOMPARE(m_window->strips().media().changedFiles(), QStringList{take});
         emit strip("mediaStrip")->actionTriggered();
         QTRY_VERIFY(!strip("mediaStrip")->isVisible());

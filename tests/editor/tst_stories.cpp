@@ -88,7 +88,7 @@ private:
         path->selectAll();
         QTest::keyClicks(path, file);
         press("exportAccept");
-        QTRY_COMPARE_WITH_TIMEOUT(test::find<QPushButton>("exportAccept")->text(), QString("Close"), 30000);
+        QTRY_COMPARE(test::find<QPushButton>("exportAccept")->text(), QString("Close"));
         press("exportAccept");
         QTRY_VERIFY(exportDialog() == nullptr);
     }
@@ -132,8 +132,7 @@ private slots:
         QTRY_VERIFY(context().graphs.medium(character) != nullptr);
         QTRY_VERIFY(context().graphs.medium(character)->state == GraphMedia::State::Missing);
         press("graphStateButton");
-        QTRY_VERIFY_WITH_TIMEOUT(context().graphs.medium(character)->state == GraphMedia::State::Ready,
-                                 60000);
+        QTRY_VERIFY(context().graphs.medium(character)->state == GraphMedia::State::Ready);
         auto* density = test::find<QLabel>("essentialDensity");
         QTRY_VERIFY(density->text().contains("%"));
         const QString before = density->text();
@@ -250,11 +249,11 @@ private slots:
 
         // The search, once it has found something: that stays.
         key(Qt::Key_F7);
-        QTRY_VERIFY_WITH_TIMEOUT(context().animations.result("dance") != nullptr, 60000);
+        QTRY_VERIFY(context().animations.result("dance") != nullptr);
         QVERIFY(context().animations.medium("dance")->state == AnimationMedia::State::Solving);
         key(Qt::Key_Period, Qt::ControlModifier);
         QVERIFY(context().animations.medium("dance")->state == AnimationMedia::State::Idle);
-        QTRY_VERIFY_WITH_TIMEOUT(context().jobs.jobs().empty(), 10000);
+        QTRY_VERIFY(context().jobs.jobs().empty());
         QVERIFY(context().animations.result("dance") != nullptr);
         QVERIFY(m_window->animate().stage().frameCount() > 0);
         QCOMPARE(document().project(), before);

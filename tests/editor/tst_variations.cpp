@@ -134,7 +134,7 @@ private slots:
         learn();
         const auto movement = medium().movement;
         variation().edit("strict", "limits", [](VariationEntry& after) { after.limits.poseDistance = 1e-6; });
-        QTRY_VERIFY_WITH_TIMEOUT(medium().drawn->at(0).variations.empty(), 30000);
+        QTRY_VERIFY(medium().drawn->at(0).variations.empty());
         QCOMPARE(medium().movement, movement);
         const DrawnSet& set = medium().drawn->at(0);
         QVERIFY(set.rejected > 0);
@@ -167,7 +167,7 @@ private slots:
         endless.learning.restarts = 100;
         const auto aligned = medium().movement;
         variation().edit("endless", "learning", [&](VariationEntry& after) { after = endless; });
-        QTRY_VERIFY_WITH_TIMEOUT(medium().movement != aligned, 30000);
+        QTRY_VERIFY(medium().movement != aligned);
         QCOMPARE(medium().state, State::NotLearned);
         show("learningPanel");
         action("variations.learn")->trigger();
@@ -189,7 +189,7 @@ private slots:
 
         const auto stopped = medium().movement;
         document().undo();
-        QTRY_VERIFY_WITH_TIMEOUT(medium().movement != stopped, 30000);
+        QTRY_VERIFY(medium().movement != stopped);
         QCOMPARE(medium().state, State::NotLearned);
         action("variations.learn")->trigger();
         QVERIFY(test::waitForVariations(context(), "sways"));
@@ -227,7 +227,7 @@ private slots:
         QVERIFY(test::waitForVariations(context(), "sways"));
         const auto before = medium().drawn;
         // What is drawn is kept in the background.
-        QTRY_VERIFY_WITH_TIMEOUT(context().jobs.jobs().empty(), 30000);
+        QTRY_VERIFY(context().jobs.jobs().empty());
         document().reset({});
         QVERIFY(context().variations.medium("sways") == nullptr);
         bool wasDrawn = false;
@@ -255,7 +255,7 @@ private slots:
         QCOMPARE(report.count(StageState::Stale), 0U);
         // Other settings are drawn anew.
         variation().edit("more", "count", [](VariationEntry& after) { after.samples[0].count = 4; });
-        QTRY_VERIFY_WITH_TIMEOUT(wasDrawn && medium().state == State::Ready, 30000);
+        QTRY_VERIFY(wasDrawn && medium().state == State::Ready);
         QCOMPARE(medium().drawn->at(0).variations.size(), 4U);
     }
 
@@ -286,7 +286,7 @@ private slots:
         emit view.activated(0, 7);
         QTRY_COMPARE(m_window->variations().player().frame().value, 7);
         action("variations.confidence")->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(view.paths()[0].values.size() == 20, 20000);
+        QTRY_VERIFY(view.paths()[0].values.size() == 20);
         action("variations.confidence")->trigger();
     }
 
