@@ -4774,7 +4774,7 @@
     </message>
     <message>
         <source>Only what you decide changes, and what is next to it; the rest of the walk stays.</source>
-        <translation>Seul change ce que vous décidez, et ce qui est à côté ; le reste du parcours demeure.</translation>
+        <translation>Seul change ce que vous décidez, et ce qui est à côté&#xa0;; le reste du parcours demeure.</translation>
     </message>
 </context>
 <context>
@@ -9191,6 +9191,10 @@ maximal %2</translation>
     <message>
         <source>Go to where it is performed</source>
         <translation>Aller là où cela est joué</translation>
+    </message>
+    <message>
+        <source>Add a label</source>
+        <translation>Ajouter une étiquette</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 
 #include "editor/application/actionregistry.h"
 #include "editor/application/sealedfile.h"
+#include "editor/language/menutext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/workspacetabs.h"
 
@@ -103,16 +104,16 @@ void LayoutMenu::refill(QMenu& menu)
     const QString workspace = m_workspaces.current();
     const QStringList names = m_layouts.names(workspace);
     for (const QString& name : names)
-        menu.addAction(
-            QString(name).replace(QLatin1Char('&'), QLatin1String("&&")), this,
-            [this, workspace, name] { m_workspaces.setArrangement(m_layouts.state(workspace, name)); });
+        menu.addAction(menuText(name), this, [this, workspace, name] {
+            m_workspaces.setArrangement(m_layouts.state(workspace, name));
+        });
     menu.addSeparator();
     menu.addAction(m_actions.action("layout.save"));
     m_removal = menu.addMenu(tr("&Delete"));
     m_removal->setObjectName(QStringLiteral("layoutRemoval"));
     m_removal->setEnabled(!names.isEmpty());
     for (const QString& name : names)
-        m_removal->addAction(QString(name).replace(QLatin1Char('&'), QLatin1String("&&")), this,
+        m_removal->addAction(menuText(name), this,
                              [this, workspace, name] { m_layouts.remove(workspace, name); });
     menu.addAction(m_actions.action("layout.reset"));
 }

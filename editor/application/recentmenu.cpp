@@ -3,6 +3,7 @@
 #include "editor/application/recentmenu.h"
 
 #include "editor/application/settings.h"
+#include "editor/language/menutext.h"
 #include "editor/language/retranslate.h"
 
 #include <QFileInfo>
@@ -23,9 +24,8 @@ void RecentMenu::refill()
     const QStringList files = m_settings.recentProjects();
     for (const QString& file : files) {
         const QFileInfo info(file);
-        // An & in a file name is no mnemonic.
-        QAction* action = addAction(info.completeBaseName().replace(QLatin1Char('&'), QLatin1String("&&")),
-                                    this, [this, file] { emit projectAsked(file); });
+        QAction* action =
+            addAction(menuText(info.completeBaseName()), this, [this, file] { emit projectAsked(file); });
         action->setToolTip(file);
         action->setEnabled(info.exists());
     }

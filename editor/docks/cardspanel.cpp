@@ -9,6 +9,7 @@
 #include "editor/docks/cardpictures.h"
 #include "editor/docks/cardsview.h"
 #include "editor/docks/sequencecards.h"
+#include "editor/language/menutext.h"
 #include "editor/language/retranslate.h"
 #include "widgets/theme/icons.h"
 
@@ -253,10 +254,7 @@ void CardsPanel::addLooking(QMenu& menu, const QString& name)
         if (other == name)
             continue;
         // An & in a name is no mnemonic.
-        others->addAction(QString(other).replace(QLatin1Char('&'), QLatin1String("&&")), m_view,
-                          [this, name, other] {
-                              open({name, other});
-                          });
+        others->addAction(menuText(other), m_view, [this, name, other] { open({name, other}); });
     }
     others->setEnabled(!others->isEmpty());
 }

@@ -19,6 +19,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTimer>
 
 namespace quadrille {
 
@@ -185,6 +186,25 @@ private slots:
         QTest::mouseClick(button, Qt::LeftButton);
         QCOMPARE(order(), std::vector<std::string>{"third"});
         QTRY_VERIFY(!board().cards()[0].picture.isNull());
+    }
+
+    void anEmptyStoryboardIsALineWithoutWhatWouldBeCut()
+    {
+        auto* labels = test::find<QListView>("labelList");
+        auto* values = test::find<QWidget>("actionRepeat");
+        QTRY_VERIFY(board().height() < 60);
+        QVERIFY(!labels->isVisible() && !values->isVisible());
+        auto* button = test::find<QPushButton>("addFirstLabel");
+        QVERIFY(button->isVisible() && button->isEnabled());
+        QTimer::singleShot(0, button->menu(), [menu = button->menu()] {
+            QTest::keyClick(menu, Qt::Key_Down);
+            QTest::keyClick(menu, Qt::Key_Return);
+        });
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(order(), std::vector<std::string>{"sway"});
+        QTRY_VERIFY(labels->isVisible() && values->isVisible());
+        context().document.undo();
+        QTRY_VERIFY(!labels->isVisible() && !values->isVisible());
     }
 
     void theClipPerformsTheActionsInTheirOrder()

@@ -206,6 +206,10 @@ void TestPathEditor::wordsKeepClearOfHandles()
         placePlates({words}, {QRectF(195, 125, 10, 10), QRectF(195, 170, 10, 10)}, view).front();
     QVERIFY(aside.left() > 200.0 || aside.right() < 200.0);
     QVERIFY(placePlates({{QPointF(200, 4), words.size}}, {}, view).front().top() > 4.0);
+    // What one keeps clear of, others may cover.
+    const PlateRequest beside{words.place, words.size, {QRectF(180, 20, 40, 135)}};
+    QVERIFY(placePlates({beside}, {}, view).front().top() > 150.0);
+    QCOMPARE(placePlates({beside, words}, {}, view)[1], above);
     // Two at one place do not cover each other.
     const auto two = placePlates({words, words}, {}, view);
     QVERIFY(!two[0].intersects(two[1]));

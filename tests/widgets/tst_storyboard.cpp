@@ -195,7 +195,7 @@ void TestStoryboard::emptyStoryboardsOfferAButton()
 {
     auto* button = new QPushButton(QStringLiteral("Add"));
     m_board->setEmptyText(QStringLiteral("Drop takes here"));
-    m_board->setEmptyAction(button);
+    m_board->addEmptyAction(button);
     QVERIFY(!button->isVisible());
     m_board->setCards({});
     QTRY_VERIFY(button->isVisible());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/qt/registry.h"
 #include "widgets/controls/elidedpair.h"
+#include "widgets/timeline/momentlane.h"
 #include "widgets/timeline/timeline.h"
 #include "widgets/timeline/timelinezoombar.h"
 
@@ -11,6 +12,22 @@
 #include <QTest>
 
 using namespace quadrille::widgets;
+
+namespace {
+
+/// What is painted of that it watches.
+struct Painted : public QObject
+{
+    bool eventFilter(QObject*, QEvent* event) override
+    {
+        if (event->type() == QEvent::Paint)
+            region += static_cast<QPaintEvent*>(event)->region();
+        return false;
+    }
+    QRegion region;
+};
+
+} // namespace
 
 class TestTimeline : public QObject
 {
@@ -25,6 +42,7 @@ private slots:
     void deleteAsksForTheSelectedSpan();
     void zoomKeepsWhatIsUnderThePointer();
     void thePlayheadLeavesNothingBehind();
+    void lanesFollowAtOnce();
     void theEndsOfTheBarZoomAndADoubleClickShowsAll();
     void aDragOverTheRulerWithShiftMarksALoop();
     void aTitleFoldsItsRowAndItsEdgeSizesIt();
@@ -141,16 +159,6 @@ void TestTimeline::zoomKeepsWhatIsUnderThePointer()
 
 void TestTimeline::thePlayheadLeavesNothingBehind()
 {
-    struct Painted : public QObject
-    {
-        bool eventFilter(QObject*, QEvent* event) override
-        {
-            if (event->type() == QEvent::Paint)
-                region += static_cast<QPaintEvent*>(event)->region();
-            return false;
-        }
-        QRegion region;
-    };
     for (const auto unit : {Timeline::Unit::Frames, Timeline::Unit::Seconds}) {
         m_timeline->setUnit(unit);
         for (const auto& [from, to] : {std::pair{99, 40}, {0, 60}, {50, 51}, {98, 3}}) {
@@ -173,6 +181,23 @@ void TestTimeline::thePlayheadLeavesNothingBehind()
                             qPrintable(QStringLiteral("%1 to %2: (%3, %4)").arg(from).arg(to).arg(x).arg(y)));
         }
     }
+}
+
+void TestTimeline::lanesFollowAtOnce()
+{
+    // Not only once the timeline was painted, as then the lane's playhead is a picture late.
+    MomentLane lane(*m_timeline);
+    lane.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&lane));
+    QTest::qWait(50);
+    Painted painted;
+    lane.installEventFilter(&painted);
+    m_timeline->hide();
+    m_timeline->setCurrentFrame(30);
+    QTRY_VERIFY(!painted.region.isEmpty());
+    painted.region = {};
+    m_timeline->zoomBy(2.0);
+    QTRY_VERIFY(!painted.region.isEmpty());
 }
 
 void TestTimeline::theEndsOfTheBarZoomAndADoubleClickShowsAll()

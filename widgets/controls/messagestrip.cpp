@@ -5,8 +5,8 @@
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
 
+#include <QBoxLayout>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 
@@ -38,7 +38,11 @@ Look lookOf(MessageStrip::Kind kind)
 } // namespace
 
 MessageStrip::MessageStrip(QWidget* parent)
-    : QFrame(parent), m_sign(new QLabel), m_text(new QLabel), m_action(new QPushButton)
+    : QFrame(parent)
+    , m_sign(new QLabel)
+    , m_text(new QLabel)
+    , m_action(new QPushButton)
+    , m_content(new QBoxLayout(QBoxLayout::LeftToRight))
 {
     setObjectName(QStringLiteral("messageStrip"));
     setAutoFillBackground(true);
@@ -51,8 +55,10 @@ MessageStrip::MessageStrip(QWidget* parent)
     row->setContentsMargins(12, 8, 12, 8);
     row->setSpacing(8);
     row->addWidget(m_sign, 0, Qt::AlignTop);
-    row->addWidget(m_text, 1);
-    row->addWidget(m_action, 0, Qt::AlignTop);
+    m_content->setSpacing(8);
+    m_content->addWidget(m_text, 1);
+    m_content->addWidget(m_action, 0, Qt::AlignTop | Qt::AlignLeft);
+    row->addLayout(m_content, 1);
     m_action->hide();
     hide();
     connect(m_action, &QPushButton::clicked, this, &MessageStrip::actionTriggered);
@@ -83,6 +89,20 @@ void MessageStrip::setAction(const QString& text)
 {
     m_action->setText(text);
     m_action->setVisible(!text.isEmpty());
+    arrange();
+}
+
+void MessageStrip::arrange()
+{
+    constexpr int leastShare = 3; // of the width that the button takes: one third
+    const bool isNarrow = m_action->sizeHint().width() * leastShare > width();
+    m_content->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
+void MessageStrip::resizeEvent(QResizeEvent* event)
+{
+    QFrame::resizeEvent(event);
+    arrange();
 }
 
 void MessageStrip::refresh()

@@ -4,6 +4,7 @@
 
 #include <QFrame>
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -39,9 +40,12 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void refresh();
+    /// The button stands below the text where it would leave it few words a line.
+    void arrange();
 
     Kind m_kind = Kind::Info;
     QString m_sentence;
@@ -49,6 +53,7 @@ private:
     QLabel* m_sign;
     QLabel* m_text;
     QPushButton* m_action;
+    QBoxLayout* m_content; ///< text and button
 };
 
 } // namespace quadrille::widgets

@@ -82,11 +82,20 @@ void Storyboard::choose(int card)
 
 void Storyboard::setEmptyText(const QString& text)
 {
-    m_emptyText->setText(text);
+    m_emptyWords = text;
     m_emptyText->setToolTip(text);
+    m_emptyText->setAccessibleName(text);
+    fitEmptyText();
 }
 
-void Storyboard::setEmptyAction(QWidget* action)
+void Storyboard::fitEmptyText()
+{
+    m_empty->layout()->activate();
+    m_emptyText->setText(
+        m_emptyText->fontMetrics().elidedText(m_emptyWords, Qt::ElideRight, m_emptyText->width()));
+}
+
+void Storyboard::addEmptyAction(QWidget* action)
 {
     m_empty->layout()->addWidget(action);
 }
@@ -179,7 +188,7 @@ void Storyboard::updateAccessibleText()
                                             .arg(count())
                                             .arg(m_cards[static_cast<std::size_t>(m_current)].title,
                                                  m_cards[static_cast<std::size_t>(m_current)].subtitle)
-                                      : m_emptyText->text());
+                                      : m_emptyWords);
 }
 
 bool Storyboard::viewportEvent(QEvent* event)
@@ -200,6 +209,7 @@ void Storyboard::resizeEvent(QResizeEvent* event)
 {
     QAbstractScrollArea::resizeEvent(event);
     m_empty->setGeometry(viewport()->rect());
+    fitEmptyText();
     updateScrollBar();
 }
 

@@ -46,10 +46,10 @@ public:
     /// −1 for none. Emits nothing.
     void setCurrent(int card);
     int current() const { return m_current; }
-    /// What stands in the middle while there are no cards.
+    /// What stands there while there are no cards: one line, cut where it does not fit.
     void setEmptyText(const QString& text);
-    /// A button below that text which helps. Taken over.
-    void setEmptyAction(QWidget* action);
+    /// A button behind that text which helps. Taken over.
+    void addEmptyAction(QWidget* action);
 
     /// Where a card is drawn, in the viewport's coordinates.
     QRect cardRect(int card) const;
@@ -110,6 +110,7 @@ private:
     void reveal(int card);
     void setInsertion(int before);
     void updateScrollBar();
+    void fitEmptyText();
     void updateAccessibleText();
     void scrollNear(const QPoint& position);
     void paintCard(QPainter& painter, int card, const QRect& place) const;
@@ -122,6 +123,7 @@ private:
     Drag m_drag;
     QWidget* m_empty;
     QLabel* m_emptyText;
+    QString m_emptyWords; ///< of the text, whole
 };
 
 } // namespace quadrille::widgets

@@ -93,6 +93,7 @@ void Timeline::setCurrentFrame(int frame)
     }
     update(before);
     update(d->playheadRect(inside, fontMetrics()));
+    emit viewChanged();
 }
 
 int Timeline::currentFrame() const
@@ -236,6 +237,7 @@ void Timeline::scaleChanged()
 {
     d->zoomBar->update();
     update();
+    emit viewChanged();
 }
 
 void Timeline::updateAccessibleText()

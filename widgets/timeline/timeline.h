@@ -85,6 +85,8 @@ public:
     QSize minimumSizeHint() const override;
 
 signals:
+    /// Other frames are shown, or the playhead is at another one.
+    void viewChanged();
     /// The user moved the playhead.
     void frameScrubbed(int frame);
     void scrubbingChanged(bool scrubbing);

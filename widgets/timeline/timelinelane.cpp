@@ -14,7 +14,7 @@ TimelineLane::TimelineLane(Timeline& timeline, QWidget* parent) : QWidget(parent
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    timeline.installEventFilter(this);
+    connect(&timeline, &Timeline::viewChanged, this, qOverload<>(&QWidget::update));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
@@ -56,22 +56,6 @@ QRectF TimelineLane::area() const
 QSize TimelineLane::sizeHint() const
 {
     return {320, isEmpty() ? 22 : 34};
-}
-
-bool TimelineLane::eventFilter(QObject* watched, QEvent* event)
-{
-    // The timeline paints itself whenever it shows other frames.
-    if (watched == &m_timeline && event->type() == QEvent::Paint) {
-        const TimelineScale& scale = m_timeline.scale();
-        if (scale.firstVisible() != m_firstVisible || scale.pixelsPerFrame() != m_pixelsPerFrame ||
-            m_timeline.currentFrame() != m_frame) {
-            m_firstVisible = scale.firstVisible();
-            m_pixelsPerFrame = scale.pixelsPerFrame();
-            m_frame = m_timeline.currentFrame();
-            update();
-        }
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 void TimelineLane::changeEvent(QEvent* event)

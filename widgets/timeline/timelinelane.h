@@ -30,7 +30,6 @@ signals:
     void menuAsked(double seconds, const QPoint& globalPosition);
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
@@ -45,9 +44,6 @@ private:
     double m_fps = 25;
     QString m_title;
     QString m_notice;
-    double m_firstVisible = 0;
-    double m_pixelsPerFrame = 0;
-    int m_frame = -1;
 };
 
 } // namespace quadrille::widgets

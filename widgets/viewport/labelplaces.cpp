@@ -16,10 +16,10 @@ double areaOf(const QRectF& rect)
     return rect.isValid() ? rect.width() * rect.height() : 0.0;
 }
 
-double coveredBy(const QRectF& plate, const std::vector<QRectF>& keptClear, const QRectF& within)
+double coveredBy(const QRectF& plate, const std::vector<QRectF>& others)
 {
-    double covered = areaOf(plate) - areaOf(plate & within);
-    for (const QRectF& other : keptClear)
+    double covered = 0.0;
+    for (const QRectF& other : others)
         covered += areaOf(plate & other);
     return covered;
 }
@@ -48,7 +48,8 @@ std::vector<QRectF> placePlates(const std::vector<PlateRequest>& plates, std::ve
         for (const QPointF& offset : offsetsFor(request.size)) {
             QRectF plate(QPointF(), request.size);
             plate.moveCenter(request.place + offset);
-            const double covered = coveredBy(plate, keptClear, within);
+            const double covered = areaOf(plate) - areaOf(plate & within) + coveredBy(plate, keptClear) +
+                                   coveredBy(plate, request.keptClear);
             if (best.isNull() || covered < least) {
                 best = plate;
                 least = covered;

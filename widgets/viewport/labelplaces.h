@@ -14,6 +14,7 @@ struct PlateRequest
 {
     QPointF place;
     QSizeF size;
+    std::vector<QRectF> keptClear = {}; ///< what this one should not hide, beside what none should
 };
 
 /// Where plates are drawn: each above its point if nothing is covered there, otherwise below, at a side, or

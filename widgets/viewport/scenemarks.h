@@ -41,6 +41,9 @@ struct SceneLabel
     QVector3D place;
     QString text;
     QColor color; ///< of a dot before the words; invalid: none
+    /// Belongs to a place where a figure stands, and keeps clear of it. Other labels stay where they are
+    /// while figures pass.
+    bool beside = false;
 
     bool operator==(const SceneLabel&) const = default;
 };

@@ -81,6 +81,13 @@ Annotations Viewport::Private::annotations() const
         result.labels.insert(result.labels.end(), marks->labels.begin(), marks->labels.end());
         result.handles.insert(result.handles.end(), marks->handles.begin(), marks->handles.end());
     }
+    if (std::ranges::any_of(result.labels, &SceneLabel::beside)) {
+        for (const auto& [id, figure] : scene.figures()) {
+            if (figure.visible)
+                result.figures.emplace_back(figure.actor->lowerBound() + figure.shift(),
+                                            figure.actor->upperBound() + figure.shift());
+        }
+    }
     if (!result.isEmpty())
         result.camera = gestures->camera();
     return result;

@@ -10,6 +10,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
+#include <QPolygonF>
 #include <algorithm>
 
 namespace quadrille::widgets {
@@ -73,7 +74,23 @@ void paintNames(QPainter& painter, const QSizeF& size, const Annotations& annota
     }
 }
 
-/// Beside their places, clear of handles and of each other.
+/// What a box covers of the view, pixels; empty when a part of it is behind the camera.
+QRectF outlineOf(const std::pair<QVector3D, QVector3D>& box, const Turntable& camera, const QSizeF& size)
+{
+    QPolygonF corners;
+    for (int corner = 0; corner < 8; ++corner) {
+        QVector3D place;
+        for (int axis = 0; axis < 3; ++axis)
+            place[axis] = ((corner >> axis) & 1) == 0 ? box.first[axis] : box.second[axis];
+        QPointF pixel;
+        if (!camera.project(place, size, &pixel))
+            return {};
+        corners += pixel;
+    }
+    return corners.boundingRect();
+}
+
+/// Beside their places, clear of handles, of each other and, where they are meant to, of figures.
 void paintLabels(QPainter& painter, const QSizeF& size, const Annotations& annotations)
 {
     constexpr double handleRadius = 8.0; // with the halo
@@ -83,12 +100,16 @@ void paintLabels(QPainter& painter, const QSizeF& size, const Annotations& annot
         if (annotations.camera.project(handle, size, &pixel))
             handles.emplace_back(pixel.x() - handleRadius, pixel.y() - handleRadius, 2.0 * handleRadius,
                                  2.0 * handleRadius);
+    std::vector<QRectF> figures;
+    for (const auto& box : annotations.figures)
+        figures.push_back(outlineOf(box, annotations.camera, size));
     std::vector<PlateRequest> plates;
     std::vector<const SceneLabel*> seen;
     for (const SceneLabel& label : annotations.labels) {
         if (!annotations.camera.project(label.place, size, &pixel))
             continue;
-        plates.push_back({pixel, plateSize(painter, label.text, label.color)});
+        plates.push_back({pixel, plateSize(painter, label.text, label.color),
+                          label.beside ? figures : std::vector<QRectF>()});
         seen.push_back(&label);
     }
     const std::vector<QRectF> places = placePlates(plates, std::move(handles), QRectF(QPointF(), size));

@@ -10,6 +10,7 @@
 #include <QPointer>
 #include <QWidget>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace quadrille::widgets {
@@ -30,6 +31,8 @@ struct Annotations
     bool namesListed = false; ///< in a column, as figures in one place would hide each other's names
     std::vector<SceneLabel> labels;
     std::vector<QVector3D> handles; ///< of tools: labels keep clear of them
+    /// Lower and upper corners of figures: labels beside them keep clear of them.
+    std::vector<std::pair<QVector3D, QVector3D>> figures;
     std::optional<ScalarRange> legend;
     std::optional<ColorKey> key;
     QString notice; ///< in the middle

@@ -66,6 +66,11 @@ LabelList::LabelList(CurrentAnimation& animation, QWidget* parent)
     refresh();
 }
 
+QStringList LabelList::labels() const
+{
+    return m_labels->stringList();
+}
+
 void LabelList::refresh()
 {
     const ProjectDocument& document = m_animation.context().document;

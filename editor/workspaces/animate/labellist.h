@@ -19,6 +19,8 @@ class LabelList : public QListView
 public:
     explicit LabelList(CurrentAnimation& animation, QWidget* parent = nullptr);
 
+    QStringList labels() const;
+
 signals:
     void labelChosen(const QString& label);
 

@@ -69,9 +69,12 @@ void PathResult::refresh()
     const bool isShown = m_animation.context().actions.action(QStringLiteral("view.trajectory"))->isChecked();
     const bool isThere = result && isShown && m_animation.entry() != nullptr;
     m_followed.clear();
+    m_worst.reset();
     if (isThere && result->walk.constraints.path && result->walk.constraints.path->points.size() > 1)
         m_followed = followPath(*result->walk.constraints.path, result->plan,
                                 result->character->graph.metresPerUnit());
+    if (m_isDeviationShown && !m_followed.empty())
+        m_worst = worstLabel(*result);
     m_animation.view().viewport().setMarks(layer, isThere ? marks(*result) : SceneMarks());
     showFrame();
 }
@@ -98,8 +101,13 @@ void PathResult::showFrame()
                          .colors = {},
                          .width = 2.0F}};
         if (!m_animation.view().player().isPlaying())
-            marks.labels = {{wanted, tr("%1 cm").arg(centimetresOf(m_followed[frame].deviation)), QColor()}};
+            marks.labels.push_back({.place = wanted,
+                                    .text = tr("%1 cm").arg(centimetresOf(m_followed[frame].deviation)),
+                                    .color = QColor(),
+                                    .beside = true});
     }
+    if (m_worst && !m_animation.view().player().isPlaying())
+        marks.labels.push_back(*m_worst);
     if (!marks.isEmpty() || m_isFrameMarked)
         m_animation.view().viewport().setMarks(QStringLiteral("frame"), marks);
     m_isFrameMarked = !marks.isEmpty();
@@ -152,10 +160,17 @@ void PathResult::addDeviation(const AnimationResult& result, SceneMarks& marks) 
         lines.points.push_back(space.toView(frames[i].wanted, onGround));
     }
     marks.curves.push_back(std::move(lines));
-    const auto worst = std::max_element(
-        frames.begin(), frames.end(), [](const auto& a, const auto& b) { return a.deviation < b.deviation; });
-    marks.labels.push_back({space.toView(worst->centre, onGround),
-                            tr("%1 cm away").arg(centimetresOf(worst->deviation)), QColor()});
+}
+
+widgets::SceneLabel PathResult::worstLabel(const AnimationResult& result) const
+{
+    const PathSpace space{.up = result.plan.up, .ground = m_animation.view().viewport().groundHeight()};
+    const bool onGround = !result.walk.constraints.path->inSpace;
+    const auto worst = std::ranges::max_element(m_followed, {}, &FollowedFrame::deviation);
+    return {.place = space.toView(worst->centre, onGround),
+            .text = tr("%1 cm away").arg(centimetresOf(worst->deviation)),
+            .color = QColor(),
+            .beside = true};
 }
 
 } // namespace quadrille

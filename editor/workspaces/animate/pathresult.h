@@ -29,12 +29,14 @@ private:
     widgets::SceneMarks marks(const AnimationResult& result) const;
     void addWay(const AnimationResult& result, widgets::SceneMarks& marks) const;
     void addDeviation(const AnimationResult& result, widgets::SceneMarks& marks) const;
+    widgets::SceneLabel worstLabel(const AnimationResult& result) const;
     void showFrame();
 
     CurrentAnimation& m_animation;
     bool m_isDeviationShown = true;
     bool m_isFrameMarked = false;
-    std::vector<FollowedFrame> m_followed; ///< of the frames of the result that is drawn
+    std::vector<FollowedFrame> m_followed;      ///< of the frames of the result that is drawn
+    std::optional<widgets::SceneLabel> m_worst; ///< where the clip is farthest from the path
 };
 
 } // namespace quadrille

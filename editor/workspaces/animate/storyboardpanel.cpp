@@ -4,6 +4,7 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/fields/verticalscroll.h"
+#include "editor/language/menutext.h"
 #include "editor/language/retranslate.h"
 #include "editor/pictures/framepictures.h"
 #include "editor/workspaces/animate/actionform.h"
@@ -32,6 +33,9 @@ namespace {
 
 constexpr int labelsWidth = 140;
 constexpr int formWidth = 240;
+/// Without cards the panel may be as low as this, and has then no room for its lists.
+constexpr int oneLine = 28;
+constexpr int severalLines = 4 * oneLine;
 
 } // namespace
 
@@ -42,6 +46,8 @@ StoryboardPanel::StoryboardPanel(CurrentAnimation& animation, FramePictures& pic
     , m_labels(new LabelList(animation))
     , m_board(new Storyboard)
     , m_form(new ActionForm(animation.context().document, animation.context().media))
+    , m_values(verticalScroll(m_form))
+    , m_addLabel(new QPushButton)
 {
     setObjectName(QStringLiteral("storyboardPanel"));
     auto* addTakes = new QPushButton;
@@ -51,20 +57,24 @@ StoryboardPanel::StoryboardPanel(CurrentAnimation& animation, FramePictures& pic
     connect(addAction, &QAction::changed, addTakes,
             [addAction, addTakes] { addTakes->setEnabled(addAction->isEnabled()); });
     addTakes->setEnabled(addAction->isEnabled());
-    m_board->setEmptyAction(addTakes);
+    m_board->addEmptyAction(addTakes);
+    m_addLabel->setObjectName(QStringLiteral("addFirstLabel"));
+    m_addLabel->setMenu(new QMenu(m_addLabel));
+    connect(m_addLabel->menu(), &QMenu::aboutToShow, this, &StoryboardPanel::fillLabelMenu);
+    const auto enableLabels = [this] { m_addLabel->setEnabled(!m_labels->labels().isEmpty()); };
+    connect(m_labels->model(), &QAbstractItemModel::modelReset, this, enableLabels);
+    enableLabels();
+    m_board->addEmptyAction(m_addLabel);
     m_labels->setFixedWidth(labelsWidth);
-    QScrollArea* values = verticalScroll(m_form);
-    values->setFixedWidth(formWidth);
-    // Without cards the panel may be as low as one line.
-    constexpr int oneLine = 28;
+    m_values->setFixedWidth(formWidth);
     m_labels->setMinimumHeight(oneLine);
-    values->setMinimumHeight(oneLine);
+    m_values->setMinimumHeight(oneLine);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(1);
     row->addWidget(m_labels);
     row->addWidget(m_board, 1);
-    row->addWidget(values);
+    row->addWidget(m_values);
     connectBoard();
     connect(m_labels, &LabelList::labelChosen, this,
             [this](const QString& label) { add({{.label = label}}); });
@@ -84,6 +94,7 @@ StoryboardPanel::StoryboardPanel(CurrentAnimation& animation, FramePictures& pic
     connect(&pictures, &FramePictures::drawn, this, &StoryboardPanel::refresh);
     connect(&Theme::instance(), &Theme::changed, this, &StoryboardPanel::refresh);
     retranslates(this, [this, addTakes] {
+        m_addLabel->setText(tr("Add a label"));
         addTakes->setText(tr("Add the selected takes"));
         m_board->setEmptyText(tr("What happens one after the other: drag takes or labels here. The joins are "
                                  "found for them."));
@@ -172,6 +183,30 @@ void StoryboardPanel::refresh()
     if (cards != m_board->cards())
         m_board->setCards(std::move(cards));
     showAction();
+    fit();
+}
+
+/// Lists that would be cut in the one line of an empty storyboard are not there.
+void StoryboardPanel::fit()
+{
+    const bool isEmpty = m_board->cards().empty();
+    m_values->setVisible(!isEmpty);
+    m_labels->setVisible(!isEmpty || height() >= severalLines);
+}
+
+void StoryboardPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fit();
+}
+
+void StoryboardPanel::fillLabelMenu()
+{
+    QMenu* menu = m_addLabel->menu();
+    menu->clear();
+    for (const QString& label : m_labels->labels())
+        connect(menu->addAction(menuText(label)), &QAction::triggered, this,
+                [this, label] { add({{.label = label}}); });
 }
 
 void StoryboardPanel::showAction()

@@ -8,6 +8,9 @@
 
 #include <QWidget>
 
+class QPushButton;
+class QScrollArea;
+
 namespace quadrille {
 
 class ActionForm;
@@ -36,9 +39,14 @@ signals:
     /// An action is to be seen where the clip performs it; output frames.
     void actionChosen(const quadrille::FrameRange& frames);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void connectBoard();
     void refresh();
+    void fit();
+    void fillLabelMenu();
     void showAction();
     void insert(int before, const std::vector<widgets::DraggedFrames>& frames);
     void move(int card, int before);
@@ -56,6 +64,8 @@ private:
     LabelList* m_labels;
     widgets::Storyboard* m_board;
     ActionForm* m_form;
+    QScrollArea* m_values; ///< around the form
+    QPushButton* m_addLabel;
 };
 
 } // namespace quadrille
