@@ -18,6 +18,8 @@
 #include <QMenu>
 #include <QSplitter>
 #include <QToolButton>
+#include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
 
 namespace quadrille {
 
@@ -147,6 +149,34 @@ private slots:
         QCOMPARE(splitter->sizes(), sizes);
         context().selection.selectSequences({"first"});
         QCOMPARE(splitter->sizes(), sizes);
+    }
+
+    void linesOfGapsAreWholeOnASmallScreen_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("English") << "en";
+        QTest::newRow("French") << "fr";
+    }
+    void linesOfGapsAreWholeOnASmallScreen()
+    {
+        QFETCH(QString, language);
+        compute();
+        context().languages.setLanguage(language);
+        m_window->resize(1280, 688);
+        context().actions.action("graph.gaps")->trigger();
+        auto* tree = test::find<QTreeWidget>("gapsTree");
+        QTRY_VERIFY(tree->isVisible() && tree->topLevelItemCount() > 0);
+        tree->expandAll();
+        for (QTreeWidgetItemIterator item(tree); *item != nullptr; ++item) {
+            const auto needed = [&] {
+                return tree->fontMetrics()
+                    .boundingRect(0, 0, tree->visualItemRect(*item).width(), 10'000, Qt::TextWordWrap,
+                                  (*item)->text(0))
+                    .height();
+            };
+            QTRY_VERIFY2(tree->visualItemRect(*item).height() >= needed(), qPrintable((*item)->text(0)));
+        }
+        context().languages.setLanguage("en");
     }
 
     void theSliderShowsHowDenseTheGraphBecomes()

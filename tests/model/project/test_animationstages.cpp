@@ -7,6 +7,7 @@
 #include "tests/model/audio/tone.h"
 #include "tests/model/project/stripproject.h"
 
+#include <cmath>
 #include <gmock/gmock.h>
 
 using namespace quadrille;
@@ -109,12 +110,16 @@ TEST_F(AnimationStages, MeetKeysAndSayWhen)
     EXPECT_EQ(column<std::int64_t>("animations/dance/frames", "source-frame"),
               (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6, 7}));
     const auto what = column<std::string>("animations/dance/report", "what");
+    const auto wanted = column<double>("animations/dance/report", "wanted");
     const auto obtained = column<double>("animations/dance/report", "obtained");
+    ASSERT_EQ(what.size(), wanted.size());
     ASSERT_EQ(what.size(), obtained.size());
     std::vector<double> keys;
     for (std::size_t row = 0; row < what.size(); ++row) {
         if (what[row] == "key")
             keys.push_back(obtained[row]);
+        else
+            EXPECT_TRUE(std::isnan(wanted[row])) << what[row]; // nothing was asked, which tables leave empty
     }
     EXPECT_THAT(keys, ElementsAre(0, 1));
 }

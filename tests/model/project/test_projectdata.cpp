@@ -43,6 +43,17 @@ TEST(WriteData, CsvHasAHeaderWithUnits)
     EXPECT_EQ(textOf(folder / "t.csv"), "sequence,frame (frame)\n\"é \"\"x\"\"\",0\nb,7\n");
 }
 
+TEST(WriteData, CsvLeavesCellsOfTablesEmptyWhereThereIsNoValue)
+{
+    const TemporaryFolder folder;
+    const DataTable report{"report",
+                           "Report.",
+                           {columnOf("wanted", "", std::vector<double>{NAN, 2.5}),
+                            columnOf("obtained", "", std::vector<double>{1, 2})}};
+    writeData({"report", "", true, report}, folder / "r.csv");
+    EXPECT_EQ(textOf(folder / "r.csv"), "wanted,obtained\n,1\n2.5,2\n");
+}
+
 TEST(WriteData, NpyIsAlignedAndRowMajor)
 {
     const TemporaryFolder folder;
