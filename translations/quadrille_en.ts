@@ -6,7 +6,7 @@
     <message numerus="yes">
         <source>%1 s, %n transitions</source>
         <translation>
-            <numerusform>%1 s, %n transitions</numerusform>
+            <numerusform>%1 s, %n transition</numerusform>
             <numerusform>%1 s, %n transitions</numerusform>
         </translation>
     </message>
@@ -37,7 +37,7 @@
     <message numerus="yes">
         <source>looped, played %n times</source>
         <translation>
-            <numerusform>looped, played %n times</numerusform>
+            <numerusform>looped, played once</numerusform>
             <numerusform>looped, played %n times</numerusform>
         </translation>
     </message>
@@ -92,14 +92,14 @@
     <message numerus="yes">
         <source>%n boundary loops</source>
         <translation>
-            <numerusform>%n boundary loops</numerusform>
+            <numerusform>%n boundary loop</numerusform>
             <numerusform>%n boundary loops</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n non-manifold edges</source>
         <translation>
-            <numerusform>%n non-manifold edges</numerusform>
+            <numerusform>%n non-manifold edge</numerusform>
             <numerusform>%n non-manifold edges</numerusform>
         </translation>
     </message>
@@ -389,7 +389,7 @@
     <message numerus="yes">
         <source>Remove %n animations</source>
         <translation>
-            <numerusform>Remove %n animations</numerusform>
+            <numerusform>Remove %n animation</numerusform>
             <numerusform>Remove %n animations</numerusform>
         </translation>
     </message>

@@ -86,6 +86,16 @@ void StatusJobs::refreshJobs()
     m_progress->setValue(
         static_cast<int>(1000 * std::max(0.0, first.data(JobListModel::FractionRole).toDouble())));
     m_timeLeft->setText(first.data(JobListModel::TimeLeftRole).toString());
+    fit();
+}
+
+/// At once: while the machine computes, the next layout may be long in coming, and words would be cut.
+void StatusJobs::fit()
+{
+    layout()->activate();
+    updateGeometry();
+    if (parentWidget() != nullptr && parentWidget()->layout() != nullptr)
+        parentWidget()->layout()->activate();
 }
 
 void StatusJobs::refreshCache()
@@ -93,6 +103,7 @@ void StatusJobs::refreshCache()
     const auto cache = MediaCache::shared()->statistics();
     m_cache->setText(tr("Cache %1 of %2 MB").arg(cache.bytes >> 20).arg(cache.budget >> 20));
     m_cache->setToolTip(tr("Memory that frames and textures take, and may take"));
+    fit();
 }
 
 } // namespace quadrille

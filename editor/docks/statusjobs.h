@@ -30,6 +30,7 @@ public:
 private:
     void refreshJobs();
     void refreshCache();
+    void fit();
 
     JobRunner& m_runner;
     JobListModel* m_jobs;

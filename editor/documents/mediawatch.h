@@ -47,7 +47,7 @@ private:
     ProjectDocument& m_document;
     QTimer m_timer;
     int m_interval;
-    int m_generation = 0; ///< of what is known; what was looked at before says nothing
+    int m_generation = 0;       ///< of what is known; what was looked at before says nothing
     int m_knownGeneration = -1; ///< that was looked at
     bool m_isLooking = false;
     Stamps m_known;                  ///< as they were opened

@@ -73,6 +73,27 @@ private slots:
         QCOMPARE(path().spans[0].frames->label, std::string("lean"));
     }
 
+    void theViewKeepsItsSizeUnderThePen()
+    {
+        auto* draw = test::find<QPushButton>("drawPath");
+        QWidget& view = *viewport().view();
+        QTest::qWait(50);
+        const QSize before = view.size();
+        QTest::mouseClick(draw, Qt::LeftButton);
+        QTest::qWait(50);
+        QCOMPARE(view.size(), before);
+        for (const double x : {0.3, 0.5, 0.6}) {
+            QTest::mouseClick(&view, Qt::LeftButton, {},
+                              QPoint(static_cast<int>(x * view.width()), view.height() * 2 / 3));
+            QTest::qWait(50);
+            QCOMPARE(view.size(), before);
+        }
+        QTest::keyClick(&view, Qt::Key_Return);
+        QVERIFY(test::waitForResult(m_window->context(), m_window->animate().animation().name()));
+        QTest::qWait(50);
+        QCOMPARE(view.size(), before);
+    }
+
     void theDeviationIsThatOfTheSearch()
     {
         PathEntry curved = straight();

@@ -15,6 +15,7 @@
 
 #include <QClipboard>
 #include <QContextMenuEvent>
+#include <QHeaderView>
 #include <QMenu>
 #include <QSplitter>
 #include <QToolButton>
@@ -91,15 +92,18 @@ private slots:
         const FramePair pair = someTransition();
         workspace().activate(pair);
         auto* list = test::find<AlternativesList>("transitionAlternatives");
-        constexpr int slideColumn = 3;
-        constexpr int jumpColumn = 4;
+        constexpr int slideColumn = 2;
+        constexpr int jumpColumn = 3;
         QCOMPARE(list->topLevelItem(0)->text(jumpColumn), QString("…"));
         QTRY_VERIFY(text("transitionJump") != "…");
         for (int row = 0; row < list->topLevelItemCount(); ++row) {
             QTRY_VERIFY(list->topLevelItem(row)->text(jumpColumn) != "…");
             QVERIFY(list->topLevelItem(row)->text(slideColumn) != "…");
         }
-        QVERIFY(list->topLevelItem(0)->text(0).contains(" › "));
+        QVERIFY(list->topLevelItem(0)->text(0).contains("› "));
+        QVERIFY(list->topLevelItem(0)->toolTip(0).contains(" › "));
+        // What it costs is seen beside it.
+        QTRY_VERIFY(list->header()->sectionViewportPosition(jumpColumn) < list->viewport()->width());
         QTRY_VERIFY(!list->topLevelItem(0)->icon(0).isNull());
         // Other blending, other speeds.
         context().actions.action("graph.gentle")->setChecked(true);

@@ -101,6 +101,24 @@ private slots:
         QCOMPARE(label(0), std::string("hop im"));
         QVERIFY(timeline().hasFocus());
 
+        // To make and to name it is one edit.
+        const int edits = context().document.undoStack()->index();
+        QTest::keyClick(&viewport(), Qt::Key_M);
+        QTest::keyClicks(nameField(), "second");
+        QTest::keyClick(nameField(), Qt::Key_Return);
+        QCOMPARE(label(1), std::string("second"));
+        QCOMPARE(context().document.undoStack()->index(), edits + 1);
+        context().document.undo();
+        QCOMPARE(entry("step_1").labels.size(), 1U);
+        // Left by Escape it was never made.
+        QTest::keyClick(&viewport(), Qt::Key_M);
+        QTest::keyClicks(nameField(), "third");
+        QTest::keyClick(nameField(), Qt::Key_Escape);
+        QVERIFY(nameField() == nullptr);
+        QCOMPARE(entry("step_1").labels.size(), 1U);
+        QCOMPARE(context().document.undoStack()->index(), edits);
+
+        timeline().setSelectedSpan(widgets::SpanRef{"labels", 0});
         QTest::keyClick(&timeline(), Qt::Key_Return); // names the selected one
         QVERIFY(nameField() != nullptr);
         QTest::keyClicks(nameField(), "other");

@@ -91,6 +91,7 @@ void InPlaceEdit::finish(bool accepts)
     const QString typed = text().trimmed();
     if (accepts && !typed.isEmpty() && typed != m_before)
         emit accepted(typed);
+    emit ended(!accepts);
 }
 
 } // namespace quadrille::widgets

@@ -22,6 +22,8 @@ public:
 signals:
     /// At most once: another text that is not blank, without blanks around it.
     void accepted(const QString& text);
+    /// Once, at the end and after `accepted`. \param leaves  by Escape: nothing is wanted.
+    void ended(bool leaves);
 
 protected:
     bool event(QEvent* event) override;

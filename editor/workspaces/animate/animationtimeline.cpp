@@ -143,22 +143,21 @@ void AnimationTimeline::refresh()
 
 void AnimationTimeline::refreshTracks()
 {
+    // Without an animation the rows keep their room: the view must not shrink under the pen that begins one.
+    const AnimationEntry none;
     const AnimationEntry* entry = m_animation.entry();
-    if (entry == nullptr) {
-        m_timeline.setTracks({});
-        m_timeline.setDropTrack({});
-        return;
-    }
-    const AnimationTracks tracks{*entry, m_result.get(), m_planned, m_parts, fps()};
+    const AnimationTracks tracks{entry == nullptr ? none : *entry, m_result.get(), m_planned, m_parts, fps()};
     std::vector<widgets::TimelineTrack> all{tracks.keys(m_keyIds, m_pictures), tracks.clip()};
     for (widgets::TimelineTrack& track : std::vector{tracks.actions(), tracks.demands()})
         if (!track.spans.empty())
             all.push_back(std::move(track));
     if (m_notes != nullptr)
         all.push_back(m_notes->track());
+    for (widgets::TimelineTrack& track : all)
+        track.editable = track.editable && entry != nullptr;
     if (all != m_timeline.tracks())
         m_timeline.setTracks(std::move(all));
-    m_timeline.setDropTrack(keyTrackId);
+    m_timeline.setDropTrack(entry == nullptr ? QString() : QString(keyTrackId));
 }
 
 void AnimationTimeline::setNotes(FrameNotes& notes)

@@ -14,6 +14,7 @@
 #include "editor/workspaces/view/notespanel.h"
 
 #include <QDockWidget>
+#include <QLayout>
 #include <QMainWindow>
 #include <QStatusBar>
 #include <algorithm>
@@ -164,8 +165,12 @@ void KeysAndStoryboard::fitDocks()
     if (dock == nullptr || window == nullptr || dock->isFloating() || isEmpty == m_areDocksLow)
         return;
     m_areDocksLow = isEmpty;
-    if (isEmpty || dock->height() < usualHeight)
-        window->resizeDocks({dock}, {isEmpty ? dock->minimumSizeHint().height() : usualHeight}, Qt::Vertical);
+    if (!isEmpty && dock->height() >= usualHeight)
+        return;
+    window->resizeDocks({dock}, {isEmpty ? dock->minimumSizeHint().height() : usualHeight}, Qt::Vertical);
+    // At once: otherwise the next layout would do it, under the pen of who draws by then.
+    window->layout()->invalidate();
+    window->layout()->activate();
 }
 
 void KeysAndStoryboard::selectKey(int key)

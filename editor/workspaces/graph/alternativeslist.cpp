@@ -25,6 +25,7 @@ using widgets::chartNumber;
 
 constexpr int smallestTable = 180; // pixels
 constexpr int pictureSide = 32;    // pixels
+constexpr int pictureWidth = 22;   // of its middle: figures stand
 constexpr int pictureGap = 2;      //
 constexpr int mostListed = 10;
 constexpr int mostSought = 60; // of which some may be of takes that are not looked at
@@ -47,7 +48,7 @@ AlternativesList::AlternativesList(GraphExplorer& explorer, TransitionSpeeds& sp
     setColumnCount(ColumnCount);
     setRootIsDecorated(false);
     setUniformRowHeights(true);
-    setIconSize({2 * pictureSide + pictureGap, pictureSide});
+    setIconSize({2 * pictureWidth + pictureGap, pictureSide});
     setMinimumHeight(smallestTable);
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -110,7 +111,10 @@ void AlternativesList::refresh()
     }
     for (const FramePair& pair : m_listed) {
         auto* item = new QTreeWidgetItem(this);
-        item->setText(Both, pairName(m_explorer, pair));
+        // In two lines, which leave the numbers room.
+        item->setText(Both,
+                      pairName(m_explorer, pair).replace(QStringLiteral(" › "), QStringLiteral("\n› ")));
+        item->setToolTip(Both, pairName(m_explorer, pair));
         item->setText(Weight, chartNumber(costs.weight(pair.source, pair.destination, m_explorer.alpha())));
         item->setText(Frames, QLocale().toString(costs.length()(pair.source, pair.destination)));
         for (int column = Weight; column < ColumnCount; ++column) {
@@ -142,8 +146,10 @@ void AlternativesList::showPictures()
             const NamedFrame named = m_explorer.character()->graph.nameOf(frame);
             const QImage picture = m_pictures.picture(QString::fromStdString(named.sequence), named.frame);
             if (!picture.isNull())
-                painter.drawImage(QRect(left, 0, pictureSide, pictureSide), picture);
-            left += pictureSide + pictureGap;
+                painter.drawImage(QRect(left, 0, pictureWidth, pictureSide), picture,
+                                  QRect(picture.width() * (pictureSide - pictureWidth) / (2 * pictureSide), 0,
+                                        picture.width() * pictureWidth / pictureSide, picture.height()));
+            left += pictureWidth + pictureGap;
         }
         painter.end();
         topLevelItem(static_cast<int>(row))->setIcon(Both, both);
@@ -163,8 +169,8 @@ void AlternativesList::showSpeeds()
 
 void AlternativesList::retranslate()
 {
-    setHeaderLabels({tr("Transition"), tr("Weight"), tr("Frames"), tr("Slide", "of feet, a speed"),
-                     tr("Jump", "of the speed")});
+    setHeaderLabels({tr("Transition"), tr("Weight"), tr("Slide", "of feet, a speed"),
+                     tr("Jump", "of the speed"), tr("Frames")});
     const auto setTip = [this](Column column, const QString& tip) {
         headerItem()->setToolTip(column, tip);
         headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);

@@ -43,9 +43,9 @@ private:
     {
         Both,
         Weight,
-        Frames,
         Slide,
         Jump,
+        Frames,
         ColumnCount,
     };
     void refresh();

@@ -67,7 +67,7 @@ SequenceTimeline::SequenceTimeline(Timeline& timeline, ProjectDocument& document
     });
     connect(&timeline, &Timeline::spanCreated, this, &SequenceTimeline::createSpan);
     connect(&timeline, &Timeline::spanEdited, this, &SequenceTimeline::editSpan);
-    connect(&timeline, &Timeline::spanActivated, this, &SequenceTimeline::nameSpan);
+    connect(&timeline, &Timeline::spanActivated, this, [this](const SpanRef& span) { nameSpan(span); });
     connect(&timeline, &Timeline::spanDeletionAsked, this, &SequenceTimeline::deleteSpan);
     connect(&timeline, &Timeline::contextMenuAsked, this, &SequenceTimeline::showMenu);
 }
@@ -194,9 +194,20 @@ void SequenceTimeline::createSpan(const QString& track, int first, int last)
         auto labels = shown->labels;
         labels.push_back({proposedLabel(m_sequence).toStdString(), toSequence(first, last)});
         const SpanRef span{labelTrack, static_cast<int>(labels.size()) - 1};
-        setSequenceLabels(m_document, m_sequence, std::move(labels));
+        // Making and naming it is one edit, which Escape takes back.
+        setSequenceLabels(m_document, m_sequence, std::move(labels), EditPhase::Dragging);
         m_timeline.setSelectedSpan(span);
-        nameSpan(span);
+        nameSpan(span, EditPhase::Dragging);
+        connect(m_nameField, &widgets::InPlaceEdit::ended, this,
+                [this, frames = toSequence(first, last), sequence = m_sequence](bool leaves) {
+                    const SequenceEntry* named = m_document.sequence(sequence);
+                    if (named == nullptr || named->labels.empty() || named->labels.back().frames != frames)
+                        return;
+                    auto all = named->labels;
+                    if (leaves)
+                        all.pop_back();
+                    setSequenceLabels(m_document, sequence, std::move(all));
+                });
     } else if (track.startsWith(contactPrefix)) {
         auto contacts = shown->contacts;
         contacts.push_back({track.mid(contactPrefix.size()).toStdString(), toSequence(first, last)});
@@ -252,7 +263,7 @@ void SequenceTimeline::deleteSpan(const SpanRef& span)
     }
 }
 
-void SequenceTimeline::nameSpan(const SpanRef& span)
+void SequenceTimeline::nameSpan(const SpanRef& span, EditPhase phase)
 {
     const SequenceEntry* shown = entry();
     const auto index = static_cast<std::size_t>(span.span);
@@ -265,7 +276,7 @@ void SequenceTimeline::nameSpan(const SpanRef& span)
     m_nameField->setAccessibleName(tr("Name of the label"));
     m_nameField->setCompleter(new QCompleter(knownLabels(m_document.project()), m_nameField));
     connect(m_nameField, &widgets::InPlaceEdit::accepted, this,
-            [this, label, index, sequence = m_sequence](const QString& text) {
+            [this, label, index, phase, sequence = m_sequence](const QString& text) {
                 // Meanwhile it may have gone, or have another number.
                 const SequenceEntry* named = m_document.sequence(sequence);
                 if (named == nullptr)
@@ -277,7 +288,7 @@ void SequenceTimeline::nameSpan(const SpanRef& span)
                 if (place == labels.end())
                     return;
                 place->label = text.toStdString();
-                setSequenceLabels(m_document, sequence, std::move(labels));
+                setSequenceLabels(m_document, sequence, std::move(labels), phase);
             });
     m_nameField->begin(m_timeline.spanRect(span));
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "editor/commands/changeentry.h"
 #include "editor/documents/sequencemedia.h"
 #include "widgets/timeline/timeline.h"
 
@@ -45,7 +46,7 @@ public:
     const QString& sequence() const { return m_sequence; }
     bool isEditing() const { return entry() != nullptr && m_comparedFrames == 0; }
     /// Opens a field for the name of a label.
-    void nameSpan(const widgets::SpanRef& span);
+    void nameSpan(const widgets::SpanRef& span, EditPhase phase = EditPhase::Final);
 
 signals:
     /// The frames that play are others now.
