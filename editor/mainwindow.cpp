@@ -37,7 +37,9 @@
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QTimer>
 #include <QVBoxLayout>
+#include <chrono>
 
 namespace quadrille {
 
@@ -143,6 +145,13 @@ void MainWindow::makeCentre()
     m_message = new QLabel;
     m_message->setObjectName(QStringLiteral("message"));
     statusBar()->addWidget(m_message, 1);
+    m_messagePasses = new QTimer(this);
+    m_messagePasses->setObjectName(QStringLiteral("messagePasses"));
+    m_messagePasses->setSingleShot(true);
+    connect(m_messagePasses, &QTimer::timeout, m_message, [this] {
+        m_message->clear();
+        m_message->setToolTip({});
+    });
     m_jobs = new StatusJobs(m_context.jobs);
     statusBar()->addPermanentWidget(m_jobs);
 }
@@ -178,7 +187,7 @@ void MainWindow::connectAll()
         showProblem(describe(error).oneLine());
     });
     connect(m_relink, &RelinkFlow::relinked, this,
-            [this](int media) { m_message->setText(tr("%n file(s) were relinked", nullptr, media)); });
+            [this](int media) { showMessage(tr("%n file(s) were relinked", nullptr, media), {}); });
     connect(&m_context.jobs, &JobRunner::failed, this, [this](Job*, const Error& error) {
         m_context.issues.add(error);
         showProblem(describe(error).oneLine());
@@ -215,8 +224,10 @@ void MainWindow::followDocument(const ChangeEvent& event)
 
 void MainWindow::showMessage(const QString& message, const QStringList& files)
 {
+    constexpr std::chrono::seconds seen{15};
     m_message->setText(message);
     m_message->setToolTip(files.mid(0, 20).join(QLatin1Char('\n')));
+    m_messagePasses->start(seen);
 }
 
 void MainWindow::tellPutAside(const QString& file)
@@ -228,6 +239,7 @@ void MainWindow::tellPutAside(const QString& file)
 
 void MainWindow::showProblem(const QString& message)
 {
+    m_messagePasses->stop(); // it stays until something else is told
     m_message->setText(message);
     m_message->setToolTip(message);
     m_issuesDock->show();

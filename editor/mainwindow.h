@@ -10,6 +10,7 @@
 class QLabel;
 class QMenu;
 class QStackedWidget;
+class QTimer;
 
 namespace quadrille {
 
@@ -112,6 +113,7 @@ private:
     QDockWidget* m_propertiesDock = nullptr;
     QDockWidget* m_issuesDock = nullptr;
     QLabel* m_message = nullptr;
+    QTimer* m_messagePasses = nullptr;
     StatusJobs* m_jobs = nullptr;
     SessionKeeper* m_session = nullptr;
     HelpFlow* m_help = nullptr;

@@ -33,8 +33,7 @@ template <typename Answer>
 Answer ask(QWidget* window, const char* name, const QString& sentence, const QString& remedy,
            const std::vector<Choice<Answer>>& choices, Answer otherwise)
 {
-    QMessageBox box(QMessageBox::Warning, QCoreApplication::applicationName(), sentence, QMessageBox::Cancel,
-                    window);
+    QMessageBox box(QMessageBox::Warning, QStringLiteral("Quadrille"), sentence, QMessageBox::Cancel, window);
     box.setObjectName(QLatin1String(name));
     box.setInformativeText(remedy);
     std::vector<std::pair<QAbstractButton*, Answer>> buttons;

@@ -170,9 +170,15 @@ private slots:
         const QImage picture(file);
         QCOMPARE(picture.size(), size);
         QVERIFY(picture.pixelColor(picture.rect().center()) != picture.pixelColor(0, 0));
+        // What was told passes; what went wrong stays.
+        auto* passes = m_window->findChild<QTimer*>("messagePasses");
+        QVERIFY(passes->isActive());
+        passes->start(0);
+        QTRY_VERIFY(message->text().isEmpty());
 
         m_window->pictures().save(m_folder->filePath("walk_1.obj/view.png"));
         QTRY_COMPARE(context().issues.count(IssueLog::Severity::Error), 1);
+        QVERIFY(!message->text().isEmpty() && !passes->isActive());
     }
 
     void preferencesApplyAtOnce()
