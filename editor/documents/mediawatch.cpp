@@ -14,9 +14,8 @@ namespace {
 constexpr int pollMilliseconds = 3000;
 /// While something changes.
 constexpr int settlingMilliseconds = 700;
-/// A look takes at most this part of the time, unless that makes looks rarer than the longest pause.
-constexpr qint64 rarity = 20;
-constexpr qint64 longestPauseMilliseconds = 15'000;
+/// A look takes at most this part of the time.
+constexpr int rarity = 20;
 
 std::map<std::string, FileStamp> stampsOf(const Project& project)
 {
@@ -60,7 +59,7 @@ QStringList MediaWatch::changedFiles() const
 
 bool MediaWatch::isWatching() const
 {
-    return m_knownGeneration == m_generation;
+    return m_isWatching;
 }
 
 void MediaWatch::setInterval(int milliseconds)
@@ -71,17 +70,21 @@ void MediaWatch::setInterval(int milliseconds)
 
 void MediaWatch::follow(const ChangeEvent& event)
 {
-    if (event.kind != ChangeEvent::Kind::Reset)
+    const bool isOther = event.kind == ChangeEvent::Kind::Reset;
+    if (!isOther && event.kind != ChangeEvent::Kind::List)
         return;
     ++m_generation;
-    m_known.clear();
-    m_last.clear();
-    m_found.clear();
-    if (!m_changed.empty()) {
-        m_changed.clear();
-        emit changed();
+    m_isWatching = false;
+    if (isOther) {
+        m_known.clear();
+        m_last.clear();
+        m_found.clear();
+        if (!m_changed.empty()) {
+            m_changed.clear();
+            emit changed();
+        }
     }
-    look(); // media are being opened now
+    look(); // media are being opened now: what is written later differs from what is there
 }
 
 void MediaWatch::look()
@@ -109,7 +112,7 @@ void MediaWatch::look()
 
 void MediaWatch::take(const Stamps& now, qint64 milliseconds)
 {
-    m_knownGeneration = m_generation;
+    m_isWatching = true;
     bool isSettling = false;
     for (const auto& [file, stamp] : now) {
         const auto [known, isNew] = m_known.try_emplace(file, stamp);
@@ -120,8 +123,7 @@ void MediaWatch::take(const Stamps& now, qint64 milliseconds)
         m_found.insert(file);
     }
     m_last = now;
-    const auto pause =
-        std::max<qint64>(m_interval, std::min(milliseconds * rarity, longestPauseMilliseconds));
+    const auto pause = std::max<qint64>(m_interval, milliseconds * rarity);
     m_timer.start(static_cast<int>(isSettling ? std::min<qint64>(pause, settlingMilliseconds) : pause));
     // All at once, when the last of them is done.
     if (isSettling || m_found == m_changed)

@@ -28,9 +28,9 @@ public:
 
     /// Files that were written since they were opened.
     QStringList changedFiles() const;
-    /// Whether the files of the open project were looked at once: what is written from now on is told.
+    /// Whether the files of all entries of the project were looked at: what is written from now on is told.
     bool isWatching() const;
-    /// Milliseconds between two looks; they are rarer where looking takes long, up to a quarter of a minute.
+    /// Milliseconds between two looks; they are rarer where looking takes long.
     void setInterval(int milliseconds);
 
 signals:
@@ -47,8 +47,8 @@ private:
     ProjectDocument& m_document;
     QTimer m_timer;
     int m_interval;
-    int m_generation = 0;       ///< of what is known; what was looked at before says nothing
-    int m_knownGeneration = -1; ///< that was looked at
+    int m_generation = 0; ///< of the project's entries; what a look at former ones saw is not taken
+    bool m_isWatching = false;
     bool m_isLooking = false;
     Stamps m_known;                  ///< as they were opened
     Stamps m_last;                   ///< as they were seen last
