@@ -253,7 +253,6 @@ void CardsPanel::addLooking(QMenu& menu, const QString& name)
         const QString other = QString::fromStdString(entry.name);
         if (other == name)
             continue;
-        // An & in a name is no mnemonic.
         others->addAction(menuText(other), m_view, [this, name, other] { open({name, other}); });
     }
     others->setEnabled(!others->isEmpty());

@@ -8,6 +8,7 @@
 #include "editor/workspaces/graph/graphbar.h"
 #include "editor/workspaces/graph/transitionpanel.h"
 #include "graphfixture.h"
+#include "tests/qt/languages.h"
 #include "tests/qt/registry.h"
 #include "widgets/graph/arcview.h"
 #include "widgets/graph/logslider.h"
@@ -155,12 +156,7 @@ private slots:
         QCOMPARE(splitter->sizes(), sizes);
     }
 
-    void linesOfGapsAreWholeOnASmallScreen_data()
-    {
-        QTest::addColumn<QString>("language");
-        QTest::newRow("English") << "en";
-        QTest::newRow("French") << "fr";
-    }
+    void linesOfGapsAreWholeOnASmallScreen_data() { test::addLanguages(); }
     void linesOfGapsAreWholeOnASmallScreen()
     {
         QFETCH(QString, language);

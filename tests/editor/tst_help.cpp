@@ -3,6 +3,7 @@
 #include "editor/help/helppages.h"
 #include "editor/help/helpviewer.h"
 #include "editor/language/languagemanager.h"
+#include "tests/qt/languages.h"
 #include "tests/qt/registry.h"
 
 #include <QDir>
@@ -64,9 +65,7 @@ void HelpTest::everyLanguageHasEveryPage()
 
 void HelpTest::everyPageIsReachedFromTheContents_data()
 {
-    QTest::addColumn<QString>("language");
-    QTest::newRow("English") << "en";
-    QTest::newRow("French") << "fr";
+    test::addLanguages();
 }
 
 void HelpTest::everyPageIsReachedFromTheContents()

@@ -5,6 +5,7 @@
 #include "editor/application/defaultsettings.h"
 #include "editor/application/startguard.h"
 #include "editor/commands/projectedits.h"
+#include "tests/qt/languages.h"
 #include "tests/qt/registry.h"
 #include "widgets/timeline/timeline.h"
 #include "widgets/viewport/viewport.h"
@@ -173,12 +174,7 @@ private slots:
         QCOMPARE(view.camera().distance, distance);
     }
 
-    void everyWorkspaceFitsASmallScreen_data()
-    {
-        QTest::addColumn<QString>("language");
-        QTest::newRow("English") << "en";
-        QTest::newRow("French") << "fr";
-    }
+    void everyWorkspaceFitsASmallScreen_data() { test::addLanguages(); }
     void everyWorkspaceFitsASmallScreen()
     {
         QFETCH(QString, language);

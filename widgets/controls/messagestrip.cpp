@@ -94,8 +94,7 @@ void MessageStrip::setAction(const QString& text)
 
 void MessageStrip::arrange()
 {
-    constexpr int leastShare = 3; // of the width that the button takes: one third
-    const bool isNarrow = m_action->sizeHint().width() * leastShare > width();
+    const bool isNarrow = m_action->sizeHint().width() > width() / 3;
     m_content->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
