@@ -9,6 +9,14 @@ set(QUADRILLE_DATA_DIR "${CMAKE_SOURCE_DIR}/../shared/data" CACHE PATH "Folder o
 # The sources of tests take longest to compile and shortest to run: what they test is optimized, they are a little.
 set(QUADRILLE_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
 
+# Seconds after which a test is taken to hang. Under a sanitizer all takes many times as long.
+set(QUADRILLE_TEST_TIMEOUT 300)
+set(QUADRILLE_DESKTOP_TEST_TIMEOUT 900)
+if(QUADRILLE_SANITIZE)
+    set(QUADRILLE_TEST_TIMEOUT 2400)
+    set(QUADRILLE_DESKTOP_TEST_TIMEOUT 7200)
+endif()
+
 # quadrille_model_test(NAME source.cpp … [LIBRARIES target …]): one GoogleTest program, each of its tests known to ctest.
 function(quadrille_model_test name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES")
@@ -19,7 +27,8 @@ function(quadrille_model_test name)
         QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}"
         QUADRILLE_TEST_DATA_DIR="${CMAKE_SOURCE_DIR}/tests/data")
     quadrille_unity(${name})
-    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+        PROPERTIES LABELS model TIMEOUT ${QUADRILLE_TEST_TIMEOUT})
 endfunction()
 
 # quadrille_qt_program(NAME source.cpp … [LIBRARIES target …]): one program for all QtTest classes of a folder; its first
@@ -44,7 +53,7 @@ endfunction()
 function(quadrille_qt_tests program)
     foreach(test IN LISTS ARGN)
         add_test(NAME ${test} COMMAND xvfb-run -a -s "-screen 0 1600x1000x24" $<TARGET_FILE:${program}> ${test})
-        set_tests_properties(${test} PROPERTIES TIMEOUT 300)
+        set_tests_properties(${test} PROPERTIES TIMEOUT ${QUADRILLE_TEST_TIMEOUT})
     endforeach()
 endfunction()
 
@@ -52,6 +61,6 @@ endfunction()
 function(quadrille_desktop_tests program)
     foreach(test IN LISTS ARGN)
         add_test(NAME ${test} COMMAND "${CMAKE_SOURCE_DIR}/tests/desktop/run.sh" $<TARGET_FILE:${program}> ${test})
-        set_tests_properties(${test} PROPERTIES TIMEOUT 900 SKIP_RETURN_CODE 77)
+        set_tests_properties(${test} PROPERTIES TIMEOUT ${QUADRILLE_DESKTOP_TEST_TIMEOUT} SKIP_RETURN_CODE 77)
     endforeach()
 endfunction()
