@@ -6,12 +6,14 @@
 #include "editor/docks/sequencecards.h"
 #include "editor/playback/player.h"
 #include "editor/workspaces/animate/animateworkspace.h"
+#include "editor/workspaces/animate/animationtracks.h"
 #include "editor/workspaces/animate/constraintedits.h"
 #include "editor/workspaces/animate/keysandstoryboard.h"
 #include "editor/workspaces/animate/keysmodel.h"
 #include "editor/workspaces/animate/keyspanel.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "tests/qt/registry.h"
+#include "widgets/timeline/framekind.h"
 #include "widgets/timeline/timeline.h"
 
 #include <QAbstractItemModelTester>
@@ -164,6 +166,40 @@ private slots:
         QVERIFY(!std::ranges::all_of(tracks[1].spans, &widgets::TimelineSpan::hatched));
         const auto shown = static_cast<double>(result->walk.solution.keys[1].obtained);
         QCOMPARE(tracks[0].keys[1].obtained, std::optional(shown));
+    }
+
+    void theClipStripTellsVariedFramesFromCapturedOnesAndTransitions()
+    {
+        drop("first", 10);
+        drop("second", 60);
+        QVERIFY(test::waitForResult(context(), "pose"));
+        AnimationResult result = *context().animations.result("pose");
+        result.variations = std::make_shared<const std::vector<TakeVariation>>(
+            1, TakeVariation{.name = "variations/strolls/3"});
+        const auto planned = plannedFrames(result);
+        const std::vector<ClipPart> parts = clipParts(result, planned);
+        const auto varied = std::ranges::find(parts, false, &ClipPart::isJunction);
+        QVERIFY(varied != parts.end());
+        QVERIFY(std::ranges::count(parts, false, &ClipPart::isJunction) > 1);
+        for (FrameIndex f = varied->frames.first; f <= varied->frames.last; ++f.value) {
+            FrameOrigin& origin = result.origins[static_cast<std::size_t>(f.value)];
+            origin.sourceVariation = origin.destinationVariation = 1;
+        }
+        const double fps = context().document.project().settings.fps;
+        const widgets::TimelineTrack clip =
+            AnimationTracks{result.entry, &result, planned, parts, fps}.clip();
+        QCOMPARE(clip.spans.size(), parts.size());
+        for (const widgets::TimelineSpan& span : clip.spans) {
+            const ClipPart& part = parts[static_cast<std::size_t>(span.id)];
+            const bool isVaried = part == *varied;
+            QCOMPARE(span.hatched, part.isJunction);
+            QCOMPARE(span.dotted, isVaried);
+            QCOMPARE(span.text.contains("strolls/3"), isVaried);
+            const auto kind = part.isJunction ? widgets::FrameKind::Transition
+                              : isVaried      ? widgets::FrameKind::Varied
+                                              : widgets::FrameKind::Captured;
+            QCOMPARE(span.color, widgets::frameKindColor(kind));
+        }
     }
 
     void timesAndTolerancesAreEditedInTheTable()

@@ -137,12 +137,22 @@ private slots:
         QCOMPARE(QGuiApplication::clipboard()->text(), pairName(explorer(), pair));
     }
 
+    void theDividerStaysWhereItIs_data()
+    {
+        QTest::addColumn<QList<int>>("wanted");
+        QTest::newRow("where it begins") << QList<int>();
+        QTest::newRow("where the map is as narrow as it can be") << QList<int>{1, 10'000};
+        QTest::newRow("where the view is as narrow as it can be") << QList<int>{10'000, 1};
+    }
     void theDividerStaysWhereItIs()
     {
+        QFETCH(QList<int>, wanted);
         compute();
         m_window->resize(1280, 720);
         auto* splitter = test::find<QSplitter>("graphSplitter");
         QTRY_VERIFY(splitter->width() < 1280);
+        if (!wanted.isEmpty())
+            splitter->setSizes(wanted);
         const QList<int> sizes = splitter->sizes();
         const FramePair pair = someTransition();
         QTest::mouseMove(&matrix(), placeOf(pair));

@@ -98,6 +98,8 @@ private slots:
         QCOMPARE(tree().findChild<QLineEdit*>()->text(), QString("take 1/2"));
         type("..");
         QTRY_VERIFY2(note().contains("cannot be a name"), qPrintable(note()));
+        type(QString(256, 'a'));
+        QTRY_VERIFY2(note().contains("256 bytes"), qPrintable(note()));
         QVERIFY(document().sequence("walk") != nullptr);
         type("stroll");
         QTRY_VERIFY(document().sequence("stroll") != nullptr);
