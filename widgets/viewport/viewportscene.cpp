@@ -3,6 +3,7 @@
 #include "widgets/viewport/viewportscene.h"
 
 #include "widgets/theme/theme.h"
+#include "widgets/viewport/blendingrenderer.h"
 #include "widgets/viewport/groundgrid.h"
 #include "widgets/viewport/markactors.h"
 #include "widgets/viewport/scenecamera.h"
@@ -46,7 +47,7 @@ struct ViewportScene::Private
         vtkNew<vtkActor> actor;
     };
 
-    vtkNew<vtkRenderer> renderer;
+    vtkSmartPointer<vtkRenderer> renderer = vtkSmartPointer<vtkRenderer>::Take(newBlendingRenderer());
     FigureLights lights;
     std::unique_ptr<GroundGrid> ground;
     std::unique_ptr<SceneShadows> shadows;
