@@ -10,6 +10,7 @@
 #include "model/project/walkrequest.h"
 
 #include <QElapsedTimer>
+#include <algorithm>
 #include <mutex>
 #include <utility>
 
@@ -28,12 +29,8 @@ bool asksForSomething(const AnimationEntry& entry)
     return entry.walk || !entry.constraints.empty();
 }
 
-/// Whether only what follows the walk is another.
-bool haveSameWalk(const AnimationResult& before, const AnimationEntry& entry)
-{
-    return walkSettings(before.entry, before.character->graph.work()) ==
-           walkSettings(entry, before.character->graph.work());
-}
+/// Walks of an animation that are kept for when the same is asked for again.
+constexpr std::size_t keptWalks = 20;
 
 /// Sound and camera make no other frames.
 AnimationEntry withoutSoundAndCamera(AnimationEntry entry)
@@ -275,15 +272,17 @@ void AnimationMedia::solve(const QString& name, Item& item, const AnimationEntry
     item.medium.state = State::Solving;
     item.medium.error.reset();
     const ResultPointer& before = item.medium.result;
-    const bool keepsWalk = before != nullptr && before->isFinal && before->character == item.character &&
-                           haveSameWalk(*before, entry);
+    const auto known = std::ranges::find_if(
+        item.walks, [&, settings = walkSettings(entry, item.character->graph.work())](const FoundWalk& each) {
+            return each.settings == settings && each.character.lock() == item.character;
+        });
     const bool keepsVariations = before != nullptr && before->variations != nullptr &&
                                  before->character == item.character && before->drawnFrom == item.drawnFrom;
     const auto work = [entry, character = item.character, mailbox = m_mailbox, name, search = item.search,
                        drawn = item.drawnFrom, variations = keepsVariations ? before->variations : nullptr,
                        project = m_document.snapshot(), file = m_document.workingFile(),
-                       walk = keepsWalk ? std::optional(before->walk)
-                                        : std::nullopt](const Progress& progress) -> ResultPointer {
+                       walk = known != item.walks.end() ? std::optional(known->walk) : std::nullopt](
+                          const Progress& progress) -> ResultPointer {
         QElapsedTimer sinceShown;
         const auto show = [&](const WalkSolution& solution) {
             if (sinceShown.isValid() && sinceShown.elapsed() < searchShowing)
@@ -342,10 +341,22 @@ void AnimationMedia::take(const QString& name, int search, ResultPointer result)
     Medium& medium = found->second.medium;
     if (medium.result != nullptr && medium.state == State::Ready && !result->isFinal)
         return;
-    if (result->isFinal)
+    if (result->isFinal) {
         medium.state = State::Ready;
+        keep(found->second.walks, *result);
+    }
     medium.result = std::move(result);
     emit changed(name);
+}
+
+void AnimationMedia::keep(std::vector<FoundWalk>& walks, const AnimationResult& result)
+{
+    std::string settings = walkSettings(result.entry, result.character->graph.work());
+    std::erase_if(
+        walks, [&](const FoundWalk& each) { return each.character.expired() || each.settings == settings; });
+    walks.push_back({result.character, std::move(settings), result.walk});
+    if (walks.size() > keptWalks)
+        walks.erase(walks.begin());
 }
 
 void AnimationMedia::setIdle(const QString& name, Item& item)

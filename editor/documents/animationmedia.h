@@ -3,6 +3,7 @@
 #pragma once
 
 #include "editor/documents/graphmedia.h"
+#include "model/project/animate.h"
 
 #include <QObject>
 #include <QPointer>
@@ -11,6 +12,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace quadrille {
 
@@ -62,13 +65,20 @@ signals:
 
 private:
     struct Mailbox;
+    struct FoundWalk
+    {
+        std::weak_ptr<const OpenedCharacter> character;
+        std::string settings; ///< see walkSettings()
+        AnimationWalk walk;
+    };
     struct Item
     {
         Medium medium;
         AnimationEntry solved; ///< what the last search was started with
         Project drawnFrom;     ///< and its variations
         std::shared_ptr<const OpenedCharacter> character;
-        int search = 0; ///< counts searches, so that late results are known
+        std::vector<FoundWalk> walks; ///< the last one found at the end: undo brings them back at once
+        int search = 0;               ///< counts searches, so that late results are known
         bool isStopped = false;
     };
 
@@ -78,6 +88,7 @@ private:
     void update(const QString& name, Item& item);
     void solve(const QString& name, Item& item, const AnimationEntry& entry);
     void take(const QString& name, int search, std::shared_ptr<const AnimationResult> result);
+    static void keep(std::vector<FoundWalk>& walks, const AnimationResult& result);
     void setIdle(const QString& name, Item& item);
 
     ProjectDocument& m_document;
