@@ -13,8 +13,9 @@ namespace quadrille {
 namespace {
 
 /// From Okabe and Ito and from Tableau, without those near the colours of the feet.
-constexpr std::array<QRgb, 8> labelColors = {0xE69F00, 0x56B4E9, 0x009E73, 0xF0E442,
-                                             0xD55E00, 0x9C755F, 0x76B7B2, 0xBAB0AC};
+constexpr std::array<QRgb, 16> labelColors = {0xE69F00, 0x56B4E9, 0x009E73, 0xF0E442, 0xD55E00, 0x9C755F,
+                                              0x76B7B2, 0xBAB0AC, 0x8CD17D, 0xB6992D, 0x2F7F86, 0x79706E,
+                                              0xA0CBE8, 0xFF9D76, 0x6B8E23, 0x7F63B8};
 constexpr QRgb leftFoot = 0xCC79A7;
 constexpr QRgb rightFoot = 0x0072B2;
 

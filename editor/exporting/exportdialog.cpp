@@ -48,6 +48,7 @@ ExportDialog::ExportDialog(EditorContext& context, ExportPlan plan, Seen seen, Q
     , m_plan(std::move(plan))
     , m_seen(std::move(seen))
     , m_ownPath(m_plan.edited.isEmpty() ? std::string() : m_plan.entry.path)
+    , m_proposedPath(m_plan.edited.isEmpty() ? m_plan.entry.path : std::string())
     , m_strip(new widgets::MessageStrip)
     , m_preview(new TakePreview(context.jobs))
     , m_fields(new QWidget)
@@ -165,6 +166,7 @@ void ExportDialog::connectAll()
     connect(m_clip, &QComboBox::activated, this, &ExportDialog::chooseClip);
     connect(m_format, &QComboBox::activated, this, &ExportDialog::chooseFormat);
     connect(m_place, &QLineEdit::textEdited, this, edited);
+    connect(m_place, &QLineEdit::editingFinished, this, &ExportDialog::followEnding);
     connect(m_choosePlace, &QToolButton::clicked, this, &ExportDialog::choosePlace);
     connect(m_first, &QSpinBox::valueChanged, this, edited);
     connect(m_last, &QSpinBox::valueChanged, this, edited);
@@ -259,13 +261,39 @@ void ExportDialog::chooseFormat()
     const std::string before = m_plan.entry.name;
     const bool hasOwnName = !m_plan.edited.isEmpty();
     m_plan.entry.format = m_format->currentData().toString().toStdString();
-    m_plan.entry.path = withEndingOf(m_plan.entry.path, m_plan.format());
-    const ExportPlan fresh = planExport(m_plan.clips, m_plan.entry.format, {});
+    const ExportPlan fresh = planExport(m_plan.clips, m_plan.entry.format, folder());
     m_plan.entry.name = hasOwnName ? before : fresh.entry.name;
+    if (m_plan.entry.path == m_proposedPath)
+        m_plan.entry.path = m_proposedPath = fresh.entry.path;
+    else
+        m_plan.entry.path = withEndingOf(m_plan.entry.path, m_plan.format());
     if (m_plan.isPicture() && m_plan.entry.picture.is_null() && m_plan.edited.isEmpty())
         takeView();
     m_plan.entry.picture = m_plan.isPicture() ? picture() : UnknownKeys();
     showPlan();
+}
+
+QString ExportDialog::folder() const
+{
+    return toQString(std::filesystem::path(m_plan.entry.path).parent_path());
+}
+
+void ExportDialog::followEnding()
+{
+    const std::string ending = std::filesystem::path(m_place->text().toStdString()).extension().string();
+    const auto hasEnding = [&](const FormatInfo& info) {
+        return std::ranges::find(info.extensions, ending) != info.extensions.end();
+    };
+    if (ending.empty() || hasEnding(m_plan.format()))
+        return;
+    for (const auto& exporter : exporters()) {
+        const int item = m_format->findData(QString::fromStdString(exporter->format().id));
+        if (item < 0 || !hasEnding(exporter->format()))
+            continue;
+        m_format->setCurrentIndex(item);
+        chooseFormat();
+        return;
+    }
 }
 
 void ExportDialog::chooseClip()
@@ -275,10 +303,9 @@ void ExportDialog::chooseClip()
     m_plan.entry.range.reset();
     m_view.reset();
     if (m_plan.edited.isEmpty()) {
-        const auto folder = toQString(std::filesystem::path(m_plan.entry.path).parent_path());
-        const ExportPlan fresh = planExport(m_plan.clips, m_plan.format().id, folder);
+        const ExportPlan fresh = planExport(m_plan.clips, m_plan.format().id, folder());
         m_plan.entry.name = fresh.entry.name;
-        m_plan.entry.path = fresh.entry.path;
+        m_plan.entry.path = m_proposedPath = fresh.entry.path;
     }
     if (m_plan.isPicture()) {
         RenderSettings settings = m_picture->settings();

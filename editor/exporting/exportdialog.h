@@ -72,6 +72,9 @@ private:
     UnknownKeys picture() const;
     void choosePlace();
     void chooseFormat();
+    /// A file that is named as those of another format is of that format.
+    void followEnding();
+    QString folder() const;
     /// Looks what is in the way, then asks, then writes.
     void start();
     /// The export of the project that writes where an entry would; asks whether it may be replaced.
@@ -103,6 +106,7 @@ private:
     Seen m_seen;
     std::optional<SeenCamera> m_view; ///< where the picture's camera is to begin, taken in this dialog
     std::string m_ownPath;            ///< of the entry that is edited: what the user did not choose here
+    std::string m_proposedPath;       ///< for a new one
     QStringList m_replaced;           ///< exports of the project whose places are taken, one for each entry
     QPointer<Job> m_job;
     QString m_folder; ///< of the files that were written last

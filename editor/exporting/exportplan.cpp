@@ -82,8 +82,12 @@ ExportPlan planExport(const QStringList& clips, const std::string& format, const
     plan.entry.format = format;
     const FormatInfo& info = plan.format();
     plan.entry.name = nameOf(clips.front(), info);
-    plan.entry.path =
-        QDir(folder).filePath(fileNameOf(nameOfClip(clips.front()))).toStdString() + info.extensions.front();
+    const QString place = QDir(folder).filePath(fileNameOf(nameOfClip(clips.front())));
+    const QString ending = QString::fromStdString(info.extensions.front());
+    QString free = place + ending;
+    for (int number = 2; QFileInfo::exists(free); ++number)
+        free = place + QStringLiteral("_%1").arg(number) + ending;
+    plan.entry.path = free.toStdString();
     return plan;
 }
 

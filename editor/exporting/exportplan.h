@@ -29,7 +29,8 @@ struct ExportPlan
     QString filesText(const ExportEntry& entry, std::int64_t frames) const;
 };
 
-/// A new export of some clips in a format, beside the project or in a folder.
+/// A new export of some clips in a format, beside the project or in a folder, to a file that is not there
+/// yet.
 ExportPlan planExport(const QStringList& clips, const std::string& format, const QString& folder);
 /// The name in "sequences/NAME" or "animations/NAME".
 QString nameOfClip(const QString& clip);

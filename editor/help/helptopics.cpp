@@ -24,7 +24,7 @@ constexpr std::array table{
     // Around the workspaces
     Row{"welcomePage", "first-steps"},
     Row{"projectPanel", "project"},
-    Row{"cardsPanel", "comparing"},
+    Row{"cardsPanel", "playing", "Cards"},
     Row{"propertiesPanel", "project"},
     Row{"texturePanel", "textures", "The texture view"},
     Row{"issuesPanel", "importing"},

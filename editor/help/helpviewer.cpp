@@ -15,6 +15,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QLocale>
+#include <QScreen>
 #include <QScrollBar>
 #include <QStackedWidget>
 #include <QTextBlock>
@@ -29,6 +30,7 @@ namespace {
 
 constexpr int pageRole = Qt::UserRole;
 constexpr int headingRole = Qt::UserRole + 1;
+constexpr int titleBar = 40; // logical pixels
 
 QString indexPage()
 {
@@ -65,7 +67,7 @@ HelpViewer::HelpViewer(QWidget* parent)
     , m_back(new QToolButton)
 {
     setObjectName(QStringLiteral("helpViewer"));
-    resize(640, 720);
+    resize(QSize(640, 720).boundedTo(screen()->availableSize() - QSize(0, titleBar)));
     m_browser->setObjectName(QStringLiteral("helpBrowser"));
     m_browser->setFrameShape(QFrame::NoFrame);
     m_browser->setOpenExternalLinks(true);

@@ -15,6 +15,7 @@
 #include <QProcess>
 #include <QProgressBar>
 #include <QSpinBox>
+#include <fstream>
 #include <numeric>
 
 namespace quadrille {
@@ -56,6 +57,36 @@ private slots:
         document().undo();
         QVERIFY(document().project().exports.empty());
         document().save();
+    }
+
+    void aFileIsOfTheFormatThatItIsNamedAfter()
+    {
+        openDialog();
+        choose("pc2");
+        auto* field = test::find<QLineEdit>("exportPlace");
+        const auto typeAndLeave = [&](const QString& name) {
+            QApplication::setActiveWindow(dialog());
+            field->setFocus();
+            type(place(name));
+            QTest::keyClick(field, Qt::Key_Tab);
+            return test::find<QComboBox>("exportFormat")->currentData().toString();
+        };
+        QCOMPARE(typeAndLeave("out/walk.obj"), QString("obj"));
+        QCOMPARE(field->text(), place("out/walk.obj"));
+        QCOMPARE(typeAndLeave("out/walk.v2"), QString("obj")); // no format has this ending
+        QTest::keyClick(dialog(), Qt::Key_Escape);
+    }
+
+    void aNewExportIsProposedBesideWhatIsThere()
+    {
+        QVERIFY(QDir().mkpath(place("exports")));
+        std::ofstream(place("exports/walk.pc2").toStdString()) << "of somebody";
+        openDialog();
+        choose("pc2");
+        QVERIFY(test::find<QLineEdit>("exportPlace")->text().endsWith("exports/walk_2.pc2"));
+        choose("obj");
+        QVERIFY(test::find<QLineEdit>("exportPlace")->text().endsWith("exports/walk.obj"));
+        QTest::keyClick(dialog(), Qt::Key_Escape);
     }
 
     void exportsAnAnimationThatTheProgramRepeatsByteForByte()

@@ -138,6 +138,9 @@ void HelpTest::aWidgetHasTheTopicOfTheNearestAboveIt()
     QVERIFY(helpTopicOf(&button) == (HelpTopic{"animate-keys", "Keys"}));
     QWidget unknown;
     QVERIFY(helpTopicOf(&unknown) == HelpTopic{});
+    QWidget cards;
+    cards.setObjectName("cardsPanel");
+    QVERIFY(helpTopicOf(&cards) == (HelpTopic{"playing", "Cards"}));
     QVERIFY(helpTopicOf(nullptr) == HelpTopic{});
 }
 

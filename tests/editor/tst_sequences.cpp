@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Stories of the Sequences workspace, with a small project and real keys and clicks.
 #include "editor/commands/projectedits.h"
+#include "editor/documents/labelcolors.h"
 #include "editor/playback/player.h"
 #include "editor/playback/sequencestage.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
@@ -16,6 +17,7 @@
 #include <QMenu>
 #include <QPointer>
 #include <QPushButton>
+#include <QSet>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTimer>
@@ -204,6 +206,17 @@ private slots:
         isAsBefore("far");
         context().document.redo();
         isAsBefore("away");
+    }
+
+    void aDozenLabelsHaveAsManyColours()
+    {
+        LabelColors& colors = LabelColors::of(context().document);
+        QSet<QRgb> seen;
+        for (int label = 0; label < 12; ++label)
+            seen += colors.color(QStringLiteral("label %1").arg(label)).rgb();
+        QCOMPARE(seen.size(), 12);
+        for (const char* foot : {"left", "right"})
+            QVERIFY(!seen.contains(LabelColors::contact(foot).rgb()));
     }
 
     void whilePlayingThePlayheadIsWhereThePictureIs()

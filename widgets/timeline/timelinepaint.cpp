@@ -73,8 +73,11 @@ void Timeline::Private::paintRuler(QPainter& painter) const
             continue;
         painter.setPen(text);
         const QString label = seconds ? timeText(frame / fps) : QString::number(std::llround(frame));
-        painter.drawText(QRectF(place - labelPixels / 2.0, 1.0, labelPixels, rulerHeight - 11.0),
-                         Qt::AlignCenter, label);
+        // The first one is whole, too.
+        const double width = painter.fontMetrics().horizontalAdvance(label);
+        const double left = std::max(place - width / 2.0, headerWidth + 2.0);
+        painter.drawText(QRectF(left, 1.0, labelPixels, rulerHeight - 11.0), Qt::AlignVCenter | Qt::AlignLeft,
+                         label);
     }
 }
 
