@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <span>
 
 namespace quadrille {
 
 namespace {
 
-/// From Okabe and Ito and from Tableau, without those near the colours of the feet.
+/// From Okabe and Ito and from Tableau, without those near the colours of the feet; the first ones first.
+constexpr std::size_t usual = 8;
 constexpr std::array<QRgb, 16> labelColors = {0xE69F00, 0x56B4E9, 0x009E73, 0xF0E442, 0xD55E00, 0x9C755F,
                                               0x76B7B2, 0xBAB0AC, 0x8CD17D, 0xB6992D, 0x2F7F86, 0x79706E,
                                               0xA0CBE8, 0xFF9D76, 0x6B8E23, 0x7F63B8};
@@ -27,7 +29,7 @@ std::size_t placeOf(const QString& label)
         hash ^= static_cast<unsigned char>(byte);
         hash *= 16777619U;
     }
-    return hash % labelColors.size();
+    return hash % usual;
 }
 
 } // namespace
@@ -68,9 +70,11 @@ QColor LabelColors::color(const QString& label)
         for (const int taken : std::as_const(m_places))
             ++uses.at(static_cast<std::size_t>(taken));
         const int fewest = *std::ranges::min_element(uses);
+        const std::size_t ring =
+            std::ranges::count(std::span(uses).first(usual), fewest) > 0 ? usual : labelColors.size();
         std::size_t free = placeOf(label);
         while (uses.at(free) > fewest)
-            free = (free + 1) % labelColors.size();
+            free = (free + 1) % ring;
         place = m_places.insert(label, static_cast<int>(free));
     }
     return QColor::fromRgb(labelColors.at(static_cast<std::size_t>(*place)));

@@ -72,8 +72,8 @@ void Timeline::Private::paintRuler(QPainter& painter) const
         if (!numbered || (!seconds && frame >= scale.frameCount()))
             continue;
         painter.setPen(text);
-        const QString label = seconds ? timeText(frame / fps) : QString::number(std::llround(frame));
-        // The first one is whole, too.
+        const bool isTime = seconds && frame > 0; // the first one is whole, too, and leaves room for the next
+        const QString label = isTime ? timeText(frame / fps) : QString::number(std::llround(frame));
         const double width = painter.fontMetrics().horizontalAdvance(label);
         const double left = std::max(place - width / 2.0, headerWidth + 2.0);
         painter.drawText(QRectF(left, 1.0, labelPixels, rulerHeight - 11.0), Qt::AlignVCenter | Qt::AlignLeft,
