@@ -8609,6 +8609,14 @@ maximal %2</translation>
         <source>Rejected, it sinks into the ground: %1</source>
         <translation>Rejetées, elle s’enfonce dans le sol&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>They are apart by %1, not by %2: further away the model is not sure of the poses, or the movement becomes restless.</source>
+        <translation>Elles diffèrent de %1 et non de %2&#xa0;: plus loin, le modèle n’est pas sûr des poses, ou le mouvement devient agité.</translation>
+    </message>
+    <message>
+        <source>No other take shows this movement: how far its takes are apart is a guess.</source>
+        <translation>Aucune autre prise ne montre ce mouvement&#xa0;: de combien ses prises diffèrent n’est qu’une estimation.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::SequenceCards</name>

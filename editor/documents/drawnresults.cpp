@@ -9,7 +9,6 @@
 #include "model/project/rebuild.h"
 #include "model/project/resultstore.h"
 #include "model/project/stage.h"
-#include "model/project/variationresults.h"
 #include "model/project/variationstages.h"
 #include "model/variation/selectionspread.h"
 
@@ -165,9 +164,13 @@ private:
 
 } // namespace
 
-DrawnSet drawnSetOf(const VariationSelection& selection)
+DrawnSet drawnSetOf(const VariationSelection& selection, const std::vector<SampleSpread>& spreads)
 {
     DrawnSet set;
+    for (const SampleSpread& spread : spreads) {
+        set.spread += spread.share / static_cast<double>(spreads.size());
+        set.isSpreadGuess = set.isSpreadGuess || spread.isGuess;
+    }
     set.rejected = selection.rejectedCount();
     for (const Candidate& candidate : selection.candidates) {
         for (const VariationFault fault : candidate.faults)
@@ -205,11 +208,17 @@ std::shared_ptr<const std::vector<DrawnSet>> readFresh(const VariationJob& job, 
     for (const std::string& stage : samples)
         drawnParts.push_back(load(stage));
     const auto latents = latentsOf(entry, drawnParts);
+    std::vector<std::vector<SampleSpread>> spreads(entry.samples.size());
+    for (const Result& part : drawnParts) {
+        const auto own = spreadsOf(part, spreads.size());
+        for (std::size_t s = 0; s < spreads.size(); ++s)
+            spreads[s].insert(spreads[s].end(), own[s].begin(), own[s].end());
+    }
     const std::vector<VariationSelection> selections = selectionsOf(load(selectionStageOf(job.name)), entry);
     auto sets = std::make_shared<std::vector<DrawnSet>>();
     int before = 0;
     for (std::size_t s = 0; s < selections.size(); ++s) {
-        DrawnSet& set = sets->emplace_back(drawnSetOf(selections[s]));
+        DrawnSet& set = sets->emplace_back(drawnSetOf(selections[s], spreads[s]));
         for (std::size_t i = 0; i < selections[s].accepted.size(); ++i) {
             progress.report(0);
             const auto candidate = static_cast<std::size_t>(selections[s].accepted[i]);

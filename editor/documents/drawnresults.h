@@ -3,6 +3,7 @@
 #pragma once
 
 #include "editor/documents/variationwork.h"
+#include "model/project/variationresults.h"
 
 namespace quadrille {
 
@@ -13,8 +14,8 @@ struct DrawnDraft
     std::vector<VariationSelection> selections;
 };
 
-/// What a selection says of a set, without its variations.
-DrawnSet drawnSetOf(const VariationSelection& selection);
+/// What a selection says of a set, without its variations. \param spreads  of all parts.
+DrawnSet drawnSetOf(const VariationSelection& selection, const std::vector<SampleSpread>& spreads);
 
 /// The variations as a rebuild or the editor kept them. \pre `opened` is learned.
 /// \return null where they are not there, or outdated. \throws Error as ResultStore::load, Cancelled.

@@ -45,6 +45,9 @@ struct DrawnSet
     std::vector<DrawnVariation> variations;
     int rejected = 0;                          ///< that were not good enough, and drawn again
     std::array<int, variationFaults> faults{}; ///< of these, how many had each of the faults
+    /// How far they are apart as a share of how far takes of the same movement are, mean over the parts.
+    double spread = 0;
+    bool isSpreadGuess = false; ///< a take is alone of its movement
 };
 
 } // namespace quadrille

@@ -183,7 +183,12 @@ Drawing drawVariations(const VariationJob& job, const OpenedVariation& opened,
         VariationSelection selection =
             selectVariations(*learned.movement, subject, latents.variations, samples.count, samples.seed,
                              poses, meter, takes.layout(), entry.limits, own.part(drawing, 1));
-        DrawnSet& set = sets->emplace_back(drawnSetOf(selection));
+        std::vector<SampleSpread> spreads;
+        for (const std::vector<SampleReport>& part : latents.reports) {
+            for (const SampleReport& report : part)
+                spreads.push_back({report.spread, report.isGuess});
+        }
+        DrawnSet& set = sets->emplace_back(drawnSetOf(selection, spreads));
         for (std::size_t i = 0; i < selection.accepted.size(); ++i) {
             const auto candidate = static_cast<std::size_t>(selection.accepted[i]);
             DrawnVariation drawn{.number = before + static_cast<int>(i) + 1,

@@ -82,6 +82,9 @@ std::string faultsText(const Candidate& candidate)
     return joined(names);
 }
 
+/// In the column “spread-of-takes”.
+constexpr const char* guessed = "guess";
+
 DataTable chainsTable(const std::vector<PartVariations>& sets)
 {
     TableBuilder table("chains",
@@ -98,7 +101,7 @@ DataTable chainsTable(const std::vector<PartVariations>& sets)
             const HmcReport& chain = report.chain;
             table.add({static_cast<std::int64_t>(s + 1), static_cast<std::int64_t>(c + 1), chain.acceptance,
                        chain.stepSize, std::int64_t{chain.thinning}, chain.effectiveSampleSize, chain.lag1,
-                       report.scale, report.spread, report.isGuess ? "guess" : "measured",
+                       report.scale, report.spread, report.isGuess ? guessed : "measured",
                        std::ssize(sets[s].trajectories) - std::int64_t{report.uncertain},
                        std::int64_t{report.rejected}});
         }
@@ -262,6 +265,22 @@ std::vector<RowMatrix> trajectoriesOf(const Result& samples)
         at += array.shape[1] * array.shape[2];
     }
     return trajectories;
+}
+
+std::vector<std::vector<SampleSpread>> spreadsOf(const Result& samples, std::size_t sets)
+{
+    const std::vector<DataArray>& chains = samples.tables.front().columns;
+    const auto& column = [&chains](const char* name) -> const DataValues& {
+        return std::ranges::find(chains, name, &DataArray::name)->values;
+    };
+    const auto& set = std::get<std::vector<std::int64_t>>(column("samples"));
+    const auto& share = std::get<std::vector<double>>(column("spread"));
+    const auto& reference = std::get<std::vector<std::string>>(column("spread-of-takes"));
+    std::vector<std::vector<SampleSpread>> spreads(sets);
+    for (std::size_t chain = 0; chain < set.size(); ++chain)
+        spreads.at(static_cast<std::size_t>(set[chain] - 1))
+            .push_back({share[chain], reference[chain] == guessed});
+    return spreads;
 }
 
 Result selectionResult(const VariationEntry& entry, const std::vector<VariationSelection>& sets,

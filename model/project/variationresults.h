@@ -28,6 +28,16 @@ GpdmLearning learningOf(const Result& model);
 Result samplesResult(const std::vector<PartVariations>& sets, Eigen::Index frames, Eigen::Index dimensions);
 /// \pre The result is one of samplesResult.
 std::vector<RowMatrix> trajectoriesOf(const Result& samples);
+/// How far samples are apart, as SampleReport has it.
+struct SampleSpread
+{
+    double share = 0;
+    bool isGuess = false;
+
+    bool operator==(const SampleSpread&) const = default;
+};
+/// Of each set, what its chains reached. \pre The result is one of samplesResult.
+std::vector<std::vector<SampleSpread>> spreadsOf(const Result& samples, std::size_t sets);
 
 /// Which candidates became variations, what all of them are like, and how far those of a set are apart.
 Result selectionResult(const VariationEntry& entry, const std::vector<VariationSelection>& sets,

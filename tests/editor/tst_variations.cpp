@@ -244,6 +244,9 @@ private slots:
         const DrawnSet& is = medium().drawn->at(0);
         QCOMPARE(is.rejected, was.rejected);
         QCOMPARE(is.variations.size(), was.variations.size());
+        QVERIFY(was.spread > 0);
+        QCOMPARE(is.spread, was.spread);
+        QCOMPARE(is.isSpreadGuess, was.isSpreadGuess);
         for (std::size_t i = 0; i < was.variations.size(); ++i) {
             QVERIFY(loadFrames(is.variations[i].sequence) == loadFrames(was.variations[i].sequence));
             QVERIFY(is.variations[i].latents == was.variations[i].latents);

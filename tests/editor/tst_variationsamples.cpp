@@ -83,6 +83,37 @@ private slots:
         QCOMPARE(spread->value(), TrajectoryLimits().spread);
     }
 
+    void aSpreadThatIsAGuessOrIsNotReachedIsSaid_data()
+    {
+        QTest::addColumn<bool>("isAlone");
+        QTest::newRow("two takes of a movement") << false;
+        QTest::newRow("two takes of two movements") << true;
+    }
+    void aSpreadThatIsAGuessOrIsNotReachedIsSaid()
+    {
+        QFETCH(bool, isAlone);
+        const auto summary = [] { return test::find<QLabel>("samplesSummary")->text(); };
+        Project project = test::variedProject(m_folder->path());
+        for (std::size_t take = 0; take < 2; ++take)
+            project.sequences.at(take).labels = {
+                {.label = isAlone && take > 0 ? "other" : "sway", .frames = {FrameIndex(0), FrameIndex(19)}}};
+        document().reset(project);
+        m_window->workspaces().select("variations");
+        QVERIFY(test::waitForState(context(), "sways", State::NotLearned));
+        action("variations.learn")->trigger();
+        QVERIFY(test::waitForVariations(context(), "sways"));
+        show("samplesPanel");
+        QCOMPARE(medium().drawn->at(0).isSpreadGuess, isAlone);
+        QCOMPARE(summary().contains("a guess"), isAlone);
+        QVERIFY(!summary().contains("apart by"));
+        const auto before = medium().drawn;
+        variation().edit("far", "spread", [](VariationEntry& after) { after.extent.spread = 3; });
+        QTRY_VERIFY(medium().drawn != before);
+        QVERIFY(test::waitForVariations(context(), "sways"));
+        QVERIFY(medium().drawn->at(0).spread < 2);
+        QVERIFY2(summary().contains("apart by"), qPrintable(summary()));
+    }
+
     void theTakesOfABlendShowTheFramesThatAreLearnedFrom()
     {
         learn();

@@ -49,6 +49,24 @@ QString faultsText(const DrawnSet& set)
     return lines.join(QLatin1Char('\n'));
 }
 
+/// What there is to know of how far variations are apart; a line for each, empty where all is as it was asked
+/// for.
+QString spreadText(const DrawnSet& set, const TrajectoryLimits& limits)
+{
+    constexpr double enough = 0.9; // of what was asked for
+    QString text;
+    if (limits.draw == TrajectoryDraw::Smooth && set.spread < enough * limits.spread)
+        text +=
+            '\n' + SamplesPanel::tr("They are apart by %1, not by %2: further away the model is not sure of "
+                                    "the poses, or the movement becomes restless.")
+                       .arg(QLocale().toString(set.spread, 'f', 2))
+                       .arg(QLocale().toString(limits.spread, 'f', 2));
+    if (set.isSpreadGuess)
+        text += '\n' + SamplesPanel::tr("No other take shows this movement: how far its takes are apart is a "
+                                        "guess.");
+    return text;
+}
+
 QIcon setSwatch(const QColor& color)
 {
     constexpr int side = 12;
@@ -200,6 +218,8 @@ void SamplesPanel::refreshVariations()
             QLatin1Char('\n') + tr("Too few were good enough: %1 were asked for. Take another seed, or "
                                    "more takes; the panel Learning says what is rejected.")
                                     .arg(m_variation.samples()->count);
+    if (set != nullptr && count > 0 && m_variation.stateText().isEmpty())
+        summary += spreadText(*set, m_variation.entry()->extent);
     m_summary->setText(summary);
     m_summary->setToolTip(set == nullptr ? QString() : faultsText(*set));
     updateActions();
