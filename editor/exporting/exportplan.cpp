@@ -7,7 +7,7 @@
 #include "model/project/exportentry.h"
 
 #include <QDir>
-#include <QFileInfo>
+#include <filesystem>
 
 namespace quadrille {
 
@@ -84,8 +84,14 @@ ExportPlan planExport(const QStringList& clips, const std::string& format, const
     plan.entry.name = nameOf(clips.front(), info);
     const QString place = QDir(folder).filePath(fileNameOf(nameOfClip(clips.front())));
     const QString ending = QString::fromStdString(info.extensions.front());
+    const auto isThere = [&info](const QString& file) {
+        const std::filesystem::path path = toPath(file);
+        std::error_code failure; // where nobody can look, exporting says so
+        return std::filesystem::exists(
+            info.onePerFrame ? path.parent_path() / numberedName(path, 0, 1) : path, failure);
+    };
     QString free = place + ending;
-    for (int number = 2; QFileInfo::exists(free); ++number)
+    for (int number = 2; isThere(free); ++number)
         free = place + QStringLiteral("_%1").arg(number) + ending;
     plan.entry.path = free.toStdString();
     return plan;

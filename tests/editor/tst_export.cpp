@@ -86,6 +86,9 @@ private slots:
         QVERIFY(test::find<QLineEdit>("exportPlace")->text().endsWith("exports/walk_2.pc2"));
         choose("obj");
         QVERIFY(test::find<QLineEdit>("exportPlace")->text().endsWith("exports/walk.obj"));
+        std::ofstream(place("exports/walk_0000.ply").toStdString()) << "the first of a series";
+        choose("ply");
+        QVERIFY(test::find<QLineEdit>("exportPlace")->text().endsWith("exports/walk_2.ply"));
         QTest::keyClick(dialog(), Qt::Key_Escape);
     }
 
