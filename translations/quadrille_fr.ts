@@ -40,6 +40,18 @@
     </message>
 </context>
 <context>
+    <name>QAbstractFileIconProvider</name>
+    <message>
+        <source>Folder</source>
+        <comment>All other platforms</comment>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Disque</translation>
+    </message>
+</context>
+<context>
     <name>quadrille</name>
     <message>
         <source>Cancelled.</source>
@@ -2156,7 +2168,7 @@
     </message>
     <message>
         <source>still seeking</source>
-        <translation>recherche en cours</translation>
+        <translation>en cours</translation>
     </message>
     <message>
         <source>Key</source>
@@ -7230,7 +7242,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>As captured</source>
-        <translation>Telles que captées</translation>
+        <translation>Telles quelles</translation>
     </message>
     <message>
         <source>From all</source>
@@ -10478,6 +10490,14 @@ maximal %2</translation>
     <message>
         <source>%1 fps</source>
         <translation>%1 i/s</translation>
+    </message>
+    <message>
+        <source>%1 / %2 s</source>
+        <translation>%1 / %2 s</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>

@@ -129,8 +129,11 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
         QFontMetrics(heading).elidedText(index.data().toString(), Qt::ElideRight, text.width()));
     painter->setFont(Theme::tabularFont(option.font));
     painter->setPen(Theme::color(selected ? ColorRole::OnSelection : ColorRole::TextMuted));
+    QStringList length = index.data(SequenceCards::LengthRole).toString().split(QLatin1Char('\n'));
+    for (QString& line : length)
+        line = painter->fontMetrics().elidedText(line, Qt::ElideRight, text.width());
     painter->drawText(text.adjusted(0, lineHeight(option), 0, 0), Qt::AlignLeft | Qt::AlignTop,
-                      index.data(SequenceCards::LengthRole).toString());
+                      length.join(QLatin1Char('\n')));
     painter->setFont(stripFont(option.font));
     const int strip = stripHeight(option);
     paintLabels(*painter, QRect(text.left(), text.bottom() - strip + 1, text.width(), strip), index);

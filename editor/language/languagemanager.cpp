@@ -8,10 +8,22 @@
 #include <QLibraryInfo>
 #include <QLocale>
 #include <algorithm>
+#include <array>
 
 namespace quadrille {
 
 namespace {
+
+struct Word
+{
+    const char* text;
+    const char* comment;
+};
+
+/// What Qt shows in dialogs of files and has in none of its own catalogues.
+[[maybe_unused]] constexpr std::array<Word, 2> wordsOfQt{
+    {QT_TRANSLATE_NOOP3("QAbstractFileIconProvider", "Folder", "All other platforms"),
+     QT_TRANSLATE_NOOP3("QAbstractFileIconProvider", "Drive", "")}};
 
 QString catalogueFolder()
 {

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "editor/commands/animationedits.h"
 #include "editor/commands/projectedits.h"
+#include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
 #include "tests/qt/registry.h"
 
@@ -110,6 +112,18 @@ private slots:
         selection().selectSequences({"walk", "run"});
         QCOMPARE(test::find<QLabel>("propertiesTitle")->text(), QString("2 sequences"));
         QTRY_VERIFY(test::find<QLabel>("propertiesSeveral")->text().startsWith("10 frames"));
+    }
+
+    void sequencesShowTheTakeThatIsSeen()
+    {
+        const QString added = addAnimation(document(), {.name = "stroll"});
+        m_window->workspaces().select("animate");
+        selection().selectAnimations({added});
+        QCOMPARE(test::find<QLabel>("propertiesTitle")->text(), added);
+        m_window->workspaces().select("sequences");
+        QCOMPARE(test::find<QLabel>("propertiesTitle")->text(), QString("walk"));
+        m_window->workspaces().select("animate");
+        QCOMPARE(selection().shownAnimation(), added);
     }
 
 private:

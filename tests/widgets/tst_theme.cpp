@@ -23,6 +23,7 @@ private slots:
     void textAndControlsHaveContrast();
     void controlsHaveAnOutline_data();
     void controlsHaveAnOutline();
+    void aChoiceThatIsTooLongEndsInDots();
     void switchingTakesEffectAtOnce();
     void iconsFollowTheTheme();
     void everyIconDrawsSomething();
@@ -87,6 +88,25 @@ void TestTheme::controlsHaveAnOutline()
         QVERIFY2(highest >= 3,
                  qPrintable(QString("%1: %2").arg(control->metaObject()->className()).arg(highest)));
     }
+}
+
+void TestTheme::aChoiceThatIsTooLongEndsInDots()
+{
+    const auto pictureOf = [](const QString& choice) {
+        QComboBox combo;
+        combo.addItem(choice);
+        combo.resize(100, combo.sizeHint().height());
+        return combo.grab().toImage();
+    };
+    const QString longest = QStringLiteral("Choice that is much too long for it");
+    bool isElided = false;
+    for (int letters = 0; letters < longest.size(); ++letters) {
+        const QImage dotted = pictureOf(longest.left(letters) + QChar(0x2026));
+        const bool showsDots = dotted != pictureOf(longest.left(letters));
+        isElided |= showsDots && pictureOf(longest) == dotted;
+    }
+    QVERIFY(isElided);
+    QVERIFY(pictureOf(QStringLiteral("Choice")) != pictureOf(QStringLiteral("Choic") + QChar(0x2026)));
 }
 
 void TestTheme::switchingTakesEffectAtOnce()

@@ -3,6 +3,7 @@
 #include "tests/qt/viewapplication.h"
 #include "viewportfixture.h"
 #include "widgets/viewport/viewportoverlay.h"
+#include "widgets/viewport/viewtool.h"
 
 #include <QDockWidget>
 #include <QMainWindow>
@@ -23,6 +24,7 @@ private slots:
     void measuresBetweenTwoClicks();
     void canBeDeletedWithItsFigures();
     void namesInOnePlaceAreAboveEachOther();
+    void aNoticeLeavesTheMiddleToATool();
     void aFigureAloneStandsWhereItIs();
     void severalStandInLanesThatTheirTakesDoNotLeave();
     void lanesLieBehindEachOtherWhereTakesGoFarAcross();
@@ -137,6 +139,31 @@ void TestViewport::namesInOnePlaceAreAboveEachOther()
     };
     QVERIFY(lowest(Qt::blue) > 0);
     QVERIFY(lowest(Qt::red) > lowest(Qt::blue) + 12);
+}
+
+void TestViewport::aNoticeLeavesTheMiddleToATool()
+{
+    struct Disc : public ViewTool
+    {
+        bool handle(QEvent& /*event*/) override { return false; }
+        void paint(QPainter& painter) const override { painter.fillRect(150, 100, 100, 100, Qt::red); }
+    };
+    ViewportOverlay overlay(nullptr);
+    overlay.resize(400, 300);
+    Annotations annotations;
+    annotations.notice = QStringLiteral("Seeking a walk that goes along the path that was drawn");
+    overlay.show(annotations);
+    const auto isRed = [&overlay](const QPoint& point) {
+        return overlay.grab().toImage().pixelColor(point) == QColor(Qt::red);
+    };
+    QVERIFY(!isRed({200, 150}));
+    const QImage without = overlay.grab().toImage();
+    Disc disc;
+    overlay.setTool(&disc);
+    for (const QPoint point : {QPoint(155, 150), QPoint(200, 150), QPoint(245, 150)})
+        QVERIFY(isRed(point));
+    const QRect low(150, 240, 100, 55);
+    QVERIFY(overlay.grab().toImage().copy(low) != without.copy(low));
 }
 
 void TestViewport::aFigureAloneStandsWhereItIs()

@@ -80,6 +80,23 @@ void OutlineStyle::drawComplexControl(ComplexControl control, const QStyleOption
     QProxyStyle::drawComplexControl(control, option, painter, widget);
 }
 
+void OutlineStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                               const QWidget* widget) const
+{
+    const auto* combo = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+    if (element != CE_ComboBoxLabel || combo == nullptr) {
+        QProxyStyle::drawControl(element, option, painter, widget);
+        return;
+    }
+    constexpr int textMargin = 2; // at both ends together, as Fusion leaves it
+    QStyleOptionComboBox changed = *combo;
+    const QRect field = subControlRect(CC_ComboBox, combo, SC_ComboBoxEditField, widget);
+    const int icon = combo->currentIcon.isNull() ? 0 : combo->iconSize.width() + 4;
+    changed.currentText =
+        combo->fontMetrics.elidedText(combo->currentText, Qt::ElideRight, field.width() - icon - textMargin);
+    QProxyStyle::drawControl(element, &changed, painter, widget);
+}
+
 int OutlineStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const
 {
     constexpr int narrowSpace = 10; // around the words of a tab; Fusion leaves 24

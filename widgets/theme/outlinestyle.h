@@ -10,8 +10,8 @@ namespace quadrille::widgets {
 
 /// Fusion with outlines that can be seen: it darkens the window's colour for them, which leaves fields and
 /// check boxes of a dark theme without any. Here they have ColorRole::Line. The buttons of dialogs have no
-/// icons; tabs leave room for their words; a bar that has more tools than room shows where they
-/// are.
+/// icons; tabs leave room for their words; a choice that is longer than its box ends in dots; a bar that has
+/// more tools than room shows where they are.
 class OutlineStyle : public QProxyStyle
 {
     Q_OBJECT
@@ -22,6 +22,8 @@ public:
                        const QWidget* widget) const override;
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                             const QWidget* widget) const override;
+    void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override;
     int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override;
     QIcon standardIcon(StandardPixmap icon, const QStyleOption* option, const QWidget* widget) const override;
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,

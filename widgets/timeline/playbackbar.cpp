@@ -48,11 +48,10 @@ PlaybackBar::PlaybackBar(QWidget* parent)
     row->addWidget(m_loop);
     row->addSpacing(12);
     row->addWidget(m_frame);
-    row->addWidget(m_time);
-    // The rate gives way where there is little room.
-    m_reached->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_reached->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    row->addWidget(m_reached, 1);
+    // What does not fit is not shown at all: a bar is never wider for its numbers.
+    m_time->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    row->addWidget(m_time, 1);
+    row->addWidget(m_reached);
 
     connect(m_first, &QToolButton::clicked, this, &PlaybackBar::firstAsked);
     connect(m_previous, &QToolButton::clicked, this, [this] { emit stepAsked(-1); });
@@ -151,17 +150,36 @@ void PlaybackBar::retranslate()
     showTime();
 }
 
+void PlaybackBar::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    showTime();
+}
+
+/// As much of time and rate as there is room for: the rate gives way first, then the last frame, then the
+/// end.
 void PlaybackBar::showTime()
 {
-    const double end = std::max(0, m_frames - 1) / m_fps;
-    m_time->setText(tr("of %1 · %2 / %3 s")
-                        .arg(locale().toString(std::max(0, m_frames - 1)),
-                             locale().toString(m_frame->value() / m_fps, 'f', 2),
-                             locale().toString(end, 'f', 2)));
-    m_reached->setText(
+    const int lastFrame = std::max(0, m_frames - 1);
+    const QString now = locale().toString(m_frame->value() / m_fps, 'f', 2);
+    const QString end = locale().toString(lastFrame / m_fps, 'f', 2);
+    const QString whole = tr("of %1 · %2 / %3 s").arg(locale().toString(lastFrame), now, end);
+    const QString rate =
         m_fpsReached > 0 ? tr("%1 of %2 fps")
                                .arg(locale().toString(m_fpsReached, 'f', 1), locale().toString(m_fps, 'g', 5))
-                         : tr("%1 fps").arg(locale().toString(m_fps, 'g', 5)));
+                         : tr("%1 fps").arg(locale().toString(m_fps, 'g', 5));
+    const QFontMetrics metrics = m_time->fontMetrics();
+    const int room = contentsRect().right() - layout()->contentsMargins().right() - m_time->x();
+    const auto fits = [&](const QString& time, int further = 0) {
+        return metrics.horizontalAdvance(time) + further <= room;
+    };
+    const bool hasRate = fits(whole, layout()->spacing() + metrics.horizontalAdvance(rate));
+    const QString shorter = tr("%1 / %2 s").arg(now, end);
+    m_time->setMinimumWidth(metrics.horizontalAdvance(tr("%1 s").arg(end)));
+    m_time->setText(fits(whole) ? whole : fits(shorter) ? shorter : tr("%1 s").arg(now));
+    m_time->setToolTip(fits(whole) ? QString() : whole);
+    m_reached->setText(rate);
+    m_reached->setVisible(hasRate);
     // The text changes while it plays: a wider one must not wait for the next layout to be seen whole.
     m_reached->setMinimumWidth(m_reached->sizeHint().width());
 }

@@ -76,6 +76,8 @@ void Timeline::Private::paintRuler(QPainter& painter) const
         const QString label = isTime ? timeText(frame / fps) : QString::number(std::llround(frame));
         const double width = painter.fontMetrics().horizontalAdvance(label);
         const double left = std::max(place - width / 2.0, headerWidth + 2.0);
+        if (left + width > size.width())
+            continue;
         painter.drawText(QRectF(left, 1.0, labelPixels, rulerHeight - 11.0), Qt::AlignVCenter | Qt::AlignLeft,
                          label);
     }

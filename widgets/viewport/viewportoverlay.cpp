@@ -145,11 +145,12 @@ void paintMeasurement(QPainter& painter, const QSizeF& size, const Annotations& 
     }
 }
 
-void paintNotice(QPainter& painter, const QSizeF& size, const QString& text)
+void paintNotice(QPainter& painter, const QSizeF& size, const QString& text, Qt::Alignment place)
 {
     constexpr double margin = 24.0;
     const QRectF inside = QRectF(QPointF(), size).adjusted(margin, margin, -margin, -margin);
-    QRectF plate = painter.boundingRect(inside, Qt::AlignCenter | Qt::TextWordWrap, text);
+    const int flags = static_cast<int>(place | Qt::AlignHCenter) | Qt::TextWordWrap;
+    QRectF plate = painter.boundingRect(inside, flags, text);
     plate.adjust(-16.0, -10.0, 16.0, 10.0);
     QColor background = Theme::color(ColorRole::Base);
     background.setAlphaF(0.86F);
@@ -157,7 +158,7 @@ void paintNotice(QPainter& painter, const QSizeF& size, const QString& text)
     painter.setBrush(background);
     painter.drawRoundedRect(plate, 6.0, 6.0);
     painter.setPen(Theme::color(ColorRole::Text));
-    painter.drawText(inside, Qt::AlignCenter | Qt::TextWordWrap, text);
+    painter.drawText(inside, flags, text);
 }
 
 constexpr double keyPadding = 8.0;
@@ -232,7 +233,7 @@ void paintAnnotations(QPainter& painter, const QSizeF& size, const Annotations& 
     paintLabels(painter, size, annotations);
     paintMeasurement(painter, size, annotations);
     if (!annotations.notice.isEmpty())
-        paintNotice(painter, size, annotations.notice);
+        paintNotice(painter, size, annotations.notice, Qt::AlignVCenter);
     if (annotations.key)
         paintKey(painter, size, *annotations.key);
     if (annotations.legend) {
@@ -275,11 +276,18 @@ void ViewportOverlay::setTool(ViewTool* tool)
 void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
 {
     QPainter painter(this);
-    paintAnnotations(painter, size(), m_annotations);
-    if (!m_tool)
+    if (!m_tool) {
+        paintAnnotations(painter, size(), m_annotations);
         return;
+    }
+    Annotations below = m_annotations;
+    below.notice.clear();
+    paintAnnotations(painter, size(), below);
     m_tool->setOccupied(m_annotations.key ? keyPlace(painter.font(), size(), *m_annotations.key) : QRectF());
     m_tool->paint(painter);
+    // What a tool draws fills the middle.
+    if (!m_annotations.notice.isEmpty())
+        paintNotice(painter, size(), m_annotations.notice, Qt::AlignBottom);
 }
 
 } // namespace quadrille::widgets

@@ -126,6 +126,11 @@ void SequencesWorkspace::setActive(bool active)
 {
     for (const char* id : {"edit.trimStart", "edit.trimEnd", "edit.untrim", "edit.label"})
         m_context.actions.action(QLatin1String(id))->setEnabled(active);
+    // The properties are those of what is seen, not of what another workspace was left with.
+    const Section section = m_context.selection.current().section;
+    const QString& shown = m_context.selection.shownSequence();
+    if (active && !shown.isEmpty() && (section == Section::Animations || section == Section::Variations))
+        m_context.selection.selectSequences({shown});
 }
 
 std::optional<NamedFrame> SequencesWorkspace::shownPose()
