@@ -1896,7 +1896,7 @@
     </message>
     <message>
         <source>Add an animation, then draw a path, drop poses or line up takes.</source>
-        <translation>Ajoutez une animation, puis tracez un trajet, déposez des poses ou alignez des prises.</translation>
+        <translation>Ajoutez une animation, puis un trajet, des poses ou des prises.</translation>
     </message>
     <message>
         <source>Waiting for the graph…</source>
@@ -5959,7 +5959,7 @@
     </message>
     <message>
         <source>the reference’s first frame</source>
-        <translation>la première image de la référence</translation>
+        <translation>début de la référence</translation>
     </message>
     <message>
         <source>Cut walks and runs to one cycle</source>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What the window gives to all workspaces: keys, focus, colours of labels, a start that can fail, room on
 // small screens.
+#include "cutwords.h"
 #include "editor/application/defaultsettings.h"
 #include "editor/application/startguard.h"
 #include "editor/commands/projectedits.h"
@@ -197,6 +198,31 @@ private slots:
                 qPrintable(
                     QString("%1: %2 × %3").arg(workspace).arg(m_window->width()).arg(m_window->height())));
         }
+        context().languages.setLanguage("en");
+    }
+
+    void noWordIsCutOnASmallScreen_data() { test::addLanguages(); }
+    void noWordIsCutOnASmallScreen()
+    {
+        QFETCH(QString, language);
+        context().languages.setLanguage(language);
+        m_window->resize(1280, 720 - 32); // the title bar
+        openTake();
+        QStringList cut;
+        for (const QString& workspace : test::workspaceNames) {
+            m_window->workspaces().select(workspace);
+            QCoreApplication::processEvents();
+            for (auto* each : m_window->findChildren<QDockWidget*>()) {
+                if (each->isHidden())
+                    continue;
+                each->raise();
+                QCoreApplication::processEvents();
+                for (const QString& words : test::wordsCutIn(*m_window))
+                    cut += workspace + ": " + words;
+            }
+        }
+        cut.removeDuplicates();
+        QCOMPARE(cut.join('\n'), QString());
         context().languages.setLanguage("en");
     }
 
