@@ -40,6 +40,8 @@ GraphBar::GraphBar(EditorContext& context, GraphExplorer& explorer, QWidget* par
     m_character->setObjectName(QStringLiteral("graphCharacter"));
     m_alpha->setObjectName(QStringLiteral("graphAlpha"));
     m_alphaLabel->setBuddy(m_alpha);
+    // Beside the slider, not beside the words below it.
+    m_alphaLabel->setContentsMargins(0, 0, 0, m_alphaLabel->fontMetrics().height());
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(gap, gap / 2, gap, gap / 2);
     row->setSpacing(gap);
