@@ -148,6 +148,9 @@ struct SearchSettings
     /// otherwise each costs α, as in the paper.
     bool prefersLocomotion = false;
     double strayWeight = 30;
+    /// What a transition costs more, times α, that goes from the ground into flight or out of flight onto the
+    /// ground; 0 as in the paper. So a jump begins with its take-off and ends with its landing.
+    double flightWeight = 0;
 
     bool operator==(const SearchSettings&) const = default;
     /// What looks best along a path: see the evaluation “walks”.
@@ -156,7 +159,8 @@ struct SearchSettings
         return {.budget = 20'000,
                 .leftOutWeight = 5,
                 .charging = {.deadZone = 0.07, .perMetre = 25},
-                .prefersLocomotion = true};
+                .prefersLocomotion = true,
+                .flightWeight = 200};
     }
 };
 

@@ -19,11 +19,19 @@ std::string toString(const FramePair& pair)
     return "from frame " + std::to_string(pair.source) + " to frame " + std::to_string(pair.destination);
 }
 
-WalkMove moveOf(const Edge& edge, const TransitionCosts& costs)
+WalkMove moveOf(const Edge& edge, const TransitionCosts& costs, const MoveCharges& charges)
 {
     WalkMove move{.from = edge.from, .to = edge.to, .weight = edge.weight, .kind = edge.kind};
-    if (edge.kind == EdgeKind::Transition)
-        move.elapsed = std::max(1, static_cast<int>(costs.length()(edge.from, edge.to)) - 1);
+    const auto from = static_cast<std::size_t>(edge.from);
+    const auto to = static_cast<std::size_t>(edge.to);
+    if (edge.kind == EdgeKind::Original) {
+        if (!charges.frames.empty())
+            move.weight = charges.frames[from];
+        return move;
+    }
+    move.elapsed = std::max(1, static_cast<int>(costs.length()(edge.from, edge.to)) - 1);
+    if (!charges.inAir.empty() && charges.inAir[from] != charges.inAir[to])
+        move.weight += charges.flight;
     return move;
 }
 
@@ -49,7 +57,7 @@ std::vector<MoveIndex> firstPositions(NodeIndex nodes, std::size_t count, const 
 } // namespace
 
 WalkGraph::WalkGraph(const Digraph& graph, const TransitionCosts& costs, double alpha,
-                     const Junctions& junctions, std::span<const double> frameWeights)
+                     const Junctions& junctions, const MoveCharges& charges)
     : m_layout(costs.layout()), m_alpha(alpha)
 {
     requireAlpha(alpha);
@@ -59,9 +67,7 @@ WalkGraph::WalkGraph(const Digraph& graph, const TransitionCosts& costs, double 
     for (const Edge& edge : graph.edges()) {
         if (edge.kind == EdgeKind::Transition && isBanned({edge.from, edge.to}))
             continue;
-        m_moves.push_back(moveOf(edge, costs));
-        if (edge.kind == EdgeKind::Original && !frameWeights.empty())
-            m_moves.back().weight = frameWeights[static_cast<std::size_t>(edge.from)];
+        m_moves.push_back(moveOf(edge, costs, charges));
     }
     for (std::size_t r = 0; r < junctions.required.size(); ++r) {
         const FramePair& pair = junctions.required[r];
@@ -78,7 +84,7 @@ WalkGraph::WalkGraph(const Digraph& graph, const TransitionCosts& costs, double 
         if (found == m_moves.end()) {
             const Edge edge{pair.source, pair.destination, costs.weight(pair.source, pair.destination, alpha),
                             EdgeKind::Transition};
-            found = m_moves.insert(m_moves.end(), moveOf(edge, costs));
+            found = m_moves.insert(m_moves.end(), moveOf(edge, costs, charges));
         }
         found->required = static_cast<std::int32_t>(r);
     }

@@ -32,6 +32,14 @@ struct WalkRoute
     std::vector<MoveIndex> moves;
 };
 
+/// What moves cost otherwise than in the graph.
+struct MoveCharges
+{
+    std::vector<double> frames = {}; ///< of the edge that plays on from each node; empty: as in the graph
+    std::vector<bool> inAir = {};    ///< in which frames no foot stands; empty: nobody knows
+    double flight = 0; ///< added to transitions of which one end is in the air and the other is not
+};
+
 /// Where walks can go: a graph without the banned transitions and with those that are required, and how long
 /// each edge lasts.
 class WalkGraph
@@ -39,9 +47,8 @@ class WalkGraph
 public:
     /// \throws Error BadArgument for α (requireAlpha), and for a required transition that does not exist or
     /// is banned.
-    /// \param frameWeights  of the edge that plays on from each node; empty: those of the graph.
     WalkGraph(const Digraph& graph, const TransitionCosts& costs, double alpha, const Junctions& junctions,
-              std::span<const double> frameWeights = {});
+              const MoveCharges& charges = {});
 
     NodeIndex nodeCount() const { return static_cast<NodeIndex>(m_firstOf.size()) - 1; }
     const FrameLayout& layout() const { return m_layout; }

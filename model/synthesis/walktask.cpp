@@ -24,6 +24,17 @@ std::vector<NodeIndex> startsOf(const WalkConstraints& constraints, NodeIndex no
     return {chosen.begin(), chosen.end()};
 }
 
+/// Whether a frame is the first that keys or actions want.
+bool isAskedFirst(const WalkConstraints& constraints, NodeIndex node)
+{
+    if (!constraints.keys.empty() && constraints.keys.front().frame == node)
+        return true;
+    return !constraints.actions.empty() &&
+           std::ranges::any_of(constraints.actions.front().frames.spans, [node](const WalkSpan& span) {
+               return span.first <= node && node <= span.last;
+           });
+}
+
 /// What playing on from each frame costs along a path; empty where it is as in the graph.
 std::vector<double> frameWeights(const WalkMaterial& material, const WalkConstraints& constraints,
                                  const SearchSettings& settings)
@@ -48,13 +59,18 @@ WalkTask::WalkTask(const WalkMaterial& walkMaterial, const WalkConstraints& aske
     , constraints(asked)
     , settings(sought)
     , graph(walkMaterial.graph, walkMaterial.costs, walkMaterial.alpha, asked.junctions,
-            frameWeights(walkMaterial, asked, sought))
+            {.frames = frameWeights(walkMaterial, asked, sought),
+             .inAir = walkMaterial.inAir,
+             .flight = sought.flightWeight * walkMaterial.alpha})
     , starts(startsOf(asked, graph.nodeCount()))
     , beta(sought.beta.value_or(betaPerAlpha * walkMaterial.alpha))
 {
     const std::vector<bool>& inAir = material.inAir;
-    if (asked.path && !asked.start && !inAir.empty())
-        std::erase_if(starts, [&](NodeIndex node) { return inAir[static_cast<std::size_t>(node)]; });
+    if (asked.start || inAir.empty() || (!asked.path && sought.flightWeight == 0))
+        return;
+    std::erase_if(starts, [&](NodeIndex node) {
+        return inAir[static_cast<std::size_t>(node)] && !isAskedFirst(asked, node);
+    });
 }
 
 WalkCourse::Along::Along(const WalkTask& task, const WalkStages& stages)
