@@ -139,7 +139,8 @@ struct SearchSettings
     /// the one before carried over, as in the paper.
     bool globalKeys = false;
     /// Captured frames that are played at least between two transitions, before the first and after the last;
-    /// required transitions may be nearer to others. Not where keys alone are asked for.
+    /// required transitions may be nearer to others. Where keys alone are asked for, each that is missing
+    /// costs β.
     int leastRun = 0;
     /// What a frame of an action that is left out costs, times α, ≥ 1; with 1 as much as one that is played.
     double leftOutWeight = 1;

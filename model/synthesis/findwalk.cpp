@@ -3,6 +3,7 @@
 #include "model/synthesis/findwalk.h"
 
 #include "model/core/error.h"
+#include "model/synthesis/followwalk.h"
 #include "model/synthesis/keywalk.h"
 #include "model/synthesis/reach.h"
 #include "model/synthesis/stagesearch.h"
@@ -123,12 +124,18 @@ WalkSolution findKeys(const Search& search)
     }
     WalkSolution solution = WalkCourse(task, 0).solution(route);
     solution.eachLeg = !task.settings.globalKeys && keys.size() > 1;
-    if (search.found)
-        search.found(solution);
     return solution;
 }
 
-WalkSolution findByStages(const Search& search)
+/// Why there is none.
+struct Failure
+{
+    PathFailure path;
+    SearchEffort effort;
+};
+
+/// \param known  a walk that the result is no worse than.
+std::optional<WalkSolution> findByStages(const Search& search, Failure& failure, const Walk* known = nullptr)
 {
     const WalkTask& task = search.task;
     WalkCourse course(task, task.settings.leastRun);
@@ -141,20 +148,46 @@ WalkSolution findByStages(const Search& search)
     };
     if (course.path() != nullptr)
         course.path()->improve = improve;
-    PathFailure failure;
-    SearchEffort effort;
+    SearchEffort& effort = failure.effort;
     const std::int64_t budget = task.settings.budget;
     std::optional<FoundRoute> route =
         course.path() != nullptr
-            ? searchPath(*course.path(), budget, tell, failure, effort, search.progress)
+            ? searchPath(*course.path(), budget, tell, failure.path, effort, search.progress)
             : searchStages(task.graph, course.stages(), task.starts, budget, tell, effort, search.progress);
+    if (known != nullptr) {
+        std::optional<FoundRoute> other =
+            followWalk(course.followed(), *known, route ? route->cost : unreachable);
+        if (other)
+            route = std::move(other);
+    }
     if (!route)
-        refuse(task.constraints, task.settings, failure, effort);
+        return std::nullopt;
     if (course.path() == nullptr && !route->optimal)
         route = improve(*std::move(route));
     WalkSolution solution = course.solution(*route);
     solution.expansions = effort.expansions;
     return solution;
+}
+
+bool keepsRuns(const Walk& walk, int leastRun)
+{
+    return walk.transitionCount() == 0 || std::ranges::all_of(walk.spans, [leastRun](const WalkSpan& span) {
+               return span.frameCount() >= leastRun;
+           });
+}
+
+/// Keys alone are met exactly; where that leaves a take too soon, the stages weigh one against the other.
+WalkSolution findCalmKeys(const Search& search)
+{
+    WalkSolution exact = findKeys(search);
+    if (!keepsRuns(exact.walk, search.task.settings.leastRun)) {
+        Failure unused;
+        if (std::optional<WalkSolution> calm = findByStages(search, unused, &exact.walk))
+            return *std::move(calm);
+    }
+    if (search.found)
+        search.found(exact);
+    return exact;
 }
 
 } // namespace
@@ -178,7 +211,13 @@ WalkSolution findWalk(const WalkMaterial& material, const WalkConstraints& const
     const bool areKeysAlone = !constraints.path && constraints.actions.empty() &&
                               junctions.required.empty() && junctions.spans.empty();
     const Search search{task, progress, found};
-    return areKeysAlone ? findKeys(search) : findByStages(search);
+    if (areKeysAlone)
+        return findCalmKeys(search);
+    Failure failure;
+    std::optional<WalkSolution> solution = findByStages(search, failure);
+    if (!solution)
+        refuse(constraints, settings, failure.path, failure.effort);
+    return *std::move(solution);
 }
 
 } // namespace quadrille

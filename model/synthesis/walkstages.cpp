@@ -55,6 +55,23 @@ WalkStages::WalkStages(const WalkGraph& graph, const WalkConstraints& constraint
     addSteps(constraints.actions);
     addRequired(constraints.junctions);
     addBounds();
+    m_chargesRuns = !constraints.path && m_steps.empty() && m_requiredAll == 0 && !m_keys.empty();
+    if (m_chargesRuns)
+        m_lastRun = longestRunTo(m_keys.back().frame);
+}
+
+/// How many captured frames can be played before a frame, itself included, up to the least run: its take may
+/// be entered too late for more.
+int WalkStages::longestRunTo(NodeIndex node) const
+{
+    const FrameLayout& layout = m_graph.layout();
+    int longest = 0;
+    for (const WalkMove& move : m_graph.moves()) {
+        if (move.kind == EdgeKind::Transition && move.to <= node &&
+            layout.sequenceOf(move.to) == layout.sequenceOf(node))
+            longest = std::max(longest, node - move.to + 1);
+    }
+    return std::min(longest, m_leastRun);
 }
 
 void WalkStages::addSteps(const std::vector<Action>& actions)
@@ -178,7 +195,7 @@ StageState WalkStages::begin(NodeIndex node) const
 
 bool WalkStages::allows(const StageState& state, const WalkMove& move) const
 {
-    if (move.kind == EdgeKind::Transition && move.required < 0 && !hasRun(state))
+    if (move.kind == EdgeKind::Transition && move.required < 0 && !hasRun(state) && !m_chargesRuns)
         return false;
     if (state.span == StageState::free)
         return true;
@@ -191,6 +208,8 @@ bool WalkStages::allows(const StageState& state, const WalkMove& move) const
 StageState WalkStages::after(StageState state, const WalkMove& move) const
 {
     state.node = move.to;
+    if (m_chargesRuns && move.kind == EdgeKind::Transition)
+        state.shortfall = static_cast<std::int16_t>(runLeft(state));
     const int run = move.kind == EdgeKind::Original ? state.run + 1 : move.required < 0 ? 1 : m_leastRun;
     state.run = static_cast<std::int16_t>(std::min(run, m_leastRun));
     if (move.required >= 0)
@@ -225,7 +244,8 @@ SettledStage WalkStages::finished(const StageState& state, std::int64_t time) co
 
 void WalkStages::settle(const StageState& state, std::int64_t time, std::vector<SettledStage>& out) const
 {
-    out.assign(1, {.state = state});
+    out.assign(1, {.state = state, .edges = m_beta * state.shortfall});
+    out.front().state.shortfall = 0;
     const auto finish = [&](const SettledStage& from) {
         if (!canFinish(from.state))
             return;
@@ -258,11 +278,14 @@ void WalkStages::settle(const StageState& state, std::int64_t time, std::vector<
     const double error = std::abs(static_cast<double>(time) - key.time);
     if (key.frame != state.node || error > key.tolerance.value_or(unreachable))
         return;
+    const bool isLast = static_cast<std::size_t>(state.key) + 1 == m_keys.size();
+    const int shortfall = isLast && m_chargesRuns ? std::max(0, m_lastRun - state.run) : 0;
     const std::size_t count = out.size();
     for (std::size_t i = 0; i < count; ++i) {
         SettledStage met = out[i];
         ++met.state.key;
         met.timing += m_beta * error;
+        met.edges += m_beta * shortfall;
         out.push_back(met);
     }
 }
@@ -271,7 +294,7 @@ bool WalkStages::isDone(const StageState& state) const
 {
     return static_cast<std::size_t>(state.key) == m_keys.size() &&
            static_cast<std::size_t>(state.step) == m_steps.size() && state.required == m_requiredAll &&
-           hasRun(state);
+           (m_chargesRuns || hasRun(state));
 }
 
 StageFuture WalkStages::future(StageState state, std::int64_t time) const

@@ -26,6 +26,7 @@ struct StageState
     /// Captured frames since the last transition, the one that it came to included, up to the least run; 0
     /// where there is none.
     std::int16_t run = 0;
+    std::int16_t shortfall = 0; ///< of the run before the transition just made; 0 once it is settled
 
     bool operator==(const StageState&) const = default;
 };
@@ -42,7 +43,7 @@ struct StageFutureHash
 struct SettledStage
 {
     StageState state;
-    double edges = 0;  ///< for each frame that an action leaves out
+    double edges = 0;  ///< for each frame that an action leaves out or a run lacks
     double timing = 0; ///< β · timing error
 };
 
@@ -61,9 +62,8 @@ public:
         std::vector<bool> contains; ///< by node
     };
 
-    /// \param edgeFactor  what a weight counts in the total, μ or 1. \param leastRun  captured frames between
-    /// two transitions; required ones may be nearer to others.
-    /// \param leftOutWeight  SearchSettings::leftOutWeight.
+    /// \param edgeFactor  what a weight counts in the total, μ or 1. \param leastRun
+    /// SearchSettings::leastRun. \param leftOutWeight  SearchSettings::leftOutWeight.
     WalkStages(const WalkGraph& graph, const WalkConstraints& constraints, double beta, double edgeFactor,
                int leastRun = 0, double leftOutWeight = 1);
 
@@ -93,6 +93,7 @@ private:
     void addSteps(const std::vector<Action>& actions);
     void addBounds();
     void addRequired(const Junctions& junctions);
+    int longestRunTo(NodeIndex node) const;
     StageState arrived(StageState state) const;
     double leastOfKeys(const StageState& state, std::int64_t time) const;
     double leastOfActions(const StageState& state, std::int64_t time) const;
@@ -104,7 +105,12 @@ private:
     double m_beta;
     double m_edgeFactor;
     int m_leastRun;
-    double m_leftOut; ///< cost of a frame that an action leaves out
+    /// Keys are all that is asked for: the walk is over at the last one, and each captured frame that is
+    /// missing before a transition or that key costs as much as one of timing error. Otherwise none may be
+    /// missing.
+    bool m_chargesRuns = false;
+    int m_lastRun = 0; ///< captured frames before the last key
+    double m_leftOut;  ///< cost of a frame that an action leaves out
     std::vector<PoseKey> m_keys;
     std::vector<Step> m_steps;
     std::vector<LegBounds> m_keyBounds;

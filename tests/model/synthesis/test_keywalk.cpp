@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/graph/essentialgraph.h"
+#include "model/synthesis/findwalk.h"
 #include "model/synthesis/keywalk.h"
 #include "tests/model/codeof.h"
 #include "tests/model/graph/randomtransitions.h"
 #include "tests/model/synthesis/walkreference.h"
+#include "walkworld.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
@@ -211,6 +214,57 @@ TEST(WalkGraph, LeavesOutBannedTransitionsAndHasRequiredOnes)
     EXPECT_EQ(codeOf(unknown), ErrorCode::BadArgument);
     const auto negative = [&] { WalkGraph(digraph, costs, -1, {}); };
     EXPECT_EQ(codeOf(negative), ErrorCode::BadArgument);
+}
+
+/// Captured frames that runs of a walk lack before its transitions, and before its end what the way into the
+/// last take allows.
+int shortfallOf(const WalkGraph& graph, const Walk& walk, int leastRun)
+{
+    const NodeIndex end = walk.spans.back().last;
+    int lastRun = 0;
+    for (const WalkMove& move : graph.moves()) {
+        if (move.kind == EdgeKind::Transition && move.to <= end &&
+            graph.layout().sequenceOf(move.to) == graph.layout().sequenceOf(end))
+            lastRun = std::max(lastRun, end - move.to + 1);
+    }
+    int shortfall = std::max(0, std::min(lastRun, leastRun) - walk.spans.back().frameCount());
+    for (std::size_t i = 0; i + 1 < walk.spans.size(); ++i)
+        shortfall += std::max(0, leastRun - walk.spans[i].frameCount());
+    return shortfall;
+}
+
+TEST(KeyWalk, WeighsStayingInATakeAgainstBeingOnTime)
+{
+    constexpr int leastRun = 3;
+    constexpr double beta = 0.05;
+    constexpr std::int32_t longest = 24; // output frames; longer walks are too late to be the cheapest
+    int hasty = 0;
+    int calmer = 0;
+    for (std::uint32_t seed = 0; seed < 40; ++seed) {
+        const WalkWorld world({.seed = seed, .counts = {9, 8, 9}, .missing = 0.6, .shortest = 4});
+        const WalkMaterial material = world.material();
+        const PoseKey first{.frame = 1, .time = 0};
+        const PoseKey last{.frame = seed % 2 == 0 ? 20 : 22, .time = 10};
+        const WalkConstraints constraints{.keys = {first, last}, .start = FrameSet{"first", {{1, 1}}}};
+        const WalkGraph graph(world.graph, world.costs, WalkWorld::alpha, {});
+        const WalkSolution free = findWalk(material, constraints, {.beta = beta});
+        const WalkSolution calm = findWalk(material, constraints, {.beta = beta, .leastRun = leastRun});
+        double least = unreachable;
+        test::everyWalk(graph, first.frame, longest,
+                        [&](const WalkRoute& route, std::int32_t elapsed, double cost) {
+                            const Walk walk = graph.walk(route);
+                            if (walk.spans.back().last == last.frame)
+                                least = std::min(least, cost + beta * (std::abs(elapsed - last.time) +
+                                                                       shortfallOf(graph, walk, leastRun)));
+                        });
+        EXPECT_NEAR(calm.totalCost, least, 1e-9) << seed;
+        EXPECT_EQ(calm.walk.spans.back().last, last.frame) << "it ends at the last key";
+        const int before = shortfallOf(graph, free.walk, leastRun);
+        hasty += before > 0;
+        calmer += shortfallOf(graph, calm.walk, leastRun) < before;
+    }
+    EXPECT_GT(hasty, 10) << "or this shows nothing";
+    EXPECT_GT(calmer, 3);
 }
 
 } // namespace
