@@ -150,7 +150,8 @@ struct SearchSettings
     bool prefersLocomotion = false;
     double strayWeight = 30;
     /// What a transition costs more, times α, that goes from the ground into flight or out of flight onto the
-    /// ground; 0 as in the paper. So a jump begins with its take-off and ends with its landing.
+    /// ground, where keys alone are asked for; 0 as in the paper. So a jump begins with its take-off and ends
+    /// with its landing.
     double flightWeight = 0;
 
     bool operator==(const SearchSettings&) const = default;

@@ -20,8 +20,9 @@ struct WalkMaterial
     WalkMotion motion;            ///< needed where there is a path
     /// Which frames are locomotion, for SearchSettings::prefersLocomotion; empty: nobody knows.
     std::vector<bool> locomotion = {};
-    /// In which frames the figure is in the air, for SearchSettings::flightWeight; walks neither begin nor
-    /// end there, unless it is asked for by a start, a key or an action; empty: nobody knows.
+    /// In which frames the figure is in the air, for SearchSettings::flightWeight; walks along a path neither
+    /// begin nor end there, unless a start is given; walks of keys alone do not begin there, unless the first
+    /// key lies there; empty: nobody knows.
     std::vector<bool> inAir = {};
 };
 

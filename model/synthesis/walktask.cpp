@@ -24,15 +24,9 @@ std::vector<NodeIndex> startsOf(const WalkConstraints& constraints, NodeIndex no
     return {chosen.begin(), chosen.end()};
 }
 
-/// Whether a frame is the first that keys or actions want.
-bool isAskedFirst(const WalkConstraints& constraints, NodeIndex node)
+bool areKeysAlone(const WalkConstraints& constraints)
 {
-    if (!constraints.keys.empty() && constraints.keys.front().frame == node)
-        return true;
-    return !constraints.actions.empty() &&
-           std::ranges::any_of(constraints.actions.front().frames.spans, [node](const WalkSpan& span) {
-               return span.first <= node && node <= span.last;
-           });
+    return !constraints.keys.empty() && !constraints.path && constraints.actions.empty();
 }
 
 /// What playing on from each frame costs along a path; empty where it is as in the graph.
@@ -61,15 +55,17 @@ WalkTask::WalkTask(const WalkMaterial& walkMaterial, const WalkConstraints& aske
     , graph(walkMaterial.graph, walkMaterial.costs, walkMaterial.alpha, asked.junctions,
             {.frames = frameWeights(walkMaterial, asked, sought),
              .inAir = walkMaterial.inAir,
-             .flight = sought.flightWeight * walkMaterial.alpha})
+             .flight = areKeysAlone(asked) ? sought.flightWeight * walkMaterial.alpha : 0})
     , starts(startsOf(asked, graph.nodeCount()))
     , beta(sought.beta.value_or(betaPerAlpha * walkMaterial.alpha))
 {
     const std::vector<bool>& inAir = material.inAir;
-    if (asked.start || inAir.empty() || (!asked.path && sought.flightWeight == 0))
+    const bool stays = asked.path || (areKeysAlone(asked) && sought.flightWeight > 0);
+    if (asked.start || inAir.empty() || !stays)
         return;
     std::erase_if(starts, [&](NodeIndex node) {
-        return inAir[static_cast<std::size_t>(node)] && !isAskedFirst(asked, node);
+        const bool isAsked = areKeysAlone(asked) && asked.keys.front().frame == node;
+        return inAir[static_cast<std::size_t>(node)] && !isAsked;
     });
 }
 

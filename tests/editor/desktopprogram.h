@@ -40,6 +40,8 @@ public:
         return {};
     }
     bool isRunning() const { return m_process.state() == QProcess::Running; }
+    /// Not so while it is only about to run.
+    bool hasEnded() const { return m_process.state() == QProcess::NotRunning; }
     void kill()
     {
         m_process.kill();
