@@ -242,7 +242,7 @@ WalkMaterial CharacterGraph::material(const BlendSettings& blend, bool isAlongPa
                        .blend = blend,
                        .metresPerUnit = metresPerUnit()},
             .locomotion = isAlongPath ? locomotion() : std::vector<bool>(),
-            .inAir = inAir()};
+            .inAir = framesInAir(m_roots.stances, m_layout, fps())};
 }
 
 WalkSpan CharacterGraph::span(const std::string& sequence, const std::optional<FrameRange>& range) const

@@ -59,8 +59,6 @@ public:
     /// and, of others without a jump, what lies between the first and the last frame that gets on and is as
     /// near to them as such sequences are to each other, where that is half of the take.
     std::vector<bool> locomotion() const;
-    /// In which frames no foot stands; empty where that is not known of any.
-    std::vector<bool> inAir() const;
     /// What walks are sought in; refers to this object. \param blend  how transitions will be blended.
     /// \param isAlongPath  whether there will be a path, for which locomotion counts.
     WalkMaterial material(const BlendSettings& blend, bool isAlongPath) const;

@@ -124,26 +124,4 @@ std::vector<bool> CharacterGraph::locomotion() const
     return isLocomotion;
 }
 
-std::vector<bool> CharacterGraph::inAir() const
-{
-    constexpr double shortest = 0.06; // seconds; shorter ones are steps of which the contact was missed
-    const std::vector<std::uint32_t>& standing = m_roots.stances.standing;
-    // Where no foot ever stands, nobody knows what stands.
-    if (std::ranges::all_of(standing, [](std::uint32_t feet) { return feet == 0; }))
-        return {};
-    std::vector<bool> frames(standing.size(), false);
-    for (int s = 0; s < m_layout.sequenceCount(); ++s) {
-        const NodeIndex end = m_layout.lastOf(s) + 1;
-        for (NodeIndex node = m_layout.firstOf(s); node < end;) {
-            NodeIndex next = node;
-            while (next < end && standing[static_cast<std::size_t>(next)] == 0)
-                ++next;
-            if (next - node >= shortest * fps())
-                std::fill(frames.begin() + node, frames.begin() + next, true);
-            node = std::max(next, node + 1);
-        }
-    }
-    return frames;
-}
-
 } // namespace quadrille

@@ -106,6 +106,8 @@ struct WalkConstraints
     std::optional<FrameSet> start; ///< where the walk may begin; empty: anywhere
     Junctions junctions;
 
+    /// Whether poses are all that the walk is to meet, whatever was decided about its transitions.
+    bool areKeysAlone() const { return !keys.empty() && !path && actions.empty(); }
     bool operator==(const WalkConstraints&) const = default;
 };
 

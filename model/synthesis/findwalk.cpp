@@ -208,10 +208,8 @@ WalkSolution findWalk(const WalkMaterial& material, const WalkConstraints& const
     checkKeysReachable(task.graph, constraints.keys, task.starts);
     checkActionsPossible(task.graph, constraints.actions, task.starts);
     const Junctions& junctions = constraints.junctions;
-    const bool areKeysAlone = !constraints.path && constraints.actions.empty() &&
-                              junctions.required.empty() && junctions.spans.empty();
     const Search search{task, progress, found};
-    if (areKeysAlone)
+    if (constraints.areKeysAlone() && junctions.required.empty() && junctions.spans.empty())
         return findCalmKeys(search);
     Failure failure;
     std::optional<WalkSolution> solution = findByStages(search, failure);

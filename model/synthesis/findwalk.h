@@ -31,10 +31,9 @@ using SolutionCallback = std::function<void(const WalkSolution&)>;
 
 /// Seeks the walk of least cost that meets all constraints (SMCAS §4.3, ALGORITHMS section 6).
 /// Keys alone: exact, from key to key or over all of them; where that leaves takes too soon
-/// (SearchSettings::leastRun), as without a path. Without a path: exact where the
-/// budget is enough. With a path: as good as the budget lets it. The same budget gives the same walk,
-/// whatever the machine. \throws Error Walk…, BadArgument (values that no constraint can have), Cancelled:
-/// see checkConstraints.
+/// (SearchSettings::leastRun), as without a path. Without a path: exact where the budget is enough. With a
+/// path: as good as the budget lets it. The same budget gives the same walk, whatever the machine.
+/// \throws Error Walk…, BadArgument (values that no constraint can have), Cancelled: see checkConstraints.
 WalkSolution findWalk(const WalkMaterial& material, const WalkConstraints& constraints,
                       const SearchSettings& settings, const Progress& progress = {},
                       const SolutionCallback& found = {});

@@ -189,6 +189,26 @@ std::vector<std::optional<double>> capturedSlides(const CharacterFrames& charact
     return slides;
 }
 
+std::vector<bool> framesInAir(const Stances& stances, const FrameLayout& layout, double fps)
+{
+    constexpr double shortest = 0.06; // seconds
+    if (std::ranges::all_of(stances.standing, [](std::uint32_t feet) { return feet == 0; }))
+        return {};
+    std::vector<bool> inAir(stances.standing.size(), false);
+    for (int s = 0; s < layout.sequenceCount(); ++s) {
+        const NodeIndex end = layout.lastOf(s) + 1;
+        NodeIndex takeOff = layout.firstOf(s);
+        for (NodeIndex node = takeOff; node <= end; ++node) {
+            if (node < end && stances.at(node) == 0)
+                continue;
+            if (node - takeOff >= shortest * fps)
+                std::fill(inAir.begin() + takeOff, inAir.begin() + node, true);
+            takeOff = node + 1;
+        }
+    }
+    return inAir;
+}
+
 std::vector<ContactSpan> contactsOf(const Clip& clip, const Stances& stances)
 {
     const std::vector<std::uint32_t> standing = stancesOf(clip.origins, clip.fps, stances);

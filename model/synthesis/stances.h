@@ -52,6 +52,10 @@ Stances givenStances(const CharacterFrames& character);
 std::vector<std::uint32_t> stancesOf(const std::vector<FrameOrigin>& origins, double fps,
                                      const Stances& stances);
 
+/// In which frames no foot stands for at least 0.06 seconds: shorter ones are steps of which the contact was
+/// missed. Empty where no foot ever stands, and nobody knows what stands.
+std::vector<bool> framesInAir(const Stances& stances, const FrameLayout& layout, double fps);
+
 /// How fast the feet that stand from one pose to the next slide there: the mean speed over the ground of what
 /// touches it, units of length a second; nothing where no foot stands in both.
 /// \param feet  that stand in both, by their bits.

@@ -55,7 +55,7 @@ WalkStages::WalkStages(const WalkGraph& graph, const WalkConstraints& constraint
     addSteps(constraints.actions);
     addRequired(constraints.junctions);
     addBounds();
-    m_chargesRuns = !constraints.path && m_steps.empty() && m_requiredAll == 0 && !m_keys.empty();
+    m_chargesRuns = m_leastRun > 0 && constraints.areKeysAlone();
     if (m_chargesRuns)
         m_lastRun = longestRunTo(m_keys.back().frame);
 }
@@ -208,7 +208,7 @@ bool WalkStages::allows(const StageState& state, const WalkMove& move) const
 StageState WalkStages::after(StageState state, const WalkMove& move) const
 {
     state.node = move.to;
-    if (m_chargesRuns && move.kind == EdgeKind::Transition)
+    if (m_chargesRuns && move.kind == EdgeKind::Transition && move.required < 0)
         state.shortfall = static_cast<std::int16_t>(runLeft(state));
     const int run = move.kind == EdgeKind::Original ? state.run + 1 : move.required < 0 ? 1 : m_leastRun;
     state.run = static_cast<std::int16_t>(std::min(run, m_leastRun));
@@ -278,8 +278,10 @@ void WalkStages::settle(const StageState& state, std::int64_t time, std::vector<
     const double error = std::abs(static_cast<double>(time) - key.time);
     if (key.frame != state.node || error > key.tolerance.value_or(unreachable))
         return;
-    const bool isLast = static_cast<std::size_t>(state.key) + 1 == m_keys.size();
-    const int shortfall = isLast && m_chargesRuns ? std::max(0, m_lastRun - state.run) : 0;
+    const bool isEnd = m_chargesRuns && static_cast<std::size_t>(state.key) + 1 == m_keys.size();
+    if (isEnd && state.required != m_requiredAll)
+        return;
+    const int shortfall = isEnd ? std::max(0, m_lastRun - state.run) : 0;
     const std::size_t count = out.size();
     for (std::size_t i = 0; i < count; ++i) {
         SettledStage met = out[i];

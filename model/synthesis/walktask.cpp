@@ -24,11 +24,6 @@ std::vector<NodeIndex> startsOf(const WalkConstraints& constraints, NodeIndex no
     return {chosen.begin(), chosen.end()};
 }
 
-bool areKeysAlone(const WalkConstraints& constraints)
-{
-    return !constraints.keys.empty() && !constraints.path && constraints.actions.empty();
-}
-
 /// What playing on from each frame costs along a path; empty where it is as in the graph.
 std::vector<double> frameWeights(const WalkMaterial& material, const WalkConstraints& constraints,
                                  const SearchSettings& settings)
@@ -55,16 +50,16 @@ WalkTask::WalkTask(const WalkMaterial& walkMaterial, const WalkConstraints& aske
     , graph(walkMaterial.graph, walkMaterial.costs, walkMaterial.alpha, asked.junctions,
             {.frames = frameWeights(walkMaterial, asked, sought),
              .inAir = walkMaterial.inAir,
-             .flight = areKeysAlone(asked) ? sought.flightWeight * walkMaterial.alpha : 0})
+             .flight = asked.areKeysAlone() ? sought.flightWeight * walkMaterial.alpha : 0})
     , starts(startsOf(asked, graph.nodeCount()))
     , beta(sought.beta.value_or(betaPerAlpha * walkMaterial.alpha))
 {
     const std::vector<bool>& inAir = material.inAir;
-    const bool stays = asked.path || (areKeysAlone(asked) && sought.flightWeight > 0);
+    const bool stays = asked.path || (asked.areKeysAlone() && sought.flightWeight > 0);
     if (asked.start || inAir.empty() || !stays)
         return;
     std::erase_if(starts, [&](NodeIndex node) {
-        const bool isAsked = areKeysAlone(asked) && asked.keys.front().frame == node;
+        const bool isAsked = asked.areKeysAlone() && asked.keys.front().frame == node;
         return inAir[static_cast<std::size_t>(node)] && !isAsked;
     });
 }

@@ -267,5 +267,25 @@ TEST(KeyWalk, WeighsStayingInATakeAgainstBeingOnTime)
     EXPECT_GT(calmer, 3);
 }
 
+TEST(KeyWalk, EndsAtTheLastKeyWithATransitionThatIsRequired)
+{
+    // The ways from there into the last take leave no room for a whole run before the key.
+    const WalkWorld world({.seed = 2, .counts = {9, 8, 9}, .missing = 0.6, .shortest = 4});
+    const WalkMaterial material = world.material();
+    const WalkGraph graph(world.graph, world.costs, WalkWorld::alpha, {});
+    const NodeIndex last = 22;
+    int walks = 0;
+    for (const WalkMove& move : graph.moves()) {
+        if (move.kind != EdgeKind::Transition || move.from > 8 || move.to < 9 || move.to > 16)
+            continue;
+        WalkConstraints constraints{.keys = {{.frame = 0, .time = 0}, {.frame = last, .time = 12}}};
+        constraints.junctions.required = {{move.from, move.to}};
+        const Walk walk = findWalk(material, constraints, {.leastRun = 6}).walk;
+        EXPECT_EQ(walk.spans.back().last, last);
+        ++walks;
+    }
+    EXPECT_GT(walks, 0);
+}
+
 } // namespace
 } // namespace quadrille

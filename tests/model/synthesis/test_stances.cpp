@@ -27,6 +27,21 @@ Stances takesOnOneFootEach()
 
 } // namespace
 
+TEST(Stances, FlightsAreLongerThanAMissedContact)
+{
+    // Two takes; the second begins in the air, and each has a frame whose contact was missed.
+    Stances stances{.feet = {{"left", {}}}, .height = 2};
+    stances.standing = {1, 0, 1, 0, 0, 1, 1, 0, 0, 0, 1, 0, 1};
+    const std::array<std::int64_t, 2> counts{8, 5};
+    const FrameLayout layout(counts);
+    EXPECT_EQ(framesInAir(stances, layout, 25),
+              (std::vector<bool>{false, false, false, true, true, false, false, false, true, true, false,
+                                 false, false}));
+    EXPECT_EQ(framesInAir(stances, layout, 100), std::vector<bool>(13, false));
+    stances.standing.assign(13, 0);
+    EXPECT_TRUE(framesInAir(stances, layout, 25).empty());
+}
+
 TEST(Stances, AreThoseOfTheFrameThatCountsMore)
 {
     const std::vector<FrameOrigin> blend{{3, 3}, {4, 12, 0.2}, {5, 13, 0.49}, {6, 14, 0.5}, {15, 15}};
