@@ -157,29 +157,32 @@ void PlaybackBar::resizeEvent(QResizeEvent* event)
 }
 
 /// As much of time and rate as there is room for: the rate gives way first, then the last frame, then the
-/// end.
+/// end. The longest that they come to while it plays decides, so that nothing comes and goes.
 void PlaybackBar::showTime()
 {
+    const auto seconds = [this](int frame) { return locale().toString(frame / m_fps, 'f', 2); };
     const int lastFrame = std::max(0, m_frames - 1);
-    const QString now = locale().toString(m_frame->value() / m_fps, 'f', 2);
-    const QString end = locale().toString(lastFrame / m_fps, 'f', 2);
-    const QString whole = tr("of %1 · %2 / %3 s").arg(locale().toString(lastFrame), now, end);
-    const QString rate =
-        m_fpsReached > 0 ? tr("%1 of %2 fps")
-                               .arg(locale().toString(m_fpsReached, 'f', 1), locale().toString(m_fps, 'g', 5))
-                         : tr("%1 fps").arg(locale().toString(m_fps, 'g', 5));
+    const QString now = seconds(m_frame->value());
+    const QString end = seconds(std::max(lastFrame, m_frame->value()));
+    const auto whole = [&](const QString& at) {
+        return tr("of %1 · %2 / %3 s").arg(locale().toString(lastFrame), at, seconds(lastFrame));
+    };
+    const auto shorter = [&](const QString& at) { return tr("%1 / %2 s").arg(at, seconds(lastFrame)); };
+    const auto shortest = [](const QString& at) { return tr("%1 s").arg(at); };
+    const auto playing = [this](double reached) {
+        return tr("%1 of %2 fps").arg(locale().toString(reached, 'f', 1), locale().toString(m_fps, 'g', 5));
+    };
     const QFontMetrics metrics = m_time->fontMetrics();
     const int room = contentsRect().right() - layout()->contentsMargins().right() - m_time->x();
-    const auto fits = [&](const QString& time, int further = 0) {
-        return metrics.horizontalAdvance(time) + further <= room;
-    };
-    const bool hasRate = fits(whole, layout()->spacing() + metrics.horizontalAdvance(rate));
-    const QString shorter = tr("%1 / %2 s").arg(now, end);
-    m_time->setMinimumWidth(metrics.horizontalAdvance(tr("%1 s").arg(end)));
-    m_time->setText(fits(whole) ? whole : fits(shorter) ? shorter : tr("%1 s").arg(now));
-    m_time->setToolTip(fits(whole) ? QString() : whole);
-    m_reached->setText(rate);
-    m_reached->setVisible(hasRate);
+    const auto left = [&](const QString& time) { return room - metrics.horizontalAdvance(time); };
+    const bool isWhole = left(whole(end)) >= 0;
+    m_time->setMinimumWidth(metrics.horizontalAdvance(shortest(end)));
+    m_time->setText(isWhole ? whole(now) : left(shorter(end)) >= 0 ? shorter(now) : shortest(now));
+    m_time->setToolTip(isWhole ? QString() : whole(now));
+    m_reached->setText(m_fpsReached > 0 ? playing(m_fpsReached)
+                                        : tr("%1 fps").arg(locale().toString(m_fps, 'g', 5)));
+    m_reached->setVisible(left(whole(end)) >=
+                          layout()->spacing() + metrics.horizontalAdvance(playing(m_fps)));
     // The text changes while it plays: a wider one must not wait for the next layout to be seen whole.
     m_reached->setMinimumWidth(m_reached->sizeHint().width());
 }

@@ -147,6 +147,8 @@ void paintMeasurement(QPainter& painter, const QSizeF& size, const Annotations& 
 
 void paintNotice(QPainter& painter, const QSizeF& size, const QString& text, Qt::Alignment place)
 {
+    if (text.isEmpty())
+        return;
     constexpr double margin = 24.0;
     const QRectF inside = QRectF(QPointF(), size).adjusted(margin, margin, -margin, -margin);
     const int flags = static_cast<int>(place | Qt::AlignHCenter) | Qt::TextWordWrap;
@@ -208,6 +210,34 @@ void paintKey(QPainter& painter, const QSizeF& size, const ColorKey& key)
     }
 }
 
+/// All but the notice.
+void paintWords(QPainter& painter, const QSizeF& size, const Annotations& annotations)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (annotations.namesListed) {
+        double row = 12.0;
+        for (const Annotations::Name& name : annotations.names)
+            row = paintListed(painter, row, name) + 4.0;
+    } else {
+        paintNames(painter, size, annotations);
+    }
+    paintLabels(painter, size, annotations);
+    paintMeasurement(painter, size, annotations);
+    if (annotations.key)
+        paintKey(painter, size, *annotations.key);
+    if (annotations.legend) {
+        constexpr double margin = 16.0;
+        const QSizeF legend = legendSize(painter.font(), *annotations.legend);
+        const QRectF place(QPointF(size.width() - legend.width() - margin, margin), legend);
+        QColor background = Theme::color(ColorRole::Base);
+        background.setAlphaF(0.78F);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(background);
+        painter.drawRoundedRect(place.adjusted(-8.0, -8.0, 8.0, 8.0), 6.0, 6.0);
+        paintLegend(painter, place, *annotations.legend, Theme::color(ColorRole::Text));
+    }
+}
+
 } // namespace
 
 QString lengthText(double metres, const QLocale& locale)
@@ -222,31 +252,8 @@ QString lengthText(double metres, const QLocale& locale)
 
 void paintAnnotations(QPainter& painter, const QSizeF& size, const Annotations& annotations)
 {
-    painter.setRenderHint(QPainter::Antialiasing);
-    if (annotations.namesListed) {
-        double row = 12.0;
-        for (const Annotations::Name& name : annotations.names)
-            row = paintListed(painter, row, name) + 4.0;
-    } else {
-        paintNames(painter, size, annotations);
-    }
-    paintLabels(painter, size, annotations);
-    paintMeasurement(painter, size, annotations);
-    if (!annotations.notice.isEmpty())
-        paintNotice(painter, size, annotations.notice, Qt::AlignVCenter);
-    if (annotations.key)
-        paintKey(painter, size, *annotations.key);
-    if (annotations.legend) {
-        constexpr double margin = 16.0;
-        const QSizeF legend = legendSize(painter.font(), *annotations.legend);
-        const QRectF place(QPointF(size.width() - legend.width() - margin, margin), legend);
-        QColor background = Theme::color(ColorRole::Base);
-        background.setAlphaF(0.78F);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(background);
-        painter.drawRoundedRect(place.adjusted(-8.0, -8.0, 8.0, 8.0), 6.0, 6.0);
-        paintLegend(painter, place, *annotations.legend, Theme::color(ColorRole::Text));
-    }
+    paintWords(painter, size, annotations);
+    paintNotice(painter, size, annotations.notice, Qt::AlignVCenter);
 }
 
 ViewportOverlay::ViewportOverlay(QWidget* parent) : QWidget(parent)
@@ -280,14 +287,11 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
         paintAnnotations(painter, size(), m_annotations);
         return;
     }
-    Annotations below = m_annotations;
-    below.notice.clear();
-    paintAnnotations(painter, size(), below);
+    paintWords(painter, size(), m_annotations);
     m_tool->setOccupied(m_annotations.key ? keyPlace(painter.font(), size(), *m_annotations.key) : QRectF());
     m_tool->paint(painter);
     // What a tool draws fills the middle.
-    if (!m_annotations.notice.isEmpty())
-        paintNotice(painter, size(), m_annotations.notice, Qt::AlignBottom);
+    paintNotice(painter, size(), m_annotations.notice, Qt::AlignBottom);
 }
 
 } // namespace quadrille::widgets
