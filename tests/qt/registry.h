@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "tests/qt/handovers.h"
 #include "tests/qt/patience.h"
 
 #include <QApplication>
@@ -21,7 +22,7 @@ struct Registration
 template <typename Test, typename Application>
 int runIn(int argc, char** argv)
 {
-    const Application application(argc, argv);
+    const Observed<Application> application(argc, argv);
     QCoreApplication::setAttribute(Qt::AA_Use96Dpi, true);
     Test test;
     return QTest::qExec(&test, argc, argv);
