@@ -3817,6 +3817,26 @@
         <comment>smoothing</comment>
         <translation>aucun</translation>
     </message>
+    <message>
+        <source>Lasts</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>How long a transition lasts: while it follows its warp path, as published, its takes slow down; as the mean of its windows they keep their pace</source>
+        <translation>Combien de temps dure une transition : suivant son chemin d’alignement, comme publié, ses prises ralentissent ; selon la moyenne de ses fenêtres, elles gardent leur allure</translation>
+    </message>
+    <message>
+        <source>Change how long transitions last</source>
+        <translation>Changer la durée des transitions</translation>
+    </message>
+    <message>
+        <source>As long as its warp path</source>
+        <translation>Comme son chemin</translation>
+    </message>
+    <message>
+        <source>As long as its windows</source>
+        <translation>Comme ses fenêtres</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::GraphStatePage</name>

@@ -81,7 +81,8 @@ ResultStage transitionStage(const CharacterWork& work, const ResultStage& distan
     const UpAxis up = work.opener->project().settings.axes.up;
     stage.settings = nlohmann::json({settings.shortest(), settings.longest(), settings.shortensInShortTakes,
                                      settings.slope, weights.contacts, weights.velocity, fps,
-                                     settings.cost == TransitionCost::Sum ? "sum" : "mean"})
+                                     settings.cost == TransitionCost::Sum ? "sum" : "mean",
+                                     settings.length == TransitionLength::Path ? "path" : "windows"})
                          .dump();
     stage.inputs = {distances.name};
     if (!weights.isNothing())
@@ -213,6 +214,7 @@ GraphEntry GraphEntry::paper()
     GraphEntry entry;
     entry.cost = TransitionCost::Sum;
     entry.costScale = CostScale::None;
+    entry.length = TransitionLength::Path;
     entry.steps = {};
     entry.durations = {1.0 / 3, 2.0};
     return entry;
@@ -220,7 +222,7 @@ GraphEntry GraphEntry::paper()
 
 TransitionSettings transitionSettings(const GraphEntry& entry, double fps)
 {
-    TransitionSettings settings{.fps = fps, .slope = entry.slope, .cost = entry.cost};
+    TransitionSettings settings{.fps = fps, .slope = entry.slope, .cost = entry.cost, .length = entry.length};
     constexpr double rounding = 1e-9;
     const auto [shortest, longest] = entry.durations.value_or(usualDurations);
     settings.shortestWindow = std::max(1, static_cast<int>(std::ceil(fps * shortest - rounding)));

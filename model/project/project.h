@@ -95,6 +95,7 @@ struct GraphEntry
     /// Rate and windows are those of `durations` at the project's rate, see transitionSettings.
     TransitionCost cost = TransitionCost::Mean;
     CostScale costScale = CostScale::Liveliness;
+    TransitionLength length = TransitionLength::Windows;
     /// What else than poses transitions are sought by.
     StepWeights steps{.contacts = 0.1, .velocity = 0.05};
     int slope = TransitionSettings().slope;

@@ -19,8 +19,8 @@ inline constexpr std::array<std::string_view, 4> character{"name", "mesh", "text
 inline constexpr std::array<std::string_view, 13> sequence{
     "name",        "character", "source", "clip",     "range",        "source_fps", "source_up_axis",
     "source_unit", "texture",   "labels", "contacts", "joint_angles", "notes"};
-inline constexpr std::array<std::string_view, 12> graph{
-    "character",       "metric", "stretch_weight", "cost",  "cost_scale", "contact_weight",
+inline constexpr std::array<std::string_view, 13> graph{
+    "character",       "metric", "stretch_weight", "cost",  "cost_scale", "length", "contact_weight",
     "velocity_weight", "slope",  "durations",      "alpha", "smoothing",  "d_max"};
 inline constexpr std::array<std::string_view, 13> animation{
     "name",          "character", "start", "constraints", "search", "junctions", "walk",

@@ -131,6 +131,8 @@ GraphEntry readGraph(const Json& json, const std::string& pointer, ProjectProble
     reader.word("cost", graph.cost, {{"sum", TransitionCost::Sum}, {"mean", TransitionCost::Mean}});
     reader.word("cost_scale", graph.costScale,
                 {{"none", CostScale::None}, {"liveliness", CostScale::Liveliness}});
+    reader.word("length", graph.length,
+                {{"path", TransitionLength::Path}, {"windows", TransitionLength::Windows}});
     graph.steps.contacts = reader.number("contact_weight").value_or(graph.steps.contacts);
     graph.steps.velocity = reader.number("velocity_weight").value_or(graph.steps.velocity);
     graph.slope = static_cast<int>(reader.wholeNumber("slope").value_or(graph.slope));

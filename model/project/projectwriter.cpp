@@ -119,6 +119,8 @@ Json graphToJson(const GraphEntry& graph)
         json["cost"] = "sum";
     if (graph.costScale == CostScale::None)
         json["cost_scale"] = "none";
+    if (graph.length == TransitionLength::Path)
+        json["length"] = "path";
     addUnless(json, "contact_weight", graph.steps.contacts, usual.steps.contacts);
     addUnless(json, "velocity_weight", graph.steps.velocity, usual.steps.velocity);
     addUnless(json, "slope", graph.slope, usual.slope);

@@ -135,6 +135,7 @@ std::vector<VariantFigures> figuresOfAll(const Inputs& inputs, const TransitionS
         TransitionSettings own = settings;
         if (all[v].variant.slope > 0)
             own.slope = all[v].variant.slope;
+        own.length = TransitionLength::Path;
         own.shortestWindow = settings.shortest();
         own.longestWindow =
             all[v].variant.kind == TransitionKind::VaryingLengths ? settings.longest() : settings.shortest();

@@ -28,6 +28,11 @@ int TransitionSettings::longest() const
     return longestWindow.value_or(std::max(shortest(), static_cast<int>(std::floor(2 * fps))));
 }
 
+int TransitionSettings::lengthOf(int cells, int sourceWindow, int destinationWindow) const
+{
+    return length == TransitionLength::Path ? cells : (sourceWindow + destinationWindow + 1) / 2;
+}
+
 void checkSettings(const TransitionSettings& settings)
 {
     if (!(settings.fps > 0 && settings.fps <= TransitionSettings::greatestWindow / 2.0))

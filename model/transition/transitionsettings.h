@@ -20,6 +20,13 @@ enum class CostScale
     Liveliness, ///< over how lively their two sequences are: between calm takes less goes unnoticed
 };
 
+/// How many frames a transition lasts, L.
+enum class TransitionLength
+{
+    Path,    ///< as many as its warp path has cells (SMCAS §4.1): both takes together slow down
+    Windows, ///< the mean of its two windows, rounded up: both takes together keep their pace
+};
+
 /// How transitions are sought; the defaults are the paper's (SMCAS §3.3).
 struct TransitionSettings
 {
@@ -37,6 +44,7 @@ struct TransitionSettings
     /// Steps in a row in which only one of the two sequences goes on, 2 … 5: more bend time further.
     int slope = 3;
     TransitionCost cost = TransitionCost::Sum;
+    TransitionLength length = TransitionLength::Path;
 
     /// l_min in frames, at least 1.
     int shortest() const;
@@ -44,6 +52,8 @@ struct TransitionSettings
     int shortestBetween(int sourceFrames, int destinationFrames) const;
     /// l_max in frames, at least l_min where it is not given.
     int longest() const;
+    /// L of a warp path of so many cells: at least 1, at most `cells`.
+    int lengthOf(int cells, int sourceWindow, int destinationWindow) const;
     bool operator==(const TransitionSettings&) const = default;
 };
 

@@ -108,8 +108,10 @@ private:
             const auto b = static_cast<std::size_t>(c);
             if (j == source || m_best.key[b] >= CostGrid::unknown)
                 continue;
-            const int length = m_grid.lengthOfKey(m_best.key[b]);
-            entries[j] = {.cost = m_grid.costOf(m_grid.stepsOfKey(m_best.key[b]), length, m_settings.cost),
+            const int cells = m_grid.lengthOfKey(m_best.key[b]);
+            const int length =
+                m_settings.lengthOf(cells, m_best.sourceWindow[b], m_best.destinationWindow[b]);
+            entries[j] = {.cost = m_grid.costOf(m_grid.stepsOfKey(m_best.key[b]), cells, m_settings.cost),
                           .length = static_cast<std::uint16_t>(length),
                           .sourceWindow = m_best.sourceWindow[b],
                           .destinationWindow = m_best.destinationWindow[b]};

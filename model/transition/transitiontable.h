@@ -21,8 +21,8 @@ struct TransitionTable
     /// D: cost of the warp path, in the unit of the pose distances; infinite where no windows fit and on the
     /// diagonal. Not symmetric.
     Table<float> cost;
-    /// L: cells of the warp path, which are the frames that the transition lasts; 0 where the cost is
-    /// infinite, as are the two windows.
+    /// L: frames that the transition lasts, by TransitionSettings::length; 0 where the cost is infinite, as
+    /// are the two windows.
     Table<std::uint16_t> length;
     Table<std::uint16_t> sourceWindow;      ///< lᵢ, frames
     Table<std::uint16_t> destinationWindow; ///< lⱼ, frames

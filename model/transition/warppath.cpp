@@ -13,6 +13,17 @@
 
 namespace quadrille {
 
+namespace {
+
+/// Which of `cells` the t-th of `length` is, when they are spread from the first to the last.
+std::size_t evenly(int t, int length, int cells)
+{
+    const int gaps = std::max(length - 1, 1);
+    return static_cast<std::size_t>((2 * t * (cells - 1) + gaps) / (2 * gaps));
+}
+
+} // namespace
+
 WarpPaths::WarpPaths(const Table<float>& distances, FrameLayout layout, const TransitionSettings& settings)
     : m_distances(distances)
     , m_layout(std::move(layout))
@@ -61,10 +72,14 @@ std::optional<Transition> WarpPaths::solve(FramePair frames, int rows, int colum
                      .destinationWindow = columns - best.path.front().column,
                      .cost = m_grid.costOf(sum, static_cast<int>(best.path.size()), m_settings.cost),
                      .path = {}};
-    found.path.reserve(best.path.size());
-    for (const PathProgramme::Cell& cell : best.path)
+    const auto cells = static_cast<int>(best.path.size());
+    const int length = m_settings.lengthOf(cells, found.sourceWindow, found.destinationWindow);
+    found.path.reserve(static_cast<std::size_t>(length));
+    for (int t = 0; t < length; ++t) {
+        const PathProgramme::Cell& cell = best.path[evenly(t, length, cells)];
         found.path.push_back(
             {.source = frames.source + cell.row, .destination = firstDestination + cell.column});
+    }
     return found;
 }
 

@@ -22,7 +22,7 @@ struct Transition
     int destinationWindow = 0; ///< lⱼ, frames
     float cost = 0;            ///< D, as in TransitionTable
     /// From (i, j − lⱼ + 1) to (i + lᵢ − 1, j), both included: the frames that are blended, one after the
-    /// other.
+    /// other. Where the transition lasts less than the warp path has cells, evenly spread ones of these.
     std::vector<FramePair> path;
 
     /// L, frames.

@@ -41,6 +41,7 @@ GraphSettingsPanel::GraphSettingsPanel(EditorContext& context, QWidget* parent)
     , m_stretch(new QDoubleSpinBox)
     , m_cost(new QComboBox)
     , m_scale(new QComboBox)
+    , m_length(new QComboBox)
     , m_smoothing(new QComboBox)
     , m_contacts(new QDoubleSpinBox)
     , m_velocity(new QDoubleSpinBox)
@@ -59,7 +60,7 @@ GraphSettingsPanel::GraphSettingsPanel(EditorContext& context, QWidget* parent)
 
 void GraphSettingsPanel::makeFields()
 {
-    for (QComboBox* box : {m_metric, m_cost, m_scale}) {
+    for (QComboBox* box : {m_metric, m_cost, m_scale, m_length}) {
         box->addItems({QString(), QString()});
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     }
@@ -97,6 +98,12 @@ void GraphSettingsPanel::makeFields()
     addField(
         "graphScale", [] { return tr("Weigh by"); }, m_scale,
         [] { return tr("Whether transitions between calm takes must be better than those of lively ones"); });
+    addField(
+        "graphLength", [] { return tr("Lasts"); }, m_length,
+        [] {
+            return tr("How long a transition lasts: while it follows its warp path, as published, its takes "
+                      "slow down; as the mean of its windows they keep their pace");
+        });
     addField(
         "graphContacts", [] { return tr("Feet"); }, m_contacts,
         [] {
@@ -149,6 +156,10 @@ void GraphSettingsPanel::connectFields()
         edit(tr("Weigh transitions otherwise"), QStringLiteral("scale"),
              [index](GraphEntry& entry) { entry.costScale = static_cast<CostScale>(index); });
     });
+    connect(m_length, &QComboBox::activated, this, [this](int index) {
+        edit(tr("Change how long transitions last"), QStringLiteral("length"),
+             [index](GraphEntry& entry) { entry.length = static_cast<TransitionLength>(index); });
+    });
     connect(m_contacts, &QDoubleSpinBox::valueChanged, this, [this](double weight) {
         edit(tr("Weigh feet otherwise"), QStringLiteral("contacts"),
              [weight](GraphEntry& entry) { entry.steps.contacts = weight; });
@@ -162,6 +173,7 @@ void GraphSettingsPanel::connectFields()
             const GraphEntry paper = GraphEntry::paper();
             entry.cost = paper.cost;
             entry.costScale = paper.costScale;
+            entry.length = paper.length;
             entry.steps = paper.steps;
             entry.durations = paper.durations;
             entry.smoothing = paper.smoothing;
@@ -222,6 +234,7 @@ void GraphSettingsPanel::refresh()
     setFieldVisible(m_stretch, entry.pose.metric == PoseMetric::Surface);
     showIn(m_cost, entry.cost);
     showIn(m_scale, entry.costScale);
+    showIn(m_length, entry.length);
     showIn(m_smoothing, entry.smoothing);
     showIn(m_contacts, entry.steps.contacts);
     showIn(m_velocity, entry.steps.velocity);
@@ -243,6 +256,8 @@ void GraphSettingsPanel::retranslate()
     m_smoothing->setItemText(0, tr("none", "smoothing"));
     m_scale->setItemText(0, tr("Nothing else"));
     m_scale->setItemText(1, tr("Liveliness of the takes"));
+    m_length->setItemText(0, tr("As long as its warp path"));
+    m_length->setItemText(1, tr("As long as its windows"));
     //: after a number: steps of a warp path in a row
     m_slope->setSuffix(tr(" frames"));
     for (QDoubleSpinBox* field : {m_shortest, m_longest}) {

@@ -43,6 +43,7 @@ private:
     QDoubleSpinBox* m_stretch;
     QComboBox* m_cost;
     QComboBox* m_scale;
+    QComboBox* m_length;
     QComboBox* m_smoothing;
     QDoubleSpinBox* m_contacts;
     QDoubleSpinBox* m_velocity;

@@ -117,6 +117,7 @@ inline Project fullProject()
     graph.pose = {PoseMetric::Euclidean, 0.02};
     graph.cost = TransitionCost::Sum;
     graph.costScale = CostScale::None;
+    graph.length = TransitionLength::Path;
     graph.steps = {.contacts = 0.3, .velocity = 0.02};
     graph.slope = 4;
     graph.durations = {0.5, 1.5};

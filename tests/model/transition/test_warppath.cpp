@@ -5,8 +5,10 @@
 #include "model/transition/warppath.h"
 #include "transitiontables.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <utility>
 
 using namespace quadrille;
 
@@ -33,6 +35,11 @@ void expectValidPath(const Transition& transition, int slope)
         stepBefore = step;
         ASSERT_TRUE(step.source + step.destination == 2 || inARow <= slope);
     }
+}
+
+bool isBefore(const FramePair& one, const FramePair& other)
+{
+    return std::pair(one.source, one.destination) < std::pair(other.source, other.destination);
 }
 
 double costOf(const Transition& transition, const Table<float>& distances, TransitionCost cost)
@@ -92,6 +99,52 @@ TEST(WarpPaths, GoThroughTheCheapCells)
     EXPECT_EQ(found.cost, 0.75F);
     EXPECT_EQ(found.sourceWindow, 4);
     EXPECT_EQ(found.destinationWindow, 6);
+}
+
+TEST(WarpPaths, LastAsLongAsTheirWindowsWhereTheyShould)
+{
+    // Four frames against six make five: the six cells without one in the middle.
+    Table<float> distances = Table<float>::Constant(10, 10, 1);
+    for (const FramePair cell : std::vector<FramePair>{{0, 4}, {1, 5}, {1, 6}, {2, 7}, {2, 8}, {3, 9}})
+        distances(cell.source, cell.destination) = 0.125F;
+    TransitionSettings settings = windows(4, 6);
+    settings.length = TransitionLength::Windows;
+    const FrameLayout layout(std::vector<std::int64_t>{4, 6});
+    const Transition found = WarpPaths(distances, layout, settings).get({.source = 0, .destination = 9});
+    EXPECT_EQ(found.path, (std::vector<FramePair>{{0, 4}, {1, 5}, {2, 7}, {2, 8}, {3, 9}}));
+    EXPECT_EQ(found.cost, 0.75F) << "of all cells";
+}
+
+TEST(WarpPaths, CostTheSameHoweverLongTheyLast)
+{
+    const FrameLayout layout(std::vector<std::int64_t>{26, 3, 21});
+    const Table<float> distances = randomDistances(50, 1);
+    for (const TransitionCost cost : {TransitionCost::Sum, TransitionCost::Mean}) {
+        TransitionSettings settings = windows(1, 13, 3, cost);
+        const TransitionTable cells = transitionTable(distances, layout, settings);
+        const WarpPaths whole(distances, layout, settings);
+        settings.length = TransitionLength::Windows;
+        const TransitionTable table = transitionTable(distances, layout, settings);
+        const WarpPaths paths(distances, layout, settings);
+        EXPECT_TRUE((table.cost == cells.cost).all());
+        EXPECT_TRUE((table.sourceWindow == cells.sourceWindow).all());
+        EXPECT_TRUE((table.destinationWindow == cells.destinationWindow).all());
+        EXPECT_TRUE((table.length <= cells.length).all());
+        for (NodeIndex i = 0; i < 50; i += 3) {
+            for (NodeIndex j = 0; j < 50; ++j) {
+                const std::optional<Transition> found = paths.of(table, {.source = i, .destination = j});
+                ASSERT_EQ(found.has_value(), table.length(i, j) > 0);
+                if (!found)
+                    continue;
+                const Transition from = whole.get(found->frames);
+                ASSERT_EQ(found->length(), table.length(i, j));
+                ASSERT_EQ(found->length(), (from.sourceWindow + from.destinationWindow + 1) / 2);
+                ASSERT_EQ(found->path.front(), from.path.front());
+                ASSERT_EQ(found->path.back(), from.path.back());
+                ASSERT_TRUE(std::ranges::includes(from.path, found->path, isBefore));
+            }
+        }
+    }
 }
 
 TEST(WarpPaths, RefuseTheImpossible)
