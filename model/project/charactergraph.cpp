@@ -130,6 +130,17 @@ TransitionTable transitionsOf(const Result& result)
                 countsOf(Windows(values.data() + 1, array.shape[0], array.shape[1], everySecond))};
 }
 
+/// Body heights a second; empty where nobody knows how tall the figure is.
+std::vector<double> pacesInHeights(const RootPoses& roots, const FrameLayout& layout, double fps)
+{
+    if (roots.stances.height <= 0)
+        return {};
+    std::vector<double> paces = pacesOf(roots, layout, fps);
+    for (double& pace : paces)
+        pace /= roots.stances.height;
+    return paces;
+}
+
 [[noreturn]] void throwNoFrame(const std::string& sequence, std::int64_t frame, NodeIndex count)
 {
     throw Error(ErrorCode::ProjectInvalid,
@@ -242,7 +253,8 @@ WalkMaterial CharacterGraph::material(const BlendSettings& blend, bool isAlongPa
                        .blend = blend,
                        .metresPerUnit = metresPerUnit()},
             .locomotion = isAlongPath ? locomotion() : std::vector<bool>(),
-            .inAir = framesInAir(m_roots.stances, m_layout, fps())};
+            .inAir = framesInAir(m_roots.stances, m_layout, fps()),
+            .paces = isAlongPath ? pacesInHeights(m_roots, m_layout, fps()) : std::vector<double>()};
 }
 
 WalkSpan CharacterGraph::span(const std::string& sequence, const std::optional<FrameRange>& range) const

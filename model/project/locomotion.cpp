@@ -43,25 +43,6 @@ std::vector<bool> framesLike(const std::vector<int>& sequences, const Table<floa
     return isLike;
 }
 
-/// How fast the body gets on around each frame, units of length a second.
-std::vector<double> pacesOf(const RootPoses& roots, const FrameLayout& layout, double fps)
-{
-    constexpr double around = 0.5; // seconds, to each side
-    const Ground ground(roots.up);
-    const auto reach = static_cast<NodeIndex>(std::lround(around * fps));
-    std::vector<double> paces;
-    paces.reserve(static_cast<std::size_t>(layout.frameCount()));
-    for (NodeIndex node = 0; node < layout.frameCount(); ++node) {
-        const int sequence = layout.sequenceOf(node);
-        const NodeIndex first = std::max(node - reach, layout.firstOf(sequence));
-        const NodeIndex last = std::min(node + reach, layout.lastOf(sequence));
-        const Vec2d way = ground.of(roots.centres[static_cast<std::size_t>(last)]) -
-                          ground.of(roots.centres[static_cast<std::size_t>(first)]);
-        paces.push_back(way.norm() * fps / std::max(1, last - first));
-    }
-    return paces;
-}
-
 /// Whether no foot stands for longer than a running figure flies.
 bool jumps(const Stances& stances, NodeIndex first, NodeIndex last, double fps)
 {

@@ -119,13 +119,14 @@ std::vector<AnimationEntry> sampleAnimations(const std::string& character)
     PathEntry curve;
     // As tight as the takes can turn: the body stays within a hand's breadth of it.
     curve.points = {{0, 0, 0},        {0.18, 0, 1.01},  {0.33, 0, 2.02}, {0.09, 0, 3.01}, {-0.08, 0, 4.02},
-                    {-0.13, 0, 5.04}, {-0.09, 0, 6.06}, {0.28, 0, 7.02}, {0.18, 0, 8.03}, {-0.01, 0, 9.04}};
+                    {-0.13, 0, 5.04}, {-0.09, 0, 6.06}, {0.24, 0, 7.02}, {0.18, 0, 8.03}, {0.04, 0, 9.04}};
     curve.spans = {{.from = 3.5, .to = 6, .frames = labelled("jog")}};
     curve.obstacles = {{.corners = {Vec2d(-1.6, 2.4)}, .radius = 0.4}};
     curve.clearance = 0.3;
     AnimationEntry path = named("along an S");
     path.constraints = {curve};
     path.search.mu = 0.05;
+    path.search.deadZone = 0.04;
     AnimationEntry keys = named("dance by the clock");
     keys.constraints = {keyAt("dance 1", 10, 0), keyAt("dance 1", 40, 2.5), keyAt("dance 1", 20, 4),
                         keyAt("dance 1", 60, 6.5)};

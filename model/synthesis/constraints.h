@@ -155,6 +155,9 @@ struct SearchSettings
     /// ground, where keys alone are asked for; 0 as in the paper. So a jump begins with its take-off and ends
     /// with its landing.
     double flightWeight = 0;
+    /// What a transition along a path costs more, times α, for each body height a second by which the body
+    /// gets on faster or slower behind it; 0 as in the paper.
+    double paceWeight = 0;
 
     bool operator==(const SearchSettings&) const = default;
     /// What looks best along a path: see the evaluation “walks”.
@@ -164,7 +167,8 @@ struct SearchSettings
                 .leftOutWeight = 5,
                 .charging = {.deadZone = 0.07, .perMetre = 25},
                 .prefersLocomotion = true,
-                .flightWeight = 200};
+                .flightWeight = 200,
+                .paceWeight = 200};
     }
 };
 

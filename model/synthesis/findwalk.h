@@ -24,6 +24,9 @@ struct WalkMaterial
     /// begin nor end there, unless a start is given; walks of keys alone do not begin there, unless the first
     /// key lies there; empty: nobody knows.
     std::vector<bool> inAir = {};
+    /// How fast the body gets on around each frame, body heights a second, for SearchSettings::paceWeight;
+    /// empty: nobody knows.
+    std::vector<double> paces = {};
 };
 
 /// Receives each walk that is better than those before it, on the thread that searches.

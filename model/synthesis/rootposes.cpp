@@ -78,6 +78,24 @@ RootPoses rootPoses(const CharacterFrames& character, UpAxis up, const Progress&
     return roots;
 }
 
+std::vector<double> pacesOf(const RootPoses& roots, const FrameLayout& layout, double fps)
+{
+    constexpr double around = 0.5; // seconds, to each side
+    const Ground ground(roots.up);
+    const auto reach = static_cast<NodeIndex>(std::lround(around * fps));
+    std::vector<double> paces;
+    paces.reserve(static_cast<std::size_t>(layout.frameCount()));
+    for (NodeIndex node = 0; node < layout.frameCount(); ++node) {
+        const int sequence = layout.sequenceOf(node);
+        const NodeIndex first = std::max(node - reach, layout.firstOf(sequence));
+        const NodeIndex last = std::min(node + reach, layout.lastOf(sequence));
+        const Vec2d way = ground.of(roots.centres[static_cast<std::size_t>(last)]) -
+                          ground.of(roots.centres[static_cast<std::size_t>(first)]);
+        paces.push_back(way.norm() * fps / std::max(1, last - first));
+    }
+    return paces;
+}
+
 double groundAlignment(Positions moved, Positions target, const Ground& ground)
 {
     const std::vector<CentredPose> targets{{target, centroid(target)}};

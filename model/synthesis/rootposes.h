@@ -33,6 +33,10 @@ struct RootPoses
 RootPoses rootPoses(const CharacterFrames& character, UpAxis up, const Progress& progress = {},
                     const Executor& executor = localExecutor());
 
+/// How fast the body gets on over the ground around each frame, up to half a second to either side, units of
+/// length a second.
+std::vector<double> pacesOf(const RootPoses& roots, const FrameLayout& layout, double fps);
+
 /// The angle about the up axis by which a pose turns to lie nearest to a target, centres together.
 /// \pre Both poses have as many vertices. \return radians in (−π, π]; 0 where every angle is as good.
 double groundAlignment(Positions moved, Positions target, const Ground& ground);

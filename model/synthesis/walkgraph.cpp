@@ -5,6 +5,7 @@
 #include "model/core/badargument.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <queue>
@@ -32,6 +33,8 @@ WalkMove moveOf(const Edge& edge, const TransitionCosts& costs, const MoveCharge
     move.elapsed = std::max(1, static_cast<int>(costs.length()(edge.from, edge.to)) - 1);
     if (!charges.inAir.empty() && charges.inAir[from] != charges.inAir[to])
         move.weight += charges.flight;
+    if (!charges.paces.empty())
+        move.weight += charges.pace * std::abs(charges.paces[from] - charges.paces[to]);
     return move;
 }
 

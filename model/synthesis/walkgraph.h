@@ -38,6 +38,8 @@ struct MoveCharges
     std::vector<double> frames = {}; ///< of the edge that plays on from each node; empty: as in the graph
     std::vector<bool> inAir = {};    ///< in which frames no foot stands; empty: nobody knows
     double flight = 0; ///< added to transitions of which one end is in the air and the other is not
+    std::vector<double> paces = {}; ///< how fast the body gets on around each frame; empty: nobody knows
+    double pace = 0;                ///< added to transitions for each unit by which these differ
 };
 
 /// Where walks can go: a graph without the banned transitions and with those that are required, and how long

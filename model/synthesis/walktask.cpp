@@ -50,7 +50,9 @@ WalkTask::WalkTask(const WalkMaterial& walkMaterial, const WalkConstraints& aske
     , graph(walkMaterial.graph, walkMaterial.costs, walkMaterial.alpha, asked.junctions,
             {.frames = frameWeights(walkMaterial, asked, sought),
              .inAir = walkMaterial.inAir,
-             .flight = asked.areKeysAlone() ? sought.flightWeight * walkMaterial.alpha : 0})
+             .flight = asked.areKeysAlone() ? sought.flightWeight * walkMaterial.alpha : 0,
+             .paces = walkMaterial.paces,
+             .pace = asked.path ? sought.paceWeight * walkMaterial.alpha : 0})
     , starts(startsOf(asked, graph.nodeCount()))
     , beta(sought.beta.value_or(betaPerAlpha * walkMaterial.alpha))
 {

@@ -191,6 +191,25 @@ TEST(PathWalk, PrefersFramesOfLocomotion)
     }
 }
 
+TEST(PathWalk, KeepsItsPaceWhereThatIsAsked)
+{
+    const WalkWorld world({.seed = 4, .counts = {40, 40, 40}, .missing = 0.3, .shortest = 4});
+    WalkMaterial material = world.material();
+    material.paces = pacesOf(world.roots, world.costs.layout(), 30);
+    const PathConstraint path = curve(3);
+    const auto changesOf = [&](double weight) {
+        const Walk walk = findWalk(material, {.path = path}, {.budget = 20'000, .paceWeight = weight}).walk;
+        double changes = 0;
+        for (std::size_t t = 0; t < walk.transitionCount(); ++t) {
+            const FramePair pair = walk.transition(t);
+            changes += std::abs(material.paces[static_cast<std::size_t>(pair.source)] -
+                                material.paces[static_cast<std::size_t>(pair.destination)]);
+        }
+        return changes;
+    };
+    EXPECT_LT(changesOf(1000), 0.6 * changesOf(0));
+}
+
 TEST(PathWalk, DependsOnItsBudgetAlone)
 {
     const WalkWorld world({.seed = 4, .counts = {20, 25, 15, 30}, .missing = 0.4, .shortest = 4});

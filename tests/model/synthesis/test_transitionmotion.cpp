@@ -44,6 +44,22 @@ std::vector<GroundMotion> walkTwice(int frames, const GroundMotion& elsewhere)
     return motions;
 }
 
+TEST(RootPoses, PacesAreThoseAroundAFrame)
+{
+    // A take that stands for a second and then gets on by two units a second along an axis.
+    RootPoses roots{.up = UpAxis::Z};
+    for (int f = 0; f < 21; ++f)
+        roots.centres.emplace_back(0.2 * std::max(0, f - 10), 5, f % 2);
+    roots.centres.emplace_back(1, 1, 0);
+    const std::vector<double> paces = pacesOf(roots, FrameLayout(std::vector<std::int64_t>{21, 1}), 10);
+    EXPECT_DOUBLE_EQ(paces[0], 0);
+    EXPECT_DOUBLE_EQ(paces[5], 0);
+    EXPECT_NEAR(paces[10], 1, 1e-12) << "half of the time";
+    EXPECT_NEAR(paces[15], 2, 1e-12);
+    EXPECT_NEAR(paces[20], 2, 1e-12);
+    EXPECT_DOUBLE_EQ(paces[21], 0) << "a take of one frame";
+}
+
 TEST(Ground, AxesAreRightHanded)
 {
     for (const UpAxis up : {UpAxis::X, UpAxis::Y, UpAxis::Z}) {
