@@ -57,11 +57,13 @@ function(quadrille_qt_program name)
     quadrille_unity(${name})
 endfunction()
 
-# quadrille_qt_tests(PROGRAM test …): test classes of a program, each run for itself on a private X display.
+# quadrille_qt_tests(PROGRAM test …): test classes of a program, each run for itself on a private X display. Their label is
+# the program's name without “test_”.
 function(quadrille_qt_tests program)
+    string(REPLACE test_ "" label ${program})
     foreach(test IN LISTS ARGN)
         add_test(NAME ${test} COMMAND xvfb-run -a -s "-screen 0 1600x1000x24" $<TARGET_FILE:${program}> ${test})
-        set_tests_properties(${test} PROPERTIES TIMEOUT ${QUADRILLE_TEST_TIMEOUT}
+        set_tests_properties(${test} PROPERTIES LABELS ${label} TIMEOUT ${QUADRILLE_TEST_TIMEOUT}
             ENVIRONMENT_MODIFICATION "${QUADRILLE_QT_TEST_ENVIRONMENT}")
     endforeach()
 endfunction()
