@@ -114,8 +114,10 @@ ResultStage trajectoryStage(const CharacterWork& work, const EvaluationEntry& ev
                             std::optional<double> constantWeight)
 {
     const Project& project = work.opener->project();
-    const TransitionSettings settings = transitionSettings(work.graph, project.settings.fps);
+    TransitionSettings settings = transitionSettings(work.graph, project.settings.fps);
+    settings.length = TransitionLength::Path;
     ResultStage stage = evaluationStage(work, evaluation);
+    stage.version = 2;
     stage.settings = work.settings +
                      nlohmann::json({evaluation.sequences, work.sequences, settings.longest(), settings.slope,
                                      settings.cost == TransitionCost::Sum ? "sum" : "mean",
