@@ -13,12 +13,12 @@ namespace quadrille {
 namespace {
 
 /// Frames from each cell to the next, drawn gently into each other and into the one frame at a time before
-/// and behind, over the length of the transition to either side: an uneven pace shows more than poses that
-/// are a frame apart.
+/// and behind, over half of the transition to either side: an uneven pace shows more than poses that are a
+/// frame apart, but feet that stand slide where windows go past each other.
 std::vector<double> gentleSpeeds(std::span<const double> speeds)
 {
     const auto count = static_cast<std::ptrdiff_t>(speeds.size());
-    const std::ptrdiff_t reach = std::max<std::ptrdiff_t>(count, 3);
+    const std::ptrdiff_t reach = std::max<std::ptrdiff_t>(count / 2, 3);
     std::vector<double> kernel;
     for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
         const double wave =

@@ -273,11 +273,9 @@ TEST(JunctionsOfRealTakes, AreBetterWhereTheyAreBlendedGently)
     std::vector<MeshSequence> takes;
     for (const char* name : {"walk_1", "jog_1", "kick_2"})
         takes.push_back(*realTake(name));
-    const Study real(takes, UpAxis::Y,
-                     {.fps = 30, .cost = TransitionCost::Mean, .length = TransitionLength::Windows});
+    const Study real(takes, UpAxis::Y, {.fps = 30, .cost = TransitionCost::Mean});
     const JunctionReport paper = real.report({.count = 40});
-    const JunctionReport gentle = real.report(
-        {.count = 40, .blend = BlendSettings::gentle(), .correction = ContactCorrectionSettings()});
+    const JunctionReport gentle = real.report({.count = 40, .blend = BlendSettings::gentle()});
     EXPECT_GT(gentle.good, paper.good + 10);
     const auto slips = [](const JunctionReport& report) {
         return report.criteria[static_cast<std::size_t>(JunctionCriterion::FootSlip)];
