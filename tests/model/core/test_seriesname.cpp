@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/fileplace.h"
 #include "model/core/seriesname.h"
+#include "tests/model/core/temporaryfolder.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 using namespace quadrille;
 namespace fs = std::filesystem;
@@ -34,8 +34,8 @@ TEST(SeriesName, NumbersStandWhereTheNameSaysSo)
 
 TEST(FilePlace, LinksAndDotsAreResolvedAlsoWhereNothingIs)
 {
-    std::string pattern = (fs::temp_directory_path() / "quadrille-place-XXXXXX").string();
-    const fs::path folder = fs::canonical(::mkdtemp(pattern.data()));
+    const test::TemporaryFolder own;
+    const fs::path folder = fs::canonical(own.path());
     fs::create_directories(folder / "a/b");
     fs::create_directory_symlink("../elsewhere", folder / "a/dangling");
     fs::create_directory_symlink("b", folder / "a/link");
@@ -52,5 +52,4 @@ TEST(FilePlace, LinksAndDotsAreResolvedAlsoWhereNothingIs)
     EXPECT_TRUE(liesIn(folder / "a", folder / "a"));
     EXPECT_FALSE(liesIn(folder / "ab", folder / "a"));
     EXPECT_FALSE(liesIn(folder, folder / "a"));
-    fs::remove_all(folder);
 }

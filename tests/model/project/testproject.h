@@ -5,42 +5,12 @@
 #include "model/core/file.h"
 #include "model/project/pictureoptions.h"
 #include "model/project/project.h"
+#include "tests/model/core/temporaryfolder.h"
 
 #include <gtest/gtest.h>
 #include <string>
-#include <unistd.h>
 
 namespace quadrille::test {
-
-/// A new empty folder for one test, removed with it.
-class TemporaryFolder
-{
-public:
-    TemporaryFolder()
-    {
-        std::string pattern = (std::filesystem::temp_directory_path() / "quadrille-test-XXXXXX").string();
-        m_path = ::mkdtemp(pattern.data());
-    }
-    ~TemporaryFolder()
-    {
-        std::error_code error;
-        std::filesystem::remove_all(m_path, error);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const std::filesystem::path& path() const { return m_path; }
-    std::filesystem::path operator/(const std::string& name) const { return m_path / name; }
-    /// Writes a text file and returns its path.
-    std::filesystem::path write(const std::string& name, std::string_view text) const
-    {
-        writeAtomically(m_path / name, text);
-        return m_path / name;
-    }
-
-private:
-    std::filesystem::path m_path;
-};
 
 inline std::string textOf(const std::filesystem::path& file)
 {

@@ -6,13 +6,13 @@
 #include "model/project/opencharacter.h"
 #include "model/project/project.h"
 #include "sampletest.h"
+#include "tests/model/core/temporaryfolder.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <map>
 #include <string>
-#include <unistd.h>
 
 namespace quadrille {
 namespace {
@@ -22,13 +22,6 @@ namespace fs = std::filesystem;
 class WriteSample : public ::testing::Test
 {
 protected:
-    void SetUp() override
-    {
-        m_folder = fs::temp_directory_path() / ("quadrille_sample_" + std::to_string(::getpid()));
-        fs::remove_all(m_folder);
-    }
-    void TearDown() override { fs::remove_all(m_folder); }
-
     static std::map<std::string, std::string> contents(const fs::path& folder)
     {
         std::map<std::string, std::string> files;
@@ -39,7 +32,8 @@ protected:
         return files;
     }
 
-    fs::path m_folder;
+    test::TemporaryFolder m_own;
+    fs::path m_folder = m_own / "sample"; ///< does not exist yet
 };
 
 TEST_F(WriteSample, everythingThatTheProjectNamesIsThere)

@@ -4,6 +4,7 @@
 
 #include "model/core/error.h"
 #include "model/sequence/io/registry.h"
+#include "tests/model/core/temporaryfolder.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -13,7 +14,6 @@
 #include <iterator>
 #include <string>
 #include <string_view>
-#include <unistd.h>
 #include <vector>
 
 namespace quadrille {
@@ -22,21 +22,10 @@ namespace quadrille {
 class FolderTest : public ::testing::Test
 {
 protected:
-    FolderTest()
-    {
-        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-        std::string name = std::string("quadrille-") + info->test_suite_name() + "-" + info->name() + "-" +
-                           std::to_string(::getpid());
-        std::replace(name.begin(), name.end(), '/', '-'); // of parametrised tests
-        m_folder = std::filesystem::temp_directory_path() / name;
-        std::filesystem::create_directories(m_folder);
-    }
-    ~FolderTest() override { std::filesystem::remove_all(m_folder); }
-
-    const std::filesystem::path& folder() const { return m_folder; }
+    const std::filesystem::path& folder() const { return m_folder.path(); }
     std::filesystem::path write(const std::filesystem::path& name, std::string_view content) const
     {
-        auto path = m_folder / name;
+        auto path = folder() / name;
         std::filesystem::create_directories(path.parent_path());
         std::ofstream(path, std::ios::binary) << content;
         return path;
@@ -57,7 +46,7 @@ protected:
     }
 
 private:
-    std::filesystem::path m_folder;
+    test::TemporaryFolder m_folder;
 };
 
 /// The error that a call throws; fails the test when it throws none.

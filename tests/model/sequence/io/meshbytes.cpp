@@ -5,6 +5,7 @@
 #include "model/core/file.h"
 #include "model/core/hdf5.h"
 #include "model/sequence/io/appendbytes.h"
+#include "tests/model/core/temporaryfolder.h"
 #include "tests/model/sequence/io/glbbuilder.h"
 
 #include <cstdint>
@@ -12,7 +13,6 @@
 #include <filesystem>
 #include <functional>
 #include <sstream>
-#include <unistd.h>
 
 namespace quadrille {
 
@@ -327,8 +327,8 @@ void writeDataset(const Hdf5Handle& file, const char* name, std::vector<hsize_t>
 
 std::string hdf5(const RawMesh& mesh)
 {
-    const auto path = std::filesystem::temp_directory_path() /
-                      ("quadrille-meshbytes-" + std::to_string(::getpid()) + ".h5");
+    const test::TemporaryFolder folder;
+    const auto path = folder / "mesh.h5";
     const auto lock = lockHdf5();
     {
         const Hdf5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
@@ -340,9 +340,7 @@ std::string hdf5(const RawMesh& mesh)
         frames.insert(frames.end(), mesh.points.begin(), mesh.points.end());
         writeDataset(file, "take", {2, mesh.points.size(), 3}, H5T_NATIVE_FLOAT, frames.data());
     }
-    std::string bytes(readFile(path).text());
-    std::filesystem::remove(path);
-    return bytes;
+    return std::string(readFile(path).text());
 }
 
 } // namespace

@@ -5,45 +5,19 @@
 #include "model/core/file.h"
 #include "model/sequence/io/format.h"
 #include "tests/model/codeof.h"
+#include "tests/model/core/temporaryfolder.h"
 
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 namespace quadrille {
 
 using test::codeOf;
-
-/// A folder of its own, removed at the end.
-class TemporaryFolder
-{
-public:
-    TemporaryFolder()
-    {
-        static int counter = 0;
-        m_path = std::filesystem::temp_directory_path() /
-                 ("quadrille-sceneio-" + std::to_string(::getpid()) + "-" + std::to_string(counter++));
-        std::filesystem::create_directories(m_path);
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(m_path); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::filesystem::path operator/(const std::string& name) const { return m_path / name; }
-    /// Writes a file of the folder.
-    std::filesystem::path write(const std::string& name, const std::string& content) const
-    {
-        std::ofstream(m_path / name, std::ios::binary) << content;
-        return m_path / name;
-    }
-
-private:
-    std::filesystem::path m_path;
-};
+using test::TemporaryFolder;
 
 inline SourceFiles fileSource(const std::filesystem::path& path)
 {

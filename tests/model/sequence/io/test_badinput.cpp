@@ -4,6 +4,7 @@
 // sequence; never anything else. What is particular to a format is in its own test.
 #include "fixture.h"
 #include "meshbytes.h"
+#include "tests/model/core/temporaryfolder.h"
 #include "tests/model/withoutroot.h"
 #include "testsequence.h"
 
@@ -36,14 +37,11 @@ std::ostream& operator<<(std::ostream& out, const GoodFile& file)
 
 std::string exported(const std::string& extension)
 {
-    const auto folder = std::filesystem::temp_directory_path() /
-                        ("quadrille-badinput-" + std::to_string(::getpid()) + extension);
+    const test::TemporaryFolder folder;
     const auto path = folder / ("take" + extension);
     exportSequence(wanderingPyramid(3), path);
     std::ifstream in(path, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    std::filesystem::remove_all(folder);
-    return bytes;
+    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 std::vector<GoodFile> goodFiles()
