@@ -13,12 +13,14 @@ set(QUADRILLE_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
 set(QUADRILLE_TEST_TIMEOUT 300)
 set(QUADRILLE_DESKTOP_TEST_TIMEOUT 900)
 if(QUADRILLE_SANITIZE)
-    set(QUADRILLE_TEST_TIMEOUT 2400)
+    set(QUADRILLE_TEST_TIMEOUT 7200)
     set(QUADRILLE_DESKTOP_TEST_TIMEOUT 7200)
+    # Milliseconds for one function; Qt gives up after five minutes otherwise.
+    list(APPEND QUADRILLE_QT_TEST_ENVIRONMENT QTEST_FUNCTION_TIMEOUT=set:3000000)
 endif()
 # The thread sanitizer's detector of deadlocks counts what one library under Qt locks and misses that another unlocks it.
 if(QUADRILLE_SANITIZE STREQUAL "thread")
-    set(QUADRILLE_QT_TEST_ENVIRONMENT TSAN_OPTIONS=path_list_append:detect_deadlocks=0)
+    list(APPEND QUADRILLE_QT_TEST_ENVIRONMENT TSAN_OPTIONS=path_list_append:detect_deadlocks=0)
 endif()
 
 # quadrille_model_test(NAME source.cpp … [LIBRARIES target …]): one GoogleTest program, each of its tests known to ctest.

@@ -90,7 +90,7 @@ inline bool waitForResult(EditorContext& context, const QString& name)
             return medium != nullptr && medium->state == AnimationMedia::State::Ready &&
                    medium->result->entry == *context.document.animation(name);
         },
-        60000);
+        patience);
 }
 
 } // namespace quadrille::test

@@ -69,7 +69,7 @@ protected:
         QAction* found = m_window->context().actions.action(QLatin1String(action));
         QVERIFY2(found->isEnabled(), action);
         found->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(!tool().isBusy(), 30000);
+        QTRY_VERIFY(!tool().isBusy());
     }
     /// A curve around the left arm, by a click on its front.
     void drawOnArm(float x)
@@ -122,7 +122,7 @@ private slots:
         dock->show();
         dock->raise();
         QTRY_VERIFY(viewport().isVisible());
-        QTRY_VERIFY_WITH_TIMEOUT(tool().surface().graph() != nullptr, 20000);
+        QTRY_VERIFY(tool().surface().graph() != nullptr);
         QTRY_VERIFY(tool().editor().figure() >= 0);
         QTRY_VERIFY(tool().editor().isActive());
         m_window->variations().stage().keepCamera();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "editor/mainwindow.h"
+#include "tests/qt/patience.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -72,7 +73,7 @@ inline bool raiseDock(const QString& name)
 /// Waits until a sequence of the window's project can be shown.
 inline bool waitForSequence(MainWindow& window, const QString& name)
 {
-    return QTest::qWaitFor([&] { return window.context().media.untrimmed(name) != nullptr; }, 20000);
+    return QTest::qWaitFor([&] { return window.context().media.untrimmed(name) != nullptr; }, test::patience);
 }
 
 } // namespace quadrille::test

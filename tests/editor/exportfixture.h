@@ -58,7 +58,7 @@ protected:
     static void acceptAndClose()
     {
         accept();
-        QTRY_VERIFY_WITH_TIMEOUT(isDone(), 30000);
+        QTRY_VERIFY(isDone());
         accept();
         QTRY_VERIFY(dialog() == nullptr);
     }

@@ -35,15 +35,14 @@ protected:
         QTRY_VERIFY(context().graphs.medium("spire") != nullptr);
         QTRY_VERIFY(context().graphs.medium("spire")->state == GraphMedia::State::Missing);
         QTest::mouseClick(button, Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(explorer().character() != nullptr, 60000);
+        QTRY_VERIFY(explorer().character() != nullptr);
         waitForPaths();
         QTRY_VERIFY(matrix().values().side == graph().layout().frameCount());
     }
     /// Until what shows is of the α that is set.
     void waitForPaths()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(
-            explorer().paths() != nullptr && explorer().paths()->graphs->alpha == explorer().alpha(), 30000);
+        QTRY_VERIFY(explorer().paths() != nullptr && explorer().paths()->graphs->alpha == explorer().alpha());
     }
     QPoint placeOf(const FramePair& pair)
     {

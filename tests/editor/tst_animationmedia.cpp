@@ -26,7 +26,7 @@ private:
     const AnimationMedia::Medium& dance() { return *context().animations.medium("dance"); }
     bool waitForGraph()
     {
-        return QTest::qWaitFor([&] { return graph().state == GraphState::Ready; }, 30000);
+        return QTest::qWaitFor([&] { return graph().state == GraphState::Ready; }, test::patience);
     }
     bool waitForDance() { return test::waitForResult(context(), "dance"); }
 

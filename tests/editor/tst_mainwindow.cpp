@@ -70,7 +70,7 @@ private slots:
     {
         m_window->openSample();
         const EditorContext& context = m_window->context();
-        QTRY_VERIFY_WITH_TIMEOUT(!context.document.project().sequences.empty(), 240000);
+        QTRY_VERIFY(!context.document.project().sequences.empty());
         const QString first = QString::fromStdString(context.document.project().sequences.front().name);
         QCOMPARE(context.selection.shownSequence(), first);
         QVERIFY(test::waitForSequence(*m_window, first));
@@ -87,10 +87,9 @@ private slots:
     void aTileLeadsToTheTransitions()
     {
         QTest::mouseClick(test::find<WelcomeTile>("welcome.transitions"), Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(m_window->workspaces().current(), QString("graph"), 240000);
+        QTRY_COMPARE(m_window->workspaces().current(), QString("graph"));
         GraphMedia& graphs = m_window->context().graphs;
-        QTRY_VERIFY_WITH_TIMEOUT(graphs.medium(graphs.firstCharacter())->state == GraphMedia::State::Ready,
-                                 240000);
+        QTRY_VERIFY(graphs.medium(graphs.firstCharacter())->state == GraphMedia::State::Ready);
     }
 
     void whatIsShippedIsNotMadeAgain()
@@ -131,9 +130,9 @@ private slots:
     void aTileLeadsToAPerformanceAlongAPath()
     {
         QTest::mouseClick(test::find<WelcomeTile>("welcome.path"), Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(m_window->workspaces().current(), QString("animate"), 240000);
+        QTRY_COMPARE(m_window->workspaces().current(), QString("animate"));
         QCOMPARE(m_window->context().selection.shownAnimation(), QString("along an S"));
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->context().animations.result("along an S") != nullptr, 240000);
+        QTRY_VERIFY(m_window->context().animations.result("along an S") != nullptr);
         QTRY_VERIFY(m_window->animate().player().isPlaying());
     }
 };

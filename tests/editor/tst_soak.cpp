@@ -77,7 +77,7 @@ private:
                 const auto* medium = context().graphs.medium("spire");
                 return medium->state == GraphMedia::State::Ready && medium->opened->graph.alpha() == alpha;
             },
-            30000));
+            test::patience));
     }
 
     void editAnimation(int last)

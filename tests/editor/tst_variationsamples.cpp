@@ -188,7 +188,7 @@ private slots:
         const SequenceEntry& added = document().project().sequences.back();
         QCOMPARE(added.source, std::string("clip:variations/sways/3"));
         const QString name = QString::fromStdString(added.name);
-        QVERIFY(QTest::qWaitFor([&] { return context().media.sequence(name) != nullptr; }, 60000));
+        QVERIFY(QTest::qWaitFor([&] { return context().media.sequence(name) != nullptr; }, test::patience));
         const MeshSequence& sequence = *context().media.sequence(name);
         const MeshSequence& shown = *context().variations.clip("sways", 3);
         QCOMPARE(sequence.frameCount(), shown.frameCount());

@@ -44,11 +44,11 @@ inline bool waitForVariations(EditorContext& context, const QString& name)
             const auto* medium = context.variations.medium(name);
             return medium != nullptr && medium->state == VariationMedia::State::Ready;
         },
-        60000);
+        patience);
 }
 
 inline bool waitForState(EditorContext& context, const QString& name, VariationMedia::State state,
-                         int milliseconds = 60000)
+                         int milliseconds = patience)
 {
     return QTest::qWaitFor(
         [&] {

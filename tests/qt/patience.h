@@ -7,8 +7,12 @@
 namespace quadrille::test {
 
 /// How long tests wait for what is to come, milliseconds. Where all is well nobody waits so long; a machine
-/// that has other work, or a program that checks each of its accesses, is not wrong for being slow.
-inline constexpr int patience = 60'000;
+/// that has other work is not wrong for being slow, and much less a program that checks each of its accesses.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr int patience = 1'200'000;
+#else
+inline constexpr int patience = 240'000;
+#endif
 
 } // namespace quadrille::test
 
