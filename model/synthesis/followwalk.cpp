@@ -45,7 +45,8 @@ public:
                 return std::move(m_best);
             span += leaves ? 1 : 0;
             const NodeIndex next = leaves ? m_walk.spans[span].first : node + 1;
-            const MoveIndex move = leaves ? m_course.graph.transition({node, next}) : playedOn(node);
+            const MoveIndex move =
+                leaves ? m_course.graph.transition({node, next}) : m_course.graph.playedOn(node);
             if (move == noMove || !follow(move) || isTooMuch())
                 return std::nullopt;
             node = next;
@@ -69,15 +70,6 @@ private:
         const FrameLayout& layout = m_course.graph.layout();
         return node < span.last ||
                (isLast && m_course.path != nullptr && node < layout.lastOf(layout.sequenceOf(node)));
-    }
-
-    MoveIndex playedOn(NodeIndex node) const
-    {
-        const auto [begin, end] = m_course.graph.from(node);
-        MoveIndex index = begin;
-        while (index < end && m_course.graph.move(index).kind != EdgeKind::Original)
-            ++index;
-        return index < end ? index : noMove;
     }
 
     bool isTooMuch() const

@@ -10,11 +10,18 @@
 
 namespace quadrille {
 
+namespace {
+constexpr double leastTravel = 0.1; ///< metres that tell a direction
+} // namespace
+
 MoveMotions::MoveMotions(const WalkGraph& graph, const WalkMotion& motion, const PathCourse& course)
     : m_graph(graph), m_motion(motion), m_course(course), m_motions(graph.moves().size())
 {
-    for (const Vec3d& centre : motion.roots->centres)
-        m_points.push_back(course.pointOf(centre));
+    for (const Vec3d& centre : motion.roots->centres) {
+        const Vec3d point = course.pointOf(centre);
+        m_arcLengths.push_back(m_points.empty() ? 0 : m_arcLengths.back() + (point - m_points.back()).norm());
+        m_points.push_back(point);
+    }
     m_walkable.assign(m_points.size(), 0);
     for (MoveIndex index = 0; index < static_cast<MoveIndex>(graph.moves().size()); ++index) {
         if (graph.move(index).kind == EdgeKind::Original)
@@ -83,11 +90,10 @@ void MoveMotions::compute(MoveIndex index, Motion& motion) const
         append(begin, begin, {move.from, move.to});
 }
 
-GroundMotion MoveMotions::placedOnStart(NodeIndex node) const
+Vec2d MoveMotions::travelAt(NodeIndex node) const
 {
     // Half a metre tells a direction; what was captured may have less to show.
     constexpr double enough = 0.5;
-    constexpr double least = 0.1;
     const FrameLayout& layout = m_graph.layout();
     const int sequence = layout.sequenceOf(node);
     const auto wayTo = [&](NodeIndex step, NodeIndex end) {
@@ -97,12 +103,17 @@ GroundMotion MoveMotions::placedOnStart(NodeIndex node) const
         return way;
     };
     Vec2d way = wayTo(1, layout.lastOf(sequence));
-    if (way.norm() < least) {
-        const Vec2d back = -wayTo(-1, layout.firstOf(sequence));
-        if (back.norm() > way.norm())
-            way = back;
-    }
-    const double turn = m_course.directionFrom(0, std::max(way.norm(), least)) - std::atan2(way.y(), way.x());
+    if (way.norm() >= leastTravel)
+        return way;
+    Vec2d back = -wayTo(-1, layout.firstOf(sequence));
+    return back.norm() > way.norm() ? back : way;
+}
+
+GroundMotion MoveMotions::placedOnStart(NodeIndex node) const
+{
+    const Vec2d way = travelAt(node);
+    const double turn =
+        m_course.directionFrom(0, std::max(way.norm(), leastTravel)) - std::atan2(way.y(), way.x());
     return GroundMotion::taking(point(node).head<2>(), m_course.at(0).head<2>(), wrappedAngle(turn));
 }
 

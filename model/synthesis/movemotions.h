@@ -50,9 +50,17 @@ public:
     void prepare(std::vector<MoveIndex> moves);
     /// Where a captured frame lies.
     const Vec3d& point(NodeIndex node) const { return m_points[static_cast<std::size_t>(node)]; }
+    /// Metres that are walked between two frames of a sequence as captured; less than 0 towards the front.
+    double wayBetween(NodeIndex from, NodeIndex to) const
+    {
+        return m_arcLengths[static_cast<std::size_t>(to)] - m_arcLengths[static_cast<std::size_t>(from)];
+    }
     /// Metres that can still be walked from a frame: without bounds where a transition leaves it or one
     /// behind it, otherwise to the end of its sequence.
     double walkableFrom(NodeIndex node) const { return m_walkable[static_cast<std::size_t>(node)]; }
+    /// Over the ground from a captured frame to where it leads soon, or from where it came; half a metre
+    /// where there is as much.
+    Vec2d travelAt(NodeIndex node) const;
     /// Turns and places a frame so that it stands on the beginning of the course and what was captured around
     /// it goes along.
     GroundMotion placedOnStart(NodeIndex node) const;
@@ -64,6 +72,7 @@ private:
     const WalkMotion& m_motion;
     const PathCourse& m_course;
     std::vector<Vec3d> m_points;
+    std::vector<double> m_arcLengths; ///< from the first frame on
     std::vector<double> m_walkable;
     std::vector<Motion> m_motions;
 };

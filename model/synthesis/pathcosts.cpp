@@ -28,22 +28,27 @@ PathCosts::PathCosts(const PathCourse& course, const std::vector<PathSpan>& span
     std::sort(m_timed.begin(), m_timed.end(), [](const Timed& a, const Timed& b) { return a.from < b.from; });
 }
 
+std::optional<PathFailure> PathCosts::obstruction(const Vec3d& point, double walked, NodeIndex source,
+                                                  NodeIndex destination) const
+{
+    for (const Demand& demand : m_demands) {
+        if (walked >= demand.from && walked <= demand.to &&
+            !demand.frames[static_cast<std::size_t>(source)] &&
+            !demand.frames[static_cast<std::size_t>(destination)])
+            return PathFailure{.reached = walked, .span = demand.span};
+    }
+    const int obstacle = m_course.obstacleAt(point.head<2>());
+    if (obstacle >= 0)
+        return PathFailure{.reached = walked, .obstacle = obstacle};
+    return std::nullopt;
+}
+
 bool PathCosts::admit(const Shown& frame, PathPlace& place, PathCharge& charge, PathFailure& failure) const
 {
     const double walked = frame.walked;
-    for (const Demand& demand : m_demands) {
-        if (walked >= demand.from && walked <= demand.to &&
-            !demand.frames[static_cast<std::size_t>(frame.source)] &&
-            !demand.frames[static_cast<std::size_t>(frame.destination)]) {
-            if (walked > failure.reached)
-                failure = {.reached = walked, .span = demand.span};
-            return false;
-        }
-    }
-    const int obstacle = m_course.obstacleAt(frame.point.head<2>());
-    if (obstacle >= 0) {
+    if (const auto why = obstruction(frame.point, walked, frame.source, frame.destination)) {
         if (walked > failure.reached)
-            failure = {.reached = walked, .obstacle = obstacle};
+            failure = *why;
         return false;
     }
     charge.deviation += deviation(frame.point, walked, frame.step);

@@ -4,6 +4,7 @@
 
 #include "model/synthesis/movemotions.h"
 
+#include <optional>
 #include <vector>
 
 namespace quadrille {
@@ -51,9 +52,26 @@ public:
     /// What a frame costs by where it is. \param step  metres walked since the frame before.
     double deviation(const Vec3d& point, double walked, double step) const
     {
-        const double off = std::max(0.0, distance(point, walked) - m_charging.deadZone);
-        return off * off * (m_charging.perMetre > 0 ? m_charging.perMetre * step : 1.0);
+        return deviation(distance(point, walked), step, 1);
     }
+    /// What it costs to be off the path. \param off  so far, metres. \param way  for so long, metres walked,
+    /// \param frames  and in so many output frames.
+    double deviation(double off, double way, double frames) const
+    {
+        const double counted = std::max(0.0, off - m_charging.deadZone);
+        return counted * counted * factor(way, frames);
+    }
+    double deadZone() const { return m_charging.deadZone; }
+    /// What the squared distance beyond the dead zone counts, there.
+    double factor(double way, double frames) const
+    {
+        return m_charging.perMetre > 0 ? m_charging.perMetre * way : frames;
+    }
+    /// Whether there are places where frames may not be.
+    bool obstructs() const { return !m_demands.empty() || m_course.hasObstacles(); }
+    /// Why a frame that shows one or two captured ones may not be there; nothing where it may.
+    std::optional<PathFailure> obstruction(const Vec3d& point, double walked, NodeIndex source,
+                                           NodeIndex destination) const;
     /// Whether timed spans are left.
     bool needsTime(const PathPlace& place) const
     {

@@ -25,6 +25,7 @@ public:
     double directionFrom(double arcLength, double ahead) const;
     /// The point of a captured frame. \param centre  in its coordinates.
     Vec3d pointOf(const Vec3d& centre) const;
+    bool hasObstacles() const { return !m_obstacles.empty(); }
     /// The obstacle that a point is too close to; −1: none.
     int obstacleAt(const Vec2d& point) const;
 

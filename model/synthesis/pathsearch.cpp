@@ -3,11 +3,13 @@
 #include "model/synthesis/pathsearch.h"
 
 #include "model/synthesis/fingerprints.h"
+#include "model/synthesis/pathoutlook.h"
 #include "model/synthesis/searchmemory.h"
 #include "model/synthesis/strata.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace quadrille {
 
@@ -15,6 +17,8 @@ namespace {
 
 constexpr double layerLength = 0.1;   ///< metres
 constexpr double finestOffset = 0.02; ///< metres that two states may differ by to be one, at last
+/// How much of the outlook counts: between the few ways that it knows it is too dark.
+constexpr double outlookShare = 0.6;
 
 /// How much one pass looks at.
 struct PassSettings
@@ -40,8 +44,9 @@ struct Candidate
 class PathPass
 {
 public:
-    PathPass(PathProblem& problem, const PassSettings& settings, double limit, PathFailure& failure)
-        : m_problem(problem), m_settings(settings), m_limit(limit), m_failure(failure)
+    PathPass(PathProblem& problem, const PathOutlook& outlook, const PassSettings& settings, double limit,
+             PathFailure& failure)
+        : m_problem(problem), m_outlook(outlook), m_settings(settings), m_limit(limit), m_failure(failure)
     {
     }
 
@@ -104,8 +109,19 @@ private:
         while (!m_running.empty()) {
             const Candidate next = m_running.back();
             m_running.pop_back();
+            m_seen.resize(std::max(m_kept, static_cast<std::size_t>(next.parent + 1)));
             expand(next);
         }
+        m_seen.resize(m_kept);
+    }
+
+    /// \return the moves, [begin, end), that a state may make.
+    std::pair<MoveIndex, MoveIndex> movesOf(const StageState& stage) const
+    {
+        if (m_problem.stages.hasRun(stage) || m_problem.graph.hasRequired())
+            return m_problem.graph.from(stage.node);
+        const MoveIndex next = m_problem.graph.playedOn(stage.node);
+        return {next, next == noMove ? noMove : next + 1};
     }
 
     void expand(const Candidate& from)
@@ -113,7 +129,7 @@ private:
         const auto parent = static_cast<std::int32_t>(m_seen.size());
         m_seen.push_back(from);
         const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(from.place.placement.turn).toRotationMatrix();
-        const auto [begin, end] = m_problem.graph.from(from.stage.node);
+        const auto [begin, end] = movesOf(from.stage);
         if (m_problem.stages.hasRun(from.stage))
             m_problem.motions.prepare(begin, std::min(end, begin + m_settings.moves));
         for (MoveIndex index = begin; index < end; ++index) {
@@ -127,6 +143,10 @@ private:
             double cost = from.cost + m_problem.mu * move.weight;
             if (cost >= m_limit)
                 break;
+            if (move.kind == EdgeKind::Transition && !isPromising(from, index, cost)) {
+                m_isComplete = false;
+                continue;
+            }
             Candidate next;
             next.place = from.place;
             PathCharge charge;
@@ -143,6 +163,32 @@ private:
                 offer(next);
             }
         }
+    }
+
+    /// Whether a transition leads to where states are still taken, once the frames behind it were played that
+    /// must be. \param cost  with that of the move.
+    bool isPromising(const Candidate& from, MoveIndex index, double cost)
+    {
+        if (!m_problem.stages.isEmpty())
+            return true;
+        const WalkMove& move = m_problem.graph.move(index);
+        const MoveMotions::Motion& motion = m_problem.motions.of(index);
+        const FrameLayout& layout = m_problem.graph.layout();
+        const NodeIndex node = std::min(move.to + std::max(0, m_problem.stages.runLeft({}) - 1),
+                                        layout.lastOf(layout.sequenceOf(move.to)));
+        const double walked = from.place.walked + static_cast<double>(motion.steps.back().arcLength) +
+                              m_problem.motions.wayBetween(move.to, node);
+        if (walked >= m_problem.course.length())
+            return true;
+        const double rank =
+            cost + outlookShare * m_outlook.cost(node, walked, from.place.placement * motion.exit);
+        StageLayer<Candidate>& layer = m_layers[layerOf(walked)];
+        return layer.stratum({.node = node}, 0).takes(rank);
+    }
+
+    std::size_t layerOf(double walked) const
+    {
+        return std::min(static_cast<std::size_t>(walked / layerLength), m_layers.size() - 1);
     }
 
     void offer(Candidate& candidate)
@@ -164,8 +210,12 @@ private:
         if (candidate.place.walked + m_problem.motions.walkableFrom(candidate.stage.node) <
             m_problem.course.length())
             return;
-        StageLayer<Candidate>& layer = m_layers[std::min(
-            static_cast<std::size_t>(candidate.place.walked / layerLength), m_layers.size() - 1)];
+        const bool runs = !m_problem.stages.hasRun(candidate.stage);
+        if (runs && candidate.stage.run > 1) {
+            m_running.push_back(candidate);
+            return;
+        }
+        StageLayer<Candidate>& layer = m_layers[layerOf(candidate.place.walked)];
         Stratum<Candidate>& stratum =
             layer.stratum(candidate.stage, m_problem.stages.quartersDone(candidate.stage, candidate.time));
         candidate.rank = candidate.cost + left + outlook(candidate);
@@ -175,10 +225,11 @@ private:
         }
         if (!m_known.improves(fingerprint(candidate), candidate.cost))
             return;
-        if (!m_problem.stages.hasRun(candidate.stage)) {
+        if (runs) {
             m_running.push_back(candidate);
             return;
         }
+        m_kept = std::max(m_kept, static_cast<std::size_t>(candidate.parent + 1));
         candidate.order = m_order++;
         stratum.add(candidate, m_settings.width);
     }
@@ -197,32 +248,18 @@ private:
         m_found = routeTo(last, m_seen, cost);
     }
 
-    /// What being off the path, or about to be, will cost until it is mended: a guess from where the walk is
-    /// and from where its sequence would lead it.
+    /// About what is still to come.
     double outlook(const Candidate& candidate) const
     {
-        constexpr NodeIndex ahead = 12; ///< frames
-        constexpr double mending = 10;  ///< frames
-        const FrameLayout& layout = m_problem.graph.layout();
         const NodeIndex node = candidate.stage.node;
-        const NodeIndex later = std::min(node + ahead, layout.lastOf(layout.sequenceOf(node)));
-        const auto placed = [&](NodeIndex other) {
-            const Vec3d& point = m_problem.motions.point(other);
-            const Vec2d ground = candidate.place.placement(Vec2d(point.head<2>()));
-            return Vec3d(ground.x(), ground.y(), point.z());
-        };
-        const double walked = candidate.place.walked;
-        const Vec3d here = placed(node);
-        const Vec3d there = placed(later);
-        const double way = (there - here).norm();
-        const double lateness = m_problem.costs.lateness(candidate.place);
+        const PathPlace& place = candidate.place;
         // Of two that are both close enough, the closer one goes first.
         constexpr double tie = 1e-3;
-        const auto off = [&](const Vec3d& point, double along) {
-            const double distance = m_problem.costs.distance(point, along);
-            return m_problem.costs.deviation(point, along, way / ahead) + tie * distance * distance;
-        };
-        return mending * (off(here, walked) + off(there, walked + way)) + 0.001 * std::abs(lateness);
+        const Vec3d& point = m_problem.motions.point(node);
+        const Vec2d ground = place.placement(Vec2d(point.head<2>()));
+        const double off = m_problem.costs.distance({ground.x(), ground.y(), point.z()}, place.walked);
+        return outlookShare * m_outlook.cost(node, place.walked, place.placement) + tie * off * off +
+               0.001 * std::abs(m_problem.costs.lateness(place));
     }
 
     std::uint64_t fingerprint(const Candidate& candidate) const
@@ -242,12 +279,14 @@ private:
     }
 
     PathProblem& m_problem;
+    const PathOutlook& m_outlook;
     PassSettings m_settings;
     double m_limit;
     PathFailure& m_failure;
     std::vector<StageLayer<Candidate>> m_layers;
     std::vector<Candidate> m_running; ///< cannot leave their takes yet
     std::vector<Candidate> m_seen;
+    std::size_t m_kept = 0; ///< of these, the first ones: open states come after them
     std::vector<SettledStage> m_settled;
     CheapestKnown m_known;
     std::uint32_t m_order = 0;
@@ -262,7 +301,11 @@ std::optional<FoundRoute> searchPath(PathProblem& problem, std::int64_t budget, 
 {
     std::optional<FoundRoute> best;
     const double layers = problem.course.length() / layerLength + 1;
-    PassSettings settings{.width = 16, .moves = 64, .offset = 0.1, .heading = 0.2};
+    const auto allMoves = static_cast<MoveIndex>(problem.graph.moves().size());
+    const PathOutlook outlook(problem.graph, problem.course, problem.costs, problem.motions, problem.mu,
+                              problem.stages.runLeft({}), progress);
+    PassSettings settings{
+        .width = 16, .moves = problem.stages.isEmpty() ? allMoves : 64, .offset = 0.1, .heading = 0.2};
     for (std::int64_t left = budget; left > 0;) {
         progress.report(budget - left, budget);
         // A pass that the budget would end half way is made narrower instead.
@@ -270,7 +313,7 @@ std::optional<FoundRoute> searchPath(PathProblem& problem, std::int64_t budget, 
             std::max(std::int64_t{1},
                      std::min(settings.width, static_cast<std::int64_t>(static_cast<double>(left) / layers)));
         const std::int64_t before = left;
-        PathPass pass(problem, settings, best ? best->cost : unreachable, failure);
+        PathPass pass(problem, outlook, settings, best ? best->cost : unreachable, failure);
         std::optional<FoundRoute> better = pass.run(left, progress);
         effort.expansions = budget - left;
         if (better) {
@@ -284,7 +327,6 @@ std::optional<FoundRoute> searchPath(PathProblem& problem, std::int64_t budget, 
         if (left == before || (effort.isComplete && !best))
             break;
         settings.width *= 3;
-        const auto allMoves = static_cast<MoveIndex>(problem.graph.moves().size());
         settings.moves = settings.moves > allMoves / 2 ? allMoves : 2 * settings.moves;
         settings.offset = std::max(settings.offset / 2, finestOffset);
         settings.heading = std::max(settings.heading / 2, 0.04);

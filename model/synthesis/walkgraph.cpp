@@ -95,6 +95,12 @@ WalkGraph::WalkGraph(const Digraph& graph, const TransitionCosts& costs, double 
         return std::tie(a.from, a.weight, a.to, a.kind) < std::tie(b.from, b.weight, b.to, b.kind);
     });
     const NodeIndex nodes = m_layout.frameCount();
+    m_hasRequired = !junctions.required.empty();
+    m_playedOn.assign(static_cast<std::size_t>(nodes), noMove);
+    for (std::size_t i = 0; i < m_moves.size(); ++i) {
+        if (m_moves[i].kind == EdgeKind::Original)
+            m_playedOn[static_cast<std::size_t>(m_moves[i].from)] = static_cast<MoveIndex>(i);
+    }
     m_firstOf = firstPositions(nodes, m_moves.size(), [this](std::size_t i) { return m_moves[i].from; });
     m_firstInto = firstPositions(nodes, m_moves.size(), [this](std::size_t i) { return m_moves[i].to; });
     m_into.resize(m_moves.size());

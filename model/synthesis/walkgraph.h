@@ -60,6 +60,10 @@ public:
     /// The moves that leave a frame, [begin, end): the lightest first, of two alike the one to the earlier
     /// frame.
     std::pair<MoveIndex, MoveIndex> from(NodeIndex node) const;
+    /// The move that plays on; noMove behind the last frame of a sequence.
+    MoveIndex playedOn(NodeIndex node) const { return m_playedOn[static_cast<std::size_t>(node)]; }
+    /// Whether moves of required transitions are among those that leave frames.
+    bool hasRequired() const { return m_hasRequired; }
     /// The move of a transition; noMove where the graph has none.
     MoveIndex transition(const FramePair& pair) const;
     /// Any move takes at least so much weight for each frame that goes by.
@@ -83,6 +87,8 @@ public:
 private:
     std::vector<WalkMove> m_moves;
     std::vector<MoveIndex> m_firstOf;
+    std::vector<MoveIndex> m_playedOn; ///< by node
+    bool m_hasRequired = false;
     std::vector<MoveIndex> m_into; ///< moves by their destination
     std::vector<MoveIndex> m_firstInto;
     FrameLayout m_layout;

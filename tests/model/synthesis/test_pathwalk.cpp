@@ -166,7 +166,7 @@ TEST(PathWalk, CountsDeviationByTheMetreBeyondItsDeadZone)
 {
     const WalkWorld world({.seed = 4, .counts = {20, 25, 15}, .missing = 0.5, .shortest = 4});
     const PathConstraint path = curve(1.5);
-    const SearchSettings settings{.budget = 5000, .charging = {.deadZone = 0.02, .perMetre = 25}};
+    const SearchSettings settings{.budget = 5000, .charging = {.deadZone = 0.005, .perMetre = 25}};
     const WalkSolution solution = findPathWalk(world, {.path = path}, settings);
     const Deviations plain = plainDeviations(world, solution, path, settings.charging);
     EXPECT_GT(plain.charged, 0);

@@ -116,6 +116,9 @@ TEST_P(WalkRepairs, NoExchangeMakesAWalkThatWasFoundCheaper)
     const WalkSolution before = findWalk(m_world.material(), asked, hasty);
     asked.junctions.walk = before.walk;
     for (std::size_t i = 0; i < before.walk.transitionCount(); ++i) {
+        // One that is used twice is exchanged twice, for which none was looked.
+        if (timesUsed(before.walk, before.walk.transition(i)) > 1)
+            continue;
         asked.junctions.banned = {before.walk.transition(i)};
         const auto other = repairedWalk(m_world.material(), asked, hasty);
         EXPECT_GE(other ? other->totalCost : unreachable, before.totalCost * (1 - 2e-6));
