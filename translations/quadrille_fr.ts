@@ -9698,7 +9698,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Lasts</source>
-        <translation>Durée</translation>
+        <translation>Dure</translation>
     </message>
     <message>
         <source>From the last captured pose to the next</source>
