@@ -154,7 +154,7 @@ TEST(GpdmLearning, FindsWhatPrincipalComponentsCannot)
     EXPECT_EQ(learning.state.hyperparameters.alpha2, 1);
 }
 
-TEST(GpdmLearning, SeedsAgreeWithinOnePercent)
+TEST(GpdmLearning, PerturbedStartsAgreeWithinTwoPercent)
 {
     const Movement movement = smoothMovement(3, 30, 120, 4);
     std::vector<double> finals;
@@ -164,10 +164,12 @@ TEST(GpdmLearning, SeedsAgreeWithinOnePercent)
         ASSERT_EQ(learning.finalObjectives.size(), 2U);
         EXPECT_EQ(learning.objective.back(),
                   std::min(learning.finalObjectives[0], learning.finalObjectives[1]));
-        finals.push_back(learning.objective.back());
+        // The first start is the same for every seed: what seeds change is the second.
+        finals.push_back(learning.finalObjectives[1]);
     }
     const auto [least, greatest] = std::minmax_element(finals.begin(), finals.end());
-    EXPECT_LT(*greatest - *least, 0.01 * std::abs(*least));
+    EXPECT_GT(*greatest, *least) << "or nothing is compared";
+    EXPECT_LT(*greatest - *least, 0.02 * std::abs(*least));
 }
 
 TEST(GpdmLearning, TheSameSeedGivesTheSameModel)

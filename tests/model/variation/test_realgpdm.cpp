@@ -83,7 +83,7 @@ TEST(RealGpdm, EveryPartIsBelowPrincipalComponentsAndSmooth)
     }
 }
 
-TEST(RealGpdm, SeedsAgreeWithinOnePercent)
+TEST(RealGpdm, PerturbedStartsAgreeWithinTwoPercent)
 {
     const std::vector<RealPart> parts = realParts();
     if (parts.empty())
@@ -91,8 +91,10 @@ TEST(RealGpdm, SeedsAgreeWithinOnePercent)
     const PartTraining& arm = parts[1].training;
     std::vector<double> finals(5);
     tbb::parallel_for(std::size_t{0}, finals.size(), [&](std::size_t i) {
-        finals[i] = learnGpdm(arm.rows, arm.spans, {.seed = i + 1}).objective.back();
+        // The first start is the same for every seed: what seeds change is the second.
+        finals[i] = learnGpdm(arm.rows, arm.spans, {.restarts = 1, .seed = i + 1}).finalObjectives.at(1);
     });
     const auto [least, greatest] = std::minmax_element(finals.begin(), finals.end());
-    EXPECT_LT(*greatest - *least, 0.01 * std::abs(*least));
+    EXPECT_GT(*greatest, *least) << "or nothing is compared";
+    EXPECT_LT(*greatest - *least, 0.02 * std::abs(*least));
 }
