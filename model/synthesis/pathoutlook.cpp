@@ -151,19 +151,69 @@ void PathOutlook::addObstructions(const Stretch& stretch, double walked, double 
     }
 }
 
+PathOutlook::Facing PathOutlook::facingAt(std::size_t frame) const
+{
+    Facing facing{.first = -m_headings[frame] - headingStep * (headingCount - 1) / 2.0};
+    for (int heading = 0; heading < headingCount; ++heading) {
+        facing.cosines[heading] = static_cast<float>(std::cos(facing.first + headingStep * heading));
+        facing.sines[heading] = static_cast<float>(std::sin(facing.first + headingStep * heading));
+    }
+    return facing;
+}
+
+PathOutlook::Passage PathOutlook::passageOf(const Stretch& stretch, const Bend& bend, double walked,
+                                            const Facing& facing) const
+{
+    Passage passage;
+    passage.costs.setConstant(static_cast<float>(m_mu * stretch.weight));
+    const auto deadZone = static_cast<float>(m_costs.deadZone());
+    for (std::size_t i = 0; i < stretch.samples.size(); ++i) {
+        const Stretch::Sample& sample = stretch.samples[i];
+        if (i > 0 && walked + stretch.samples[i - 1].walked >= m_course.length())
+            break;
+        const Eigen::Vector3f there = sample.point.cast<float>();
+        const Eigen::Vector3f way = bend.ways[i].cast<float>();
+        passage.along = facing.cosines * there.x() - facing.sines * there.y() - way.x();
+        passage.left = facing.sines * there.x() + facing.cosines * there.y() - way.y();
+        const float height = there.z() - way.z();
+        const auto factor = static_cast<float>(m_costs.factor(sample.way, sample.frames));
+        for (int side = 0; side < sideCount; ++side) {
+            const Headings left = passage.left + static_cast<float>(sideOf(side));
+            const Headings off = (passage.along.square() + left.square() + height * height).sqrt();
+            passage.costs.col(side) += factor * (off - deadZone).max(0.0F).square();
+        }
+    }
+    if (m_costs.obstructs())
+        addObstructions(stretch, walked, facing.first, passage.costs);
+    return passage;
+}
+
+/// \param turn  of the path during the passage. \param toGo  from its end.
+void PathOutlook::keepLeast(const Passage& passage, double turn, const Cells& toGo, Cells& best)
+{
+    const auto c = static_cast<float>(std::cos(turn));
+    const auto s = static_cast<float>(std::sin(turn));
+    for (int side = 0; side < sideCount; ++side) {
+        const Headings sides = c * (passage.left + static_cast<float>(sideOf(side))) - s * passage.along;
+        const Headings parts = (sides.abs() * static_cast<float>(1 / farthest)).min(1.0F).sqrt();
+        const Headings positions = static_cast<float>(sidesEach) * (1 + parts * sides.sign());
+        for (int heading = 0; heading < headingCount; ++heading) {
+            float& least = best(heading, side);
+            if (passage.costs(heading, side) >= least)
+                continue;
+            const int first = std::min(static_cast<int>(positions[heading]), sideCount - 2);
+            const float after = std::lerp(toGo(heading, first), toGo(heading, first + 1),
+                                          positions[heading] - static_cast<float>(first));
+            least = std::min(least, passage.costs(heading, side) + after);
+        }
+    }
+}
+
 void PathOutlook::fill(std::size_t layer, std::size_t frame, const std::vector<Stretch>& stretches)
 {
-    using Headings = Eigen::Array<float, headingCount, 1>;
     Cells& best = m_costsToGo[layer * m_grid.count() + frame];
     const double walked = m_layerLength * static_cast<double>(layer);
-    // Of the take as captured, turned so that it heads along the path at the middle one.
-    const double facing = -m_headings[frame] - headingStep * (headingCount - 1) / 2.0;
-    Headings cosines;
-    Headings sines;
-    for (int heading = 0; heading < headingCount; ++heading) {
-        cosines[heading] = static_cast<float>(std::cos(facing + headingStep * heading));
-        sines[heading] = static_cast<float>(std::sin(facing + headingStep * heading));
-    }
+    const Facing facing = facingAt(frame);
     for (const Stretch& stretch : stretches) {
         const double end = walked + stretch.samples.back().walked;
         if (!stretch.leadsOn && end < m_course.length())
@@ -171,47 +221,8 @@ void PathOutlook::fill(std::size_t layer, std::size_t frame, const std::vector<S
         const Bend bend = bendAlong(stretch, walked);
         const double turn = m_headings[stretch.to] + stretch.turn - m_headings[frame] - bend.turn;
         const Cells toGo = end < m_course.length() ? after(stretch, end, turn) : Cells::Zero();
-        const auto weight = static_cast<float>(m_mu * stretch.weight);
-        if (weight + toGo.minCoeff() >= best.maxCoeff())
-            continue;
-        Cells costs = Cells::Constant(weight);
-        Headings x;
-        Headings y;
-        for (std::size_t i = 0; i < stretch.samples.size(); ++i) {
-            const Stretch::Sample& sample = stretch.samples[i];
-            if (i > 0 && walked + stretch.samples[i - 1].walked >= m_course.length())
-                break;
-            const Eigen::Vector3f there = sample.point.cast<float>();
-            const Eigen::Vector3f way = bend.ways[i].cast<float>();
-            x = cosines * there.x() - sines * there.y() - way.x();
-            y = sines * there.x() + cosines * there.y() - way.y();
-            const float height = there.z() - way.z();
-            const auto factor = static_cast<float>(m_costs.factor(sample.way, sample.frames));
-            for (int side = 0; side < sideCount; ++side) {
-                const Headings off =
-                    (x.square() + (y + static_cast<float>(sideOf(side))).square() + height * height).sqrt();
-                costs.col(side) += factor * (off - static_cast<float>(m_costs.deadZone())).max(0.0F).square();
-            }
-        }
-        if (m_costs.obstructs())
-            addObstructions(stretch, walked, facing, costs);
-        const auto c = static_cast<float>(std::cos(bend.turn));
-        const auto s = static_cast<float>(std::sin(bend.turn));
-        for (int side = 0; side < sideCount; ++side) {
-            const Headings sides = c * (y + static_cast<float>(sideOf(side))) - s * x;
-            const Headings parts = (sides.abs() * static_cast<float>(1 / farthest)).min(1.0F).sqrt();
-            const Headings positions = static_cast<float>(sidesEach) * (1 + parts * sides.sign());
-            for (int heading = 0; heading < headingCount; ++heading) {
-                float& least = best(heading, side);
-                if (costs(heading, side) >= least)
-                    continue;
-                const int first = std::min(static_cast<int>(positions[heading]), sideCount - 2);
-                const float part = positions[heading] - static_cast<float>(first);
-                const float near = toGo(heading, first);
-                least =
-                    std::min(least, costs(heading, side) + near + part * (toGo(heading, first + 1) - near));
-            }
-        }
+        if (static_cast<float>(m_mu * stretch.weight) + toGo.minCoeff() < best.maxCoeff())
+            keepLeast(passageOf(stretch, bend, walked, facing), bend.turn, toGo, best);
     }
 }
 

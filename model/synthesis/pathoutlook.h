@@ -31,8 +31,24 @@ private:
     static constexpr int headingCount = 21;
     static constexpr int sidesEach = 5;
     static constexpr int sideCount = 2 * sidesEach + 1;
-    /// Costs to go by heading and distance to the left.
+    using Headings = Eigen::Array<float, headingCount, 1>;
+    /// Costs by heading and distance to the left.
     using Cells = Eigen::Array<float, headingCount, sideCount>;
+
+    /// How a take as captured is turned so that it heads along the path: each heading in turn.
+    struct Facing
+    {
+        double first = 0; ///< radians
+        Headings cosines;
+        Headings sines;
+    };
+    /// What a stretch costs, and how far its end is from that of the path's way: along it, and to its left.
+    struct Passage
+    {
+        Cells costs;
+        Headings along;
+        Headings left;
+    };
 
     /// The way of the path while a stretch is walked from a layer on.
     struct Bend
@@ -43,7 +59,10 @@ private:
 
     void fill(std::size_t layer, std::size_t frame, const std::vector<Stretch>& stretches);
     Bend bendAlong(const Stretch& stretch, double walked) const;
+    Facing facingAt(std::size_t frame) const;
+    Passage passageOf(const Stretch& stretch, const Bend& bend, double walked, const Facing& facing) const;
     void addObstructions(const Stretch& stretch, double walked, double facing, Cells& costs) const;
+    static void keepLeast(const Passage& passage, double turn, const Cells& toGo, Cells& best);
     Cells after(const Stretch& stretch, double end, double turn) const;
     Cells cellsAt(std::size_t frame, double walked) const;
     double directionAt(double walked) const;
