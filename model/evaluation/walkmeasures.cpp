@@ -12,35 +12,36 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <set>
 
 namespace quadrille {
 
 namespace {
 
-/// Soles up to so much above the level of standing ones count as on the ground, heights of the figure.
+/// Soles up to so much above where they stand count as on the ground, heights of the figure.
 constexpr double nearGround = 0.01;
 
-/// Per frame but the last: how fast the lowest foot slips, where it is on the ground.
-std::vector<double> slidesOf(const Clip& clip, const Stances& stances, UpAxis up, double level)
+/// Per frame but the last: how fast the foot slips that slips least of those on the ground, where one is.
+std::vector<double> slidesOf(const Clip& clip, const Stances& stances, UpAxis up,
+                             const std::vector<double>& levels)
 {
     const Ground ground(up);
     std::vector<double> slides;
     for (std::int64_t f = 0; f + 1 < clip.frameCount(); ++f) {
-        double lowest = level + nearGround * stances.height;
-        double slide = -1;
-        for (const Stances::Foot& foot : stances.feet) {
+        std::optional<double> least;
+        for (std::size_t i = 0; i < stances.feet.size(); ++i) {
+            const Stances::Foot& foot = stances.feet[i];
             const Sole now = soleOf(clip.frame(f), foot.vertices, stances.height, ground);
             const Sole next = soleOf(clip.frame(f + 1), foot.vertices, stances.height, ground);
-            const double height = std::max(now.height, next.height);
-            if (height >= lowest)
+            if (std::max(now.height, next.height) >= levels[i] + nearGround * stances.height)
                 continue;
-            lowest = height;
             const Touch touch = touchOf(now, next, stances.height);
-            slide = clip.fps * (touch.after - touch.before).norm();
+            const double slide = clip.fps * (touch.after - touch.before).norm();
+            least = std::min(least.value_or(slide), slide);
         }
-        if (slide >= 0)
-            slides.push_back(slide);
+        if (least)
+            slides.push_back(*least);
     }
     return slides;
 }
@@ -84,29 +85,34 @@ void addArc(std::vector<Vec2d>& points, const Vec2d& centre, double radius, doub
 
 } // namespace
 
-MotionMeasures measureMotion(const Clip& clip, const Stances& stances, UpAxis up, double level)
+MotionMeasures measureMotion(const Clip& clip, const Stances& stances, UpAxis up,
+                             const std::vector<double>& levels)
 {
-    return measuresOf(slidesOf(clip, stances, up, level), speedChangesOf(clip, up));
+    return measuresOf(slidesOf(clip, stances, up, levels), speedChangesOf(clip, up));
 }
 
-double standingLevel(const CharacterFrames& character, const Stances& stances, UpAxis up)
+std::vector<double> standingLevels(const CharacterFrames& character, const Stances& stances, UpAxis up)
 {
-    std::vector<double> heights;
+    std::vector<std::vector<double>> heights(stances.feet.size());
     for (NodeIndex node = 0; node < character.frameCount(); ++node) {
         if (stances.at(node) == 0)
             continue;
         const Frame frame = character.frame(node);
         for (std::size_t foot = 0; foot < stances.feet.size(); ++foot)
             if (stances.stands(node, foot))
-                heights.push_back(
+                heights[foot].push_back(
                     soleOf(frame.positions(), stances.feet[foot].vertices, stances.height, Ground(up))
                         .height);
     }
-    return heights.empty() ? -std::numeric_limits<double>::infinity() : quantile(std::move(heights), 0.5);
+    std::vector<double> levels;
+    for (std::vector<double>& ofFoot : heights)
+        levels.push_back(ofFoot.empty() ? -std::numeric_limits<double>::infinity()
+                                        : quantile(std::move(ofFoot), 0.5));
+    return levels;
 }
 
 MotionMeasures measureTakes(const CharacterFrames& character, const RootPoses& roots,
-                            const std::vector<WalkSpan>& shown, double level)
+                            const std::vector<WalkSpan>& shown, const std::vector<double>& levels)
 {
     const FrameLayout& layout = character.layout();
     std::set<int> sequences;
@@ -117,7 +123,7 @@ MotionMeasures measureTakes(const CharacterFrames& character, const RootPoses& r
     for (const int sequence : sequences) {
         const Walk whole{{{layout.firstOf(sequence), layout.lastOf(sequence)}}};
         const Clip clip = makeClip(character, planClip(roots, whole, {}));
-        std::ranges::copy(slidesOf(clip, roots.stances, roots.up, level), std::back_inserter(slides));
+        std::ranges::copy(slidesOf(clip, roots.stances, roots.up, levels), std::back_inserter(slides));
         std::ranges::copy(speedChangesOf(clip, roots.up), std::back_inserter(changes));
     }
     return measuresOf(std::move(slides), changes);

@@ -14,24 +14,26 @@ namespace quadrille {
 /// What of a clip a viewer sees slide or hurry, by its surface alone.
 struct MotionMeasures
 {
-    /// Of the foot that stands or is nearest to the ground, in frames where it is as near as a standing foot:
-    /// how fast what touches the ground slips, in 95 of 100 of them no faster, units of length a second.
+    /// Of the foot that stands, which is the one that slips least of those on the ground: how fast what
+    /// touches the ground slips, in 95 of 100 frames no faster, units of length a second.
     double slide95 = 0;
     /// Root mean square of how much the speed of the centre over the ground changes within a fifth of a
     /// second, units of length a second.
     double speedChange = 0;
 };
 
-/// \param level  height of soles that stand, of standingLevel.
-MotionMeasures measureMotion(const Clip& clip, const Stances& stances, UpAxis up, double level);
+/// \param levels  of standingLevels; a foot is on the ground up to a hundredth of the figure's height above.
+MotionMeasures measureMotion(const Clip& clip, const Stances& stances, UpAxis up,
+                             const std::vector<double>& levels);
 
-/// The median height of the soles of feet that stand in the captured frames.
-double standingLevel(const CharacterFrames& character, const Stances& stances, UpAxis up);
+/// Of each foot the median height of its sole in the captured frames in which it stands: captured soles lie
+/// centimetres apart. Negative infinity for a foot that never stands.
+std::vector<double> standingLevels(const CharacterFrames& character, const Stances& stances, UpAxis up);
 
 /// The 95th percentile of both measures over all takes of which a walk shows something, each measured whole;
 /// of slides that of all frames together, of changes the root mean square.
 MotionMeasures measureTakes(const CharacterFrames& character, const RootPoses& roots,
-                            const std::vector<WalkSpan>& shown, double level);
+                            const std::vector<WalkSpan>& shown, const std::vector<double>& levels);
 
 /// How restless a walk is.
 struct WalkCalmness

@@ -40,7 +40,7 @@ ResultStage walksStage(const CharacterWork& work, const EvaluationEntry& evaluat
     AnimationEntry animation;
     animation.character = work.character;
     ResultStage stage = evaluationStage(work, evaluation);
-    stage.version = 9;
+    stage.version = 10;
     stage.settings = work.settings + nlohmann::json({project.fps, metres, work.sequences}).dump() +
                      walkSettings(animation, work);
     stage.files = [work](const Progress& progress) { return work.files(progress); };
@@ -49,7 +49,7 @@ ResultStage walksStage(const CharacterWork& work, const EvaluationEntry& evaluat
         const CharacterGraph graph(work, context);
         const CharacterFrames character = work.open(progress.part(0, 0.05));
         const RootPoses& roots = graph.roots();
-        const double level = standingLevel(character, roots.stances, roots.up);
+        const std::vector<double> levels = standingLevels(character, roots.stances, roots.up);
         TableBuilder table = walksTable();
         for (std::size_t p = 0; p < standardPaths.size(); ++p) {
             const auto part = [&](double share) {
@@ -66,8 +66,8 @@ ResultStage walksStage(const CharacterWork& work, const EvaluationEntry& evaluat
             const WalkCalmness calm = calmnessOf(plan, solution.walk, project.fps);
             const AnimationClip made =
                 animationClip(animation, graph, character, plan, {}, progress.part(part(0.7), part(0.9)));
-            const MotionMeasures motion = measureMotion(made.processed.clip, roots.stances, roots.up, level);
-            const MotionMeasures takes = measureTakes(character, roots, solution.walk.spans, level);
+            const MotionMeasures motion = measureMotion(made.processed.clip, roots.stances, roots.up, levels);
+            const MotionMeasures takes = measureTakes(character, roots, solution.walk.spans, levels);
             table.add({std::string(standardPaths[p]), solution.pathLength, calm.seconds,
                        std::int64_t{calm.transitions}, calm.transitionsPerSecond(),
                        std::int64_t{calm.shortestRun}, calm.blendedShare, solution.meanDeviation,

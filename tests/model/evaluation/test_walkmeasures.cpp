@@ -65,10 +65,53 @@ TEST(WalkMeasures, FeelAFootThatSlidesAndASpeedThatChanges)
         clip.origins.push_back({});
     }
     const Stances stances{.feet = {{"left", {0, 1, 2, 3}}}, .height = 1.8, .standing = {1}};
-    const MotionMeasures measures = measureMotion(clip, stances, UpAxis::Y, 0);
+    const MotionMeasures measures = measureMotion(clip, stances, UpAxis::Y, {0});
     EXPECT_NEAR(measures.slide95, 0.5, 1e-5);
     // 5 of 14 pairs of frames a fifth of a second apart differ by 0.5 m/s.
     EXPECT_NEAR(measures.speedChange, 0.5 * std::sqrt(5.0 / 14), 1e-5);
     // High above the ground nothing slides.
-    EXPECT_EQ(measureMotion(clip, stances, UpAxis::Y, -1).slide95, 0);
+    EXPECT_EQ(measureMotion(clip, stances, UpAxis::Y, {-1}).slide95, 0);
+}
+
+TEST(WalkMeasures, TakeTheFootThatSlipsLeastForTheOneThatStands)
+{
+    // The right foot swings past, half a centimetre over the ground at 1 m/s; the left one, which slips at
+    // 0.1 m/s, was captured 3 cm higher than it.
+    TopologyData six;
+    six.vertexCount = 6;
+    six.triangles = {{VertexIndex(0), VertexIndex(1), VertexIndex(2)}};
+    Clip clip{.topology = std::make_shared<const Topology>(std::move(six)),
+              .fps = 20,
+              .positions = {},
+              .origins = std::vector<FrameOrigin>(10)};
+    for (int f = 0; f < 10; ++f)
+        for (const float x : {0.0F, 0.1F, 0.2F}) {
+            clip.positions.emplace_back(x + 0.005F * static_cast<float>(f), 0.03F, 0.0F);
+            clip.positions.emplace_back(x + 0.05F * static_cast<float>(f), 0.005F, 0.2F);
+        }
+    const Stances stances{
+        .feet = {{"left", {0, 2, 4}}, {"right", {1, 3, 5}}}, .height = 1.8, .standing = {1}};
+    EXPECT_NEAR(measureMotion(clip, stances, UpAxis::Y, {0.03, 0}).slide95, 0.1, 1e-4);
+    EXPECT_NEAR(measureMotion(clip, stances, UpAxis::Y, {0, 0}).slide95, 1, 1e-4);
+}
+
+TEST(WalkMeasures, FindTheLevelOfEachFoot)
+{
+    // The left foot stands in all three frames, the right one never.
+    TopologyData six;
+    six.vertexCount = 6;
+    six.triangles = {{VertexIndex(0), VertexIndex(1), VertexIndex(2)}};
+    std::vector<Vec3f> positions;
+    for (const float height : {0.01F, 0.04F, 0.03F})
+        for (int v = 0; v < 6; ++v)
+            positions.emplace_back(0.1F * static_cast<float>(v), height, 0.0F);
+    const MeshSequence sequence = makeSequence("take", std::make_shared<const Topology>(std::move(six)),
+                                               std::make_shared<MemoryFrames>(std::move(positions), 6), 25);
+    const Stances stances{
+        .feet = {{"left", {0, 1, 2}}, {"right", {3, 4, 5}}}, .height = 1.8, .standing = {1, 1, 1}};
+    const std::vector<double> levels =
+        standingLevels(CharacterFrames(std::span(&sequence, 1)), stances, UpAxis::Y);
+    ASSERT_EQ(levels.size(), 2U);
+    EXPECT_NEAR(levels[0], 0.03, 1e-6);
+    EXPECT_EQ(levels[1], -std::numeric_limits<double>::infinity());
 }
