@@ -156,7 +156,7 @@ ResultStage walkStage(const CharacterWork& work, const AnimationEntry& animation
 {
     ResultStage stage;
     stage.name = "animations/" + animation.name + "/walk";
-    stage.version = 12;
+    stage.version = 13;
     stage.dataPrefix = "animations/" + animation.name;
     stage.settings = walkSettings(animation, work);
     stage.inputs = CharacterGraph::inputs(work);
@@ -183,7 +183,7 @@ ResultStage clipStage(const CharacterWork& work, const AnimationEntry& animation
 {
     ResultStage stage;
     stage.name = clipStageOf("animations/" + animation.name);
-    stage.version = 4;
+    stage.version = 5;
     stage.dataPrefix = walk.dataPrefix;
     const AnimationEntry made{.interpolation = animation.interpolation,
                               .gentleBlend = animation.gentleBlend,

@@ -251,7 +251,8 @@ WalkMaterial CharacterGraph::material(const BlendSettings& blend, bool isAlongPa
             .motion = {.roots = &m_roots,
                        .transition = transition,
                        .blend = blend,
-                       .metresPerUnit = metresPerUnit()},
+                       .metresPerUnit = metresPerUnit(),
+                       .fps = fps()},
             .locomotion = isAlongPath ? locomotion() : std::vector<bool>(),
             .inAir = framesInAir(m_roots.stances, m_layout, fps()),
             .paces = isAlongPath ? pacesInHeights(m_roots, m_layout, fps()) : std::vector<double>()};

@@ -158,6 +158,10 @@ struct SearchSettings
     /// What a transition along a path costs more, times α, for each body height a second by which the body
     /// gets on faster or slower behind it; 0 as in the paper.
     double paceWeight = 0;
+    /// What a transition along a path costs more, times α, for an uneven pace: for each output frame the
+    /// square of how much the speed over the ground changes within a fifth of a second, body heights a
+    /// second; 0 as in the paper.
+    double unevenWeight = 0;
 
     bool operator==(const SearchSettings&) const = default;
     /// What looks best along a path: see the evaluation “walks”.
@@ -168,7 +172,8 @@ struct SearchSettings
                 .charging = {.deadZone = 0.07, .perMetre = 25},
                 .prefersLocomotion = true,
                 .flightWeight = 200,
-                .paceWeight = 200};
+                .paceWeight = 200,
+                .unevenWeight = 300};
     }
 };
 

@@ -72,10 +72,7 @@ private:
                (isLast && m_course.path != nullptr && node < layout.lastOf(layout.sequenceOf(node)));
     }
 
-    bool isTooMuch() const
-    {
-        return m_charge.deviation + m_charge.timing + (m_course.beginsLater ? 0 : m_least) >= m_limit;
-    }
+    bool isTooMuch() const { return m_charge.total(mu()) + (m_course.beginsLater ? 0 : m_least) >= m_limit; }
 
     double mu() const { return m_course.path != nullptr ? m_course.path->mu : 1; }
 
@@ -144,8 +141,8 @@ private:
 
     void endHere()
     {
-        const double path = m_charge.deviation + m_charge.timing +
-                            (m_course.path != nullptr ? m_course.path->costs.timingAtEnd(m_place) : 0);
+        const double path =
+            m_charge.total(mu()) + (m_course.path != nullptr ? m_course.path->costs.timingAtEnd(m_place) : 0);
         for (std::size_t i = m_front; i < m_seen.size(); ++i) {
             const double cost = m_seen[i].cost + path;
             if (m_course.stages.isDone(m_seen[i].stage) && cost < (m_best ? m_best->cost : m_limit))

@@ -14,8 +14,13 @@ namespace {
 constexpr double leastTravel = 0.1; ///< metres that tell a direction
 } // namespace
 
-MoveMotions::MoveMotions(const WalkGraph& graph, const WalkMotion& motion, const PathCourse& course)
-    : m_graph(graph), m_motion(motion), m_course(course), m_motions(graph.moves().size())
+MoveMotions::MoveMotions(const WalkGraph& graph, const WalkMotion& motion, const PathCourse& course,
+                         double unevenWeight)
+    : m_graph(graph)
+    , m_motion(motion)
+    , m_course(course)
+    , m_unevenWeight(unevenWeight)
+    , m_motions(graph.moves().size())
 {
     for (const Vec3d& centre : motion.roots->centres) {
         const Vec3d point = course.pointOf(centre);
@@ -88,6 +93,36 @@ void MoveMotions::compute(MoveIndex index, Motion& motion) const
     }
     if (motion.steps.empty())
         append(begin, begin, {move.from, move.to});
+    if (m_unevenWeight > 0)
+        motion.weight = m_unevenWeight * unevennessOf(move, motion);
+}
+
+/// With the frames that are played before and behind, as many as a fifth of a second has.
+double MoveMotions::unevennessOf(const WalkMove& move, const Motion& motion) const
+{
+    constexpr double within = 0.2; // seconds
+    const double height = m_motion.roots->stances.height * m_course.metresPerUnit();
+    if (m_motion.fps <= 0 || height <= 0)
+        return 0;
+    const auto ahead = std::max<NodeIndex>(1, static_cast<NodeIndex>(std::lround(within * m_motion.fps)));
+    const FrameLayout& layout = m_graph.layout();
+    const NodeIndex first = std::max(move.from - ahead, layout.firstOf(layout.sequenceOf(move.from)));
+    const NodeIndex last = std::min(move.to + ahead, layout.lastOf(layout.sequenceOf(move.to)));
+    std::vector<double> walked; // at each frame
+    for (NodeIndex node = first; node <= move.from; ++node)
+        walked.push_back(wayBetween(move.from, node));
+    for (const Step& step : motion.steps)
+        walked.push_back(static_cast<double>(step.arcLength));
+    const double end = walked.back();
+    for (NodeIndex node = move.to + 1; node <= last; ++node)
+        walked.push_back(end + wayBetween(move.to, node));
+    double sum = 0;
+    const auto reach = static_cast<std::size_t>(ahead);
+    for (std::size_t f = 0; f + reach + 1 < walked.size(); ++f) {
+        const double change = walked[f + reach + 1] - walked[f + reach] - (walked[f + 1] - walked[f]);
+        sum += std::pow(change * m_motion.fps / height, 2);
+    }
+    return sum;
 }
 
 Vec2d MoveMotions::travelAt(NodeIndex node) const

@@ -20,6 +20,7 @@ struct WalkMotion
     std::function<Transition(const FramePair&)> transition;
     BlendSettings blend;      ///< how transitions will be blended
     double metresPerUnit = 1; ///< of the coordinates of the roots
+    double fps = 0;           ///< 0: nobody asks how even the pace is
 };
 
 /// How the moves of a graph go over the ground, in metres, each computed when it is first asked for.
@@ -38,10 +39,13 @@ public:
     {
         std::vector<Step> steps; ///< as many as frames go by, without the frame that it leaves
         GroundMotion exit;       ///< places the frame that it comes to as captured
+        double weight = 0;       ///< of a transition beyond that of its move, for its uneven pace
         bool isKnown = false;
     };
 
-    MoveMotions(const WalkGraph& graph, const WalkMotion& motion, const PathCourse& course);
+    /// \param unevenWeight  what the unevenness of a transition weighs (SearchSettings::unevenWeight · α).
+    MoveMotions(const WalkGraph& graph, const WalkMotion& motion, const PathCourse& course,
+                double unevenWeight = 0);
 
     const Motion& of(MoveIndex move);
     /// Computes the motions of some moves, [begin, end) or given ones, on all cores; `of` is then free. What
@@ -67,10 +71,12 @@ public:
 
 private:
     void compute(MoveIndex index, Motion& motion) const;
+    double unevennessOf(const WalkMove& move, const Motion& motion) const;
 
     const WalkGraph& m_graph;
     const WalkMotion& m_motion;
     const PathCourse& m_course;
+    double m_unevenWeight;
     std::vector<Vec3d> m_points;
     std::vector<double> m_arcLengths; ///< from the first frame on
     std::vector<double> m_walkable;

@@ -97,6 +97,7 @@ bool PathCosts::follow(const MoveMotions::Motion& motion, const Eigen::Matrix2d&
             return false;
         before = along;
     }
+    charge.edges += motion.weight;
     place.walked = begun + static_cast<double>(motion.steps.back().arcLength);
     place.placement = {place.placement.turn + motion.exit.turn, rotation * motion.exit.shift + shift};
     return true;

@@ -23,6 +23,10 @@ struct PathCharge
 {
     double deviation = 0; ///< of squared distances, by PathCharging
     double timing = 0;    ///< β · timing errors of the spans that were left behind
+    double edges = 0;     ///< weight of transitions beyond that of their moves (MoveMotions::Motion::weight)
+
+    /// \param mu  weight of edges.
+    double total(double mu) const { return deviation + timing + mu * edges; }
 };
 
 /// Why a walk cannot go on.

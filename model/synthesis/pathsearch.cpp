@@ -96,7 +96,7 @@ private:
             m_problem.stages.settle(m_problem.stages.begin(node), 0, settled);
             for (const SettledStage& stage : settled) {
                 first.stage = stage.state;
-                first.cost = charge.deviation + charge.timing + m_problem.mu * stage.edges + stage.timing;
+                first.cost = charge.total(m_problem.mu) + m_problem.mu * stage.edges + stage.timing;
                 offer(first);
             }
         }
@@ -152,7 +152,7 @@ private:
             PathCharge charge;
             if (!m_problem.costs.follow(m_problem.motions.of(index), rotation, next.place, charge, m_failure))
                 continue;
-            cost += charge.deviation + charge.timing;
+            cost += charge.total(m_problem.mu);
             next.time = from.time + move.elapsed;
             next.parent = parent;
             next.move = index;

@@ -50,7 +50,7 @@ public:
     {
         const WalkMove& move = m_material.graph.move(index);
         const MoveMotions::Motion& motion = m_material.motions.of(index);
-        m_stretch.weight += move.weight;
+        m_stretch.weight += move.weight + motion.weight;
         const double begun = m_walked;
         for (const MoveMotions::Step& step : motion.steps) {
             m_walked = begun + static_cast<double>(step.arcLength);

@@ -22,7 +22,7 @@ struct RootPoses
     /// frames × frames, radians in (−π, π]: the angle about the up axis by which the pose of the column turns
     /// to lie nearest to that of the row, centres together (the function Align of SMCAS Alg. 1).
     Table<float> turns;
-    /// What each frame stands on, of findSupports, for BlendAnchor::Feet; empty: nothing is known of it.
+    /// What each frame stands on, of findSupports; empty: nothing is known of it.
     std::vector<Support> supports;
     /// Which feet stand, of findStances; unknown: nothing is known of them.
     Stances stances;

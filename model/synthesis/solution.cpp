@@ -91,6 +91,7 @@ public:
     void end()
     {
         m_solution.cost.deviation = m_charge.deviation;
+        m_solution.cost.edges += m_charge.edges;
         m_solution.cost.timing += m_charge.timing + m_path.costs.timingAtEnd(m_place);
         m_solution.meanDeviation /= static_cast<double>(m_solution.frameCount);
     }

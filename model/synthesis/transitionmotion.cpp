@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/transitionmotion.h"
 
-#include <array>
 #include <cassert>
 
 namespace quadrille {
@@ -33,12 +32,6 @@ public:
         return m_ground.at(ground, (1 - lambda) * m_ground.heightOf(centre(m_times[frame].source)) +
                                        lambda * m_ground.heightOf(centre(m_times[frame].destination)));
     }
-    /// Where those vertices are that stand in both windows, in two frames; nothing where there are none.
-    struct Standing
-    {
-        Vec2d sourceBefore, source, destinationBefore, destination;
-    };
-    std::optional<Standing> standing(std::size_t before, std::size_t frame);
 
 private:
     Vec3d centre(const FrameTime& time) const
@@ -46,12 +39,10 @@ private:
         return between(time, m_roots.centres[static_cast<std::size_t>(time.frame)],
                        m_roots.centres[static_cast<std::size_t>(time.next())]);
     }
-    const Support& support(NodeIndex node) const { return m_roots.supports[static_cast<std::size_t>(node)]; }
 
     const RootPoses& m_roots;
     Ground m_ground;
     std::vector<BlendTimes> m_times;
-    std::vector<std::uint32_t> m_standing; ///< memory of standing()
 };
 
 double Mover::turn(std::size_t frame) const
@@ -70,33 +61,6 @@ double Mover::turn(std::size_t frame) const
                            near(source.next(), destination.next())));
 }
 
-std::optional<Mover::Standing> Mover::standing(std::size_t before, std::size_t frame)
-{
-    if (m_roots.supports.empty())
-        return std::nullopt;
-    const std::array times{&m_times[before].source, &m_times[frame].source, &m_times[before].destination,
-                           &m_times[frame].destination};
-    std::vector<std::uint32_t>& vertices = m_standing;
-    vertices = support(times[0]->frame).vertices;
-    for (const FrameTime* time : times) {
-        for (const NodeIndex node : {time->frame, time->next()}) {
-            if (vertices.empty())
-                return std::nullopt;
-            // A subset of the first range may be written over it.
-            const std::vector<std::uint32_t>& other = support(node).vertices;
-            vertices.erase(std::set_intersection(vertices.begin(), vertices.end(), other.begin(), other.end(),
-                                                 vertices.begin()),
-                           vertices.end());
-        }
-    }
-    if (vertices.empty())
-        return std::nullopt;
-    const auto placeAt = [&](const FrameTime* time) {
-        return between(*time, support(time->frame).meanOf(vertices), support(time->next()).meanOf(vertices));
-    };
-    return Standing{placeAt(times[0]), placeAt(times[1]), placeAt(times[2]), placeAt(times[3])};
-}
-
 Vec2d turned(double angle, const Vec2d& step)
 {
     return Eigen::Rotation2Dd(angle) * step;
@@ -104,8 +68,7 @@ Vec2d turned(double angle, const Vec2d& step)
 
 /// Lays the windows over each other anew at every step: both lie with their current centres on the centre of
 /// the result and share out the turn between them.
-std::vector<TransitionMotion::Step> movedAtEveryStep(Mover& mover, std::span<const double> lambdas,
-                                                     BlendAnchor anchor)
+std::vector<TransitionMotion::Step> movedAtEveryStep(const Mover& mover, std::span<const double> lambdas)
 {
     std::vector<TransitionMotion::Step> steps;
     Vec2d centre = mover.source(0);
@@ -115,29 +78,10 @@ std::vector<TransitionMotion::Step> movedAtEveryStep(Mover& mover, std::span<con
         const double lambda = lambdas[t];
         if (t > 0) {
             const double before = lambdas[t - 1];
-            const auto blended = [](double weight, const Vec2d& source, const Vec2d& destination) -> Vec2d {
-                return (1 - weight) * source + weight * destination;
-            };
-            const auto displaced = [&](const Vec2d& source, const Vec2d& destination) {
-                return blended(before, turned(sourceTurn, source), turned(destinationTurn, destination));
-            };
-            const auto standing =
-                anchor == BlendAnchor::Feet ? mover.standing(t - 1, t) : std::optional<Mover::Standing>();
-            if (standing) {
-                // From the centre to what stands; that goes on, and the centre follows.
-                centre += displaced(standing->sourceBefore - mover.source(t - 1),
-                                    standing->destinationBefore - mover.destination(t - 1)) +
-                          displaced(standing->source - standing->sourceBefore,
-                                    standing->destination - standing->destinationBefore);
-            } else {
-                centre += displaced(mover.source(t) - mover.source(t - 1),
-                                    mover.destination(t) - mover.destination(t - 1));
-            }
+            centre += (1 - before) * turned(sourceTurn, mover.source(t) - mover.source(t - 1)) +
+                      before * turned(destinationTurn, mover.destination(t) - mover.destination(t - 1));
             sourceTurn -= lambda * wrappedAngle(sourceTurn + mover.turn(t) - destinationTurn);
             destinationTurn = sourceTurn + mover.turn(t);
-            if (standing)
-                centre -= blended(lambda, turned(sourceTurn, standing->source - mover.source(t)),
-                                  turned(destinationTurn, standing->destination - mover.destination(t)));
         }
         steps.push_back(
             {.times = mover.times(t),
@@ -176,10 +120,10 @@ TransitionMotion transitionMotion(const RootPoses& roots, const Transition& tran
         const double even = static_cast<double>(t) / static_cast<double>(count - 1);
         lambdas[t] = settings.easing == BlendEasing::Smooth ? even * even * (3 - 2 * even) : even;
     }
-    Mover mover(roots, blendTimes(transition, settings.timing));
+    const Mover mover(roots, blendTimes(transition, settings.timing));
     switch (settings.alignment) {
     case BlendAlignment::EveryStep:
-        return {movedAtEveryStep(mover, lambdas, settings.anchor)};
+        return {movedAtEveryStep(mover, lambdas)};
     case BlendAlignment::MidWindow:
         return {movedOnce(mover, lambdas,
                           GroundMotion::taking(mover.destination(count / 2), mover.source(count / 2),

@@ -26,28 +26,17 @@ enum class BlendEasing
     Smooth, ///< 3λ² − 2λ³ of that: sets in and ends gently, so that vertices do not jerk there
 };
 
-/// What of the body goes on by the displacements of both windows.
-enum class BlendAnchor
-{
-    Centre, ///< the mean of its vertices (SMCAS Alg. 1); feet that stand in both windows slide apart
-    Feet,   ///< those of its vertices that stand in both windows (RootPoses::supports), else the mean
-};
-
 /// How the poses of a transition are weighted and laid over the ground; the defaults are the paper's.
 struct BlendSettings
 {
     BlendAlignment alignment = BlendAlignment::EveryStep;
     BlendTiming timing = BlendTiming::Cells;
     BlendEasing easing = BlendEasing::Linear;
-    BlendAnchor anchor = BlendAnchor::Centre; ///< of BlendAlignment::EveryStep
-    std::optional<double> constantWeight;     ///< λ of all steps, for comparison (SMCAS Fig. 11)
+    std::optional<double> constantWeight; ///< λ of all steps, for comparison (SMCAS Fig. 11)
     bool operator==(const BlendSettings&) const = default;
 
-    /// What shows least where transitions bend time and feet stand.
-    static BlendSettings gentle()
-    {
-        return {.timing = BlendTiming::Smooth, .easing = BlendEasing::Smooth, .anchor = BlendAnchor::Feet};
-    }
+    /// What shows least: no hitch of time, no jerk. Feet that stand are for the correction of contacts.
+    static BlendSettings gentle() { return {.timing = BlendTiming::Smooth, .easing = BlendEasing::Smooth}; }
 };
 
 /// How a transition moves over the ground, in the coordinates in which its source sequence lies before it.

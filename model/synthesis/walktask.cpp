@@ -69,7 +69,7 @@ WalkTask::WalkTask(const WalkMaterial& walkMaterial, const WalkConstraints& aske
 WalkCourse::Along::Along(const WalkTask& task, const WalkStages& stages)
     : course(*task.constraints.path, task.material.motion.roots->up, task.material.motion.metresPerUnit)
     , costs(course, task.constraints.path->spans, task.graph.nodeCount(), task.beta, task.settings.charging)
-    , motions(task.graph, task.material.motion, course)
+    , motions(task.graph, task.material.motion, course, task.settings.unevenWeight * task.material.alpha)
     , problem{.graph = task.graph,
               .stages = stages,
               .course = course,

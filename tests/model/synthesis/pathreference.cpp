@@ -12,7 +12,7 @@ std::optional<BranchAndBound::State> BranchAndBound::begin(NodeIndex node) const
     PathCharge charge;
     if (!m_problem.costs.begin(m_problem.motions, node, state.place, charge))
         return std::nullopt;
-    state.cost = charge.deviation + charge.timing;
+    state.cost = charge.total(m_problem.mu);
     return state;
 }
 
@@ -25,7 +25,7 @@ std::optional<BranchAndBound::State> BranchAndBound::moved(const State& from, Mo
     if (!m_problem.costs.follow(m_problem.motions.of(move), rotation, next.place, charge, failure))
         return std::nullopt;
     next.node = m_problem.graph.move(move).to;
-    next.cost += charge.deviation + charge.timing + m_problem.mu * m_problem.graph.move(move).weight;
+    next.cost += charge.total(m_problem.mu) + m_problem.mu * m_problem.graph.move(move).weight;
     if (isEnd(next))
         next.cost += m_problem.costs.timingAtEnd(next.place);
     return next;

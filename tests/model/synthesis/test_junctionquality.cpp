@@ -275,7 +275,8 @@ TEST(JunctionsOfRealTakes, AreBetterWhereTheyAreBlendedGently)
         takes.push_back(*realTake(name));
     const Study real(takes, UpAxis::Y, {.fps = 30, .cost = TransitionCost::Mean});
     const JunctionReport paper = real.report({.count = 40});
-    const JunctionReport gentle = real.report({.count = 40, .blend = BlendSettings::gentle()});
+    const JunctionReport gentle = real.report(
+        {.count = 40, .blend = BlendSettings::gentle(), .correction = ContactCorrectionSettings()});
     EXPECT_GT(gentle.good, paper.good + 10);
     const auto slips = [](const JunctionReport& report) {
         return report.criteria[static_cast<std::size_t>(JunctionCriterion::FootSlip)];

@@ -94,39 +94,6 @@ TEST(FrameMeasures, VolumeIsThatOfTheClosedSurface)
     EXPECT_NEAR(enclosedVolume(corners, triangles), 1 / 6.0, 1e-7);
 }
 
-TEST(BlendAnchor, FeetThatStandInBothTakesStay)
-{
-    // Two takes of ten frames whose centres pass a foot at (1, 0) and at (4, 2), further off and turned.
-    RootPoses roots{.up = UpAxis::Z, .turns = Table<float>::Zero(20, 20)};
-    for (int f = 0; f < 20; ++f) {
-        const bool second = f >= 10;
-        roots.centres.push_back(second ? Vec3d(4 + 0.03 * (f - 10), 1.5, 1) : Vec3d(0.8 + 0.05 * f, 0.1, 1));
-        roots.supports.push_back(
-            {.vertices = {3, 8},
-             .places = second ? std::vector<Vec2d>{{4, 2}, {4.1, 2}} : std::vector<Vec2d>{{1, 0}, {1.1, 0}}});
-    }
-    roots.turns.block(0, 10, 10, 10) = 0.4F;
-    roots.turns.block(10, 0, 10, 10) = -0.4F;
-    const Transition transition = advancingTogether(1, 18, 8);
-    const auto slipOf = [&](const BlendSettings& settings) {
-        double slip = 0;
-        const TransitionMotion motion = transitionMotion(roots, transition, settings);
-        const auto placeOf = [&](std::size_t t) -> Vec2d {
-            const TransitionMotion::Step& step = motion.steps[t];
-            return (1 - step.lambda) * step.placeSource(Vec2d(1.05, 0)) +
-                   step.lambda * step.placeDestination(Vec2d(4.05, 2));
-        };
-        for (std::size_t t = 1; t < motion.steps.size(); ++t)
-            slip = std::max(slip, (placeOf(t) - placeOf(t - 1)).norm());
-        return slip;
-    };
-    EXPECT_GT(slipOf({}), 0.02);
-    EXPECT_LT(slipOf({.anchor = BlendAnchor::Feet}), 1e-9);
-    EXPECT_LT(slipOf(BlendSettings::gentle()), 1e-9);
-    roots.supports.clear();
-    EXPECT_DOUBLE_EQ(slipOf({.anchor = BlendAnchor::Feet}), slipOf({}));
-}
-
 TEST(BlendEasing, SetsInAndEndsGently)
 {
     const TubeTakes takes(threeTakes());
