@@ -189,7 +189,7 @@ ResultStage rootPosesStage(const CharacterWork& work)
 {
     const UpAxis up = work.opener->project().settings.axes.up;
     ResultStage stage = work.stage(graphstage::rootPoses);
-    stage.version = 4;
+    stage.version = 5;
     stage.settings = work.settings;
     for (const std::string& name : work.sequences)
         stage.settings += contactSettings(*findSequence(work.opener->project(), name));

@@ -80,7 +80,7 @@ ResultStage statisticsStage(const Opener& opener, const SequenceEntry& entry)
     const Project& project = opener->project();
     ResultStage stage;
     stage.name = "sequences/" + entry.name + "/statistics";
-    stage.version = 2;
+    stage.version = 3;
     stage.dataPrefix = "sequences/" + entry.name;
     stage.settings = sequenceSettings(project, entry) + contactSettings(entry);
     stage.inputs = clipInputs(project, {entry.name});

@@ -83,7 +83,7 @@ private:
     ResultStage alignment() const
     {
         ResultStage made = stage(alignmentStageOf(m_name), "variations/" + m_name);
-        made.version = 4;
+        made.version = 5;
         made.settings = m_work->movementSettings();
         made.files = [work = m_work](const Progress& progress) { return work->files(progress); };
         made.inputs = m_work->clipStages();

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace quadrille {
 
@@ -81,15 +82,42 @@ std::vector<std::vector<std::uint32_t>> piecesBelow(const Topology& topology, Po
     return pieces;
 }
 
-/// Feet lie ahead of ankles; over all frames this tells which of two is the left one.
-bool isLeftFirst(const UprightFrames& frames, const std::vector<Foot>& feet)
+Vec3f centreOf(Positions positions)
+{
+    Vec3f sum = Vec3f::Zero();
+    for (const Vec3f& p : positions)
+        sum += p;
+    return sum / static_cast<float>(positions.size());
+}
+
+/// Where a figure goes that runs, as long as its feet lie ahead of its ankles together; nothing where it is
+/// no faster than somebody may go backwards or to a side.
+std::optional<Vec3f> aheadOfRunner(const UprightFrames& frames, std::size_t frame, float bodyHeight)
+{
+    constexpr double leastSpeed = 0.9;       // body heights a second
+    constexpr float lengthOfBothFeet = 0.1F; // body heights
+    const std::size_t before = frame > 0 ? frame - 1 : 0;
+    const std::size_t after = std::min(frame + 1, frames.count() - 1);
+    Vec3f way = centreOf(frames.at(after)) - centreOf(frames.at(before));
+    way.y() = 0;
+    const double seconds = static_cast<double>(after - before) / std::max(frames.fps, 1.0);
+    if (frames.fps <= 0 ||
+        static_cast<double>(way.norm()) <= leastSpeed * seconds * static_cast<double>(bodyHeight))
+        return std::nullopt;
+    return lengthOfBothFeet * bodyHeight * way.normalized();
+}
+
+/// Feet lie ahead of ankles, but for those of runners, which are swung behind; over all frames this tells
+/// which of two is the left one.
+bool isLeftFirst(const UprightFrames& frames, const std::vector<Foot>& feet, float bodyHeight)
 {
     float leftness = 0;
     for (std::size_t f = 0; f < frames.count(); ++f) {
         const Positions p = frames.at(f);
         const Vec3f one = meanOf(p, feet[0].vertices);
         const Vec3f two = meanOf(p, feet[1].vertices);
-        const Vec3f ahead = one - meanOf(p, feet[0].ankle) + two - meanOf(p, feet[1].ankle);
+        const Vec3f ofFeet = one - meanOf(p, feet[0].ankle) + two - meanOf(p, feet[1].ankle);
+        const Vec3f ahead = aheadOfRunner(frames, f, bodyHeight).value_or(ofFeet);
         leftness += Vec3f::UnitY().cross(ahead).dot(one - two);
     }
     return leftness > 0;
@@ -124,7 +152,7 @@ std::vector<Foot> findFeet(const Topology& topology, const UprightFrames& frames
     if (feet.size() < 2)
         return {};
     if (feet.size() == 2) {
-        const bool leftFirst = isLeftFirst(frames, feet);
+        const bool leftFirst = isLeftFirst(frames, feet, bodyHeight);
         feet[0].name = leftFirst ? "left" : "right";
         feet[1].name = leftFirst ? "right" : "left";
         return feet;
@@ -147,7 +175,9 @@ UprightFrames upright(std::vector<Vec3f> positions, std::size_t vertices, UpAxis
 
 UprightFrames loadUpright(const MeshSequence& sequence, UpAxis up, const Progress& progress)
 {
-    return upright(loadFrames(sequence, progress), sequence.source->vertexCount(), up);
+    UprightFrames frames = upright(loadFrames(sequence, progress), sequence.source->vertexCount(), up);
+    frames.fps = sequence.fps;
+    return frames;
 }
 
 Vec3f meanOf(Positions positions, const std::vector<std::uint32_t>& of)

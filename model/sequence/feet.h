@@ -16,6 +16,7 @@ struct UprightFrames
 {
     std::vector<Vec3f> positions;
     std::size_t vertices = 0;
+    double fps = 0; ///< 0: unknown
 
     std::size_t count() const { return vertices == 0 ? 0 : positions.size() / vertices; }
     Positions at(std::size_t frame) const { return Positions(positions).subspan(frame * vertices, vertices); }

@@ -3,11 +3,14 @@
 #include "model/core/error.h"
 #include "model/sample/sample.h"
 #include "model/sequence/contacts.h"
+#include "model/sequence/feet.h"
 #include "tests/model/sequence/realtakes.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <map>
 
 namespace quadrille {
@@ -176,6 +179,60 @@ TEST(Contacts, mirroringSwapsLeftAndRight)
     const std::int64_t count = kick.frameCount();
     EXPECT_EQ(framesOf(spans, "left", count), framesOf(mirrored, "right", count));
     EXPECT_EQ(framesOf(spans, "right", count), framesOf(mirrored, "left", count));
+}
+
+/// Each step swings the other foot up behind, so that it lies behind its ankle, and both together do.
+TEST(Contacts, callTheFeetOfARunnerByWhereHeGoes)
+{
+    const MeshSequence steps = stepping();
+    const std::uint32_t vertices = steps.topology->vertexCount();
+    const std::vector<Vec3f> standing = loadFrames(steps);
+    std::vector<Vec3f> positions(standing.begin(), standing.begin() + vertices);
+    for (int f = 0; f < 40; ++f) {
+        for (std::uint32_t v = 0; v < vertices; ++v) {
+            Vec3f p = standing[v];
+            const bool swings = (v >= vertices / 2) == (f / 10 % 2 == 0) && p.y() < 1;
+            if (swings) // turned by a quarter, toes down, the sole behind
+                p = Vec3f(p.x(), 0.5F - p.z(), -0.4F + p.y());
+            positions.push_back(p + Vec3f(0, 0, 0.15F * static_cast<float>(f)));
+        }
+    }
+    const auto nameOfTheOneAt = [&](float side, double fps) {
+        const MeshSequence run =
+            makeSequence("run", steps.topology, std::make_shared<MemoryFrames>(positions, vertices), fps);
+        const Figure figure =
+            findFigure(*run.topology, loadUpright(run, UpAxis::Y, {}), ContactOptions().footShare);
+        for (const Foot& foot : figure.feet)
+            if (side * standing[foot.vertices.front()].x() > 0)
+                return foot.name;
+        return std::string("none");
+    };
+    EXPECT_EQ(nameOfTheOneAt(1, 25), "left");
+    EXPECT_EQ(nameOfTheOneAt(-1, 25), "right");
+    // As slow as somebody may go backwards, the feet decide.
+    EXPECT_EQ(nameOfTheOneAt(1, 5), "right");
+}
+
+TEST(Contacts, nameTheFeetOfACharacterAlikeInAllItsTakes)
+{
+    const std::filesystem::path folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters/rb_f01";
+    if (!std::filesystem::exists(folder))
+        GTEST_SKIP() << "no real takes";
+    std::map<std::string, std::vector<std::uint32_t>> first;
+    for (const char* name : {"walk_1", "run_1", "jump_long", "reach_high"}) {
+        const MeshSequence take =
+            openSequences(folder / (std::string(name) + ".pc2"), {.mesh = folder / "mesh.obj", .fps = 30})
+                .sequences.front();
+        const Figure figure =
+            findFigure(*take.topology, loadUpright(take, UpAxis::Y, {}), ContactOptions().footShare);
+        ASSERT_EQ(figure.feet.size(), 2U);
+        for (const Foot& foot : figure.feet) {
+            const auto [known, isNew] = first.try_emplace(foot.name, foot.vertices);
+            std::vector<std::uint32_t> shared;
+            std::ranges::set_intersection(known->second, foot.vertices, std::back_inserter(shared));
+            EXPECT_FALSE(shared.empty()) << name << ": " << foot.name;
+        }
+    }
 }
 
 TEST(Contacts, thereAreNoneInASingleFrame)
