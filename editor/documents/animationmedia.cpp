@@ -62,7 +62,7 @@ Variations openVariations(const Project& project, const std::filesystem::path& f
 {
     const ClipPlan plan = animationPlan(entry, graph, walk.solution);
     if (!entry.post.variations ||
-        std::ranges::none_of(drawRepeats(plan, graph.layout(), {}), &SpanDraw::isRepeat))
+        std::ranges::none_of(drawRepeats(plan, graph.layout(), {}, playingsOf(entry)), &SpanDraw::isRepeat))
         return nullptr;
     return std::make_shared<const std::vector<TakeVariation>>(
         openTakeVariations(project, file, entry, graph, progress));

@@ -9,6 +9,8 @@
 #include "model/synthesis/makeclip.h"
 #include "model/synthesis/variedplan.h"
 
+#include <map>
+
 namespace quadrille {
 
 BlendSettings blendSettings(const AnimationEntry& animation)
@@ -88,26 +90,97 @@ ClipPlan animationPlan(const AnimationEntry& animation, const CharacterGraph& gr
     return plan;
 }
 
+int playingsOf(const AnimationEntry& animation)
+{
+    return animation.post.steps.loop ? std::max(animation.post.steps.repeats, 1) : 1;
+}
+
+namespace {
+
+/// Makes the clips of a walk that is played several times, with what each playing draws from variations.
+class WalkPlayings
+{
+public:
+    WalkPlayings(const AnimationEntry& animation, const CharacterGraph& graph, CharacterFrames frames,
+                 const ClipPlan& plan, std::span<const TakeVariation> variations)
+        : m_plan(plan)
+        , m_spans(drawRepeats(plan, graph.layout(), variations, playingsOf(animation)))
+        , m_each(m_spans.size() / static_cast<std::size_t>(playingsOf(animation)))
+        , m_variations(variations)
+        , m_supports(graph.roots().supports)
+        , m_settings{.easeSeconds = animation.post.variations.value_or(VariedRepeats()).ease,
+                     .interpolation = animation.interpolation}
+        , m_frames(std::move(frames))
+    {
+    }
+
+    const std::vector<SpanDraw>& spans() const { return m_spans; }
+    double easeSeconds() const { return m_settings.easeSeconds; }
+    bool doDiffer() const { return drawnBy(0) != drawnBy(m_spans.size() / m_each - 1); }
+
+    /// Of the first playing, once it was made.
+    const ClipPlan& firstPlan() const { return m_firstPlan; }
+
+    /// Of playings that draw the same there is one.
+    std::shared_ptr<const Clip> clip(std::size_t playing, const Progress& progress)
+    {
+        std::shared_ptr<const Clip>& made = m_clips[drawnBy(playing)];
+        if (!made) {
+            VariedPlan varied =
+                variedPlan(m_frames, m_plan, std::span(m_spans).subspan(playing * m_each, m_each),
+                           m_variations, m_supports, m_settings, progress.part(0, 0.2));
+            made = std::make_shared<const Clip>(
+                makeClip(varied.character, varied.plan, m_settings.interpolation, progress.part(0.2, 1)));
+            if (playing == 0)
+                m_firstPlan = std::move(varied.plan);
+        }
+        return made;
+    }
+
+private:
+    using Draws = std::vector<std::optional<std::size_t>>;
+    Draws drawnBy(std::size_t playing) const
+    {
+        Draws draws;
+        for (const SpanDraw& span : std::span(m_spans).subspan(playing * m_each, m_each))
+            draws.push_back(span.variation);
+        return draws;
+    }
+
+    const ClipPlan& m_plan;
+    ClipPlan m_firstPlan;
+    std::vector<SpanDraw> m_spans;
+    std::size_t m_each; ///< spans of a playing
+    std::span<const TakeVariation> m_variations;
+    std::span<const Support> m_supports;
+    VariedPlanSettings m_settings;
+    CharacterFrames m_frames;
+    std::map<Draws, std::shared_ptr<const Clip>> m_clips;
+};
+
+} // namespace
+
 AnimationClip animationClip(const AnimationEntry& animation, const CharacterGraph& graph,
-                            const CharacterFrames& frames, ClipPlan plan,
+                            const CharacterFrames& frames, const ClipPlan& plan,
                             std::span<const TakeVariation> variations, const Progress& progress)
 {
-    std::vector<SpanDraw> spans = drawRepeats(plan, graph.layout(), variations);
-    VariedPlan varied = variedPlan(frames, std::move(plan), spans, variations, graph.roots().supports,
-                                   {.easeSeconds = animation.post.variations.value_or(VariedRepeats()).ease,
-                                    .interpolation = animation.interpolation},
-                                   progress.part(0, 0.1));
-    Clip clip = makeClip(varied.character, varied.plan, animation.interpolation, progress.part(0.1, 0.5));
+    WalkPlayings playings(animation, graph, frames, plan, variations);
+    const std::shared_ptr<const Clip> clip = playings.clip(0, progress.part(0, 0.5));
     PostProcessingInputs inputs =
         postProcessingInputs(animation, graph.work(), frames, graph.roots().stances);
-    inputs.asked = varied.plan.asked;
+    inputs.asked = plan.asked;
+    inputs.easeSeconds = playings.easeSeconds();
+    if (playings.doDiffer())
+        inputs.playing = [&](int playing, const Progress& own) {
+            return playings.clip(static_cast<std::size_t>(playing), own);
+        };
     PostProcessing steps = animation.post.steps;
     const bool hasNoFeet = steps.contacts && legsOf(frames, inputs.method.up).feet.empty();
     if (hasNoFeet)
         steps.contacts.reset();
-    return {.processed = postProcessed(std::move(clip), steps, inputs, progress.part(0.5, 1)),
-            .plan = std::move(varied.plan),
-            .spans = std::move(spans),
+    return {.processed = postProcessed(*clip, steps, inputs, progress.part(0.5, 1)),
+            .plan = playings.firstPlan(),
+            .spans = playings.spans(),
             .hasNoFeet = hasNoFeet};
 }
 

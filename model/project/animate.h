@@ -37,16 +37,20 @@ ClipPlan animationPlan(const AnimationEntry& animation, const CharacterGraph& gr
 struct AnimationClip
 {
     PostProcessed processed;
-    ClipPlan plan;               ///< before post-processing, with the variations that it shows
-    std::vector<SpanDraw> spans; ///< of its walk; nothing is drawn where the animation has no such option
-    bool hasNoFeet = false;      ///< so that contacts could not be corrected as asked
+    ClipPlan plan; ///< before post-processing, with the variations that the first playing shows
+    /// Of its walk, for each playing of a loop; nothing is drawn where the animation has no such option.
+    std::vector<SpanDraw> spans;
+    bool hasNoFeet = false; ///< so that contacts could not be corrected as asked
 };
 
-/// Its clip, after post-processing.
+/// How often the walk of an animation is played, as a loop.
+int playingsOf(const AnimationEntry& animation);
+
+/// Its clip, after post-processing. Playings of a loop differ where variations are there to draw from.
 /// \param variations  what repeats are drawn from, of clipsDrawnFrom; origins count them from 1.
 /// \throws Error as variedPlan, makeClip and postProcessed.
 AnimationClip animationClip(const AnimationEntry& animation, const CharacterGraph& graph,
-                            const CharacterFrames& frames, ClipPlan plan,
+                            const CharacterFrames& frames, const ClipPlan& plan,
                             std::span<const TakeVariation> variations = {}, const Progress& progress = {});
 
 } // namespace quadrille

@@ -140,8 +140,11 @@ DataTable repeatsTable(std::span<const SpanDraw> spans, std::span<const TakeVari
                        const CharacterGraph& graph)
 {
     TableBuilder table("variations", "What each span of the animation is drawn from: captured frames, or a "
-                                     "variation of some of them.");
-    table.whole("span").text("sequence").whole("first", "frame").whole("last", "frame");
+                                     "variation of some of them. A loop has as many playings as repeats.");
+    const std::size_t playings =
+        spans.empty() ? 1 : static_cast<std::size_t>(spans.back().playing) + 1; // each of as many spans
+    const std::size_t each = spans.size() / playings;
+    table.whole("playing").whole("span").text("sequence").whole("first", "frame").whole("last", "frame");
     table.whole("shown-from", "frame").text("repeat").text("variation");
     table.whole("varied-first", "frame").whole("varied-last", "frame");
     for (std::size_t s = 0; s < spans.size(); ++s) {
@@ -158,9 +161,9 @@ DataTable repeatsTable(std::span<const SpanDraw> spans, std::span<const TakeVari
             variedFirst = frameOf(std::max(first, variation.first));
             variedLast = frameOf(std::min(last, variation.last));
         }
-        table.add({static_cast<std::int64_t>(s) + 1, graph.nameOf(first).sequence, frameOf(first),
-                   frameOf(last), spans[s].start, spans[s].isRepeat ? "yes" : "no", name, variedFirst,
-                   variedLast});
+        table.add({std::int64_t{spans[s].playing} + 1, static_cast<std::int64_t>(s % each) + 1,
+                   graph.nameOf(first).sequence, frameOf(first), frameOf(last), spans[s].start,
+                   spans[s].isRepeat ? "yes" : "no", name, variedFirst, variedLast});
     }
     return std::move(table).table();
 }

@@ -136,23 +136,75 @@ std::optional<Transition> bestClosure(const TransitionTable& table, const WarpPa
                                            {"before", std::to_string(ends.early + 1)}}});
 }
 
-/// The frames of a transition but the first and the last, which are frames of the clip.
-void appendBlend(const Clip& clip, const Clip& blend, const Ends& ends, Clip& cycle)
+/// A closure and the frames of two clips that it takes part of, as a character of two sequences: those of the
+/// second clip, up to the frame that the closure leads to, then those of the first, from the one it leaves.
+class Closing
 {
-    const auto inner = static_cast<std::ptrdiff_t>(clip.topology->vertexCount());
-    cycle.positions.insert(cycle.positions.end(), blend.positions.begin() + inner,
-                           blend.positions.end() - inner);
-    for (std::size_t t = 1; t + 1 < blend.origins.size(); ++t) {
-        const FrameOrigin& origin = blend.origins[t];
-        const auto frameOf = [&](NodeIndex node) {
-            return static_cast<std::size_t>(node > ends.early ? ends.frameOfLate(node) : node);
-        };
-        cycle.origins.push_back(originBetween(clip.origins[frameOf(origin.source)],
-                                              clip.origins[frameOf(origin.destination)], origin.lambda));
+public:
+    Closing(const Clip& from, const Clip& to, const Transition& closure)
+        : m_from(from), m_to(to), m_transition(closure)
+    {
+        const auto [source, destination] = closure.frames;
+        NodeIndex latest = source;
+        m_earliest = destination;
+        for (const FramePair& cell : closure.path) {
+            latest = std::max(latest, cell.source);
+            m_earliest = std::min(m_earliest, cell.destination);
+        }
+        m_source = source;
+        m_count = destination - m_earliest + 1;
+        m_character.emplace(std::vector{partOf(to, m_earliest, destination), partOf(from, source, latest)});
+        m_transition.frames = nodesOf(closure.frames);
+        for (FramePair& cell : m_transition.path)
+            cell = nodesOf(cell);
     }
-}
+
+    const CharacterFrames& character() const { return *m_character; }
+    const Transition& transition() const { return m_transition; } ///< in nodes
+    const FrameOrigin& originOf(NodeIndex node) const
+    {
+        return node < m_count ? m_to.origins[static_cast<std::size_t>(m_earliest + node)]
+                              : m_from.origins[static_cast<std::size_t>(m_source + node - m_count)];
+    }
+
+private:
+    FramePair nodesOf(const FramePair& frames) const
+    {
+        return {m_count + frames.source - m_source, frames.destination - m_earliest};
+    }
+
+    const Clip& m_from;
+    const Clip& m_to;
+    Transition m_transition;
+    std::optional<CharacterFrames> m_character;
+    NodeIndex m_source = 0;   ///< frame that the first node of the first clip shows
+    NodeIndex m_earliest = 0; ///< frame that the first node of the second clip shows
+    NodeIndex m_count = 0;    ///< nodes of the second clip
+};
 
 } // namespace
+
+ClosingBlend closingBlend(const Clip& from, const Clip& to, const Transition& closure,
+                          const BlendMethod& method, const Progress& progress)
+{
+    const Closing closing(from, to, closure);
+    const RootPoses roots = rootPoses(closing.character(), method.up, progress.part(0, 0.3));
+    ClosingBlend result{.travel = transitionMotion(roots, closing.transition(), method.blend).exit(),
+                        .between = blendTransition(closing.character(), roots, closing.transition(),
+                                                   {.start = {}, .blend = method.blend}, method.interpolation,
+                                                   progress.part(0.3, 1))};
+    // The first and the last are frames of the clips.
+    Clip& between = result.between;
+    const auto vertices = static_cast<std::ptrdiff_t>(from.topology->vertexCount());
+    between.positions.erase(between.positions.end() - vertices, between.positions.end());
+    between.positions.erase(between.positions.begin(), between.positions.begin() + vertices);
+    between.origins.pop_back();
+    between.origins.erase(between.origins.begin());
+    for (FrameOrigin& origin : between.origins)
+        origin = originBetween(closing.originOf(origin.source), closing.originOf(origin.destination),
+                               origin.lambda);
+    return result;
+}
 
 Loop seamlessLoop(const Clip& clip, const LoopSettings& settings, const BlendMethod& method,
                   const FrameRange& asked, const Progress& progress)
@@ -188,16 +240,14 @@ Loop seamlessLoop(const Clip& clip, const LoopSettings& settings, const BlendMet
     auto found = bestClosure(table, WarpPaths(distances.distances, distances.layout, transitions), ends);
     if (!found)
         refuseWithoutPath(ends, transitions.shortest());
-    const RootPoses roots = rootPoses(character, method.up, progress.part(0.6, 0.7));
-    loop.travel = transitionMotion(roots, *found, method.blend).exit();
-    const Clip blend = blendTransition(character, roots, *found, {.start = {}, .blend = method.blend},
-                                       method.interpolation, progress.part(0.7, 1));
     Transition& closure = loop.closure = std::move(*found);
     closure.frames.source = ends.frameOfLate(closure.frames.source);
     for (FramePair& cell : closure.path)
         cell.source = ends.frameOfLate(cell.source);
+    const ClosingBlend closing = closingBlend(clip, clip, closure, method, progress.part(0.6, 1));
+    loop.travel = closing.travel;
     takeFrames(closure.frames.destination, closure.frames.source);
-    appendBlend(clip, blend, ends, loop.cycle);
+    append(closing.between, loop.cycle);
     if (settings.inPlace)
         loop = inPlace(std::move(loop), method.up);
     progress.report(1.0);
@@ -215,14 +265,19 @@ Loop inPlace(Loop loop, UpAxis up)
     return loop;
 }
 
-Clip repeated(const Loop& loop, int cycles, UpAxis up)
+void checkPlayings(int playings)
 {
-    if (cycles < 1 || cycles > 10000)
+    if (playings < 1 || playings > 10000)
         throw Error(ErrorCode::BadArgument,
                     {{},
                      {},
                      {{"reason", QUADRILLE_MESSAGE("A loop can be repeated 1 to 10,000 times")},
                       {"remedy", QUADRILLE_MESSAGE("Give a number of repeats in between.")}}});
+}
+
+Clip repeated(const Loop& loop, int cycles, UpAxis up)
+{
+    checkPlayings(cycles);
     const std::size_t frames = loop.cycle.origins.size();
     const std::size_t positions = loop.cycle.positions.size();
     Clip clip = loop.cycle;
@@ -256,6 +311,12 @@ GroundMotion repeatedTravel(const GroundMotion& travel, int cycles)
     for (int k = 0; k < cycles; ++k)
         motion = travel * motion;
     return motion;
+}
+
+void append(const Clip& clip, Clip& to)
+{
+    to.positions.insert(to.positions.end(), clip.positions.begin(), clip.positions.end());
+    to.origins.insert(to.origins.end(), clip.origins.begin(), clip.origins.end());
 }
 
 void moveFrame(MutablePositions positions, const GroundMotion& motion, const Ground& ground)

@@ -47,9 +47,24 @@ struct Loop
 Loop seamlessLoop(const Clip& clip, const LoopSettings& settings, const BlendMethod& method,
                   const FrameRange& asked = {}, const Progress& progress = {});
 
+/// How a loop goes on from its late frame to its early one.
+struct ClosingBlend
+{
+    GroundMotion travel; ///< of the clip that it leads to
+    Clip between;        ///< the frames in between, where the clip lies that it leaves
+};
+
+/// Closes a loop from one clip to another, which may be the same. \param closure  of seamlessLoop, not empty.
+/// \pre Both clips have as many frames as the one that the closure was found in. \throws Error as
+/// blendTransition.
+ClosingBlend closingBlend(const Clip& from, const Clip& to, const Transition& closure,
+                          const BlendMethod& method, const Progress& progress = {});
+
 /// The loop with its travel taken out, the same from frame to frame (along a circle where it turns).
 Loop inPlace(Loop loop, UpAxis up);
 
+/// \throws Error BadArgument where a loop is to be played fewer than 1 or more than 10,000 times.
+void checkPlayings(int playings);
 /// A loop played several times, each time moved on. \param cycles  1 … 10,000. \throws Error BadArgument.
 Clip repeated(const Loop& loop, int cycles, UpAxis up);
 /// The cycle and the first frame of the next one.
@@ -57,6 +72,8 @@ Clip closedCycle(const Loop& loop, UpAxis up);
 /// How several cycles move over the ground.
 GroundMotion repeatedTravel(const GroundMotion& travel, int cycles);
 
+/// Puts the frames of a clip behind those of another.
+void append(const Clip& clip, Clip& to);
 /// Moves the frames of a clip over the ground, in place.
 void moveFrame(MutablePositions positions, const GroundMotion& motion, const Ground& ground);
 

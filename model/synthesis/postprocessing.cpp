@@ -43,18 +43,27 @@ Clip corrected(Clip clip, const std::vector<ContactSpan>& contacts, const Contac
                              progress.part(0.2, 1));
 }
 
-/// The cycle before, the cycle itself as it is, and the one behind.
-Clip withNeighbours(const Loop& loop, UpAxis up)
+/// The last playing before, all of them as they are, and the first one behind.
+Clip withNeighbours(const LoopPlayings& playings, UpAxis up)
 {
+    const Loop& loop = playings.loop;
+    const std::int64_t each = playings.framesOfEach();
+    const std::int64_t all = loop.cycle.frameCount();
+    const auto vertices = static_cast<std::ptrdiff_t>(loop.cycle.topology->vertexCount());
     Clip clip = loop.cycle;
     clip.positions.clear();
     clip.origins.clear();
-    for (const GroundMotion& motion : {loop.travel.inverse(), GroundMotion(), loop.travel}) {
+    const auto add = [&](std::int64_t first, std::int64_t end, const GroundMotion& motion) {
         const std::size_t place = clip.positions.size();
-        clip.origins.insert(clip.origins.end(), loop.cycle.origins.begin(), loop.cycle.origins.end());
-        clip.positions.insert(clip.positions.end(), loop.cycle.positions.begin(), loop.cycle.positions.end());
+        clip.origins.insert(clip.origins.end(), loop.cycle.origins.begin() + first,
+                            loop.cycle.origins.begin() + end);
+        clip.positions.insert(clip.positions.end(), loop.cycle.positions.begin() + first * vertices,
+                              loop.cycle.positions.begin() + end * vertices);
         moveFrame(MutablePositions(clip.positions).subspan(place), motion, Ground(up));
-    }
+    };
+    add(all - each, all, loop.travel.inverse());
+    add(0, all, {});
+    add(0, each, loop.travel);
     return clip;
 }
 
@@ -94,30 +103,46 @@ PostProcessed processedLoop(const Clip& clip, const PostProcessing& settings,
     const UpAxis up = inputs.method.up;
     LoopSettings travelling = *settings.loop;
     travelling.inPlace = false;
-    Loop loop = seamlessLoop(clip, travelling, inputs.method, inputs.asked, steps.next());
+    Loop once = seamlessLoop(clip, travelling, inputs.method, inputs.asked, steps.next());
+    const std::optional<Transition> closure = once.closure;
+    const bool varies = inputs.playing && settings.repeats > 1;
+    LoopPlayings playings;
+    if (varies) {
+        playings =
+            playedAs(once, settings.repeats, inputs.playing, inputs.method, inputs.easeSeconds, steps.next());
+    } else {
+        playings.travels = {once.travel};
+        playings.loop = std::move(once);
+    }
     if (settings.contacts)
-        loop = contactsCorrected(std::move(loop), *settings.contacts, inputs, steps.next());
+        playings = contactsCorrected(std::move(playings), *settings.contacts, inputs, steps.next());
     if (settings.mirror) {
         const Progress progress = steps.next();
-        const Symmetry symmetry = symmetryOf(loop.cycle, inputs, progress.part(0, 0.6));
-        loop = mirrored(loop, symmetry, mirrorLine(loop.cycle, symmetry, up), up, progress.part(0.6, 1));
+        const Symmetry symmetry = symmetryOf(playings.loop.cycle, inputs, progress.part(0, 0.6));
+        const MirrorLine line = mirrorLine(playings.loop.cycle, symmetry, up);
+        playings.loop = mirrored(playings.loop, symmetry, line, up, progress.part(0.6, 1));
+        for (GroundMotion& travel : playings.travels)
+            travel = mirrored(travel, line);
     }
     if (settings.loop->inPlace)
-        loop = inPlace(std::move(loop), up);
-    loop.cycle = repeated(loop, settings.repeats, up);
-    loop.travel = repeatedTravel(loop.travel, settings.repeats);
+        playings = inPlace(std::move(playings), up);
+    Loop& loop = playings.loop;
+    if (!varies) {
+        loop.cycle = repeated(loop, settings.repeats, up);
+        loop.travel = repeatedTravel(loop.travel, settings.repeats);
+    }
     const std::int64_t frames = loop.cycle.frameCount();
     if (settings.retime && !goesRound(*settings.retime, loop.cycle))
         return {.clip = retimed(closedCycle(loop, up), *settings.retime, up, inputs.method.interpolation,
                                 steps.next()),
                 .travel = {},
-                .closure = std::move(loop.closure),
+                .closure = closure,
                 .framesBeforeRetime = frames};
     if (settings.retime)
         loop = retimed(loop, *settings.retime, up, inputs.method.interpolation, steps.next());
     return {.clip = std::move(loop.cycle),
             .travel = loop.travel,
-            .closure = std::move(loop.closure),
+            .closure = closure,
             .framesBeforeRetime = frames};
 }
 
@@ -127,7 +152,7 @@ PostProcessed postProcessed(Clip clip, const PostProcessing& settings, const Pos
                             const Progress& progress)
 {
     progress.report(0.0);
-    Steps steps(progress, (settings.loop ? 1 : 0) + (settings.contacts ? 1 : 0) + (settings.mirror ? 1 : 0) +
+    Steps steps(progress, (settings.loop ? 2 : 0) + (settings.contacts ? 1 : 0) + (settings.mirror ? 1 : 0) +
                               (settings.retime ? 1 : 0));
     if (settings.loop)
         return processedLoop(clip, settings, inputs, steps);
@@ -157,23 +182,33 @@ PostProcessed postProcessed(Clip clip, const PostProcessing& settings, const Pos
 Loop contactsCorrected(Loop loop, const ContactCorrectionSettings& settings,
                        const PostProcessingInputs& inputs, const Progress& progress)
 {
+    LoopPlayings once{.loop = {}, .travels = {loop.travel}};
+    once.loop = std::move(loop);
+    return contactsCorrected(std::move(once), settings, inputs, progress).loop;
+}
+
+LoopPlayings contactsCorrected(LoopPlayings playings, const ContactCorrectionSettings& settings,
+                               const PostProcessingInputs& inputs, const Progress& progress)
+{
     const UpAxis up = inputs.method.up;
-    const std::int64_t period = loop.cycle.frameCount();
-    const FrameRange middle{FrameIndex(period), FrameIndex(2 * period - 1)};
-    Clip cycles = withNeighbours(loop, up);
+    const std::int64_t before = playings.framesOfEach();
+    const std::int64_t period = playings.loop.cycle.frameCount();
+    const FrameRange middle{FrameIndex(before), FrameIndex(before + period - 1)};
+    Clip cycles = withNeighbours(playings, up);
     std::vector<ContactSpan> contacts = contactsOf(cycles, inputs, progress.part(0, 0.3));
     const auto standsAllTheTime = [&](const ContactSpan& contact) {
         return contact.frames.first <= middle.first && contact.frames.last >= middle.last;
     };
-    if (std::ranges::any_of(contacts, standsAllTheTime) && loop.travel != GroundMotion()) {
-        loop = inPlace(std::move(loop), up);
-        cycles = withNeighbours(loop, up);
+    if (std::ranges::any_of(contacts, standsAllTheTime) && playings.loop.travel != GroundMotion()) {
+        playings = inPlace(std::move(playings), up);
+        cycles = withNeighbours(playings, up);
         contacts = contactsOf(cycles, inputs, progress.part(0.3, 0.4));
     }
     cycles = corrected(std::move(cycles), contacts, settings, inputs, middle, progress.part(0.4, 1));
-    const auto size = static_cast<std::ptrdiff_t>(loop.cycle.positions.size());
-    std::copy_n(cycles.positions.begin() + size, size, loop.cycle.positions.begin());
-    return loop;
+    const auto vertices = static_cast<std::ptrdiff_t>(cycles.topology->vertexCount());
+    std::copy_n(cycles.positions.begin() + before * vertices, period * vertices,
+                playings.loop.cycle.positions.begin());
+    return playings;
 }
 
 } // namespace quadrille

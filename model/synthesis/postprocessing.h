@@ -5,7 +5,7 @@
 #include "model/core/progress.h"
 #include "model/geometry/symmetry.h"
 #include "model/synthesis/clip.h"
-#include "model/synthesis/loop.h"
+#include "model/synthesis/loopplayings.h"
 #include "model/synthesis/postprocessingsettings.h"
 
 #include <functional>
@@ -25,6 +25,9 @@ struct PostProcessingInputs
     std::function<std::vector<ContactSpan>(const Clip& clip)> contactsOf;
     /// The character: its frames tell what its legs are where the clip does not show it upright.
     std::optional<CharacterFrames> character;
+    /// What each playing of a loop shows; the clip itself where empty.
+    PlayingClip playing;
+    double easeSeconds = 0.2; ///< see playedAs
     /// The symmetry of the character, asked for where the clip is to be mirrored. Where empty it is sought in
     /// the first frame, which finds symmetries of the connectivity in any pose.
     std::function<Symmetry(const Progress& progress)> symmetry;
@@ -52,5 +55,8 @@ PostProcessed postProcessed(Clip clip, const PostProcessing& settings, const Pos
 /// beginning. \throws Error as contactsCorrected.
 Loop contactsCorrected(Loop loop, const ContactCorrectionSettings& settings,
                        const PostProcessingInputs& inputs, const Progress& progress = {});
+/// \overload of playings, from each to the next.
+LoopPlayings contactsCorrected(LoopPlayings playings, const ContactCorrectionSettings& settings,
+                               const PostProcessingInputs& inputs, const Progress& progress = {});
 
 } // namespace quadrille

@@ -74,13 +74,18 @@ bool isBetweenSpans(const ClipPlan& plan, std::int64_t frame)
 }
 
 std::vector<SpanDraw> drawRepeats(const ClipPlan& plan, const FrameLayout& layout,
-                                  std::span<const TakeVariation> variations)
+                                  std::span<const TakeVariation> variations, int playings)
 {
     std::map<int, Supply> supplies; // by sequence
     for (std::size_t v = 0; v < variations.size(); ++v)
         supplies[layout.sequenceOf(variations[v].first)].variations.push_back(v);
     Shown shown(layout.frameCount());
-    std::vector<SpanDraw> spans = spansOf(plan);
+    const std::vector<SpanDraw> once = spansOf(plan);
+    std::vector<SpanDraw> spans;
+    for (int playing = 0; playing < playings; ++playing) {
+        for (const SpanDraw& span : once)
+            spans.emplace_back(span).playing = playing;
+    }
     for (SpanDraw& span : spans) {
         if (!span.frames)
             continue;

@@ -30,6 +30,7 @@ struct SpanDraw
     std::int64_t start = 0;               ///< frame of the clip that shows the first of them
     bool isRepeat = false;                ///< some of them were shown by a span before
     std::optional<std::size_t> variation; ///< as captured when empty
+    int playing = 0;                      ///< of the walk, where it is played several times
 };
 
 /// The span of a walk that a frame of its plan belongs to; for one between two spans the first of them.
@@ -40,8 +41,10 @@ bool isBetweenSpans(const ClipPlan& plan, std::int64_t frame);
 
 /// Chooses what repeats are drawn from: the first use of captured frames stays as captured; each span that
 /// shows frames again which a variation of their take varies gets the next such variation, in the order
-/// given, from the first again after the last. \return one for each span of the walk.
+/// given, from the first again after the last. \param playings  of the plan, one behind the other, such as
+/// those of a loop: all but the first show frames again. \return one for each span of the walk, for each
+/// playing.
 std::vector<SpanDraw> drawRepeats(const ClipPlan& plan, const FrameLayout& layout,
-                                  std::span<const TakeVariation> variations);
+                                  std::span<const TakeVariation> variations, int playings = 1);
 
 } // namespace quadrille

@@ -46,24 +46,6 @@ private:
     std::vector<Vec3f> m_positions;
 };
 
-/// How far each frame of a variation is the varied one: less than 1 near ends beyond which the take goes on.
-std::vector<double> easedWeights(const TakeVariation& variation, bool easesIn, bool easesOut, double frames)
-{
-    const auto count = static_cast<std::size_t>(variation.frameCount());
-    const auto ease = static_cast<std::size_t>(
-        std::clamp(std::round(frames), 0.0, std::floor(static_cast<double>(count) / 3)));
-    std::vector<double> weights(count, 1);
-    for (std::size_t f = 0; f < ease; ++f) {
-        const double even = static_cast<double>(f + 1) / static_cast<double>(ease + 1);
-        const double smooth = even * even * (3 - 2 * even);
-        if (easesIn)
-            weights[f] = smooth;
-        if (easesOut)
-            weights[count - 1 - f] = smooth;
-    }
-    return weights;
-}
-
 /// The motion that lays a varied pose onto the captured one: turned to it, what stands onto what stood.
 GroundMotion layingOnto(Positions varied, Positions captured, std::span<const std::uint32_t> standing,
                         const Ground& ground)
@@ -115,9 +97,9 @@ public:
         const int index = layout.sequenceOf(variation.first);
         const MeshSequence& take = m_character.sequences()[static_cast<std::size_t>(index)];
         std::vector<Vec3f> positions = placed(variation);
-        std::vector<double> weights =
-            easedWeights(variation, variation.first > layout.firstOf(index),
-                         variation.last < layout.lastOf(index), m_settings.easeSeconds * take.fps);
+        std::vector<double> weights = easedWeights(
+            static_cast<std::size_t>(variation.frameCount()), variation.first > layout.firstOf(index),
+            variation.last < layout.lastOf(index), m_settings.easeSeconds * take.fps);
         ease(variation, weights, positions, progress);
         const auto frames = std::make_shared<ReplacedFrames>(
             take, FrameIndex(variation.first - layout.firstOf(index)), std::move(positions));
@@ -244,6 +226,22 @@ void vary(PlannedFrame& planned, const Side& source, const Side& destination, bo
 }
 
 } // namespace
+
+std::vector<double> easedWeights(std::size_t count, bool easesIn, bool easesOut, double frames)
+{
+    const auto ease = static_cast<std::size_t>(
+        std::clamp(std::round(frames), 0.0, std::floor(static_cast<double>(count) / 3)));
+    std::vector<double> weights(count, 1);
+    for (std::size_t f = 0; f < ease; ++f) {
+        const double even = static_cast<double>(f + 1) / static_cast<double>(ease + 1);
+        const double smooth = even * even * (3 - 2 * even);
+        if (easesIn)
+            weights[f] = smooth;
+        if (easesOut)
+            weights[count - 1 - f] = smooth;
+    }
+    return weights;
+}
 
 VariedPlan variedPlan(const CharacterFrames& character, ClipPlan plan, std::span<const SpanDraw> spans,
                       std::span<const TakeVariation> variations, std::span<const Support> supports,

@@ -30,6 +30,10 @@ struct VariedPlan
     ClipPlan plan;
 };
 
+/// How far each of some frames is another one: less than 1 near the ends that are eased, smoothly.
+/// \param frames  that an ease lasts; at most a third of all.
+std::vector<double> easedWeights(std::size_t count, bool easesIn, bool easesOut, double frames);
+
 /// Lets spans of a plan show variations, frame by frame, in transitions from and to them as well: these blend
 /// from what is shown to what is shown. A variation lies on the ground so that its first and last frame stand
 /// where the captured ones do, and what it is off by in between is shared out evenly, so that its feet keep

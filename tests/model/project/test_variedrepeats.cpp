@@ -116,6 +116,39 @@ TEST_F(VariedRepeatsStages, AreDrawnFromOneVariationAfterTheOther)
     EXPECT_GT(fromTake, 1e-5);
 }
 
+TEST_F(VariedRepeatsStages, MakePlayingsOfALoopDiffer)
+{
+    animation().walk->spans = {{"calm", range(0, 17)}};
+    animation().post.steps.loop = LoopSettings();
+    animation().post.steps.repeats = 4;
+    EXPECT_EQ(told(), "");
+    EXPECT_THAT(drawn(), ElementsAre("", "variations/sway/1", "variations/sway/2", "variations/sway/1"));
+    EXPECT_THAT(column<std::int64_t>("animations/again/variations", "playing"), ElementsAre(1, 2, 3, 4));
+    EXPECT_THAT(column<std::int64_t>("animations/again/variations", "span"), Each(1));
+    const std::vector<Vec3f> shown = frames("animations/again");
+    const auto names = column<std::string>("animations/again/frames", "variation");
+    const std::size_t each = names.size() / 4;
+    const std::size_t middle = each / 2;
+    EXPECT_EQ(names[middle], "");
+    EXPECT_EQ(names[each + middle], "variations/sway/1");
+    EXPECT_EQ(names[2 * each + middle], "variations/sway/2");
+    const auto apart = [&](std::size_t a, std::size_t b) {
+        const std::size_t vertices = tubeRings * tubeSides;
+        float most = 0;
+        for (std::size_t v = 0; v < vertices; ++v)
+            most = std::max(most, (shown[a * vertices + v] - shown[b * vertices + v]).norm());
+        return most;
+    };
+    EXPECT_GT(apart(middle, each + middle), 1e-3F);
+    EXPECT_GT(apart(each + middle, 2 * each + middle), 1e-3F);
+    // One that was thrown away is replaced; none are needed where the loop is played once.
+    sway().samples.front().discarded = {1};
+    computed(run("animations"));
+    EXPECT_THAT(drawn(), ElementsAre("", "variations/sway/2", "variations/sway/2", "variations/sway/2"));
+    animation().post.steps.repeats = 1;
+    EXPECT_THAT(told(), HasSubstr("No captured frames are shown twice"));
+}
+
 TEST_F(VariedRepeatsStages, AreTheSameAgain)
 {
     computed(run("animations"));
