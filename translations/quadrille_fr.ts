@@ -5370,8 +5370,13 @@
         <translation>Distance</translation>
     </message>
     <message>
-        <source>How far the worst pose may be from the nearest one that was learned from, in sizes of the figure</source>
-        <translation>À quelle distance de la plus proche pose apprise la pire pose peut être, en tailles de la figure</translation>
+        <source>How far the worst pose may be from the nearest one that was learned from: as far as takes of the same movement are from each other, or in sizes of the figure</source>
+        <translation>À quelle distance de la plus proche pose apprise la pire pose peut être : aussi loin que les prises du même mouvement le sont l’une de l’autre, ou en tailles de la figure</translation>
+    </message>
+    <message>
+        <source>As the takes</source>
+        <comment>the limit of the distance</comment>
+        <translation>Comme les prises</translation>
     </message>
     <message>
         <source>% of size</source>

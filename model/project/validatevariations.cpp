@@ -147,7 +147,7 @@ public:
         checkSampling(entry.chain);
         checkExtent(entry.extent);
         const VariationLimits& limits = entry.limits;
-        if (!(limits.poseDistance > 0 && limits.skate > 0 && limits.intersections >= 0 &&
+        if (!(limits.poseDistance.value_or(1) > 0 && limits.skate > 0 && limits.intersections >= 0 &&
               limits.volumeChange > 0 && limits.collapse >= 0 && limits.sink >= 0))
             invalid("/limits", "A limit of bad variations is below zero");
         for (std::size_t i = 0; i < entry.samples.size(); ++i)

@@ -8,6 +8,7 @@
 #include "model/project/stage.h"
 #include "model/project/variationjson.h"
 #include "model/synthesis/contactcorrection.h"
+#include "model/variation/posereach.h"
 
 #include <algorithm>
 #include <numeric>
@@ -187,7 +188,7 @@ const VariationMeter& VariationWork::meter(const Progress& progress)
         std::vector<int> varied(made->capturedCount());
         std::iota(varied.begin(), varied.end(), 0);
         m_meter.emplace(*m_frames, varied, made->alignment.takes, project().settings.axes.up, made->parts,
-                        progress.part(0.5, 1));
+                        poseReaches(*made, progress.part(0.5, 0.6)), progress.part(0.6, 1));
     }
     return *m_meter;
 }

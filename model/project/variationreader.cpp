@@ -169,7 +169,10 @@ void readSampling(const ObjectReader& reader, VariationEntry& variation)
 void readLimits(const ObjectReader& reader, VariationEntry& variation)
 {
     VariationLimits& limits = variation.limits;
-    limits.poseDistance = reader.number("pose_distance").value_or(limits.poseDistance);
+    if (const Json* distance = reader.find("pose_distance"); distance != nullptr && distance->is_string())
+        reader.word("pose_distance", limits.poseDistance, {{"takes", std::nullopt}});
+    else
+        limits.poseDistance = reader.number("pose_distance");
     limits.skate = reader.number("skate").value_or(limits.skate);
     limits.intersections = reader.number("intersections").value_or(limits.intersections);
     limits.volumeChange = reader.number("volume_change").value_or(limits.volumeChange);

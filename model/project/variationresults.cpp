@@ -290,6 +290,7 @@ Result selectionResult(const VariationEntry& entry, const std::vector<VariationS
     table.whole("variation").text("of").text("to").real("weight");
     table.text("across-of").text("across-to").real("across-weight").whole("seed").whole("candidate");
     table.text("faults").real("mean-pose-distance", "m").real("worst-pose-distance", "m");
+    table.real("greatest-pose-distance", "m");
     table.real("skate", "m/s").real("take-skate", "m/s").whole("intersections").whole("take-intersections");
     table.real("volume-change").real("collapse").real("sink", "m");
     std::int64_t before = 0;
@@ -299,12 +300,25 @@ Result selectionResult(const VariationEntry& entry, const std::vector<VariationS
         for (std::size_t c = 0; c < sets[s].candidates.size(); ++c) {
             const Candidate& candidate = sets[s].candidates[c];
             const VariationQuality& quality = candidate.quality;
-            table.add({candidate.isAccepted() ? before + candidate.number : 0, samples.of, samples.to,
-                       samples.weight, across.of, across.to, across.weight,
-                       static_cast<std::int64_t>(samples.seed), static_cast<std::int64_t>(c),
-                       faultsText(candidate), quality.meanPoseDistance, quality.worstPoseDistance,
-                       quality.skate.value_or(0), quality.takeSkate, quality.intersections,
-                       quality.takeIntersections, quality.volumeChange.value_or(0), quality.collapse,
+            table.add({candidate.isAccepted() ? before + candidate.number : 0,
+                       samples.of,
+                       samples.to,
+                       samples.weight,
+                       across.of,
+                       across.to,
+                       across.weight,
+                       static_cast<std::int64_t>(samples.seed),
+                       static_cast<std::int64_t>(c),
+                       faultsText(candidate),
+                       quality.meanPoseDistance,
+                       quality.worstPoseDistance,
+                       greatestPoseDistance(quality, entry.limits),
+                       quality.skate.value_or(0),
+                       quality.takeSkate,
+                       quality.intersections,
+                       quality.takeIntersections,
+                       quality.volumeChange.value_or(0),
+                       quality.collapse,
                        quality.sink});
         }
         before += samples.count;

@@ -145,7 +145,7 @@ private:
     ResultStage selection() const
     {
         ResultStage made = stage(selectionStageOf(m_name), "variations/" + m_name);
-        made.version = 6;
+        made.version = 7;
         made.settings = selectionSettings(m_work->entry());
         made.inputs = drawnStages();
         made.compute = [self = *this](const StageContext& context, const Progress& progress) {

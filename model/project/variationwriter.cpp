@@ -116,7 +116,8 @@ Json limitsToJson(const VariationEntry& variation)
     const VariationLimits usual;
     const VariationLimits& limits = variation.limits;
     Json json = Json::object();
-    addUnless(json, "pose_distance", limits.poseDistance, usual.poseDistance);
+    if (limits.poseDistance)
+        json["pose_distance"] = *limits.poseDistance;
     addUnless(json, "skate", limits.skate, usual.skate);
     addUnless(json, "intersections", limits.intersections, usual.intersections);
     addUnless(json, "volume_change", limits.volumeChange, usual.volumeChange);

@@ -56,10 +56,17 @@ std::string_view toString(VariationFault fault)
     return names[static_cast<std::size_t>(fault)];
 }
 
+double greatestPoseDistance(const VariationQuality& quality, const VariationLimits& limits)
+{
+    if (limits.poseDistance)
+        return *limits.poseDistance * quality.size;
+    return std::max(quality.takeDistance, leastPoseDistance * quality.size);
+}
+
 std::vector<VariationFault> judge(const VariationQuality& quality, const VariationLimits& limits)
 {
     std::vector<VariationFault> faults;
-    if (quality.worstPoseDistance > limits.poseDistance * quality.size)
+    if (quality.worstPoseDistance > greatestPoseDistance(quality, limits))
         faults.push_back(VariationFault::PoseDistance);
     if (quality.skate && *quality.skate > quality.takeSkate + limits.skate * quality.size)
         faults.push_back(VariationFault::FootSkate);
@@ -77,7 +84,7 @@ std::vector<VariationFault> judge(const VariationQuality& quality, const Variati
 
 VariationMeter::VariationMeter(const CharacterFrames& character, std::span<const int> varied,
                                std::span<const AlignedTake> training, UpAxis up, const BodyParts& parts,
-                               const Progress& progress)
+                               std::span<const double> reaches, const Progress& progress)
     : m_up(up)
     , m_frames(static_cast<std::size_t>(character.frameCount()))
     , m_training(posesOf(training, character.vertexCount()))
@@ -88,10 +95,14 @@ VariationMeter::VariationMeter(const CharacterFrames& character, std::span<const
     m_size = boundsOf(m_training.front()).size().norm();
     std::vector<MeshSequence> sequences;
     std::vector<NodeIndex> nodes;
-    for (const int s : varied) {
+    std::vector<double> reachOf;
+    for (std::size_t v = 0; v < varied.size(); ++v) {
+        const int s = varied[v];
         sequences.push_back(character.sequences()[static_cast<std::size_t>(s)]);
-        for (NodeIndex node = character.layout().firstOf(s); node <= character.layout().lastOf(s); ++node)
+        for (NodeIndex node = character.layout().firstOf(s); node <= character.layout().lastOf(s); ++node) {
             nodes.push_back(node);
+            reachOf.push_back(reaches.empty() ? 0 : reaches[v]);
+        }
     }
     const CharacterFrames takes(sequences);
     std::vector<Support> supports = findSupports(takes, up, progress.part(0, 0.3));
@@ -103,7 +114,7 @@ VariationMeter::VariationMeter(const CharacterFrames& character, std::span<const
         m_frames[static_cast<std::size_t>(nodes[i])] = {
             std::move(supports[i].vertices), measures[i].slip,
             static_cast<std::int64_t>(m_intersections.find(frame.positions()).size()),
-            lowestOf(frame.positions(), up)};
+            lowestOf(frame.positions(), up), reachOf[i]};
         rest.report(++done, static_cast<std::int64_t>(nodes.size()));
     });
     for (const FrameBaseline& frame : m_frames)
@@ -202,6 +213,9 @@ VariationQuality VariationMeter::measure(const Clip& clip, const Progress& progr
         quality.meanPoseDistance += pose.distance / static_cast<double>(nearest.size());
         quality.worstPoseDistance = std::max(quality.worstPoseDistance, pose.distance);
     }
+    for (const FrameOrigin& origin : clip.origins)
+        quality.takeDistance = std::max(
+            {quality.takeDistance, baselineOf(origin.source).reach, baselineOf(origin.destination).reach});
     addSkate(clip, quality);
     addIntersections(quality);
     addVolume(quality);

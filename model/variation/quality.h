@@ -40,6 +40,7 @@ struct VariationQuality
     std::int64_t triangles = 0;         ///< of the surface
     double meanPoseDistance = 0;        ///< from the nearest poses learned from, metres
     double worstPoseDistance = 0;       ///< metres
+    double takeDistance = 0;            ///< what poseReaches says of the takes, of two the larger one, metres
     std::optional<double> skate;        ///< mean over the frames in which something stands, m/s
     double takeSkate = 0;               ///< the same of the take, of two takes the larger one, m/s
     std::int64_t intersections = 0;     ///< most of a frame
@@ -67,6 +68,9 @@ constexpr std::size_t variationFaults = 6;
 /// "pose-distance", "foot-skate", "intersections", "volume", "collapse" or "ground".
 std::string_view toString(VariationFault fault);
 
+/// The distance of a variation's worst frame from the nearest pose learned from that is still good, metres.
+double greatestPoseDistance(const VariationQuality& quality, const VariationLimits& limits = {});
+
 /// All that is wrong with a variation; nothing where it is good. What could not be measured is good.
 std::vector<VariationFault> judge(const VariationQuality& quality, const VariationLimits& limits = {});
 
@@ -78,11 +82,12 @@ public:
     /// \param character  whose frames the origins of variations count.
     /// \param varied  its sequences that variations are made of, each once.
     /// \param training  what was learned from, with at least one pose.
-    /// \param parts  of the body, whose regions may not collapse.
+    /// \param parts  of the body, whose regions may not collapse. \param reaches  of each varied sequence,
+    /// poseReaches; none where nothing is known.
     /// \throws Error what reading frames throws, Cancelled.
     VariationMeter(const CharacterFrames& character, std::span<const int> varied,
                    std::span<const AlignedTake> training, UpAxis up, const BodyParts& parts = {},
-                   const Progress& progress = {});
+                   std::span<const double> reaches = {}, const Progress& progress = {});
 
     /// \pre The origins of the clip are frames of the varied sequences.
     /// \throws Error Cancelled.
@@ -95,6 +100,7 @@ private:
         std::optional<double> slip;          ///< m/s
         std::int64_t intersections = 0;
         double lowest = 0; ///< metres
+        double reach = 0;  ///< of its take, metres
     };
     const FrameBaseline& baselineOf(NodeIndex node) const { return m_frames[static_cast<std::size_t>(node)]; }
     std::vector<std::uint32_t> standingIn(const FrameOrigin& origin) const;

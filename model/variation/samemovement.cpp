@@ -20,7 +20,8 @@ double meanDistance(std::span<const Vec3f> a, std::span<const Vec3f> b)
     return sum / static_cast<double>(std::max<std::size_t>(a.size(), 1));
 }
 
-/// Mean distance of a vertex from its mean place.
+} // namespace
+
 double rangeOfMotion(const AlignedTake& take)
 {
     const std::size_t frames = take.placements.size();
@@ -35,8 +36,6 @@ double rangeOfMotion(const AlignedTake& take)
     }
     return sum / static_cast<double>(take.poses.size());
 }
-
-} // namespace
 
 double movementDistance(const Movement& movement, std::size_t take, std::size_t other)
 {

@@ -8,6 +8,9 @@
 
 namespace quadrille {
 
+/// How far a take moves: mean distance of a vertex from its mean place, metres.
+double rangeOfMotion(const AlignedTake& take);
+
 /// How far two captured takes are apart: mean distance of a vertex from the one of the same phase, as a share
 /// of how far it moves in both: its mean distance from its mean place.
 double movementDistance(const Movement& movement, std::size_t take, std::size_t other);

@@ -2,14 +2,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 namespace quadrille {
+
+/// So far from the nearest pose that was learned from a pose may be in any set, sizes of the figure: 3 cm of
+/// a grown-up's mean vertex.
+inline constexpr double leastPoseDistance = 0.015;
 
 /// How bad a variation may be.
 struct VariationLimits
 {
     /// Distance of the worst frame from the nearest pose learned from, in sizes of the figure: 0.08 are 16 cm
-    /// of a grown-up's mean vertex. Real jumps of one person lie up to 0.12 apart, real walks 0.02.
-    double poseDistance = 0.08;
+    /// of a grown-up's mean vertex. Empty: as far as takes of the same movement are from each other
+    /// (VariationQuality::takeDistance), at least leastPoseDistance.
+    std::optional<double> poseDistance;
     /// How much faster standing feet may slide than in the take, sizes of the figure a second: half a metre
     /// a second for a grown-up, which a correction of contacts can still take out.
     double skate = 0.25;

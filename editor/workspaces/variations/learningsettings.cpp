@@ -61,8 +61,10 @@ void LearningSettings::addNumber(const Number& number)
                 [set, get = number.get] { set(get(VariationEntry())); });
     m_bindings.push_back(
         {field,
-         [field, get = number.get, unit = number.unit](const VariationEntry& entry) {
-             field->setSuffix(unit ? QLatin1Char(' ') + unit() : QString());
+         [field, number, get = number.get](const VariationEntry& entry) {
+             field->setSuffix(number.unit ? QLatin1Char(' ') + number.unit() : QString());
+             if (number.lowestIs)
+                 field->setSpecialValueText(number.lowestIs());
              field->setValue(get(entry));
          },
          [get = number.get](const VariationEntry& entry) { return get(entry) == get(VariationEntry()); }});
@@ -173,12 +175,16 @@ void LearningSettings::addLimits()
     m_form->addFold("limitsAdvanced", [] { return tr("Advanced: what is rejected"); });
     addNumber({"limitDistance", [] { return tr("Distance"); },
                [] {
-                   return tr("How far the worst pose may be from the nearest one that was learned from, in "
-                             "sizes of the figure");
+                   return tr("How far the worst pose may be from the nearest one that was learned from: as "
+                             "far as takes of the same movement are from each other, or in sizes of the "
+                             "figure");
                },
-               [](const VariationEntry& entry) { return entry.limits.poseDistance * inPercent; },
-               [](VariationEntry& entry, double value) { entry.limits.poseDistance = value / inPercent; },
-               0.1, 1000, 1, 1, [] { return tr("% of size", "percent"); }});
+               [](const VariationEntry& entry) { return entry.limits.poseDistance.value_or(0) * inPercent; },
+               [](VariationEntry& entry, double value) {
+                   entry.limits.poseDistance = value > 0 ? std::optional(value / inPercent) : std::nullopt;
+               },
+               0, 1000, 1, 1, [] { return tr("% of size", "percent"); },
+               [] { return tr("As the takes", "the limit of the distance"); }});
     addNumber({"limitSkate", [] { return tr("Skate"); },
                [] {
                    return tr("How much faster standing feet may slide than in the take, in sizes of the "

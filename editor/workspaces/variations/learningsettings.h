@@ -36,7 +36,8 @@ private:
         double highest = 1;
         double step = 1;
         int decimals = 0;
-        SettingForm::Text unit = {}; ///< behind the number; none where it is a count
+        SettingForm::Text unit = {};     ///< behind the number; none where it is a count
+        SettingForm::Text lowestIs = {}; ///< shown in place of the lowest number
     };
     /// One of two.
     struct Choice

@@ -171,10 +171,11 @@ TEST(VariationQuality, FindsBodiesThatSwellOrShrink)
     };
     const VariationQuality larger = scaled(1.1F);
     EXPECT_NEAR(larger.volumeChange.value(), 0.331, 1e-5);
-    EXPECT_EQ(judge(larger), std::vector{VariationFault::Volume});
+    const VariationLimits anyPose{.poseDistance = 1};
+    EXPECT_EQ(judge(larger, anyPose), std::vector{VariationFault::Volume});
     const VariationQuality smaller = scaled(0.95F);
     EXPECT_NEAR(smaller.volumeChange.value(), 0.95 * 0.95 * 0.95 - 1, 1e-5);
-    EXPECT_EQ(judge(smaller), std::vector{VariationFault::Volume});
+    EXPECT_EQ(judge(smaller, anyPose), std::vector{VariationFault::Volume});
     EXPECT_TRUE(judge(scaled(1.005F)).empty());
 }
 
@@ -226,6 +227,31 @@ TEST(VariationQuality, FindsPosesLikeNoneThatWasLearned)
                     .empty());
 }
 
+TEST(VariationQuality, AllowsPosesAsFarAsTakesAreFromEachOther)
+{
+    const Subject subject;
+    const auto judgedWith = [&](double reach, const VariationLimits& limits = {}) {
+        const VariationMeter meter(subject.character, subject.varied, subject.training, UpAxis::Z, {},
+                                   std::array{reach});
+        std::vector<Vec3f> positions = subject.poses;
+        for (std::uint32_t v = 0; v < vertexCount; ++v) // of the first frame alone
+            positions[v].y() += 0.2F * positions[v].z() * positions[v].z();
+        const VariationQuality quality = meter.measure(subject.clip(positions));
+        EXPECT_EQ(quality.takeDistance, reach);
+        return std::pair(quality, judge(quality, limits));
+    };
+    const double distance = judgedWith(0).first.worstPoseDistance;
+    ASSERT_GT(distance, 2 * leastPoseDistance * judgedWith(0).first.size);
+    const std::vector tooFar{VariationFault::PoseDistance};
+    EXPECT_EQ(judgedWith(0).second, tooFar);
+    EXPECT_EQ(judgedWith(0.95 * distance).second, tooFar);
+    EXPECT_TRUE(judgedWith(1.05 * distance).second.empty());
+    // A limit of one's own counts alone, in sizes of the figure.
+    const double size = judgedWith(0).first.size;
+    EXPECT_TRUE(judgedWith(0, {.poseDistance = 1.05 * distance / size}).second.empty());
+    EXPECT_EQ(judgedWith(1, {.poseDistance = 0.95 * distance / size}).second, tooFar);
+}
+
 TEST(VariationQuality, OfBlendsTakesWhatStandsInBoth)
 {
     std::vector<Vec3f> other = standing();
@@ -258,7 +284,7 @@ TEST(VariationQuality, StopsWhenCancelled)
     EXPECT_EQ(codeOf([&] { (void)subject.meter.measure(subject.clip(subject.poses), Progress(token)); }),
               ErrorCode::Cancelled);
     EXPECT_EQ(codeOf([&] {
-                  VariationMeter(subject.character, subject.varied, subject.training, UpAxis::Z, {},
+                  VariationMeter(subject.character, subject.varied, subject.training, UpAxis::Z, {}, {},
                                  Progress(token));
               }),
               ErrorCode::Cancelled);

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/random.h"
+#include "model/transition/posedistance.h"
+#include "model/variation/posereach.h"
 #include "model/variation/rootpath.h"
 #include "model/variation/samemovement.h"
 #include "tests/model/variation/swayingtakes.h"
@@ -123,6 +125,38 @@ TEST(SameMovement, IsToldByLabelsAndByHowFarTakesAreApart)
     for (std::size_t t = 0; t < takes.size(); ++t)
         takes[t].labels = {{t == 1 ? "jog" : "walk", FrameRange::all(32)}};
     EXPECT_EQ(sameMovement(movementOf(takes), 0), (std::vector<std::size_t>{0, 2}));
+}
+
+TEST(PoseReaches, AreHowFarTakesOfAMovementAreFromEachOther)
+{
+    const auto still = [](int) { return RigidMotion(); };
+    const std::vector<double> sizes{1, 1.1, 2, 2.4, 7};
+    std::vector<MeshSequence> takes;
+    for (const double size : sizes)
+        takes.push_back(swayingTake("take", 32, swaying, still, size));
+    for (std::size_t t = 0; t < takes.size(); ++t)
+        takes[t].labels = {{t < 2 ? "calm" : t < 4 ? "lively" : "wild", FrameRange::all(32)}};
+    const Movement movement = movementOf(takes);
+    const std::vector<double> reaches = poseReaches(movement);
+    ASSERT_EQ(reaches.size(), 5U);
+    // Of each pair the farthest frame of the one from the nearest of the other, in the mean.
+    const auto farthest = [&](std::size_t a, std::size_t b) {
+        double most = 0;
+        for (std::size_t f = 0; f < 32; ++f) {
+            double least = 1e9;
+            for (std::size_t g = 0; g < 32; ++g)
+                least =
+                    std::min(least, euclideanDistance(movement.take(a).pose(f), movement.take(b).pose(g)));
+            most = std::max(most, least);
+        }
+        return most;
+    };
+    EXPECT_NEAR(reaches[0], (farthest(0, 1) + farthest(1, 0)) / 2, 1e-6);
+    EXPECT_EQ(reaches[0], reaches[1]);
+    EXPECT_NEAR(reaches[2], (farthest(2, 3) + farthest(3, 2)) / 2, 1e-6);
+    EXPECT_GT(reaches[2], 1.5 * reaches[0]);
+    // Alone it is guessed by how far it moves.
+    EXPECT_NEAR(reaches[4], 0.45 * rangeOfMotion(movement.take(4)), 1e-9);
 }
 
 TEST(WayRange, IsThatOfTakesOfTheSameMovementOrAGuess)
