@@ -183,7 +183,7 @@ private:
     {
         const std::string name = variationClip(m_name, number);
         ResultStage made = stage(clipStageOf(name), name);
-        made.version = 6;
+        made.version = 7;
         VariationEntry drawn;
         drawn.draw = m_work->entry().draw;
         drawn.correctsContacts = m_work->entry().correctsContacts;

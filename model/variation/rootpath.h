@@ -40,8 +40,9 @@ struct TempoPlayback
 };
 
 /// Plays frames faster and slower where something stands, from the first to the last; what flies keeps its
-/// time. \param playback  positions on the reference, ascending. \param stands  of each of them. \param tempo
-/// logarithm of the duration's factor.
+/// time, so that what stands takes up all of the change, as far as a seventh more or less of its own time
+/// goes. \param playback  positions on the reference, ascending. \param stands  of each of them. \param tempo
+/// logarithm of the whole duration's factor.
 TempoPlayback inTempo(const std::vector<double>& playback, const std::vector<bool>& stands, double tempo);
 
 } // namespace quadrille

@@ -96,10 +96,13 @@ TEST(TempoPlayback, ChangesLengthsWhereSomethingStandsAlone)
         playback.push_back(f);
         stands.push_back(f < 20 || f >= 40);
     }
-    const TempoPlayback slow = inTempo(playback, stands, 0.2);
-    const TempoPlayback quick = inTempo(playback, stands, -0.2);
-    EXPECT_NEAR(static_cast<double>(slow.positions.size()), 60 + 39 * 0.22, 1);
-    EXPECT_NEAR(static_cast<double>(quick.positions.size()), 60 - 39 * 0.18, 1);
+    const TempoPlayback slow = inTempo(playback, stands, 0.09);
+    const TempoPlayback quick = inTempo(playback, stands, -0.09);
+    // The whole is a tenth longer or shorter, though a third of it is not.
+    EXPECT_NEAR(static_cast<double>(slow.positions.size()), 1 + 59 * std::exp(0.09), 0.6);
+    EXPECT_NEAR(static_cast<double>(quick.positions.size()), 1 + 59 * std::exp(-0.09), 0.6);
+    // What stands changes by no more than a seventh.
+    EXPECT_NEAR(static_cast<double>(inTempo(playback, stands, 0.5).positions.size()), 60 + 39 * 0.162, 1);
     for (const TempoPlayback* each : {&slow, &quick}) {
         EXPECT_EQ(each->positions.front(), 0);
         EXPECT_NEAR(each->positions.back(), 59, 1e-9);
