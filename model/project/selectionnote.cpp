@@ -39,4 +39,19 @@ std::optional<SelectionNote> noteOn(const SamplesEntry& samples, const Variation
     return note;
 }
 
+std::optional<std::string> noteOnCycles(const Movement& movement)
+{
+    const Alignment& alignment = movement.alignment;
+    std::string takes;
+    for (std::size_t t = 0; t < alignment.reports.size(); ++t) {
+        const TakeUse use = alignment.reports[t].use;
+        if (use == TakeUse::NoCycle || use == TakeUse::TooShort)
+            takes += (takes.empty() ? "“" : ", “") + movement.take(t).name + "”";
+    }
+    if (takes.empty())
+        return std::nullopt;
+    return "No cycle like that of “" + movement.take(alignment.reference).name + "” was found in " + takes +
+           ": all frames are learned as if they were one. Give the range of one cycle, or leave them out.";
+}
+
 } // namespace quadrille

@@ -19,4 +19,8 @@ struct SelectionNote
 };
 std::optional<SelectionNote> noteOn(const SamplesEntry& samples, const VariationSelection& selection);
 
+/// That takes of locomotion are used whole because no cycle was found in them, in one English sentence;
+/// nothing where all have one, or none is looked for.
+std::optional<std::string> noteOnCycles(const Movement& movement);
+
 } // namespace quadrille

@@ -87,8 +87,11 @@ private:
         made.settings = m_work->movementSettings();
         made.files = [work = m_work](const Progress& progress) { return work->files(progress); };
         made.inputs = m_work->clipStages();
-        made.compute = [work = m_work](const StageContext&, const Progress& progress) {
-            return alignmentResult(*work->movement(progress));
+        made.compute = [work = m_work](const StageContext& context, const Progress& progress) {
+            const auto movement = work->movement(progress);
+            if (const auto note = noteOnCycles(*movement))
+                context.tell({.severity = Issue::Severity::Info, .context = {.values = {{"text", *note}}}});
+            return alignmentResult(*movement);
         };
         return made;
     }

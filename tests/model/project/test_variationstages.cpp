@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/jsontext.h"
 #include "model/project/madeclips.h"
+#include "model/project/selectionnote.h"
 #include "model/project/validate.h"
 #include "tests/model/codeof.h"
 #include "tests/model/project/tubeproject.h"
@@ -262,6 +263,26 @@ TEST_F(VariationStages, RejectWhatIsBadAndDoWithoutIt)
     const auto faults = column<std::string>("variations/sway/report", "faults");
     ASSERT_EQ(faults.size(), 12U);
     EXPECT_THAT(faults, Contains(HasSubstr("pose-distance")));
+}
+
+TEST(SelectionNote, NamesTakesWithoutACycle)
+{
+    Movement movement;
+    const auto add = [&](std::string name, TakeUse use) {
+        movement.alignment.takes.push_back(
+            {.name = std::move(name), .warp = {}, .poses = {}, .placements = {}});
+        movement.alignment.reports.push_back({.use = use});
+    };
+    add("walk", TakeUse::Cycle);
+    add("jog", TakeUse::Given);
+    EXPECT_FALSE(noteOnCycles(movement));
+    add("turn", TakeUse::NoCycle);
+    add("hop", TakeUse::TooShort);
+    EXPECT_THAT(noteOnCycles(movement).value(),
+                HasSubstr("No cycle like that of “walk” was found in “turn”, “hop”: all frames"));
+    for (WarpReport& report : movement.alignment.reports)
+        report.use = TakeUse::Whole;
+    EXPECT_FALSE(noteOnCycles(movement));
 }
 
 TEST_F(VariationStages, SayWhatIsWrongWithTheirTakesAndCurves)
