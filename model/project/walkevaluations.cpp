@@ -21,12 +21,14 @@ constexpr auto table2Note = "Poses of the character at new times, drawn at rando
                             "each was wanted and when "
                             "the walk shows it; keys in pairs as the paper seeks them, and all at once.";
 constexpr auto junctionsNote =
-    "Transitions drawn from the Essential graph: what shows at each, against its limit from the two takes "
-    "(good up to 1), and what might have told so beforehand.";
+    "Transitions drawn from the Essential graph, and as many local minima of the cost that it leaves out: "
+    "what "
+    "shows at each, against its limit from the two takes (good up to 1), and what might have told so "
+    "beforehand.";
 constexpr std::array criterionNames{"acceleration", "frozen", "centre-step", "foot-slip", "volume"};
 constexpr std::array criterionUnits{"/s²", "", "", "/s", ""}; // behind that of lengths
 constexpr std::array isCriterionLength{true, false, true, true, false};
-constexpr std::array predictorNames{"sum", "mean", "acceleration-cost", "weight", "per-liveliness"};
+constexpr std::array predictorNames{"sum", "mean", "acceleration-cost", "weight", "cost"};
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<WalkSpan> spansOf(const CharacterGraph& graph, const std::vector<std::string>& sequences)
@@ -98,16 +100,22 @@ JunctionTables junctionTables(const std::string& unit, const std::string& length
     JunctionTables tables{
         TableBuilder("junctions", junctionsNote),
         TableBuilder("junctions-criteria",
-                     "How many of the junctions are good, by criterion and by all of them, "
-                     "and quantiles of what they use up of their limits."),
+                     "How many of the junctions of the Essential graph are good, by criterion and by all of "
+                     "them, and quantiles of what they use up of their limits."),
         TableBuilder("junctions-predictors",
-                     "How well costs tell beforehand: rank correlation with the worst ratio, "
-                     "and the area under the curve (½ tells nothing, 1 all).")};
-    tables.rows.text("blend").text("from").whole("from-frame", "frame").text("to");
+                     "How well costs tell beforehand what all junctions of the first table are like: rank "
+                     "correlation with the worst ratio, and the area under the curve for those that are not "
+                     "good (½ tells nothing, 1 all).")};
+    tables.rows.text("blend").text("drawn-from").text("from").whole("from-frame", "frame").text("to");
     tables.rows.whole("to-frame", "frame").whole("length", "frame").whole("source-window", "frame");
     tables.rows.whole("destination-window", "frame");
-    const std::array<std::string, junctionPredictors> predictorUnits{unit, unit, length + "/s²", "", ""};
-    tables.predictors.text("blend").text("predictor").real("rank-correlation").real("area");
+    const std::array<std::string, junctionPredictors> predictorUnits{unit, unit, length + "/s²", "", unit};
+    tables.predictors.text("blend")
+        .text("predictor")
+        .whole("transitions")
+        .whole("bad")
+        .real("rank-correlation")
+        .real("area");
     for (std::size_t p = 0; p < junctionPredictors; ++p)
         tables.rows.real(predictorNames[p], predictorUnits[p]);
     for (std::size_t c = 0; c < junctionCriteria; ++c) {
@@ -129,6 +137,7 @@ void addReport(JunctionTables& tables, const std::string& blend, const Character
         const NamedFrame from = graph.nameOf(row.frames.source);
         const NamedFrame to = graph.nameOf(row.frames.destination);
         std::vector<TableBuilder::Cell> cells{blend,
+                                              row.source == JunctionSource::Graph ? "essential" : "minima",
                                               from.sequence,
                                               from.frame.value,
                                               to.sequence,
@@ -142,7 +151,8 @@ void addReport(JunctionTables& tables, const std::string& blend, const Character
             cells.emplace_back(value.isMeasured ? value.ratio : none);
         }
         tables.rows.add(cells);
-        worst = std::max(worst, row.measures.worstRatio());
+        if (row.source == JunctionSource::Graph)
+            worst = std::max(worst, row.measures.worstRatio());
     }
     for (std::size_t c = 0; c < junctionCriteria; ++c) {
         const CriterionSummary& summary = report.criteria[c];
@@ -151,11 +161,15 @@ void addReport(JunctionTables& tables, const std::string& blend, const Character
                              summary.greatest});
     }
     tables.criteria.add(
-        {blend, "all", std::ssize(report.rows), std::int64_t{report.good}, none, none, worst});
+        {blend, "all", std::int64_t{report.drawn}, std::int64_t{report.good}, none, none, worst});
     for (std::size_t p = 0; p < junctionPredictors; ++p) {
         const PredictorSummary& summary = report.predictors[p];
-        std::vector<TableBuilder::Cell> cells{
-            blend, predictorNames[p], summary.rankCorrelation.value_or(none), summary.area.value_or(none)};
+        std::vector<TableBuilder::Cell> cells{blend,
+                                              predictorNames[p],
+                                              std::ssize(report.rows),
+                                              std::int64_t{report.bad},
+                                              summary.rankCorrelation.value_or(none),
+                                              summary.area.value_or(none)};
         for (const std::optional<double>& area : summary.areas)
             cells.emplace_back(area.value_or(none));
         tables.predictors.add(cells);
@@ -217,10 +231,12 @@ ResultStage junctionsStage(const CharacterWork& work, const EvaluationEntry& eva
                                     .accelerations = accelerations,
                                     .transitions = graph.transitions(),
                                     .settings = transitionSettings(work.graph, fps),
-                                    .graph = graph.graph()};
+                                    .graph = graph.graph(),
+                                    .costs = graph.costs(),
+                                    .alpha = graph.alpha()};
         JunctionTables tables = junctionTables(work.graph.pose.metric == PoseMetric::Surface ? "rad" : "m",
                                                unitText(work.opener->project().settings.axes.metresPerUnit));
-        JunctionOptions options{.count = count, .seed = seed};
+        JunctionOptions options{.count = count, .minima = count, .seed = seed};
         const auto judge = [&](const char* name, const Progress& part) {
             addReport(tables, name, graph, judgeJunctions(inputs, options, part));
         };

@@ -4,11 +4,13 @@
 
 #include "model/core/badargument.h"
 #include "model/core/ranks.h"
+#include "model/graph/motiongraph.h"
 #include "model/transition/acceleration.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <iterator>
 #include <random>
 #include <tbb/parallel_for.h>
 
@@ -16,10 +18,11 @@ namespace quadrille {
 
 namespace {
 
-JunctionRow rowOf(const JunctionInputs& inputs, const JunctionOptions& options, const Transition& transition,
+JunctionRow rowOf(const JunctionInputs& inputs, JunctionSource source, const Transition& transition,
                   JunctionMeasures measures)
 {
     JunctionRow row{.frames = transition.frames,
+                    .source = source,
                     .length = transition.length(),
                     .sourceWindow = transition.sourceWindow,
                     .destinationWindow = transition.destinationWindow,
@@ -28,17 +31,35 @@ JunctionRow rowOf(const JunctionInputs& inputs, const JunctionOptions& options, 
     for (const FramePair& cell : transition.path)
         sum += static_cast<double>(inputs.distances(cell.source, cell.destination));
     const double mean = sum / transition.length();
-    const double lively = row.measures[JunctionCriterion::Acceleration].limit / options.limits.acceleration;
     const auto set = [&row](JunctionPredictor predictor, double value) {
         row.predictors[static_cast<std::size_t>(predictor)] = value;
     };
     set(JunctionPredictor::Sum, sum);
     set(JunctionPredictor::Mean, mean);
     set(JunctionPredictor::Acceleration, accelerationCost(inputs.accelerations, transition));
-    set(JunctionPredictor::Weight,
-        inputs.graph.find(transition.frames.source, transition.frames.destination)->weight);
-    set(JunctionPredictor::PerLiveliness, lively > 0 ? mean / lively : 0);
+    const auto [i, j] = transition.frames;
+    set(JunctionPredictor::Weight, inputs.costs.weight(i, j, inputs.alpha));
+    set(JunctionPredictor::Cost, static_cast<double>(inputs.costs.cost()(i, j)));
     return row;
+}
+
+std::vector<FramePair> transitionsOf(const Digraph& graph)
+{
+    std::vector<FramePair> pairs;
+    for (const Edge& edge : graph.edges()) {
+        if (edge.kind == EdgeKind::Transition)
+            pairs.push_back({edge.from, edge.to});
+    }
+    return pairs;
+}
+
+std::vector<FramePair> minimaBeside(const JunctionInputs& inputs)
+{
+    std::vector<FramePair> minima = costMinima(inputs.costs);
+    std::erase_if(minima, [&](const FramePair& pair) {
+        return inputs.graph.find(pair.source, pair.destination) != nullptr;
+    });
+    return minima;
 }
 
 CriterionSummary summaryOf(std::span<const JunctionRow> rows, std::size_t criterion)
@@ -109,17 +130,15 @@ std::vector<FramePair> drawPairs(std::vector<FramePair> pairs, int count, std::u
 JunctionReport judgeJunctions(const JunctionInputs& inputs, const JunctionOptions& options,
                               const Progress& progress)
 {
-    if (options.count < 0 || options.context < 0)
+    if (options.count < 0 || options.minima < 0 || options.context < 0)
         refuse("Numbers of transitions and of frames around them cannot be negative",
                "Give numbers from 0 upwards.");
     if (inputs.roots.supports.size() != static_cast<std::size_t>(inputs.character.frameCount()))
         refuse("It is not known which vertices stand on the ground", "Find the supports first.");
-    std::vector<FramePair> pairs;
-    for (const Edge& edge : inputs.graph.edges()) {
-        if (edge.kind == EdgeKind::Transition)
-            pairs.push_back({edge.from, edge.to});
-    }
-    pairs = drawPairs(std::move(pairs), options.count, options.seed);
+    std::vector<FramePair> pairs = drawPairs(transitionsOf(inputs.graph), options.count, options.seed);
+    const std::size_t drawn = pairs.size();
+    std::ranges::copy(drawPairs(minimaBeside(inputs), options.minima, options.seed),
+                      std::back_inserter(pairs));
     const std::vector<FrameMeasure> measures =
         frameMeasures(inputs.character, inputs.roots.supports, inputs.roots.up, progress.part(0, 0.1));
     const JunctionJudge judge(inputs.character, inputs.roots, measures, options.limits, options.context);
@@ -130,14 +149,18 @@ JunctionReport judgeJunctions(const JunctionInputs& inputs, const JunctionOption
     tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
         const std::optional<Transition> transition = paths.of(inputs.transitions, pairs[i]);
         assert(transition);
-        report.rows[i] = rowOf(inputs, options, *transition,
-                               judge.judge(*transition, options.blend, options.method, options.correction));
+        report.rows[i] =
+            rowOf(inputs, i < drawn ? JunctionSource::Graph : JunctionSource::Minima, *transition,
+                  judge.judge(*transition, options.blend, options.method, options.correction));
         progress.part(0.1, 1).report(++done, static_cast<std::int64_t>(pairs.size()));
     });
-    for (const JunctionRow& row : report.rows)
-        report.good += row.measures.isGood() ? 1 : 0;
+    const auto ofGraph = std::span<const JunctionRow>(report.rows).first(drawn);
+    const auto isGood = [](const JunctionRow& row) { return row.measures.isGood(); };
+    report.drawn = static_cast<int>(drawn);
+    report.good = static_cast<int>(std::ranges::count_if(ofGraph, isGood));
+    report.bad = static_cast<int>(std::ssize(report.rows) - std::ranges::count_if(report.rows, isGood));
     for (std::size_t c = 0; c < junctionCriteria; ++c)
-        report.criteria[c] = summaryOf(report.rows, c);
+        report.criteria[c] = summaryOf(ofGraph, c);
     for (std::size_t p = 0; p < junctionPredictors; ++p)
         report.predictors[p] = summaryOf(report.rows, static_cast<JunctionPredictor>(p));
     progress.report(1.0);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/graph/digraph.h"
+#include "model/graph/transitioncosts.h"
 #include "model/synthesis/junctionquality.h"
 
 #include <optional>
@@ -16,13 +17,21 @@ enum class JunctionPredictor
     Mean,         ///< of the pose distances along the warp path
     Acceleration, ///< the acceleration cost (SMCAS §3.3), m/s²
     Weight,       ///< of the edge
-    PerLiveliness ///< Mean, over the liveliness of the two takes (see costPerLiveliness)
+    Cost,         ///< D as the graph has it, with all of its parts and scales
 };
 constexpr std::size_t junctionPredictors = 5;
+
+/// What transitions are drawn from.
+enum class JunctionSource
+{
+    Graph,  ///< the transitions of the graph: what walks are made of
+    Minima, ///< local minima of the cost that the graph leaves out (costMinima): what it has to tell apart
+};
 
 struct JunctionRow
 {
     FramePair frames;
+    JunctionSource source = JunctionSource::Graph;
     int length = 0; ///< L, frames
     int sourceWindow = 0;
     int destinationWindow = 0;
@@ -51,10 +60,15 @@ struct PredictorSummary
 
 struct JunctionReport
 {
-    std::vector<JunctionRow> rows; ///< by source, then destination
-    int good = 0;                  ///< transitions that are good by every criterion
+    /// Those of the graph, then the minima; by their frames.
+    std::vector<JunctionRow> rows;
+    int drawn = 0; ///< of the graph
+    int good = 0;  ///< of these, good by every criterion
+    /// Of the graph's.
     std::array<CriterionSummary, junctionCriteria> criteria;
+    /// Of all rows: among the few that a good graph has amiss, nothing can be told.
     std::array<PredictorSummary, junctionPredictors> predictors;
+    int bad = 0; ///< of all rows
 };
 
 /// What transitions of one character are judged by.
@@ -67,11 +81,14 @@ struct JunctionInputs
     const TransitionTable& transitions;
     TransitionSettings settings; ///< of the transitions
     const Digraph& graph;        ///< whose transitions are drawn from
+    const TransitionCosts& costs;
+    double alpha = 0; ///< of the graph
 };
 
 struct JunctionOptions
 {
-    int count = 200; ///< transitions, or all where there are fewer
+    int count = 200;  ///< transitions of the graph, or all where there are fewer
+    int minima = 200; ///< that the graph leaves out, likewise
     std::uint32_t seed = 1;
     JunctionLimits limits;
     int context = 8; ///< frames before and behind that count
@@ -80,9 +97,9 @@ struct JunctionOptions
     InterpolationMethod method = InterpolationMethod::Poisson;
 };
 
-/// Blends some transitions of a graph and measures what shows. The same for any
-/// number of threads. \throws Error BadArgument (count or context negative, no supports), what reading frames
-/// throws, Cancelled.
+/// Blends some transitions of a graph, and some that it leaves out, and measures what shows. The same for any
+/// number of threads. \throws Error BadArgument (numbers or context negative, no supports), what reading
+/// frames throws, Cancelled.
 JunctionReport judgeJunctions(const JunctionInputs& inputs, const JunctionOptions& options = {},
                               const Progress& progress = {});
 

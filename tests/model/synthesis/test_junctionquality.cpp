@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/graph/essentialgraph.h"
+#include "model/graph/motiongraph.h"
 #include "model/synthesis/junctionreport.h"
 #include "model/synthesis/junctionspeeds.h"
 #include "model/transition/acceleration.h"
@@ -174,6 +175,7 @@ struct Study
     Table<float> accelerations;
     TransitionSettings settings;
     TransitionTable transitions;
+    TransitionCosts costs;
     Digraph graph;
 
     Study(const std::vector<MeshSequence>& takes, UpAxis up, const TransitionSettings& how)
@@ -182,14 +184,17 @@ struct Study
         , accelerations(accelerationDifferences(subject.character, how.fps))
         , settings(how)
         , transitions(transitionTable(distances, subject.character.layout(), settings))
-        , graph(essentialGraph(TransitionCosts(transitions.cost, transitions.length,
-                                               static_cast<double>(distances.maxCoeff()),
-                                               subject.character.layout()),
-                               0.01)
-                    .graph)
+        , costs(transitions.cost, transitions.length, static_cast<double>(distances.maxCoeff()),
+                subject.character.layout())
+        , graph(essentialGraph(costs, 0.01).graph)
     {
     }
     JunctionReport report(const JunctionOptions& options, const Progress& progress = {}) const
+    {
+        return report(graph, options, progress);
+    }
+    JunctionReport report(const Digraph& of, const JunctionOptions& options,
+                          const Progress& progress = {}) const
     {
         return judgeJunctions({.character = subject.character,
                                .roots = subject.roots,
@@ -197,7 +202,9 @@ struct Study
                                .accelerations = accelerations,
                                .transitions = transitions,
                                .settings = settings,
-                               .graph = graph},
+                               .graph = of,
+                               .costs = costs,
+                               .alpha = 0.01},
                               options, progress);
     }
 };
@@ -212,7 +219,7 @@ const Study& study()
 
 TEST(JunctionReport, HasARowForEachTransition)
 {
-    const JunctionReport report = study().report({.count = 20});
+    const JunctionReport report = study().report({.count = 20, .minima = 0});
     ASSERT_EQ(report.rows.size(), 20U);
     int good = 0;
     int goodAccelerations = 0;
@@ -224,10 +231,14 @@ TEST(JunctionReport, HasARowForEachTransition)
         const double sum = row.predictors[static_cast<std::size_t>(JunctionPredictor::Sum)];
         EXPECT_NEAR(sum, study().transitions.cost(row.frames.source, row.frames.destination), 1e-5 * sum);
         EXPECT_DOUBLE_EQ(row.predictors[static_cast<std::size_t>(JunctionPredictor::Mean)], sum / row.length);
+        EXPECT_EQ(row.predictors[static_cast<std::size_t>(JunctionPredictor::Cost)],
+                  static_cast<double>(study().costs.cost()(row.frames.source, row.frames.destination)));
+        EXPECT_EQ(row.source, JunctionSource::Graph);
         good += row.measures.isGood() ? 1 : 0;
         goodAccelerations += row.measures[JunctionCriterion::Acceleration].isGood() ? 1 : 0;
     }
     EXPECT_EQ(report.good, good);
+    EXPECT_EQ(report.bad, 20 - good);
     EXPECT_EQ(report.criteria[0].good, goodAccelerations);
     EXPECT_EQ(report.criteria[0].measured, 20);
     EXPECT_LE(report.criteria[0].median, report.criteria[0].ninetieth);
@@ -238,12 +249,52 @@ TEST(JunctionReport, HasARowForEachTransition)
     EXPECT_TRUE(report.predictors[0].rankCorrelation);
 }
 
+TEST(JunctionReport, TellsByMinimaAsWellWhatCostsSay)
+{
+    const std::vector<FramePair> minima = costMinima(study().costs);
+    ASSERT_GT(minima.size(), 5U);
+    // Without its transitions that are minima, all but the first.
+    const auto all = study().graph.edges();
+    std::vector<Edge> edges(all.begin(), all.end());
+    std::erase_if(edges, [&](const Edge& edge) {
+        return edge.kind == EdgeKind::Transition &&
+               std::ranges::find(minima.begin() + 1, minima.end(), FramePair{edge.from, edge.to}) !=
+                   minima.end();
+    });
+    const Digraph graph(study().subject.character.frameCount(), std::move(edges));
+    const JunctionReport alone = study().report(graph, {.count = 20, .minima = 0});
+    const JunctionReport report = study().report(graph, {.count = 20, .minima = 5});
+    const std::size_t drawn = alone.rows.size();
+    ASSERT_GT(drawn, 0U);
+    ASSERT_EQ(report.rows.size(), drawn + 5);
+    EXPECT_EQ(report.drawn, static_cast<int>(drawn));
+    int bad = 0;
+    for (std::size_t i = 0; i < report.rows.size(); ++i) {
+        const JunctionRow& row = report.rows[i];
+        EXPECT_EQ(row.source, i < drawn ? JunctionSource::Graph : JunctionSource::Minima);
+        bad += row.measures.isGood() ? 0 : 1;
+        if (i < drawn)
+            continue;
+        EXPECT_EQ(graph.find(row.frames.source, row.frames.destination), nullptr);
+        EXPECT_NE(std::ranges::find(minima, row.frames), minima.end());
+        EXPECT_NEAR(row.predictors[static_cast<std::size_t>(JunctionPredictor::Weight)],
+                    study().costs.weight(row.frames.source, row.frames.destination, 0.01), 1e-12);
+    }
+    EXPECT_EQ(report.bad, bad);
+    // What the graph's transitions are like does not change by what is drawn beside them.
+    EXPECT_EQ(report.good, alone.good);
+    EXPECT_EQ(report.criteria[0].measured, alone.criteria[0].measured);
+    EXPECT_EQ(report.criteria[0].greatest, alone.criteria[0].greatest);
+    EXPECT_NE(report.predictors[0].rankCorrelation, alone.predictors[0].rankCorrelation);
+}
+
 TEST(JunctionReport, IsTheSameOnAnyNumberOfThreads)
 {
-    const JunctionReport parallel = study().report({.count = 12});
+    const JunctionReport parallel = study().report({.count = 12, .minima = 4});
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    const JunctionReport serial = study().report({.count = 12});
-    for (std::size_t i = 0; i < 12; ++i) {
+    const JunctionReport serial = study().report({.count = 12, .minima = 4});
+    ASSERT_EQ(serial.rows.size(), parallel.rows.size());
+    for (std::size_t i = 0; i < serial.rows.size(); ++i) {
         EXPECT_EQ(serial.rows[i].frames, parallel.rows[i].frames);
         for (std::size_t c = 0; c < junctionCriteria; ++c)
             EXPECT_EQ(serial.rows[i].measures.values[c].value, parallel.rows[i].measures.values[c].value);
@@ -264,6 +315,7 @@ TEST(JunctionReport, StopsWhenCancelled)
         EXPECT_EQ(error.code(), ErrorCode::Cancelled);
     }
     EXPECT_THROW(study().report({.count = -1}), Error);
+    EXPECT_THROW(study().report({.minima = -1}), Error);
 }
 
 TEST(JunctionsOfRealTakes, AreBetterWhereTheyAreBlendedGently)
@@ -274,9 +326,11 @@ TEST(JunctionsOfRealTakes, AreBetterWhereTheyAreBlendedGently)
     for (const char* name : {"walk_1", "jog_1", "kick_2"})
         takes.push_back(*realTake(name));
     const Study real(takes, UpAxis::Y, {.fps = 30, .cost = TransitionCost::Mean});
-    const JunctionReport paper = real.report({.count = 40});
-    const JunctionReport gentle = real.report(
-        {.count = 40, .blend = BlendSettings::gentle(), .correction = ContactCorrectionSettings()});
+    const JunctionReport paper = real.report({.count = 40, .minima = 0});
+    const JunctionReport gentle = real.report({.count = 40,
+                                               .minima = 0,
+                                               .blend = BlendSettings::gentle(),
+                                               .correction = ContactCorrectionSettings()});
     EXPECT_GT(gentle.good, paper.good + 10);
     const auto slips = [](const JunctionReport& report) {
         return report.criteria[static_cast<std::size_t>(JunctionCriterion::FootSlip)];
