@@ -3769,8 +3769,8 @@
         <translation>Pieds</translation>
     </message>
     <message>
-        <source>What it costs to blend frames of which every foot stands in one only; 0 as published</source>
-        <translation>Ce que coûte de fondre des images dont chaque pied n’est à l’appui que dans une seule&#xa0;; 0 comme publié</translation>
+        <source>What it costs to blend frames of which every foot stands in one only, and as much to drag a foot over an eighth of the body’s height; 0 as published</source>
+        <translation>Ce que coûte de fondre des images dont chaque pied n’est à l’appui que dans une seule, et autant de traîner un pied sur un huitième de la hauteur du corps&#xa0;; 0 comme publié</translation>
     </message>
     <message>
         <source>Speed</source>

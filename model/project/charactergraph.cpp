@@ -114,22 +114,6 @@ Stances stancesOf(const Result& result)
     return stances;
 }
 
-TransitionTable transitionsOf(const Result& result)
-{
-    const auto countsOf = [](const Table<float>& counts) -> Table<std::uint16_t> {
-        return counts.isFinite().select(counts, 0.0F).cast<std::uint16_t>();
-    };
-    const DataArray& array = arrayOf(result, "transition-windows");
-    const auto& values = std::get<std::vector<float>>(array.values);
-    using Windows = Eigen::Map<const Table<float>, 0, Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>>;
-    const Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic> everySecond(2 * array.shape[1], 2);
-    return {.cost = tableOf<float>(arrayOf(result, "transition-cost")),
-            .length = countsOf(tableOf<float>(arrayOf(result, "transition-length"))),
-            .sourceWindow = countsOf(Windows(values.data(), array.shape[0], array.shape[1], everySecond)),
-            .destinationWindow =
-                countsOf(Windows(values.data() + 1, array.shape[0], array.shape[1], everySecond))};
-}
-
 /// Body heights a second; empty where nobody knows how tall the figure is.
 std::vector<double> pacesInHeights(const RootPoses& roots, const FrameLayout& layout, double fps)
 {
@@ -194,6 +178,22 @@ RootPoses rootPosesOf(const Result& result, UpAxis up)
     return roots;
 }
 
+TransitionTable transitionTableOf(const Result& result)
+{
+    const auto countsOf = [](const Table<float>& counts) -> Table<std::uint16_t> {
+        return counts.isFinite().select(counts, 0.0F).cast<std::uint16_t>();
+    };
+    const DataArray& array = arrayOf(result, "transition-windows");
+    const auto& values = std::get<std::vector<float>>(array.values);
+    using Windows = Eigen::Map<const Table<float>, 0, Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>>;
+    const Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic> everySecond(2 * array.shape[1], 2);
+    return {.cost = tableOf<float>(arrayOf(result, "transition-cost")),
+            .length = countsOf(tableOf<float>(arrayOf(result, "transition-length"))),
+            .sourceWindow = countsOf(Windows(values.data(), array.shape[0], array.shape[1], everySecond)),
+            .destinationWindow =
+                countsOf(Windows(values.data() + 1, array.shape[0], array.shape[1], everySecond))};
+}
+
 std::vector<std::string> CharacterGraph::inputs(const CharacterWork& work)
 {
     std::vector<std::string> stages = costInputs(work);
@@ -208,13 +208,15 @@ CharacterGraph::CharacterGraph(const CharacterWork& work, const StageContext& co
     const Result poses = resultOf(graphstage::poseDistance);
     m_layout = layoutOf(poses);
     m_distances = tableOf<float>(poses.arrays.front());
-    m_transitions = transitionsOf(resultOf(graphstage::transitions));
+    m_transitions = transitionTableOf(resultOf(graphstage::transitions));
     m_costs = costsOf(work, context);
     m_graph = essentialGraphOf(resultOf(graphstage::graphs), m_layout.frameCount());
     const ProjectSettings& settings = work.opener->project().settings;
     m_roots = rootPosesOf(resultOf(graphstage::rootPoses), settings.axes.up);
     if (!work.graph.steps.isNothing())
         m_steps = weightedSteps(m_distances, stepCosts(m_roots, m_layout, settings.fps), work.graph.steps);
+    if (knowsDrifts(work.graph))
+        m_drifts = tableOf<float>(resultOf(graphstage::drifts).arrays.front());
     m_paths.emplace(steps(), m_layout, transitionSettings(work.graph, settings.fps));
 }
 
@@ -232,6 +234,9 @@ CostParts CharacterGraph::partsOf(const FramePair& pair) const
         parts.contacts += contacts;
         parts.velocity += std::max(static_cast<double>(steps()(i, j)) - pose - contacts, 0.0);
     }
+    if (m_drifts.size() > 0)
+        parts.contacts += m_work.graph.steps.contacts / dragOfOneFoot *
+                          static_cast<double>(m_drifts(pair.source, pair.destination)) * transition->length();
     // A mean, or in shares of liveliness.
     const double sum = parts.sum();
     const double scale =

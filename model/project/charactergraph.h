@@ -16,12 +16,14 @@ namespace quadrille {
 /// \param unit  of lengths.
 Result rootPosesResult(const RootPoses& roots, const std::string& unit);
 RootPoses rootPosesOf(const Result& result, UpAxis up);
+/// From the result of the stage of transitions.
+TransitionTable transitionTableOf(const Result& result);
 
 /// The cost of a transition in parts, in the unit of the pose distances.
 struct CostParts
 {
     double pose = 0;     ///< distances between the poses that are blended
-    double contacts = 0; ///< feet that stand in one of two blended frames only
+    double contacts = 0; ///< feet that stand in one of two blended frames only, or are dragged
     double velocity = 0; ///< body and feet that move otherwise
 
     double sum() const { return pose + contacts + velocity; }
@@ -75,7 +77,8 @@ private:
     CharacterWork m_work;
     FrameLayout m_layout;
     Table<float> m_distances;
-    Table<float> m_steps; ///< empty where they are the distances
+    Table<float> m_steps;  ///< empty where they are the distances
+    Table<float> m_drifts; ///< of footDrifts; empty where costs do not know them
     std::optional<TransitionCosts> m_costs;
     std::optional<WarpPaths> m_paths;
     TransitionTable m_transitions;

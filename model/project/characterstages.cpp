@@ -5,6 +5,7 @@
 #include "model/project/madeclips.h"
 #include "model/project/sequencesettings.h"
 #include "model/synthesis/liveliness.h"
+#include "model/synthesis/stepcosts.h"
 
 #include <algorithm>
 #include <cassert>
@@ -109,13 +110,23 @@ TransitionCosts costsOf(const CharacterWork& work, const StageContext& context)
     const Table<float> poses = tableOf<float>(distances.arrays.front());
     const Table<float> lengths = tableOf<float>(arrayOf(transitions, "transition-length"));
     const double greatest = work.graph.greatestDistance.value_or(poses.size() > 0 ? poses.maxCoeff() : 0.0F);
+    const Table<std::uint16_t> counts = lengths.isFinite().select(lengths, 0.0F).cast<std::uint16_t>();
     Table<float> costs = tableOf<float>(arrayOf(transitions, "transition-cost"));
+    if (knowsDrifts(work.graph)) {
+        const Result drifts = context.resultOf(work.stageName(graphstage::drifts));
+        addDrifts(costs, tableOf<float>(drifts.arrays.front()), counts,
+                  work.graph.cost == TransitionCost::Sum, work.graph.steps);
+    }
     if (work.graph.costScale == CostScale::Liveliness) {
         const Result liveliness = context.resultOf(work.stageName(graphstage::liveliness));
         costs = costPerLiveliness(costs, layout, tableOf<double>(liveliness.arrays.front()));
     }
-    return {std::move(costs), lengths.isFinite().select(lengths, 0.0F).cast<std::uint16_t>(), greatest,
-            layout};
+    return {std::move(costs), counts, greatest, layout};
+}
+
+bool knowsDrifts(const GraphEntry& graph)
+{
+    return graph.steps.contacts > 0;
 }
 
 std::vector<std::string> costInputs(const CharacterWork& work)
@@ -124,13 +135,15 @@ std::vector<std::string> costInputs(const CharacterWork& work)
                                     work.stageName(graphstage::transitions)};
     if (work.graph.costScale == CostScale::Liveliness)
         inputs.push_back(work.stageName(graphstage::liveliness));
+    if (knowsDrifts(work.graph))
+        inputs.push_back(work.stageName(graphstage::drifts));
     return inputs;
 }
 
 nlohmann::json costSettings(const GraphEntry& graph)
 {
     return {graph.greatestDistance.value_or(0),
-            graph.costScale == CostScale::Liveliness ? "liveliness" : "none"};
+            graph.costScale == CostScale::Liveliness ? "liveliness" : "none", graph.steps.contacts};
 }
 
 } // namespace quadrille

@@ -36,6 +36,7 @@ namespace graphstage {
 inline constexpr auto poseDistance = "pose-distance";
 inline constexpr auto euclideanDistance = "euclidean-distance";
 inline constexpr auto transitions = "transitions";
+inline constexpr auto drifts = "foot-drifts";
 inline constexpr auto liveliness = "liveliness";
 inline constexpr auto graphs = "graphs";
 inline constexpr auto rootPoses = "root-poses";
@@ -79,6 +80,8 @@ Table<Value> tableOf(const DataArray& array)
 /// \param distances  the result of the stage of pose distances.
 FrameLayout layoutOf(const Result& distances);
 
+/// Whether costs know how far feet are dragged, by the stage of drifts.
+bool knowsDrifts(const GraphEntry& graph);
 /// What the graphs are made of, from the results of the stages that costInputs names.
 TransitionCosts costsOf(const CharacterWork& work, const StageContext& context);
 /// Pose distances, transitions, and what else their costs depend on.

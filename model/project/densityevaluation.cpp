@@ -6,7 +6,9 @@
 #include "model/project/charactergraph.h"
 #include "model/project/evaluationstages.h"
 #include "model/project/tablebuilder.h"
+#include "model/synthesis/footdrift.h"
 #include "model/synthesis/liveliness.h"
+#include "model/synthesis/stepcosts.h"
 
 namespace quadrille {
 
@@ -67,6 +69,9 @@ TransitionCosts costsOf(const Variant& variant, const CharacterGraph& graph, con
     const FrameLayout layout = variant.isJoined ? FrameLayout(std::span(&frames, 1)) : graph.layout();
     TransitionTable table =
         transitionTable(variant.isPublished ? graph.distances() : graph.steps(), layout, settings, progress);
+    if (knowsDrifts(entry))
+        addDrifts(table.cost, footDrifts(graph.roots(), layout, table, graph.fps()), table.length,
+                  entry.cost == TransitionCost::Sum, entry.steps);
     if (entry.costScale == CostScale::Liveliness && !variant.isJoined && liveliness.size() > 0)
         table.cost = costPerLiveliness(table.cost, layout, liveliness);
     const double greatest = variant.quantile

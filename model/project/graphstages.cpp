@@ -6,6 +6,7 @@
 #include "model/project/graphtables.h"
 #include "model/project/lengthunit.h"
 #include "model/project/sequencesettings.h"
+#include "model/synthesis/footdrift.h"
 #include "model/synthesis/liveliness.h"
 #include "model/synthesis/stepcosts.h"
 #include "model/transition/posedistance.h"
@@ -125,10 +126,34 @@ ResultStage transitionStage(const CharacterWork& work, const ResultStage& distan
     return stage;
 }
 
+/// What costs know of feet beside the frames that are blended.
+ResultStage driftStage(const CharacterWork& work)
+{
+    ResultStage stage = work.stage(graphstage::drifts);
+    const double fps = work.opener->project().settings.fps;
+    const UpAxis up = work.opener->project().settings.axes.up;
+    stage.settings = nlohmann::json({fps}).dump();
+    stage.inputs = {work.stageName(graphstage::poseDistance), work.stageName(graphstage::rootPoses),
+                    work.stageName(graphstage::transitions)};
+    stage.compute = [=, inputs = stage.inputs](const StageContext& context, const Progress& progress) {
+        const FrameLayout layout = layoutOf(context.resultOf(inputs[0]));
+        const RootPoses roots = rootPosesOf(context.resultOf(inputs[1]), up);
+        Result result;
+        result.arrays = {matrixOf(
+            "transition-drift",
+            "How far the blend of the best transition from a frame (row) to another drags a foot "
+            "that stands.",
+            "body heights",
+            footDrifts(roots, layout, transitionTableOf(context.resultOf(inputs[2])), fps, progress))};
+        return result;
+    };
+    return stage;
+}
+
 ResultStage graphStage(const CharacterWork& work)
 {
     ResultStage stage = work.stage(graphstage::graphs);
-    stage.version = 2;
+    stage.version = 3;
     stage.settings = nlohmann::json({work.graph.alpha, costSettings(work.graph), work.sequences,
                                      static_cast<int>(work.graph.smoothing)})
                          .dump();
@@ -246,6 +271,8 @@ std::vector<ResultStage> makeGraphStages(const StageMaking& making)
             distanceStage(work, graphstage::euclideanDistance, {.metric = PoseMetric::Euclidean}));
         stages.push_back(rootPosesStage(work));
         stages.push_back(transitions);
+        if (knowsDrifts(graph))
+            stages.push_back(driftStage(work));
         if (graph.costScale == CostScale::Liveliness)
             stages.push_back(livelinessStage(work));
         stages.push_back(graphStage(work));

@@ -97,7 +97,7 @@ struct GraphEntry
     CostScale costScale = CostScale::Liveliness;
     TransitionLength length = TransitionLength::Windows;
     /// What else than poses transitions are sought by.
-    StepWeights steps{.contacts = 0.1, .velocity = 0.05};
+    StepWeights steps{.contacts = 1, .velocity = 0.05};
     int slope = TransitionSettings().slope;
     /// Shortest and longest window of a transition, seconds; usualDurations when empty.
     std::optional<std::pair<double, double>> durations;

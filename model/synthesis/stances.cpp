@@ -142,7 +142,6 @@ Stances givenStances(const CharacterFrames& character)
 std::vector<std::uint32_t> stancesOf(const std::vector<FrameOrigin>& origins, double fps,
                                      const Stances& stances)
 {
-    constexpr double longestGap = 0.2; // seconds
     const std::vector<std::size_t> across = acrossOf(stances);
     std::vector<std::uint32_t> standing;
     standing.reserve(origins.size());
@@ -150,7 +149,7 @@ std::vector<std::uint32_t> stancesOf(const std::vector<FrameOrigin>& origins, do
         const std::uint32_t feet = stances.at(origin.nearest());
         standing.push_back(origin.mirrored ? mirroredFeet(feet, across) : feet);
     }
-    closeGaps(standing, origins, stances.feet.size(), static_cast<std::size_t>(longestGap * fps));
+    closeGaps(standing, origins, stances.feet.size(), static_cast<std::size_t>(longestStanceGap * fps));
     return standing;
 }
 

@@ -45,6 +45,10 @@ Stances findStances(const CharacterFrames& character, UpAxis up, const Progress&
 /// Of the contacts that the sequences have, without looking at the mesh: its feet have no vertices.
 Stances givenStances(const CharacterFrames& character);
 
+/// How long a foot that stands before and after in a transition may be off the ground to count as standing
+/// throughout, seconds.
+inline constexpr double longestStanceGap = 0.2;
+
 /// Which feet stand in each frame of a clip, by their bits: those of the frame that counts more in it.
 /// Through a transition a foot that stands before and after stands throughout, unless it is off the ground
 /// for longer than a fifth of a second; one that stands on one side only lands or lifts at one moment. Left

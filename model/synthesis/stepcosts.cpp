@@ -75,6 +75,16 @@ StepCosts stepCosts(const RootPoses& roots, const FrameLayout& layout, double fp
     return parts;
 }
 
+void addDrifts(Table<float>& cost, const Table<float>& drifts, const Table<std::uint16_t>& length, bool isSum,
+               const StepWeights& weights)
+{
+    const auto weight = static_cast<float>(weights.contacts / dragOfOneFoot);
+    if (isSum)
+        cost += weight * drifts * length.cast<float>();
+    else
+        cost += weight * drifts;
+}
+
 Table<float> weightedSteps(const Table<float>& distances, const StepCosts& parts, const StepWeights& weights)
 {
     return distances + static_cast<float>(weights.contacts) * parts.contacts +

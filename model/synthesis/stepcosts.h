@@ -10,7 +10,8 @@ namespace quadrille {
 /// weight the costs are the paper's (SMCAS eq. 8).
 struct StepWeights
 {
-    double contacts = 0; ///< rad, where every foot stands in one frame only
+    /// rad, where every foot stands in one frame only; and where a foot is dragged by dragOfOneFoot
+    double contacts = 0;
     double velocity = 0; ///< rad for a difference of one body height a second
 
     bool isNothing() const { return contacts == 0 && velocity == 0; }
@@ -33,6 +34,15 @@ double differingFeet(const Stances& stances, NodeIndex i, NodeIndex j);
 /// \return both frames × frames, symmetric, zeros on the diagonal.
 /// Cost: O(frames² · feet).
 StepCosts stepCosts(const RootPoses& roots, const FrameLayout& layout, double fps);
+
+/// How far a foot is dragged (footDrifts) for as much as one of all feet that stand in one frame only costs,
+/// body heights.
+inline constexpr double dragOfOneFoot = 0.125;
+
+/// Adds to costs of transitions what dragging feet costs. \param cost  D, frames × frames. \param drifts  of
+/// footDrifts. \param isSum  whether D is the sum over `length` steps, not the mean.
+void addDrifts(Table<float>& cost, const Table<float>& drifts, const Table<std::uint16_t>& length, bool isSum,
+               const StepWeights& weights);
 
 /// What transitions are sought by: pose distances with both parts by their weights.
 Table<float> weightedSteps(const Table<float>& distances, const StepCosts& parts, const StepWeights& weights);

@@ -107,7 +107,8 @@ void GraphSettingsPanel::makeFields()
     addField(
         "graphContacts", [] { return tr("Feet"); }, m_contacts,
         [] {
-            return tr("What it costs to blend frames of which every foot stands in one only; 0 as published");
+            return tr("What it costs to blend frames of which every foot stands in one only, and as much to "
+                      "drag a foot over an eighth of the body’s height; 0 as published");
         });
     addField(
         "graphVelocity", [] { return tr("Speed"); }, m_velocity,

@@ -245,9 +245,9 @@ TEST_F(EvaluationStages, AreMadeForEachCharacterThatTheyAreAbout)
     project.evaluations[1].alphas = {0.7};
     EXPECT_THAT(computed(run()),
                 UnorderedElementsAre("graph/a/pose-distance", "graph/a/root-poses", "graph/a/transitions",
-                                     "graph/a/liveliness", "graph/b/pose-distance", "graph/b/root-poses",
-                                     "graph/b/transitions", "graph/b/liveliness", "evaluations/fig9/a",
-                                     "evaluations/fig9/b"));
+                                     "graph/a/foot-drifts", "graph/a/liveliness", "graph/b/pose-distance",
+                                     "graph/b/root-poses", "graph/b/transitions", "graph/b/foot-drifts",
+                                     "graph/b/liveliness", "evaluations/fig9/a", "evaluations/fig9/b"));
     project.evaluations.erase(project.evaluations.begin());
     EXPECT_THAT(column<double>("evaluation/fig9", "alpha"), ElementsAre(0.7, 0.7));
 }

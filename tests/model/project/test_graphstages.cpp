@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/graph/comparison.h"
 #include "model/synthesis/liveliness.h"
+#include "model/synthesis/stepcosts.h"
 #include "model/transition/posedistance.h"
 #include "model/transition/transitiontable.h"
 #include "tests/model/project/stripproject.h"
@@ -59,6 +60,43 @@ TEST_F(GraphStages, HoldWhatTheFunctionsCompute)
         EXPECT_EQ(from[e], essential.edges()[e].from);
         EXPECT_EQ(weights[e], essential.edges()[e].weight);
     }
+}
+
+TEST_F(GraphStages, WeighHowFarFeetAreDragged)
+{
+    project.sequences[0].range = FrameRange{FrameIndex(2), FrameIndex(13)}; // the first ones are flat
+    project.graphs[0].durations = {1, 1.5};
+    project.sequences[0].contacts = {{"left", {FrameIndex(0), FrameIndex(11)}}};
+    project.sequences[1].contacts = {{"left", {FrameIndex(0), FrameIndex(3)}}};
+    for (const TransitionCost cost : {TransitionCost::Sum, TransitionCost::Mean}) {
+        project.graphs[0].cost = cost;
+        project.graphs[0].steps.contacts = 0.5;
+        run();
+        const Table<float> drifts = matrix("transition-drift");
+        EXPECT_GT(drifts.maxCoeff(), 0);
+        const Table<float> costs = matrix("transition-cost");
+        const Table<float> lengths = matrix("transition-length");
+        const auto from = column<std::int64_t>("essential-graph-edges", "i");
+        const auto to = column<std::int64_t>("essential-graph-edges", "j");
+        const auto weights = column<double>("essential-graph-edges", "weight");
+        const auto kinds = column<std::string>("essential-graph-edges", "kind");
+        const auto greatest = static_cast<double>(matrix("pose-distance").maxCoeff());
+        for (std::size_t e = 0; e < from.size(); ++e) {
+            if (kinds[e] == "original")
+                continue;
+            const auto at = [&](const Table<float>& table) {
+                return static_cast<double>(table(from[e], to[e]));
+            };
+            const double times = cost == TransitionCost::Sum ? at(lengths) : 1;
+            EXPECT_NEAR(
+                weights[e],
+                (at(costs) + 0.5 / dragOfOneFoot * at(drifts) * times) / greatest + 0.01 * at(lengths), 1e-5);
+        }
+    }
+    project.graphs[0].steps = {};
+    const RebuildReport report = run();
+    EXPECT_TRUE(std::none_of(report.stages.begin(), report.stages.end(),
+                             [](const auto& stage) { return stage.stage == "graph/foot-drifts"; }));
 }
 
 TEST_F(GraphStages, EdgesNameTheSequenceAndTheFrameOfBothEnds)

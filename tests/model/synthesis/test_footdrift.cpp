@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/core/error.h"
+#include "model/synthesis/clipplan.h"
+#include "model/synthesis/footdrift.h"
+#include "model/synthesis/stepcosts.h"
+
+#include <array>
+#include <gtest/gtest.h>
+#include <random>
+#include <tbb/global_control.h>
+
+using namespace quadrille;
+
+namespace {
+
+constexpr double fps = 25;
+
+/// Two takes of a figure of two metres that turns its own way and walks: a foot stays where it stands, and is
+/// carried with the body where it does not.
+struct Walker
+{
+    FrameLayout layout;
+    RootPoses roots;
+    TransitionTable transitions;
+
+    explicit Walker(std::uint32_t seed, int length = 15)
+        : layout(std::array<std::int64_t, 2>{40, 46}), roots{.up = UpAxis::Z}
+    {
+        std::mt19937 random(seed);
+        roots.stances = {.feet = {{"left", {0}}, {"right", {1}}}, .height = 2};
+        std::vector<double> headings;
+        for (int sequence = 0; sequence < 2; ++sequence)
+            addTake(sequence, random, headings);
+        const NodeIndex frames = layout.frameCount();
+        roots.turns = Table<float>(frames, frames);
+        for (NodeIndex i = 0; i < frames; ++i)
+            for (NodeIndex j = 0; j < frames; ++j)
+                roots.turns(i, j) = static_cast<float>(wrappedAngle(headings[static_cast<std::size_t>(i)] -
+                                                                    headings[static_cast<std::size_t>(j)]));
+        transitions = {.cost = Table<float>::Zero(frames, frames),
+                       .length = Table<std::uint16_t>::Zero(frames, frames),
+                       .sourceWindow = Table<std::uint16_t>::Zero(frames, frames),
+                       .destinationWindow = Table<std::uint16_t>::Zero(frames, frames)};
+        for (NodeIndex i = 0; i + length <= 40; ++i) {
+            for (NodeIndex j = 40 + length - 1; j < frames; ++j)
+                for (auto* table :
+                     {&transitions.length, &transitions.sourceWindow, &transitions.destinationWindow})
+                    (*table)(i, j) = static_cast<std::uint16_t>(length);
+        }
+    }
+
+    void addTake(int sequence, std::mt19937& random, std::vector<double>& headings)
+    {
+        Vec2d centre(3 * sequence, 1);
+        std::array<Vec2d, 2> feet{centre + Vec2d(0, 0.2), centre + Vec2d(0, -0.2)};
+        std::uint32_t standing = 3;
+        const double bend = 0.03 * (2 * sequence - 1);
+        for (NodeIndex f = 0; f < layout.countOf(sequence); ++f) {
+            if (f % 4 == 0)
+                standing = random() % 4;
+            const double heading = sequence + bend * f;
+            headings.push_back(heading);
+            const Vec2d way = (0.04 + 0.03 * sequence) * Vec2d(std::cos(heading), std::sin(heading));
+            roots.centres.emplace_back(centre.x(), centre.y(), 1);
+            Support& support = roots.supports.emplace_back();
+            for (std::uint32_t foot = 0; foot < 2; ++foot) {
+                roots.stances.places.emplace_back(feet[foot].x(), feet[foot].y(), 0);
+                if ((standing >> foot & 1U) != 0) {
+                    support.vertices.push_back(foot);
+                    support.places.push_back(feet[foot]);
+                }
+                const bool stays = (standing >> foot & 1U) != 0;
+                feet[foot] += stays ? Vec2d(0, 0) : Vec2d(1.5 * way);
+            }
+            roots.stances.standing.push_back(standing);
+            centre += way;
+        }
+    }
+
+    Table<float> drifts() const { return footDrifts(roots, layout, transitions, fps); }
+
+    /// By the plan of the clip.
+    double expected(NodeIndex i, NodeIndex j) const
+    {
+        Transition transition{.frames = {i, j}, .sourceWindow = 15, .destinationWindow = 15};
+        for (int t = 0; t < transitions.length(i, j); ++t)
+            transition.path.push_back({i + t, j - transitions.length(i, j) + 1 + t});
+        const Walk walk{{{std::max(i - 8, 0), i}, {j, std::min(j + 8, layout.frameCount() - 1)}}};
+        const ClipPlan plan =
+            planClip(roots, walk, std::span(&transition, 1), {.start = {}, .blend = BlendSettings::gentle()});
+        std::vector<FrameOrigin> origins;
+        for (const PlannedFrame& frame : plan.frames)
+            origins.push_back(frame.origin);
+        const std::vector<std::uint32_t> standing = stancesOf(origins, fps, roots.stances);
+        double greatest = 0;
+        for (std::size_t foot = 0; foot < 2; ++foot)
+            greatest = std::max(greatest, greatestDeviation(plan, standing, foot));
+        return greatest / roots.stances.height;
+    }
+
+    double greatestDeviation(const ClipPlan& plan, const std::vector<std::uint32_t>& standing,
+                             std::size_t foot) const
+    {
+        const Ground ground(roots.up);
+        const auto placeAt = [&](std::size_t f) -> Vec2d {
+            const PlannedFrame& frame = plan.frames[f];
+            const double lambda = frame.isSingle() ? 0 : frame.lambda;
+            const auto placed = [&](const GroundMotion& place, NodeIndex node) -> Vec2d {
+                return place(ground.of(roots.stances.placeOf(node, foot)));
+            };
+            return (1 - lambda) * placed(frame.placeSource, frame.times.source.frame) +
+                   lambda * placed(frame.placeDestination, frame.times.destination.frame);
+        };
+        const auto first = static_cast<std::size_t>(plan.junctions.front().first);
+        const auto last = static_cast<std::size_t>(plan.junctions.front().last);
+        double greatest = 0;
+        std::vector<std::size_t> span;
+        for (std::size_t f = 0; f <= standing.size(); ++f) {
+            if (f < standing.size() && (standing[f] >> foot & 1U) != 0) {
+                span.push_back(f);
+                continue;
+            }
+            Vec2d mean = Vec2d::Zero();
+            for (const std::size_t g : span)
+                mean += placeAt(g) / static_cast<double>(span.size());
+            for (const std::size_t g : span)
+                if (first <= g && g <= last)
+                    greatest = std::max(greatest, (placeAt(g) - mean).norm());
+            span.clear();
+        }
+        return greatest;
+    }
+};
+
+} // namespace
+
+TEST(FootDrift, IsHowFarTheClipDragsAFoot)
+{
+    double largest = 0;
+    for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+        const Walker walker(seed);
+        const Table<float> drifts = walker.drifts();
+        for (NodeIndex i = 0; i <= 25; i += 3) {
+            for (NodeIndex j = 54; j < 86; j += 2) {
+                // Turns are single precision.
+                EXPECT_NEAR(drifts(i, j), walker.expected(i, j), 1e-5) << seed << ": " << i << " → " << j;
+                largest = std::max(largest, static_cast<double>(drifts(i, j)));
+            }
+        }
+    }
+    EXPECT_GT(largest, 0.05);
+}
+
+TEST(FootDrift, IsNothingWhereFeetStandThroughout)
+{
+    Walker walker(1);
+    // The same stance in both takes: the blend goes on above the feet.
+    walker.roots.stances.standing.assign(walker.roots.stances.standing.size(), 1);
+    for (Vec3d& place : walker.roots.stances.places)
+        place = Vec3d(1, 2, 0);
+    EXPECT_LT(walker.drifts().maxCoeff(), 1e-6F);
+    EXPECT_EQ(walker.drifts()(0, 1), 0) << "no transition";
+    walker.roots.stances = {};
+    EXPECT_EQ(walker.drifts().maxCoeff(), 0) << "nothing is known of feet";
+}
+
+TEST(FootDrift, IsTheSameOnAnyNumberOfThreads)
+{
+    const Walker walker(2);
+    const Table<float> parallel = walker.drifts();
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_TRUE((walker.drifts() == parallel).all());
+}
+
+TEST(FootDrift, StopsWhenCancelled)
+{
+    CancelToken token;
+    token.cancel();
+    const Walker walker(1);
+    EXPECT_THROW(footDrifts(walker.roots, walker.layout, walker.transitions, fps, Progress(token)), Error);
+}
+
+TEST(FootDrift, CostsAsMuchAsFeetThatDiffer)
+{
+    Table<float> cost = Table<float>::Constant(2, 2, 0.5F);
+    cost(0, 0) = TransitionTable::none;
+    const Table<float> drifts = Table<float>::Constant(2, 2, static_cast<float>(dragOfOneFoot));
+    const Table<std::uint16_t> lengths = Table<std::uint16_t>::Constant(2, 2, 10);
+    Table<float> mean = cost;
+    addDrifts(mean, drifts, lengths, false, {.contacts = 2});
+    EXPECT_FLOAT_EQ(mean(0, 1), 0.5F + 2);
+    EXPECT_EQ(mean(0, 0), TransitionTable::none);
+    addDrifts(cost, drifts, lengths, true, {.contacts = 2});
+    EXPECT_FLOAT_EQ(cost(0, 1), 0.5F + 10 * 2);
+    addDrifts(mean, drifts, lengths, false, {.velocity = 1});
+    EXPECT_FLOAT_EQ(mean(0, 1), 0.5F + 2) << "no weight";
+}
