@@ -122,7 +122,7 @@ private:
         ResultStage made =
             stage(samplesStageOf(m_name, m_parts[part]), "variations/" + m_name + "/" + m_parts[part]);
         const std::string model = modelStageOf(m_name, m_parts[part]);
-        made.version = 5;
+        made.version = 6;
         made.settings = samplesSettings(m_work->entry());
         made.inputs = {model};
         made.compute = [work = m_work, name = m_parts[part], model](const StageContext& context,

@@ -4,6 +4,7 @@
 #include "model/variation/covariancefactor.h"
 #include "model/variation/sampling.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -114,6 +115,33 @@ RowMatrix GpdmDynamics::meanPrediction(const Eigen::RowVectorXd& start, Eigen::I
     for (Eigen::Index i = 0; i < length; ++i)
         trajectory.row(i) = i > 0 ? next(trajectory.row(i - 1)) : start;
     return trajectory;
+}
+
+RowMatrix GpdmDynamics::trajectory(const Eigen::RowVectorXd& start, const RowMatrix& innovations) const
+{
+    const Eigen::Index count = innovations.rows();
+    const double noise = 1 / m_hyperparameters.beta4;
+    RowMatrix positions(count + 1, start.size());
+    positions.row(0) = start;
+    RowMatrix solved(count, m_inputs.rows());                     // L⁻¹·k of each position
+    Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(count, count); // of the steps' covariance
+    for (Eigen::Index t = 0; t < count; ++t) {
+        const RowMatrix here = positions.row(t);
+        const DynamicsKernel cross(m_inputs, here, m_hyperparameters);
+        DenseMatrix own = cross.sum;
+        solveLower(m_factor, own);
+        solved.row(t) = own.view().transpose();
+        const DynamicsKernel steps(positions.topRows(t + 1), here, m_hyperparameters);
+        Eigen::VectorXd covariance = steps.sum.view() - solved.topRows(t + 1) * solved.row(t).transpose();
+        covariance[t] += noise;
+        factor.row(t).head(t) =
+            factor.topLeftCorner(t, t).triangularView<Eigen::Lower>().solve(covariance.head(t)).transpose();
+        // At least a share of the noise, whatever rounding leaves.
+        factor(t, t) = std::sqrt(std::max(covariance[t] - factor.row(t).head(t).squaredNorm(), 1e-9 * noise));
+        positions.row(t + 1) =
+            cross.sum.view().transpose() * m_weights + factor.row(t).head(t + 1) * innovations.topRows(t + 1);
+    }
+    return positions;
 }
 
 double GpdmDynamics::energy(const RowMatrix& trajectory, RowMatrix* gradient) const

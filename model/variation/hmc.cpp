@@ -145,9 +145,11 @@ constexpr int greatestTunings = 5;
 class Recording
 {
 public:
-    Recording(Chain& chain, const HmcSettings& settings, std::int64_t samples, const Progress& progress)
+    Recording(Chain& chain, const HmcSettings& settings, std::int64_t samples, const Progress& progress,
+              const HmcDelivery& delivery)
         : m_chain(chain)
         , m_settings(settings)
+        , m_delivery(delivery)
         , m_progress(progress)
         , m_tuning(std::pow(static_cast<double>(chain.position().size()), -0.25),
                    (settings.leastAcceptance + settings.greatestAcceptance) / 2)
@@ -169,8 +171,14 @@ public:
         m_states.conservativeResize(m_chain.position().size(), length);
         while (std::ssize(m_energies) < length) {
             m_accepted += m_chain.step(m_stepSize).accepted;
-            m_states.col(std::ssize(m_energies)) = m_chain.position();
-            m_energies.push_back(m_chain.energy());
+            const Eigen::Index state = std::ssize(m_energies);
+            if (m_delivery.of) {
+                m_states.col(state) = m_delivery.of(m_chain.position());
+                m_energies.push_back(m_delivery.energy(m_states.col(state)));
+            } else {
+                m_states.col(state) = m_chain.position();
+                m_energies.push_back(m_chain.energy());
+            }
             countStep();
         }
     }
@@ -225,6 +233,7 @@ private:
 
     Chain& m_chain;
     const HmcSettings& m_settings;
+    const HmcDelivery& m_delivery;
     const Progress& m_progress;
     StepSizeTuning m_tuning;
     std::int64_t m_planned;
@@ -238,7 +247,8 @@ private:
 } // namespace
 
 HmcChain drawByHmc(const HmcEnergy& energy, const Eigen::VectorXd& start, const Eigen::MatrixXd& mass,
-                   int count, std::uint64_t seed, const HmcSettings& settings, const Progress& progress)
+                   int count, std::uint64_t seed, const HmcSettings& settings, const Progress& progress,
+                   const HmcDelivery& delivery)
 {
     HmcChain result;
     if (count <= 0 || start.size() == 0) {
@@ -246,7 +256,7 @@ HmcChain drawByHmc(const HmcEnergy& energy, const Eigen::VectorXd& start, const 
         return result;
     }
     Chain chain(energy, start, mass, seed, settings.leapfrogSteps, progress);
-    Recording recording(chain, settings, count, progress);
+    Recording recording(chain, settings, count, progress, delivery);
     int thinning = std::max(settings.thinning, 1);
     recording.burnIn();
     recording.extendTo(std::int64_t{count} * thinning);

@@ -38,6 +38,15 @@ struct HmcReport
 /// Negative log of a density, without constants, and its gradient; infinite where the density is none.
 using HmcEnergy = std::function<double(const Eigen::VectorXd& position, Eigen::VectorXd& gradient)>;
 
+/// What a chain delivers whose positions are coordinates in which its density is simpler: samples, energies
+/// and effective sizes are those of what it delivers.
+struct HmcDelivery
+{
+    std::function<Eigen::VectorXd(const Eigen::VectorXd& position)> of; ///< as many numbers; empty: itself
+    /// Negative log density of what is delivered, without constants.
+    std::function<double(const Eigen::VectorXd& delivered)> energy;
+};
+
 struct HmcChain
 {
     std::vector<Eigen::VectorXd> samples;
@@ -51,7 +60,7 @@ struct HmcChain
 /// \throws Error Cancelled. Cost: O(burnIn + count · thinning) trajectories.
 HmcChain drawByHmc(const HmcEnergy& energy, const Eigen::VectorXd& start, const Eigen::MatrixXd& mass,
                    int count, std::uint64_t seed, const HmcSettings& settings = {},
-                   const Progress& progress = {});
+                   const Progress& progress = {}, const HmcDelivery& delivery = {});
 
 /// How many independent values tell as much about the mean as a series of dependent ones: from the initial
 /// monotone sequence of its autocovariances (Geyer 1992). At most as many as there are.

@@ -196,17 +196,19 @@ TrajectorySamples modelTrajectories(const GpdmDynamics& dynamics, const PoseSpre
         all << start, Eigen::Map<const RowMatrix>(positions.data(), frames - 1, dimensions);
         return all;
     };
-    const HmcEnergy energy = [&](const Eigen::VectorXd& positions, Eigen::VectorXd& gradient) {
-        RowMatrix byPositions;
-        const double value = dynamics.energy(whole(positions), &byPositions);
-        gradient = byPositions.bottomRows(frames - 1).reshaped<Eigen::RowMajor>();
-        return value;
+    const HmcEnergy energy = [](const Eigen::VectorXd& innovations, Eigen::VectorXd& gradient) {
+        gradient = innovations;
+        return 0.5 * innovations.squaredNorm();
     };
-    const RowMatrix predicted = dynamics.meanPrediction(start, frames);
-    const Eigen::VectorXd first = predicted.bottomRows(frames - 1).reshaped<Eigen::RowMajor>();
-    constexpr double step = 1e-4; // of the size of latent positions, which is one
-    HmcChain chain =
-        drawByHmc(energy, first, curvatureOf(energy, first, step), count, seed, settings.chain, progress);
+    const HmcDelivery delivery{
+        .of = [&](const Eigen::VectorXd& innovations) -> Eigen::VectorXd {
+            const RowMatrix all = dynamics.trajectory(
+                start, Eigen::Map<const RowMatrix>(innovations.data(), frames - 1, dimensions));
+            return all.bottomRows(frames - 1).reshaped<Eigen::RowMajor>();
+        },
+        .energy = [&](const Eigen::VectorXd& positions) { return dynamics.energy(whole(positions)); }};
+    HmcChain chain = drawByHmc(energy, Eigen::VectorXd::Zero((frames - 1) * dimensions), {}, count, seed,
+                               settings.chain, progress, delivery);
     TrajectorySamples samples;
     std::vector<PosedTrajectory> posed;
     for (const Eigen::VectorXd& positions : chain.samples) {

@@ -28,6 +28,12 @@ public:
     /// Frame after frame by the mean. \return length × dimensions, the first row is `start`.
     RowMatrix meanPrediction(const Eigen::RowVectorXd& start, Eigen::Index length) const;
 
+    /// The trajectory that innovations of a standard normal density make, position after position, each from
+    /// all before it and from what was learned: such trajectories have the density of `energy`. Without
+    /// innovations it is the mean prediction. \param innovations  (length − 1) × dimensions.
+    /// Cost: O(length · inputs² + length³).
+    RowMatrix trajectory(const Eigen::RowVectorXd& start, const RowMatrix& innovations) const;
+
     /// Negative log density of a trajectory after its first position, without constants: the joint
     /// conditional of ALGORITHMS section 8, and its gradient by the trajectory (first row zero).
     /// Cost: O(length · inputs² + length³).
@@ -92,7 +98,9 @@ struct LearnedTrajectory
 ///   step (see inTempo); it is scaled until poses are as far apart as `limits.spread` says, or bend by a
 ///   tenth more than the take. Of innovations that were scaled instead, noise became jitter, and errors grew
 ///   along the trajectory until it left all that was learned.
-/// - model: on all positions, from the mean prediction on (CVS §6). What is drawn is given as it is.
+/// - model: on all positions, from the mean prediction on (CVS §6). What is drawn is given as it is. The
+///   chain goes over innovations (GpdmDynamics::trajectory), in which that density is a standard normal one:
+///   over positions, of which each pulls at all behind it, some thousand states are worth three.
 /// The same seed gives the same samples, for any number of threads.
 /// \param poses  of the same model. \throws Error BadArgument (a trajectory without positions, limits that
 /// are negative or no numbers), Cancelled.

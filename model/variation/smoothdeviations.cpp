@@ -77,6 +77,29 @@ Eigen::MatrixXd closedWaves(const std::vector<double>& places)
     return orthonormal(waves);
 }
 
+/// Second derivatives of an energy by central differences of its gradient, made positive definite: their
+/// sizes count, and the flattest are raised. Cost: two energies for each coordinate.
+Eigen::MatrixXd curvatureOf(const HmcEnergy& energy, const Eigen::VectorXd& at, double step)
+{
+    const Eigen::Index size = at.size();
+    Eigen::MatrixXd second(size, size);
+    Eigen::VectorXd above;
+    Eigen::VectorXd below;
+    for (Eigen::Index i = 0; i < size; ++i) {
+        energy(at + step * Eigen::VectorXd::Unit(size, i), above);
+        energy(at - step * Eigen::VectorXd::Unit(size, i), below);
+        second.col(i) = (above - below) / (2 * step);
+    }
+    if (!second.allFinite())
+        return Eigen::MatrixXd::Identity(size, size);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (second + second.transpose()));
+    const Eigen::VectorXd sizes = solver.eigenvalues().cwiseAbs();
+    if (sizes.maxCoeff() <= 0)
+        return Eigen::MatrixXd::Identity(size, size);
+    const Eigen::VectorXd raised = sizes.cwiseMax(leastCurvature * sizes.maxCoeff());
+    return solver.eigenvectors() * raised.asDiagonal() * solver.eigenvectors().transpose();
+}
+
 } // namespace
 
 SmoothDeviations::SmoothDeviations(const GpdmDynamics& dynamics, const LearnedTrajectory& trajectory)
@@ -114,27 +137,6 @@ Eigen::MatrixXd SmoothDeviations::curvature() const
     return curvatureOf([this](const Eigen::VectorXd& amplitudes,
                               Eigen::VectorXd& gradient) { return energy(amplitudes, gradient); },
                        Eigen::VectorXd::Zero(size()), step);
-}
-
-Eigen::MatrixXd curvatureOf(const HmcEnergy& energy, const Eigen::VectorXd& at, double step)
-{
-    const Eigen::Index size = at.size();
-    Eigen::MatrixXd second(size, size);
-    Eigen::VectorXd above;
-    Eigen::VectorXd below;
-    for (Eigen::Index i = 0; i < size; ++i) {
-        energy(at + step * Eigen::VectorXd::Unit(size, i), above);
-        energy(at - step * Eigen::VectorXd::Unit(size, i), below);
-        second.col(i) = (above - below) / (2 * step);
-    }
-    if (!second.allFinite())
-        return Eigen::MatrixXd::Identity(size, size);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (second + second.transpose()));
-    const Eigen::VectorXd sizes = solver.eigenvalues().cwiseAbs();
-    if (sizes.maxCoeff() <= 0)
-        return Eigen::MatrixXd::Identity(size, size);
-    const Eigen::VectorXd raised = sizes.cwiseMax(leastCurvature * sizes.maxCoeff());
-    return solver.eigenvectors() * raised.asDiagonal() * solver.eigenvectors().transpose();
 }
 
 } // namespace quadrille

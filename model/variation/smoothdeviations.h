@@ -40,8 +40,4 @@ private:
     double m_size;     ///< of the movement from where it began, per wave
 };
 
-/// Second derivatives of an energy by central differences of its gradient, made positive definite: their
-/// sizes count, and the flattest are raised. Cost: two energies for each coordinate.
-Eigen::MatrixXd curvatureOf(const HmcEnergy& energy, const Eigen::VectorXd& at, double step);
-
 } // namespace quadrille

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "latentloops.h"
+#include "model/core/random.h"
 #include "model/variation/sampling.h"
 #include "plaindynamics.h"
 
@@ -78,6 +79,29 @@ TEST(GpdmDynamics, meanPredictionFollowsWhatWasLearned)
     EXPECT_EQ(predicted.row(0), loops.state.latents.row(0));
     EXPECT_EQ(predicted.row(1), dynamics.next(predicted.row(0)));
     EXPECT_LT((predicted - loops.state.latents).rowwise().norm().maxCoeff(), 0.15);
+}
+
+// By the chain rule: what is drawn position after position has the density of the whole.
+TEST(GpdmDynamics, trajectoriesOfInnovationsHaveTheirDensity)
+{
+    const LatentLoops loops = latentLoops(3, 12);
+    const GpdmDynamics dynamics(loops.state, loops.spans);
+    const PlainDynamics plain(loops);
+    const Eigen::RowVectorXd start = loops.state.latents.row(0);
+    constexpr Eigen::Index frames = 7;
+    EXPECT_LT(
+        (dynamics.trajectory(start, RowMatrix::Zero(frames - 1, 3)) - dynamics.meanPrediction(start, frames))
+            .norm(),
+        1e-9);
+    Random random(3);
+    RowMatrix innovations(frames - 1, 3);
+    for (double& value : innovations.reshaped())
+        value = random.normal();
+    const RowMatrix trajectory = dynamics.trajectory(start, innovations);
+    EXPECT_EQ(trajectory.row(0), start);
+    const auto [mean, covariance] = plain.joint(trajectory.topRows(frames - 1));
+    const double determinant = std::log(covariance.determinant());
+    EXPECT_NEAR(dynamics.energy(trajectory) - 0.5 * 3 * determinant, 0.5 * innovations.squaredNorm(), 1e-6);
 }
 
 TEST(GpdmDynamics, isSureWhereItWasTaughtAndUnsureElsewhere)

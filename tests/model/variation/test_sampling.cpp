@@ -166,6 +166,19 @@ TEST(TrajectorySamples, ofTheModelAreLikeAncestralDraws)
     EXPECT_EQ(samples.report.chain.energies.back(), energies[count - 1]);
 }
 
+// However long they are: over positions, a chain of some thousand states is worth six of these.
+TEST(TrajectorySamples, ofTheModelAreWorthTheirNumber)
+{
+    LatentLoops loops = latentLoops(3, 80);
+    loops.state.hyperparameters.beta4 = 300;
+    const PosedLoops posed(std::move(loops));
+    const TrajectorySamples samples =
+        sampleTrajectories(posed.dynamics, posed.poses, {posed.loops.trajectory(1)}, 24, 1, ofModel());
+    EXPECT_GE(samples.report.chain.effectiveSampleSize, 24);
+    EXPECT_GE(samples.report.chain.acceptance, 0.6);
+    EXPECT_LE(samples.report.chain.acceptance, 0.9);
+}
+
 // What runs along the learned trajectory would let parts of a body hurry each on its own.
 TEST(TrajectorySamples, deviateAcrossWhatWasLearned)
 {
