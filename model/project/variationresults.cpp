@@ -290,9 +290,8 @@ Result selectionResult(const VariationEntry& entry, const std::vector<VariationS
     table.whole("variation").text("of").text("to").real("weight");
     table.text("across-of").text("across-to").real("across-weight").whole("seed").whole("candidate");
     table.text("faults").real("mean-pose-distance", "m").real("worst-pose-distance", "m");
-    table.real("greatest-pose-distance", "m");
     table.real("skate", "m/s").real("take-skate", "m/s").whole("intersections").whole("take-intersections");
-    table.real("volume-change").real("collapse").real("sink", "m");
+    table.real("volume-change").real("collapse").real("sink", "m").real("greatest-pose-distance", "m");
     std::int64_t before = 0;
     for (std::size_t s = 0; s < sets.size(); ++s) {
         const SamplesEntry& samples = entry.samples[s];
@@ -312,14 +311,14 @@ Result selectionResult(const VariationEntry& entry, const std::vector<VariationS
                        faultsText(candidate),
                        quality.meanPoseDistance,
                        quality.worstPoseDistance,
-                       greatestPoseDistance(quality, entry.limits),
                        quality.skate.value_or(0),
                        quality.takeSkate,
                        quality.intersections,
                        quality.takeIntersections,
                        quality.volumeChange.value_or(0),
                        quality.collapse,
-                       quality.sink});
+                       quality.sink,
+                       greatestPoseDistance(quality, entry.limits)});
         }
         before += samples.count;
     }

@@ -163,8 +163,8 @@ public:
     const Transition& transition() const { return m_transition; } ///< in nodes
     const FrameOrigin& originOf(NodeIndex node) const
     {
-        return node < m_count ? m_to.origins[static_cast<std::size_t>(m_earliest + node)]
-                              : m_from.origins[static_cast<std::size_t>(m_source + node - m_count)];
+        const NodeIndex frame = node < m_count ? m_earliest + node : m_source + node - m_count;
+        return (node < m_count ? m_to : m_from).origins[static_cast<std::size_t>(frame)];
     }
 
 private:
