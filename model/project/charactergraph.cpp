@@ -11,23 +11,6 @@ namespace quadrille {
 
 namespace {
 
-Digraph essentialGraphOf(const Result& graphs, NodeIndex nodeCount)
-{
-    const auto table =
-        std::find_if(graphs.tables.begin(), graphs.tables.end(),
-                     [](const DataTable& candidate) { return candidate.name == "essential-graph-edges"; });
-    const auto& from = std::get<std::vector<std::int64_t>>(table->columns[0].values);
-    const auto& to = std::get<std::vector<std::int64_t>>(table->columns[1].values);
-    const auto& weight = std::get<std::vector<double>>(table->columns[2].values);
-    const auto& kind = std::get<std::vector<std::string>>(table->columns[3].values);
-    std::vector<Edge> edges;
-    edges.reserve(from.size());
-    for (std::size_t e = 0; e < from.size(); ++e)
-        edges.push_back({static_cast<NodeIndex>(from[e]), static_cast<NodeIndex>(to[e]), weight[e],
-                         kind[e] == "original" ? EdgeKind::Original : EdgeKind::Transition});
-    return {nodeCount, std::move(edges)};
-}
-
 void addSupports(Result& result, const std::vector<Support>& supports, const std::string& unit)
 {
     std::vector<std::int64_t> counts;
@@ -134,6 +117,38 @@ std::vector<double> pacesInHeights(const RootPoses& roots, const FrameLayout& la
 
 } // namespace
 
+Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nodeCount)
+{
+    const auto table = std::find_if(graphs.tables.begin(), graphs.tables.end(),
+                                    [&](const DataTable& candidate) { return candidate.name == name; });
+    const auto& from = std::get<std::vector<std::int64_t>>(table->columns[0].values);
+    const auto& to = std::get<std::vector<std::int64_t>>(table->columns[1].values);
+    const auto& weight = std::get<std::vector<double>>(table->columns[2].values);
+    const auto& kind = std::get<std::vector<std::string>>(table->columns[3].values);
+    std::vector<Edge> edges;
+    edges.reserve(from.size());
+    for (std::size_t e = 0; e < from.size(); ++e)
+        edges.push_back({static_cast<NodeIndex>(from[e]), static_cast<NodeIndex>(to[e]), weight[e],
+                         kind[e] == "original" ? EdgeKind::Original : EdgeKind::Transition});
+    return {nodeCount, std::move(edges)};
+}
+
+TransitionTable transitionsOf(const Result& result)
+{
+    const auto countsOf = [](const Table<float>& counts) -> Table<std::uint16_t> {
+        return counts.isFinite().select(counts, 0.0F).cast<std::uint16_t>();
+    };
+    const DataArray& array = arrayOf(result, "transition-windows");
+    const auto& values = std::get<std::vector<float>>(array.values);
+    using Windows = Eigen::Map<const Table<float>, 0, Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>>;
+    const Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic> everySecond(2 * array.shape[1], 2);
+    return {.cost = tableOf<float>(arrayOf(result, "transition-cost")),
+            .length = countsOf(tableOf<float>(arrayOf(result, "transition-length"))),
+            .sourceWindow = countsOf(Windows(values.data(), array.shape[0], array.shape[1], everySecond)),
+            .destinationWindow =
+                countsOf(Windows(values.data() + 1, array.shape[0], array.shape[1], everySecond))};
+}
+
 Result rootPosesResult(const RootPoses& roots, const std::string& unit)
 {
     DataArray centres;
@@ -210,7 +225,7 @@ CharacterGraph::CharacterGraph(const CharacterWork& work, const StageContext& co
     m_distances = tableOf<float>(poses.arrays.front());
     m_transitions = transitionTableOf(resultOf(graphstage::transitions));
     m_costs = costsOf(work, context);
-    m_graph = essentialGraphOf(resultOf(graphstage::graphs), m_layout.frameCount());
+    m_graph = storedGraph(resultOf(graphstage::graphs), "essential-graph", m_layout.frameCount());
     const ProjectSettings& settings = work.opener->project().settings;
     m_roots = rootPosesOf(resultOf(graphstage::rootPoses), settings.axes.up);
     if (!work.graph.steps.isNothing())
@@ -222,26 +237,14 @@ CharacterGraph::CharacterGraph(const CharacterWork& work, const StageContext& co
 
 CostParts CharacterGraph::partsOf(const FramePair& pair) const
 {
-    CostParts parts;
-    const auto transition = m_paths->of(m_transitions, pair);
-    if (!transition)
-        return parts;
-    const Stances& stances = m_roots.stances;
-    for (const auto& [i, j] : transition->path) {
-        const auto pose = static_cast<double>(m_distances(i, j));
-        const double contacts = m_work.graph.steps.contacts * differingFeet(stances, i, j);
-        parts.pose += pose;
-        parts.contacts += contacts;
-        parts.velocity += std::max(static_cast<double>(steps()(i, j)) - pose - contacts, 0.0);
-    }
-    if (m_drifts.size() > 0)
-        parts.contacts += m_work.graph.steps.contacts / dragOfOneFoot *
-                          static_cast<double>(m_drifts(pair.source, pair.destination)) * transition->length();
-    // A mean, or in shares of liveliness.
-    const double sum = parts.sum();
-    const double scale =
-        sum > 0 ? static_cast<double>(m_costs->cost()(pair.source, pair.destination)) / sum : 1;
-    return {parts.pose * scale, parts.contacts * scale, parts.velocity * scale};
+    const CostSplit split{.distances = m_distances,
+                          .steps = steps(),
+                          .stances = m_roots.stances,
+                          .contactWeight = m_work.graph.steps.contacts,
+                          .paths = *m_paths,
+                          .transitions = m_transitions,
+                          .costs = *m_costs};
+    return split.of(pair);
 }
 
 WalkMaterial CharacterGraph::material(const BlendSettings& blend, bool isAlongPath) const

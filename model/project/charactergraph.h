@@ -4,6 +4,7 @@
 
 #include "model/graph/digraph.h"
 #include "model/project/characterstages.h"
+#include "model/project/costparts.h"
 #include "model/synthesis/findwalk.h"
 #include "model/synthesis/rootposes.h"
 #include "model/synthesis/walk.h"
@@ -13,21 +14,17 @@
 
 namespace quadrille {
 
+/// One of both graphs, "essential-graph" or "motion-graph", from the result of the stage of graphs.
+Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nodeCount);
+
+/// \param result  of the stage of transitions.
+TransitionTable transitionsOf(const Result& result);
+
 /// \param unit  of lengths.
 Result rootPosesResult(const RootPoses& roots, const std::string& unit);
 RootPoses rootPosesOf(const Result& result, UpAxis up);
 /// From the result of the stage of transitions.
 TransitionTable transitionTableOf(const Result& result);
-
-/// The cost of a transition in parts, in the unit of the pose distances.
-struct CostParts
-{
-    double pose = 0;     ///< distances between the poses that are blended
-    double contacts = 0; ///< feet that stand in one of two blended frames only, or are dragged
-    double velocity = 0; ///< body and feet that move otherwise
-
-    double sum() const { return pose + contacts + velocity; }
-};
 
 /// What walks through the frames of a character need, from the results of its graph's stages.
 class CharacterGraph

@@ -39,6 +39,7 @@ inline constexpr auto transitions = "transitions";
 inline constexpr auto drifts = "foot-drifts";
 inline constexpr auto liveliness = "liveliness";
 inline constexpr auto graphs = "graphs";
+inline constexpr auto edges = "edges"; ///< told by name and cost; nothing else needs them
 inline constexpr auto rootPoses = "root-poses";
 } // namespace graphstage
 

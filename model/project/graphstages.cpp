@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 
 namespace quadrille {
 
@@ -150,6 +151,50 @@ ResultStage driftStage(const CharacterWork& work)
     return stage;
 }
 
+/// The parts of costs, from the results that the graphs are made of.
+class TransitionParts
+{
+public:
+    TransitionParts(const CharacterWork& work, const TransitionCosts& costs, const StageContext& context)
+        : m_costs(costs), m_contactWeight(work.graph.steps.contacts)
+    {
+        const ProjectSettings& settings = work.opener->project().settings;
+        const auto resultOf = [&](const char* stage) { return context.resultOf(work.stageName(stage)); };
+        m_distances = tableOf<float>(resultOf(graphstage::poseDistance).arrays.front());
+        m_transitions = transitionTableOf(resultOf(graphstage::transitions));
+        const RootPoses roots = rootPosesOf(resultOf(graphstage::rootPoses), settings.axes.up);
+        m_steps =
+            weightedSteps(m_distances, stepCosts(roots, costs.layout(), settings.fps), work.graph.steps);
+        m_stances = roots.stances;
+        if (knowsDrifts(work.graph))
+            m_drifts = tableOf<float>(resultOf(graphstage::drifts).arrays.front());
+        m_paths.emplace(m_steps, costs.layout(), transitionSettings(work.graph, settings.fps));
+    }
+
+    CostParts of(const FramePair& pair) const
+    {
+        const CostSplit split{.distances = m_distances,
+                              .steps = m_steps,
+                              .stances = m_stances,
+                              .contactWeight = m_contactWeight,
+                              .drifts = m_drifts,
+                              .paths = *m_paths,
+                              .transitions = m_transitions,
+                              .costs = m_costs};
+        return split.of(pair);
+    }
+
+private:
+    const TransitionCosts& m_costs;
+    double m_contactWeight;
+    Table<float> m_distances;
+    Table<float> m_steps;
+    Table<float> m_drifts;
+    Stances m_stances;
+    TransitionTable m_transitions;
+    std::optional<WarpPaths> m_paths;
+};
+
 ResultStage graphStage(const CharacterWork& work)
 {
     ResultStage stage = work.stage(graphstage::graphs);
@@ -176,11 +221,36 @@ ResultStage graphStage(const CharacterWork& work)
         addComponents(components, "motion", graph.alpha, ofMotion.connectivity, costs.layout(), sequences);
         Result result;
         result.tables = {
-            edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.", motion,
-                      costs, costs.layout(), sequences),
-            edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.",
-                      essential.graph, costs, costs.layout(), sequences),
+            graphTable("motion-graph", "The motion graph; motion-graph-edges tells more.", motion),
+            graphTable("essential-graph", "The Essential graph; essential-graph-edges tells more.",
+                       essential.graph),
             std::move(statistics).table(), std::move(components).table()};
+        return result;
+    };
+    return stage;
+}
+
+/// A stage of its own: the parts of many costs take longer than the graphs, which others wait for.
+ResultStage edgeStage(const CharacterWork& work)
+{
+    ResultStage stage = work.stage(graphstage::edges);
+    stage.inputs = costInputs(work);
+    stage.inputs.push_back(work.stageName(graphstage::rootPoses));
+    stage.inputs.push_back(work.stageName(graphstage::graphs));
+    stage.settings = costSettings(work.graph).dump();
+    stage.compute = [work, graphs = stage.inputs.back()](const StageContext& context,
+                                                         const Progress& progress) {
+        const TransitionCosts costs = costsOf(work, context);
+        const TransitionParts parts(work, costs, context);
+        const EdgeNaming naming{costs, [&](const FramePair& pair) { return parts.of(pair); }, work.sequences};
+        const Result both = context.resultOf(graphs);
+        const NodeIndex frames = costs.layout().frameCount();
+        Result result;
+        result.tables = {
+            edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.",
+                      storedGraph(both, "motion-graph", frames), naming, progress.part(0, 0.1)),
+            edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.",
+                      storedGraph(both, "essential-graph", frames), naming, progress.part(0.1, 1))};
         return result;
     };
     return stage;
@@ -276,6 +346,7 @@ std::vector<ResultStage> makeGraphStages(const StageMaking& making)
         if (graph.costScale == CostScale::Liveliness)
             stages.push_back(livelinessStage(work));
         stages.push_back(graphStage(work));
+        stages.push_back(edgeStage(work));
     }
     return stages;
 }

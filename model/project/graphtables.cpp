@@ -2,28 +2,51 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/graphtables.h"
 
+#include <atomic>
+#include <tbb/parallel_for.h>
+
 namespace quadrille {
 
-DataTable edgeTable(const char* name, const char* description, const Digraph& graph,
-                    const TransitionCosts& costs, const FrameLayout& layout,
-                    const std::vector<std::string>& sequences)
+DataTable graphTable(const char* name, const char* description, const Digraph& graph)
 {
     TableBuilder table(name, description);
-    table.whole("i").whole("j").real("weight").text("kind").real("cost").whole("length", "frame");
+    table.whole("i").whole("j").real("weight").text("kind");
+    for (const Edge& edge : graph.edges())
+        table.add({std::int64_t{edge.from}, std::int64_t{edge.to}, edge.weight,
+                   edge.kind == EdgeKind::Original ? "original" : "transition"});
+    return std::move(table).table();
+}
+
+DataTable edgeTable(const char* name, const char* description, const Digraph& graph, const EdgeNaming& naming,
+                    const Progress& progress)
+{
+    const auto& edges = graph.edges();
+    std::vector<CostParts> parts(edges.size());
+    std::atomic<std::size_t> done = 0;
+    tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t e) {
+        if (edges[e].kind == EdgeKind::Transition)
+            parts[e] = naming.partsOf({edges[e].from, edges[e].to});
+        progress.report(static_cast<double>(++done) / static_cast<double>(edges.size()));
+    });
+    TableBuilder table(name, description);
+    table.whole("i").whole("j").real("weight").text("kind").real("cost");
+    table.real("pose-cost").real("contact-cost").real("velocity-cost").whole("length", "frame");
     table.text("from-sequence").whole("from-frame", "frame").text("to-sequence").whole("to-frame", "frame");
+    const FrameLayout& layout = naming.costs.layout();
     const auto sequenceOf = [&](NodeIndex node) {
-        return sequences[static_cast<std::size_t>(layout.sequenceOf(node))];
+        return naming.sequences[static_cast<std::size_t>(layout.sequenceOf(node))];
     };
     const auto frameOf = [&](NodeIndex node) {
         return std::int64_t{node} - layout.firstOf(layout.sequenceOf(node));
     };
-    for (const Edge& edge : graph.edges()) {
-        const NodeIndex i = edge.from;
-        const NodeIndex j = edge.to;
-        const bool isOriginal = edge.kind == EdgeKind::Original;
-        table.add({std::int64_t{i}, std::int64_t{j}, edge.weight, isOriginal ? "original" : "transition",
-                   isOriginal ? 0.0 : static_cast<double>(costs.cost()(i, j)),
-                   isOriginal ? std::int64_t{1} : std::int64_t{costs.length()(i, j)}, sequenceOf(i),
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        const NodeIndex i = edges[e].from;
+        const NodeIndex j = edges[e].to;
+        const bool isOriginal = edges[e].kind == EdgeKind::Original;
+        table.add({std::int64_t{i}, std::int64_t{j}, edges[e].weight, isOriginal ? "original" : "transition",
+                   isOriginal ? 0.0 : static_cast<double>(naming.costs.cost()(i, j)), parts[e].pose,
+                   parts[e].contacts, parts[e].velocity,
+                   isOriginal ? std::int64_t{1} : std::int64_t{naming.costs.length()(i, j)}, sequenceOf(i),
                    frameOf(i), sequenceOf(j), frameOf(j)});
     }
     return std::move(table).table();

@@ -356,13 +356,14 @@ private slots:
         QVERIFY(statistics.readAll().contains("motion,0.01,180,"));
         edges.seek(0);
         QCOMPARE(edges.readLine().trimmed(),
-                 QByteArray("i,j,weight,kind,cost,length (frame),from-sequence,from-frame "
+                 QByteArray("i,j,weight,kind,cost,pose-cost,contact-cost,velocity-cost,length "
+                            "(frame),from-sequence,from-frame "
                             "(frame),to-sequence,to-frame (frame)"));
         const QList<QByteArray> first = edges.readLine().trimmed().split(',');
         const NamedFrame from = graph().nameOf(first.at(0).toInt());
         const NamedFrame to = graph().nameOf(first.at(1).toInt());
         QCOMPARE(
-            first.mid(6),
+            first.mid(9),
             (QList<QByteArray>{QByteArray::fromStdString(from.sequence), QByteArray::number(from.frame.value),
                                QByteArray::fromStdString(to.sequence), QByteArray::number(to.frame.value)}));
     }

@@ -213,10 +213,11 @@ void GraphWorkspace::saveTables()
         {.name = tr("Saving tables"), .receiver = this},
         [opened = m_explorer->character(), paths = m_explorer->paths(), comparison = m_explorer->comparison(),
          folder, project = m_context.document.snapshot(),
-         projectFile = m_context.document.workingFile()](const Progress&) {
+         projectFile = m_context.document.workingFile()](const Progress& progress) {
             const auto guard = projectGuard(project, projectFile, {.outside = true});
             const WrittenNote note(*guard, projectFile);
-            return writeGraphTables(opened->graph, *paths, comparison, folder.toStdString(), *guard);
+            return writeGraphTables(opened->graph, *paths, comparison, folder.toStdString(), *guard,
+                                    progress);
         },
         [this, folder](const std::vector<std::filesystem::path>& files) {
             m_message->show(widgets::MessageStrip::Kind::Info,

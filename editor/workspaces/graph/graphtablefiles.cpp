@@ -25,19 +25,20 @@ GraphStatistics statisticsOf(const Digraph& graph, const PathCostSummary& costs,
 std::vector<std::filesystem::path> writeGraphTables(const CharacterGraph& character,
                                                     const ExploredPaths& paths,
                                                     const std::vector<GraphComparison>& comparison,
-                                                    const std::filesystem::path& folder, WriteGuard& guard)
+                                                    const std::filesystem::path& folder, WriteGuard& guard,
+                                                    const Progress& progress)
 {
     const ExploredGraphs& graphs = *paths.graphs;
     const GraphStatistics essential =
         statisticsOf(graphs.essential, graphs.essentialCosts, paths.essentialConnectivity);
     const GraphStatistics motion = statisticsOf(graphs.motion, paths.motionCosts, paths.motionConnectivity);
     std::vector<DataTable> tables;
+    const EdgeNaming naming{character.costs(), [&](const FramePair& pair) { return character.partsOf(pair); },
+                            character.work().sequences};
     tables.push_back(edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.",
-                               graphs.essential, character.costs(), character.layout(),
-                               character.work().sequences));
+                               graphs.essential, naming, progress.part(0, 0.8)));
     tables.push_back(edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.",
-                               graphs.motion, character.costs(), character.layout(),
-                               character.work().sequences));
+                               graphs.motion, naming, progress.part(0.8, 0.9)));
     TableBuilder statistics = statisticsTable("graph-statistics", "Both graphs at the project's alpha.");
     addStatistics(statistics, "essential", graphs.alpha, essential);
     addStatistics(statistics, "motion", graphs.alpha, motion);

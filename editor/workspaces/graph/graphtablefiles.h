@@ -14,10 +14,12 @@ class WriteGuard;
 /// Writes what is known of both graphs as CSV files into a folder: their edges, statistics and components,
 /// and the comparison over α where there is one. On any thread.
 /// \param guard decides what may be written over.
-/// \return the files. \throws Error WriteFailed, PermissionDenied, BadArgument (what the guard refuses).
+/// \return the files. \throws Error WriteFailed, PermissionDenied, BadArgument (what the guard refuses),
+/// Cancelled.
 std::vector<std::filesystem::path> writeGraphTables(const CharacterGraph& character,
                                                     const ExploredPaths& paths,
                                                     const std::vector<GraphComparison>& comparison,
-                                                    const std::filesystem::path& folder, WriteGuard& guard);
+                                                    const std::filesystem::path& folder, WriteGuard& guard,
+                                                    const Progress& progress);
 
 } // namespace quadrille

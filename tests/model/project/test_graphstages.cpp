@@ -121,6 +121,34 @@ TEST_F(GraphStages, EdgesNameTheSequenceAndTheFrameOfBothEnds)
     }
 }
 
+TEST_F(GraphStages, EdgesTellWhatTheirCostsAreMadeOf)
+{
+    project.graphs.front().steps = GraphEntry().steps;
+    for (SequenceEntry& sequence : project.sequences)
+        sequence.contacts = {{.foot = "left", .frames = {FrameIndex(2), FrameIndex(4)}}};
+    run();
+    for (const char* table : {"essential-graph-edges", "motion-graph-edges"}) {
+        const auto cost = column<double>(table, "cost");
+        const auto pose = column<double>(table, "pose-cost");
+        const auto contacts = column<double>(table, "contact-cost");
+        const auto velocity = column<double>(table, "velocity-cost");
+        double feet = 0;
+        for (std::size_t e = 0; e < cost.size(); ++e) {
+            EXPECT_NEAR(pose[e] + contacts[e] + velocity[e], cost[e], 1e-6 * cost[e]) << table;
+            EXPECT_LE(pose[e], cost[e] * (1 + 1e-6));
+            feet += contacts[e];
+        }
+        EXPECT_GT(feet, 0) << "a foot stands in some frames and not in others: " << table;
+    }
+    // Costs of poses alone.
+    project.graphs.front().steps = {};
+    run();
+    const auto cost = column<double>("essential-graph-edges", "cost");
+    const auto pose = column<double>("essential-graph-edges", "pose-cost");
+    for (std::size_t e = 0; e < cost.size(); ++e)
+        EXPECT_DOUBLE_EQ(pose[e], cost[e]);
+}
+
 TEST_F(GraphStages, NameTheFramesThatNoWalkReachesOrLeaves)
 {
     run();
@@ -148,25 +176,25 @@ TEST_F(GraphStages, NameTheFramesThatNoWalkReachesOrLeaves)
 
 TEST_F(GraphStages, OnlyWhatASettingReachesIsComputedAgain)
 {
-    EXPECT_EQ(computed(run()).size(), 5U);
+    EXPECT_EQ(computed(run()).size(), 6U);
     EXPECT_TRUE(computed(run()).empty());
     project.graphs[0].alpha = 0.1;
-    EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/graphs"));
+    EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/graphs", "graph/edges"));
     project.graphs[0].slope = 2;
-    EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/transitions", "graph/graphs"));
+    EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/transitions", "graph/graphs", "graph/edges"));
     project.graphs[0].durations = {0.5, 1.0};
-    EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/transitions", "graph/graphs"));
+    EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/transitions", "graph/graphs", "graph/edges"));
     project.graphs[0].pose.stretchWeight = 0.5;
-    EXPECT_THAT(computed(run()),
-                UnorderedElementsAre("graph/pose-distance", "graph/transitions", "graph/graphs"));
+    EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/pose-distance", "graph/transitions",
+                                                      "graph/graphs", "graph/edges"));
     folder.write("slow/f_3.obj", bentStrip(-0.2));
-    EXPECT_EQ(computed(run()).size(), 5U);
+    EXPECT_EQ(computed(run()).size(), 6U);
 }
 
 TEST_F(GraphStages, CostsAreScaledByLivelinessOnDemand)
 {
     project.graphs[0].costScale = CostScale::Liveliness;
-    EXPECT_EQ(computed(run()).size(), 6U);
+    EXPECT_EQ(computed(run()).size(), 7U);
     const Table<double> liveliness = livelinessOf(frameMeasures(frames(), {}, UpAxis::Y), frames().layout());
     EXPECT_TRUE((matrix("liveliness") == liveliness.cast<float>()).all());
     const PoseDistances poses = poseDistances(frames());
@@ -181,7 +209,7 @@ TEST_F(GraphStages, CostsAreScaledByLivelinessOnDemand)
     for (std::size_t e = 0; e < weights.size(); ++e)
         EXPECT_EQ(weights[e], essential.edges()[e].weight);
     project.graphs[0].costScale = CostScale::None;
-    EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/graphs"));
+    EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/graphs", "graph/edges"));
 }
 
 TEST_F(GraphStages, WindowsComeFromDurationsAtTheRateOfTheProject)
