@@ -8,6 +8,7 @@
 #include "editor/docks/projectpanel.h"
 #include "editor/docks/texturepanel.h"
 #include "editor/errors/issuespanel.h"
+#include "editor/evaluations/evaluationpanel.h"
 #include "editor/help/helpflow.h"
 #include "editor/language/retranslate.h"
 #include "editor/mainwindow.h"
@@ -59,12 +60,17 @@ void MainWindow::makeDocks()
     auto* texture = addDock(
         "textureDock", [] { return tr("Texture"); }, new TexturePanel(m_context, m_sequences->stage()),
         Qt::RightDockWidgetArea);
+    auto* evaluation = addDock(
+        "evaluationDock", [] { return tr("Evaluation"); }, new EvaluationPanel(m_context),
+        Qt::BottomDockWidgetArea);
+    tabifyDockWidget(m_issuesDock, evaluation);
     splitDockWidget(m_propertiesDock, texture, Qt::Vertical);
     tabifyDockWidget(m_propertiesDock, history);
     m_propertiesDock->raise();
     history->hide();
     texture->hide();
     m_issuesDock->hide();
+    evaluation->hide();
     resizeDocks({cards, m_propertiesDock}, {240, 280}, Qt::Horizontal);
 }
 

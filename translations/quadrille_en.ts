@@ -400,6 +400,13 @@
             <numerusform>Remove %n variations</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Remove %n evaluations</source>
+        <translation>
+            <numerusform>Remove %n evaluation</numerusform>
+            <numerusform>Remove %n evaluations</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ProjectPage</name>

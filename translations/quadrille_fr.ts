@@ -2,6 +2,1006 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr_FR" sourcelanguage="en">
 <context>
+    <name>Evaluation</name>
+    <message>
+        <source>Change of edges</source>
+        <translation>Changement des arêtes</translation>
+    </message>
+    <message>
+        <source>λ</source>
+        <translation>λ</translation>
+    </message>
+    <message>
+        <source>Change of volume</source>
+        <translation>Changement de volume</translation>
+    </message>
+    <message>
+        <source>Costs, over the largest of a linear transition</source>
+        <translation>Coûts, sur le plus grand d’une transition linéaire</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Mean path cost</source>
+        <translation>Coût moyen des chemins</translation>
+    </message>
+    <message>
+        <source>α</source>
+        <translation>α</translation>
+    </message>
+    <message>
+        <source>Mean path cost, as many edges in both</source>
+        <translation>Coût moyen des chemins, autant d’arêtes dans les deux</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Densité</translation>
+    </message>
+    <message>
+        <source>Correlation with joint angles</source>
+        <translation>Corrélation avec les angles des articulations</translation>
+    </message>
+    <message>
+        <source>Correlation, joint by joint</source>
+        <translation>Corrélation, articulation par articulation</translation>
+    </message>
+    <message>
+        <source>Later than wanted</source>
+        <translation>Plus tard que voulu</translation>
+    </message>
+    <message>
+        <source>Good transitions</source>
+        <translation>Bonnes transitions</translation>
+    </message>
+    <message>
+        <source>What is used up of the limit, median</source>
+        <translation>Ce qui est usé de la limite, médiane</translation>
+    </message>
+    <message>
+        <source>How well costs foretell, area under the curve</source>
+        <translation>Ce que prédisent les coûts, aire sous la courbe</translation>
+    </message>
+    <message>
+        <source>Pairs of frames with a transition</source>
+        <translation>Paires d’images qui ont une transition</translation>
+    </message>
+    <message>
+        <source>Deviation from the path</source>
+        <translation>Écart au chemin</translation>
+    </message>
+    <message>
+        <source>Foot slide</source>
+        <translation>Glissement des pieds</translation>
+    </message>
+    <message>
+        <source>Change of speed</source>
+        <translation>Variation de vitesse</translation>
+    </message>
+    <message>
+        <source>Transitions a second</source>
+        <translation>Transitions par seconde</translation>
+    </message>
+    <message>
+        <source>Blended share of the frames</source>
+        <translation>Part fondue des images</translation>
+    </message>
+    <message>
+        <source>Acceleration, as multiples of the take’s</source>
+        <translation>Accélération, en multiples de celle de la prise</translation>
+    </message>
+    <message>
+        <source>Foot slide, as multiples of the take’s</source>
+        <translation>Glissement des pieds, en multiples de celui de la prise</translation>
+    </message>
+    <message>
+        <source>Below and above the take</source>
+        <translation>Sous et sur la prise</translation>
+    </message>
+    <message>
+        <source>Greatest turn from the take</source>
+        <translation>Plus grand écart de cap</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>Combien</translation>
+    </message>
+    <message>
+        <source>Mean distance of a vertex</source>
+        <translation>Distance moyenne d’un sommet</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>images</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>a word and its value: &quot;slope 2&quot;</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Way of the centre, seen from above</source>
+        <translation>Chemin du centre, vu d’en haut</translation>
+    </message>
+    <message>
+        <source>Interpolated poses</source>
+        <translation>Poses interpolées</translation>
+    </message>
+    <message>
+        <source>How interpolated poses keep the lengths of edges and the volume, beside blended vertices (SMCAS Fig. 4)</source>
+        <translation>Comment les poses interpolées gardent la longueur des arêtes et le volume, face à des sommets mélangés (SMCAS fig. 4)</translation>
+    </message>
+    <message>
+        <source>Kinds of transitions</source>
+        <translation>Sortes de transitions</translation>
+    </message>
+    <message>
+        <source>Linear and warped transitions, with windows of one length and of any: cost, acceleration and length (SMCAS Fig. 7)</source>
+        <translation>Transitions linéaires et alignées, avec des fenêtres d’une longueur ou de toutes : coût, accélération et durée (SMCAS fig. 7)</translation>
+    </message>
+    <message>
+        <source>Essential graph and motion graph</source>
+        <translation>Graphe essentiel et graphe de mouvement</translation>
+    </message>
+    <message>
+        <source>What ways through both graphs cost, and how dense the graphs are, for several α (SMCAS Fig. 9)</source>
+        <translation>Ce que coûtent les chemins dans les deux graphes, et leur densité, pour plusieurs α (SMCAS fig. 9)</translation>
+    </message>
+    <message>
+        <source>Centre of a blend, constant weights</source>
+        <translation>Centre d’un fondu, poids constants</translation>
+    </message>
+    <message>
+        <source>The way of the body’s centre while two takes are blended half and half: without alignment, aligned once, at every step (SMCAS Fig. 11)</source>
+        <translation>Le chemin du centre du corps pendant que deux prises sont fondues moitié-moitié : sans alignement, aligné une fois, à chaque pas (SMCAS fig. 11)</translation>
+    </message>
+    <message>
+        <source>Centre of a blend, moving weights</source>
+        <translation>Centre d’un fondu, poids variables</translation>
+    </message>
+    <message>
+        <source>The same while one take goes over into the other (SMCAS Fig. 12)</source>
+        <translation>De même pendant qu’une prise passe à l’autre (SMCAS fig. 12)</translation>
+    </message>
+    <message>
+        <source>Pose distances and joint angles</source>
+        <translation>Distances de poses et angles des articulations</translation>
+    </message>
+    <message>
+        <source>How well pose distances agree with the joint angles of a motion capture beside the takes (SMCAS Table 1)</source>
+        <translation>À quel point les distances de poses s’accordent avec les angles d’une capture de mouvement à côté des prises (SMCAS tableau 1)</translation>
+    </message>
+    <message>
+        <source>Poses at times</source>
+        <translation>Poses à des instants</translation>
+    </message>
+    <message>
+        <source>Random poses at random times: when each was wanted and when the walk shows it (SMCAS Table 2)</source>
+        <translation>Des poses au hasard à des instants au hasard : quand chacune était voulue et quand le parcours la montre (SMCAS tableau 2)</translation>
+    </message>
+    <message>
+        <source>What shows at transitions</source>
+        <translation>Ce qui se voit aux transitions</translation>
+    </message>
+    <message>
+        <source>Random transitions measured against their takes: accelerations, frozen frames, steps, sliding feet, volume</source>
+        <translation>Des transitions au hasard mesurées face à leurs prises : accélérations, images figées, sauts, pieds qui glissent, volume</translation>
+    </message>
+    <message>
+        <source>What makes graphs dense</source>
+        <translation>Ce qui rend les graphes denses</translation>
+    </message>
+    <message>
+        <source>How dense both graphs are when one thing at a time is another: divisor of costs, longest window, takes joined, as published</source>
+        <translation>La densité des deux graphes quand une chose à la fois est autre : diviseur des coûts, fenêtre la plus longue, prises jointes, comme publié</translation>
+    </message>
+    <message>
+        <source>Walks along five paths</source>
+        <translation>Parcours le long de cinq chemins</translation>
+    </message>
+    <message>
+        <source>How calm walks along a straight line, an S, a circle, a right angle and a figure of eight are, and how their feet stand</source>
+        <translation>Le calme de parcours le long d’une droite, d’un S, d’un cercle, d’un angle droit et d’un huit, et l’appui des pieds</translation>
+    </message>
+    <message>
+        <source>Poses that models reconstruct</source>
+        <translation>Poses que les modèles reconstruisent</translation>
+    </message>
+    <message>
+        <source>How far models of variations are from the poses that they learned, beside principal components (CVS Fig. 4)</source>
+        <translation>L’écart des modèles de variations aux poses qu’ils ont apprises, face aux composantes principales (CVS fig. 4)</translation>
+    </message>
+    <message>
+        <source>Blends in latent space</source>
+        <translation>Mélanges dans l’espace latent</translation>
+    </message>
+    <message>
+        <source>How far interpolated blends are from true ones, with and without learned ones between (CVS Fig. 7)</source>
+        <translation>L’écart des mélanges interpolés aux vrais, avec et sans mélanges appris entre eux (CVS fig. 7)</translation>
+    </message>
+    <message>
+        <source>What shows of variations</source>
+        <translation>Ce qui se voit des variations</translation>
+    </message>
+    <message>
+        <source>Variations beside the takes that they vary: accelerations, sliding feet, heights, headings, lengths, what was rejected</source>
+        <translation>Les variations face aux prises qu’elles varient : accélérations, pieds qui glissent, hauteurs, caps, durées, ce qui fut rejeté</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <extracomment>an evaluation and the character that it is of</extracomment>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>EvaluationWord</name>
+    <message>
+        <source>surface cost</source>
+        <translation>coût de surface</translation>
+    </message>
+    <message>
+        <source>deviation of surface cost</source>
+        <translation>écart-type du coût de surface</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>accélération</translation>
+    </message>
+    <message>
+        <source>deviation of acceleration</source>
+        <translation>écart-type de l’accélération</translation>
+    </message>
+    <message>
+        <source>surface cost a frame</source>
+        <translation>coût de surface par image</translation>
+    </message>
+    <message>
+        <source>deviation of surface cost a frame</source>
+        <translation>écart-type du coût par image</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>longueur</translation>
+    </message>
+    <message>
+        <source>deviation of length</source>
+        <translation>écart-type de la longueur</translation>
+    </message>
+    <message>
+        <source>transition</source>
+        <translation>transition</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>pente</translation>
+    </message>
+    <message>
+        <source>pairs</source>
+        <translation>paires</translation>
+    </message>
+    <message>
+        <source>largest linear cost</source>
+        <translation>plus grand coût linéaire</translation>
+    </message>
+    <message>
+        <source>largest linear acceleration</source>
+        <translation>plus grande accélération linéaire</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linéaire</translation>
+    </message>
+    <message>
+        <source>warped</source>
+        <translation>alignée</translation>
+    </message>
+    <message>
+        <source>warped, any windows</source>
+        <translation>alignée, fenêtres libres</translation>
+    </message>
+    <message>
+        <source>graph</source>
+        <translation>graphe</translation>
+    </message>
+    <message>
+        <source>α</source>
+        <translation>α</translation>
+    </message>
+    <message>
+        <source>nodes</source>
+        <translation>nœuds</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>arêtes</translation>
+    </message>
+    <message>
+        <source>transitions</source>
+        <translation>transitions</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>densité</translation>
+    </message>
+    <message>
+        <source>mean path cost</source>
+        <translation>coût moyen des chemins</translation>
+    </message>
+    <message>
+        <source>deviation of path cost</source>
+        <translation>écart-type du coût</translation>
+    </message>
+    <message>
+        <source>pairs without a way</source>
+        <translation>paires sans chemin</translation>
+    </message>
+    <message>
+        <source>components</source>
+        <translation>composantes</translation>
+    </message>
+    <message>
+        <source>pairs with a way in both</source>
+        <translation>paires avec chemin dans les deux</translation>
+    </message>
+    <message>
+        <source>mean cost of these</source>
+        <translation>coût moyen de celles-ci</translation>
+    </message>
+    <message>
+        <source>component</source>
+        <translation>composante</translation>
+    </message>
+    <message>
+        <source>reachable</source>
+        <translation>atteignable</translation>
+    </message>
+    <message>
+        <source>returns</source>
+        <translation>revient</translation>
+    </message>
+    <message>
+        <source>Essential graph</source>
+        <translation>graphe essentiel</translation>
+    </message>
+    <message>
+        <source>motion graph</source>
+        <translation>graphe de mouvement</translation>
+    </message>
+    <message>
+        <source>variant</source>
+        <translation>variante</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>image</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>images</translation>
+    </message>
+    <message>
+        <source>take</source>
+        <translation>prise</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>première</translation>
+    </message>
+    <message>
+        <source>last</source>
+        <translation>dernière</translation>
+    </message>
+    <message>
+        <source>distance of the ends</source>
+        <translation>distance des bouts</translation>
+    </message>
+    <message>
+        <source>greatest turn</source>
+        <translation>plus grand virage</translation>
+    </message>
+    <message>
+        <source>reversals</source>
+        <translation>demi-tours</translation>
+    </message>
+    <message>
+        <source>without alignment</source>
+        <translation>sans alignement</translation>
+    </message>
+    <message>
+        <source>aligned once</source>
+        <translation>aligné une fois</translation>
+    </message>
+    <message>
+        <source>aligned at every step</source>
+        <translation>aligné à chaque pas</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>source</translation>
+    </message>
+    <message>
+        <source>destination</source>
+        <translation>destination</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>référence</translation>
+    </message>
+    <message>
+        <source>Pearson, vertices</source>
+        <translation>Pearson, sommets</translation>
+    </message>
+    <message>
+        <source>Pearson, surface</source>
+        <translation>Pearson, surface</translation>
+    </message>
+    <message>
+        <source>distance correlation, vertices</source>
+        <translation>corrélation de distance, sommets</translation>
+    </message>
+    <message>
+        <source>distance correlation, surface</source>
+        <translation>corrélation de distance, surface</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>articulation</translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation>articulations</translation>
+    </message>
+    <message>
+        <source>mean difference</source>
+        <translation>différence moyenne</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>part</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>méthode</translation>
+    </message>
+    <message>
+        <source>λ</source>
+        <translation>λ</translation>
+    </message>
+    <message>
+        <source>change of edges</source>
+        <translation>changement des arêtes</translation>
+    </message>
+    <message>
+        <source>deviation of edges</source>
+        <translation>écart-type des arêtes</translation>
+    </message>
+    <message>
+        <source>greatest change of edges</source>
+        <translation>plus grand changement d’arête</translation>
+    </message>
+    <message>
+        <source>change of volume</source>
+        <translation>changement de volume</translation>
+    </message>
+    <message>
+        <source>greatest change of volume</source>
+        <translation>plus grand changement de volume</translation>
+    </message>
+    <message>
+        <source>pose distance</source>
+        <translation>distance des poses</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>from frame</source>
+        <translation>de l’image</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source>to frame</source>
+        <translation>à l’image</translation>
+    </message>
+    <message>
+        <source>search</source>
+        <translation>recherche</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>clé</translation>
+    </message>
+    <message>
+        <source>wanted</source>
+        <translation>voulu</translation>
+    </message>
+    <message>
+        <source>obtained</source>
+        <translation>obtenu</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>erreur</translation>
+    </message>
+    <message>
+        <source>cost</source>
+        <translation>coût</translation>
+    </message>
+    <message>
+        <source>cost of edges</source>
+        <translation>coût des arêtes</translation>
+    </message>
+    <message>
+        <source>cost of timing</source>
+        <translation>coût des instants</translation>
+    </message>
+    <message>
+        <source>mean error</source>
+        <translation>erreur moyenne</translation>
+    </message>
+    <message>
+        <source>greatest error</source>
+        <translation>plus grande erreur</translation>
+    </message>
+    <message>
+        <source>expansions</source>
+        <translation>expansions</translation>
+    </message>
+    <message>
+        <source>proven best</source>
+        <translation>prouvé le meilleur</translation>
+    </message>
+    <message>
+        <source>bound</source>
+        <translation>borne</translation>
+    </message>
+    <message>
+        <source>blend</source>
+        <translation>fondu</translation>
+    </message>
+    <message>
+        <source>criterion</source>
+        <translation>critère</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>mesurées</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>bonnes</translation>
+    </message>
+    <message>
+        <source>median of ratios</source>
+        <translation>médiane des rapports</translation>
+    </message>
+    <message>
+        <source>90th percentile of ratios</source>
+        <translation>90e centile des rapports</translation>
+    </message>
+    <message>
+        <source>greatest ratio</source>
+        <translation>plus grand rapport</translation>
+    </message>
+    <message>
+        <source>predictor</source>
+        <translation>prédicteur</translation>
+    </message>
+    <message>
+        <source>rank correlation</source>
+        <translation>corrélation de rang</translation>
+    </message>
+    <message>
+        <source>area under the curve</source>
+        <translation>aire sous la courbe</translation>
+    </message>
+    <message>
+        <source>frozen frames</source>
+        <translation>images figées</translation>
+    </message>
+    <message>
+        <source>step of the centre</source>
+        <translation>saut du centre</translation>
+    </message>
+    <message>
+        <source>foot slide</source>
+        <translation>glissement des pieds</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>volume</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>tous</translation>
+    </message>
+    <message>
+        <source>source window</source>
+        <translation>fenêtre source</translation>
+    </message>
+    <message>
+        <source>destination window</source>
+        <translation>fenêtre destination</translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation>poids</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>somme</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>moyenne</translation>
+    </message>
+    <message>
+        <source>gentle</source>
+        <translation>doux</translation>
+    </message>
+    <message>
+        <source>published</source>
+        <translation>publié</translation>
+    </message>
+    <message>
+        <source>quantile</source>
+        <translation>quantile</translation>
+    </message>
+    <message>
+        <source>longest window</source>
+        <translation>fenêtre la plus longue</translation>
+    </message>
+    <message>
+        <source>takes</source>
+        <translation>prises</translation>
+    </message>
+    <message>
+        <source>divisor</source>
+        <translation>diviseur</translation>
+    </message>
+    <message>
+        <source>median deformation</source>
+        <translation>déformation médiane</translation>
+    </message>
+    <message>
+        <source>transitions, Essential graph</source>
+        <translation>transitions, graphe essentiel</translation>
+    </message>
+    <message>
+        <source>density, Essential graph</source>
+        <translation>densité, graphe essentiel</translation>
+    </message>
+    <message>
+        <source>transitions, motion graph</source>
+        <translation>transitions, graphe de mouvement</translation>
+    </message>
+    <message>
+        <source>density, motion graph</source>
+        <translation>densité, graphe de mouvement</translation>
+    </message>
+    <message>
+        <source>as set</source>
+        <translation>tel que réglé</translation>
+    </message>
+    <message>
+        <source>joined</source>
+        <translation>jointes</translation>
+    </message>
+    <message>
+        <source>as published</source>
+        <translation>comme publié</translation>
+    </message>
+    <message>
+        <source>joined, quantile</source>
+        <translation>jointes, quantile</translation>
+    </message>
+    <message>
+        <source>published, quantile</source>
+        <translation>publié, quantile</translation>
+    </message>
+    <message>
+        <source>published, joined</source>
+        <translation>publié, jointes</translation>
+    </message>
+    <message>
+        <source>published, joined, quantile</source>
+        <translation>publié, jointes, quantile</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>interpolées</translation>
+    </message>
+    <message>
+        <source>rotations blended</source>
+        <translation>rotations fondues</translation>
+    </message>
+    <message>
+        <source>cost of acceleration</source>
+        <translation>coût de l’accélération</translation>
+    </message>
+    <message>
+        <source>cost for liveliness</source>
+        <translation>coût selon la vivacité</translation>
+    </message>
+    <message>
+        <source>path</source>
+        <translation>chemin</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>secondes</translation>
+    </message>
+    <message>
+        <source>transitions a second</source>
+        <translation>transitions par seconde</translation>
+    </message>
+    <message>
+        <source>shortest run</source>
+        <translation>plus courte course</translation>
+    </message>
+    <message>
+        <source>blended share</source>
+        <translation>part fondue</translation>
+    </message>
+    <message>
+        <source>mean deviation</source>
+        <translation>écart moyen</translation>
+    </message>
+    <message>
+        <source>greatest deviation</source>
+        <translation>plus grand écart</translation>
+    </message>
+    <message>
+        <source>foot slide of takes</source>
+        <translation>glissement dans les prises</translation>
+    </message>
+    <message>
+        <source>ratio of foot slide</source>
+        <translation>rapport du glissement</translation>
+    </message>
+    <message>
+        <source>change of speed</source>
+        <translation>variation de vitesse</translation>
+    </message>
+    <message>
+        <source>change of speed of takes</source>
+        <translation>variation dans les prises</translation>
+    </message>
+    <message>
+        <source>ratio of change of speed</source>
+        <translation>rapport des variations</translation>
+    </message>
+    <message>
+        <source>straight line</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>cercle</translation>
+    </message>
+    <message>
+        <source>right angle</source>
+        <translation>angle droit</translation>
+    </message>
+    <message>
+        <source>figure of eight</source>
+        <translation>huit</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>variations</source>
+        <translation>variations</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>asked</source>
+        <translation>demandées</translation>
+    </message>
+    <message>
+        <source>delivered</source>
+        <translation>livrées</translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>tirées</translation>
+    </message>
+    <message>
+        <source>greatest acceleration</source>
+        <translation>plus grande accélération</translation>
+    </message>
+    <message>
+        <source>acceleration of the centre</source>
+        <translation>accélération du centre</translation>
+    </message>
+    <message>
+        <source>sink</source>
+        <translation>enfoncement</translation>
+    </message>
+    <message>
+        <source>hover</source>
+        <translation>flottement</translation>
+    </message>
+    <message>
+        <source>heading</source>
+        <translation>cap</translation>
+    </message>
+    <message>
+        <source>step of the take</source>
+        <translation>pas de la prise</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>pas</translation>
+    </message>
+    <message>
+        <source>spread of lengths</source>
+        <translation>étendue des durées</translation>
+    </message>
+    <message>
+        <source>closing</source>
+        <translation>fermeture</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>partie</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>sommets</translation>
+    </message>
+    <message>
+        <source>dimensions</source>
+        <translation>dimensions</translation>
+    </message>
+    <message>
+        <source>error of the model</source>
+        <translation>erreur du modèle</translation>
+    </message>
+    <message>
+        <source>error of principal components</source>
+        <translation>erreur des composantes principales</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>rapport</translation>
+    </message>
+    <message>
+        <source>weight across</source>
+        <translation>poids en travers</translation>
+    </message>
+    <message>
+        <source>from the takes</source>
+        <translation>depuis les prises</translation>
+    </message>
+    <message>
+        <source>from nearby</source>
+        <translation>depuis les proches</translation>
+    </message>
+    <message>
+        <source>gentle, feet corrected</source>
+        <translation>doux, pieds corrigés</translation>
+    </message>
+    <message>
+        <source>Euler angles</source>
+        <translation>angles d’Euler</translation>
+    </message>
+    <message>
+        <source>rotations</source>
+        <translation>rotations</translation>
+    </message>
+    <message>
+        <source>those furthest apart</source>
+        <translation>les plus éloignées</translation>
+    </message>
+    <message>
+        <source>rejected: far from all poses</source>
+        <translation>rejetées : loin de toutes les poses</translation>
+    </message>
+    <message>
+        <source>rejected: sliding feet</source>
+        <translation>rejetées : pieds qui glissent</translation>
+    </message>
+    <message>
+        <source>rejected: intersections</source>
+        <translation>rejetées : intersections</translation>
+    </message>
+    <message>
+        <source>rejected: volume</source>
+        <translation>rejetées : volume</translation>
+    </message>
+    <message>
+        <source>rejected: crumpled</source>
+        <translation>rejetées : froissées</translation>
+    </message>
+    <message>
+        <source>rejected: under the ground</source>
+        <translation>rejetées : sous le sol</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>échelle</translation>
+    </message>
+    <message>
+        <source>as many edges in both</source>
+        <translation>autant d’arêtes dans les deux</translation>
+    </message>
+    <message>
+        <source>by criterion</source>
+        <translation>par critère</translation>
+    </message>
+    <message>
+        <source>what foretells</source>
+        <translation>ce qui prédit</translation>
+    </message>
+    <message>
+        <source>summary</source>
+        <translation>résumé</translation>
+    </message>
+    <message>
+        <source>means</source>
+        <translation>moyennes</translation>
+    </message>
+    <message>
+        <source>ratio of acceleration</source>
+        <translation>rapport des accélérations</translation>
+    </message>
+    <message>
+        <source>ratio of frozen frames</source>
+        <translation>rapport des images figées</translation>
+    </message>
+    <message>
+        <source>ratio of the centre’s step</source>
+        <translation>rapport du saut du centre</translation>
+    </message>
+    <message>
+        <source>ratio of volume</source>
+        <translation>rapport du volume</translation>
+    </message>
+    <message>
+        <source>area, acceleration</source>
+        <translation>aire, accélération</translation>
+    </message>
+    <message>
+        <source>area, frozen frames</source>
+        <translation>aire, images figées</translation>
+    </message>
+    <message>
+        <source>area, centre’s step</source>
+        <translation>aire, saut du centre</translation>
+    </message>
+    <message>
+        <source>area, foot slide</source>
+        <translation>aire, glissement</translation>
+    </message>
+    <message>
+        <source>area, volume</source>
+        <translation>aire, volume</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>sorte</translation>
+    </message>
+    <message>
+        <source>character</source>
+        <translation>personnage</translation>
+    </message>
+    <message>
+        <source>results</source>
+        <translation>résultats</translation>
+    </message>
+</context>
+<context>
     <name>FrameKind</name>
     <message>
         <source>captured</source>
@@ -3004,6 +4004,188 @@
     </message>
 </context>
 <context>
+    <name>quadrille::EvaluationChooser</name>
+    <message>
+        <source>Evaluations measure the project’s own takes, as the papers do, and what shows of what is made of them. Choose one to add.</source>
+        <translation>Les évaluations mesurent les prises du projet, comme le font les articles, et ce qui se voit de ce que l’on en fait. Choisissez-en une à ajouter.</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Ajouter</translation>
+    </message>
+    <message>
+        <source>Evaluations that can be added</source>
+        <translation>Évaluations que l’on peut ajouter</translation>
+    </message>
+    <message>
+        <source>The project has it already.</source>
+        <translation>Le projet l’a déjà.</translation>
+    </message>
+    <message>
+        <source>There are no takes yet.</source>
+        <translation>Il n’y a pas encore de prises.</translation>
+    </message>
+    <message>
+        <source>No take has reference joint angles (a BVH file, in its properties).</source>
+        <translation>Aucune prise n’a d’angles de référence (un fichier BVH, dans ses propriétés).</translation>
+    </message>
+    <message>
+        <source>The project has no variations.</source>
+        <translation>Le projet n’a pas de variations.</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <extracomment>what an evaluation shows, then why it cannot be added</extracomment>
+        <translation>%1. %2</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::EvaluationMedia</name>
+    <message>
+        <source>Looking for evaluations</source>
+        <translation>Recherche d’évaluations</translation>
+    </message>
+    <message>
+        <source>Evaluation “%1”</source>
+        <translation>Évaluation « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::EvaluationPanel</name>
+    <message>
+        <source>What was measured</source>
+        <translation>Ce qui fut mesuré</translation>
+    </message>
+    <message>
+        <source>What the chart shows</source>
+        <translation>Ce que montre le graphique</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tableaux</translation>
+    </message>
+    <message>
+        <source>&amp;Compute</source>
+        <translation>&amp;Calculer</translation>
+    </message>
+    <message>
+        <source>Looking for results…</source>
+        <translation>Recherche de résultats…</translation>
+    </message>
+    <message>
+        <source>There was nothing to measure.</source>
+        <translation>Il n’y avait rien à mesurer.</translation>
+    </message>
+    <message>
+        <source>There is nothing in the project that this could be about: takes of a character that it names, or variations that are learned.</source>
+        <translation>Il n’y a rien dans le projet dont ceci pourrait parler : des prises d’un personnage nommé, ou des variations apprises.</translation>
+    </message>
+    <message>
+        <source>Not computed yet. It takes from seconds to minutes; you can go on working meanwhile.</source>
+        <translation>Pas encore calculée. Cela prend de quelques secondes à quelques minutes ; vous pouvez continuer à travailler.</translation>
+    </message>
+    <message>
+        <source>The project has changed since this was computed.</source>
+        <translation>Le projet a changé depuis ce calcul.</translation>
+    </message>
+    <message>
+        <source>Compute</source>
+        <translation>Calculer</translation>
+    </message>
+    <message>
+        <source>Computing, with all that it needs…</source>
+        <translation>Calcul, avec tout ce qu’il faut…</translation>
+    </message>
+    <message>
+        <source>Computed anew; these are the results before.</source>
+        <translation>Recalculée ; voici les résultats d’avant.</translation>
+    </message>
+    <message>
+        <source>Being computed.</source>
+        <translation>En cours de calcul.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>This could not be computed.</source>
+        <translation>Ceci n’a pas pu être calculé.</translation>
+    </message>
+    <message>
+        <source>Evaluations</source>
+        <translation>Évaluations</translation>
+    </message>
+    <message>
+        <source>&amp;Add an evaluation…</source>
+        <translation>&amp;Ajouter une évaluation…</translation>
+    </message>
+    <message>
+        <source>Lists what can be measured of the project’s takes, and of what is made of them</source>
+        <translation>Liste ce que l’on peut mesurer des prises du projet, et de ce que l’on en fait</translation>
+    </message>
+    <message>
+        <source>&amp;Show the evaluation</source>
+        <translation>&amp;Montrer l’évaluation</translation>
+    </message>
+    <message>
+        <source>Shows tables and charts of the selected evaluation</source>
+        <translation>Montre tableaux et graphiques de l’évaluation choisie</translation>
+    </message>
+    <message>
+        <source>&amp;Compute the evaluation</source>
+        <translation>&amp;Calculer l’évaluation</translation>
+    </message>
+    <message>
+        <source>Computes the selected evaluation and what it needs, as a rebuild does</source>
+        <translation>Calcule l’évaluation choisie et ce qu’il lui faut, comme une reconstruction</translation>
+    </message>
+    <message>
+        <source>S&amp;top computing</source>
+        <translation>Arrê&amp;ter le calcul</translation>
+    </message>
+    <message>
+        <source>Stops computing the selected evaluation</source>
+        <translation>Arrête le calcul de l’évaluation choisie</translation>
+    </message>
+    <message>
+        <source>C&amp;opy the table</source>
+        <translation>C&amp;opier le tableau</translation>
+    </message>
+    <message>
+        <source>Copies the table that is shown as comma-separated values</source>
+        <translation>Copie le tableau montré en valeurs séparées par des virgules</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the table…</source>
+        <translation>Enre&amp;gistrer le tableau…</translation>
+    </message>
+    <message>
+        <source>Saves the table that is shown as a CSV file</source>
+        <translation>Enregistre le tableau montré en fichier CSV</translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation>Enregistrer le tableau</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valeurs séparées par des virgules (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::EvaluationTableModel</name>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>a column of a table, then its unit</extracomment>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::ExportDialog</name>
     <message numerus="yes">
         <source>%1, and %n more</source>
@@ -5798,6 +6980,10 @@
         <source>%1 (read only)</source>
         <translation>%1 (lecture seule)</translation>
     </message>
+    <message>
+        <source>Evaluation</source>
+        <translation>Évaluation</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::MarkEdits</name>
@@ -5910,6 +7096,10 @@
     <message>
         <source>&amp;Latent space</source>
         <translation>Espace &amp;latent</translation>
+    </message>
+    <message>
+        <source>E&amp;valuations</source>
+        <translation>É&amp;valuations</translation>
     </message>
 </context>
 <context>
@@ -7547,6 +8737,17 @@ maximal %2</translation>
         <source>Choose another name.</source>
         <translation>Choisissez un autre nom.</translation>
     </message>
+    <message numerus="yes">
+        <source>Remove %n evaluations</source>
+        <translation>
+            <numerusform>Retirer %n évaluation</numerusform>
+            <numerusform>Retirer %n évaluations</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add evaluation “%1”</source>
+        <translation>Ajouter l’évaluation « %1 »</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ProjectFiles</name>
@@ -7884,6 +9085,10 @@ maximal %2</translation>
     <message>
         <source>Cannot be read (%1)</source>
         <translation>Illisible (%1)</translation>
+    </message>
+    <message>
+        <source>Evaluations (%1)</source>
+        <translation>Évaluations (%1)</translation>
     </message>
 </context>
 <context>
@@ -10333,6 +11538,27 @@ maximal %2</translation>
     <message>
         <source>Click an axis to look from its end (keys 1, 3, 7)</source>
         <translation>Cliquez sur un axe pour regarder depuis son bout (touches 1, 3, 7)</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::widgets::BarChart</name>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>what a chart shows, then its unit</extracomment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>non mesuré</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <extracomment>a series of a chart and its value, with unit</extracomment>
+        <translation>%1 : %2 %3</translation>
+    </message>
+    <message>
+        <source>&amp;Copy values as CSV</source>
+        <translation>&amp;Copier les valeurs en CSV</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "editor/application/settings.h"
 #include "editor/documents/animationmedia.h"
 #include "editor/documents/bodyproblems.h"
+#include "editor/documents/evaluationmedia.h"
 #include "editor/documents/graphmedia.h"
 #include "editor/documents/projectdocument.h"
 #include "editor/documents/selection.h"
@@ -28,6 +29,7 @@ struct EditorContext
         , graphs(document, jobs)
         , animations(document, graphs, jobs)
         , variations(document, jobs)
+        , evaluations(document, jobs)
     {
         languages.setLanguage(settings.language());
     }
@@ -43,6 +45,7 @@ struct EditorContext
     GraphMedia graphs;
     AnimationMedia animations;
     VariationMedia variations;
+    EvaluationMedia evaluations;
     BodyProblems bodies;
 };
 

@@ -97,7 +97,10 @@ void Menus::addGraph()
                {"graph.matrix", "graph.arcs", "graph.takes", "", "graph.essentialEdges", "graph.motionEdges",
                 "", "graph.fit"});
     fill(*graph, {"graph.play", "graph.frames", "graph.copyFrames", "graph.gentle", "", "graph.why",
-                  "graph.charts", "graph.gaps", "graph.settings", "", "graph.saveTables"});
+                  "graph.charts", "graph.gaps", "graph.settings", "", "graph.saveTables", ""});
+    addSubmenu(*graph, "evaluationsMenu", [] { return tr("E&valuations"); },
+               {"evaluations.add", "evaluations.show", "", "evaluations.compute", "evaluations.stop", "",
+                "evaluations.copy", "evaluations.save"});
 }
 
 void Menus::addAnimate()

@@ -73,6 +73,7 @@ void ChangeProject::show(const Project& project, std::vector<ChangeEvent> events
     tell(Section::Animations, m_before.animations == m_after.animations);
     tell(Section::BodyParts, m_before.bodyParts == m_after.bodyParts);
     tell(Section::Variations, m_before.variations == m_after.variations);
+    tell(Section::Evaluations, m_before.evaluations == m_after.evaluations);
     tell(Section::Exports, m_before.exports == m_after.exports);
     tell(Section::Project, m_before.settings == m_after.settings && m_before.unknown == m_after.unknown);
     apply([&](Project& shown) { shown = project; }, events);

@@ -48,6 +48,7 @@ const char* keyOf(Section section)
     case Section::Project:
     case Section::Graphs:
     case Section::BodyParts:
+    case Section::Evaluations:
         break;
     }
     return "";
@@ -85,6 +86,7 @@ std::optional<NamedKind> kindOf(Section section)
     case Section::Project:
     case Section::Graphs:
     case Section::BodyParts:
+    case Section::Evaluations:
     case Section::Exports:
         break;
     }
@@ -111,6 +113,7 @@ bool isTaken(const Project& project, Section section, const QString& name)
     case Section::Project:
     case Section::Graphs:
     case Section::BodyParts:
+    case Section::Evaluations:
         break;
     }
     return false;

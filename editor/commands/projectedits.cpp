@@ -7,6 +7,8 @@
 #include "editor/commands/entrynames.h"
 #include "editor/commands/relinkmedia.h"
 #include "editor/documents/editcheck.h"
+#include "editor/documents/evaluationnames.h"
+#include "editor/evaluations/evaluationtexts.h"
 #include "model/project/brokenentry.h"
 #include "model/project/framenote.h"
 #include "model/project/references.h"
@@ -55,7 +57,10 @@ QString removalText(Section section, const QStringList& names)
 {
     const int count = static_cast<int>(names.size());
     if (count == 1)
-        return ProjectTexts::tr("Remove “%1”").arg(names.front());
+        return ProjectTexts::tr("Remove “%1”")
+            .arg(section == Section::Evaluations ? evaluationTitle(names.front()) : names.front());
+    if (section == Section::Evaluations)
+        return ProjectTexts::tr("Remove %n evaluations", nullptr, count);
     switch (section) {
     case Section::Characters:
         return ProjectTexts::tr("Remove %n characters", nullptr, count);
@@ -123,6 +128,10 @@ void removeEntries(ProjectDocument& document, Section section, const QStringList
     Project after = before;
     if (const auto kind = kindOf(section))
         removeEntries(after, *kind, gone);
+    else if (section == Section::Evaluations)
+        std::erase_if(after.evaluations, [&](const EvaluationEntry& evaluation) {
+            return names.contains(evaluationName(evaluation));
+        });
     else
         std::erase_if(after.exports,
                       [&](const ExportEntry& e) { return std::ranges::count(gone, e.name) > 0; });
@@ -293,6 +302,16 @@ void setExport(ProjectDocument& document, const QString& name, const ExportEntry
 {
     editEntry<ExportEntry>(document, ProjectTexts::tr("Change export “%1”").arg(name), name,
                            QStringLiteral("export"), [&](ExportEntry& changed) { changed = entry; });
+}
+
+QString addEvaluation(ProjectDocument& document, EvaluationEntry entry)
+{
+    const QString name = evaluationName(entry);
+    Project after = document.project();
+    after.evaluations.push_back(std::move(entry));
+    auto command = std::make_unique<ChangeProject>(
+        document, ProjectTexts::tr("Add evaluation “%1”").arg(evaluationTitle(name)), std::move(after));
+    return wasTaken(document, std::move(command)) ? name : QString();
 }
 
 void relinkMedia(ProjectDocument& document, const std::vector<std::pair<std::string, std::string>>& newPaths)

@@ -57,6 +57,10 @@ void setSettings(ProjectDocument& document, const ProjectSettings& settings,
 QString addExport(ProjectDocument& document, ExportEntry entry);
 void setExport(ProjectDocument& document, const QString& name, const ExportEntry& entry);
 
+/// Adds one of the tables that can be computed of a project. \return its name (see evaluationName()); empty
+/// where it is refused, because the project has it or nothing that it could be about.
+QString addEvaluation(ProjectDocument& document, EvaluationEntry entry);
+
 /// Media that moved: the new path of each old one, as the project holds them.
 void relinkMedia(ProjectDocument& document, const std::vector<std::pair<std::string, std::string>>& newPaths);
 

@@ -58,8 +58,25 @@ ProjectTreeModel::EntryStatus statusOf(const typename Media::Medium* medium)
     return status;
 }
 
+ProjectTreeModel::EntryStatus statusOf(const EvaluationMedia::Medium* medium)
+{
+    using State = EvaluationMedia::State;
+    ProjectTreeModel::EntryStatus status{.state = EntryState::Stale, .problem = {}};
+    if (medium == nullptr)
+        return status;
+    if (medium->state == State::Fresh)
+        status.state = EntryState::Fresh;
+    else if (medium->state == State::Computing)
+        status.state = EntryState::Computing;
+    else if (medium->state == State::Failed && medium->error)
+        status = {.state = EntryState::Failed, .problem = describe(*medium->error).oneLine()};
+    return status;
+}
+
 ProjectTreeModel::EntryStatus statusOf(const EditorContext& context, const EntryRef& entry)
 {
+    if (entry.section == Section::Evaluations)
+        return statusOf(context.evaluations.medium(entry.name));
     if (entry.section == Section::Animations)
         return statusOf<AnimationMedia>(context.animations.medium(entry.name));
     if (entry.section == Section::Variations)
@@ -122,6 +139,9 @@ ProjectPanel::ProjectPanel(EditorContext& context, QWidget* parent)
     connect(&context.variations, &VariationMedia::changed, this, [this](const QString& name) {
         m_model->updateStatus({Section::Variations, name});
     });
+    connect(&context.evaluations, &EvaluationMedia::changed, this, [this](const QString& name) {
+        m_model->updateStatus({Section::Evaluations, name});
+    });
     connect(&context.bodies, &BodyProblems::changed, this, [this](const QString& character) {
         m_model->updateStatus({Section::BodyParts, character});
     });
@@ -181,7 +201,9 @@ void ProjectPanel::updateActions()
 {
     const EntryRef& current = m_context.selection.current();
     const bool isEntry = !current.name.isEmpty() && current.section != Section::BodyParts;
-    m_context.actions.action("edit.rename")->setEnabled(isEntry && current.section != Section::Project);
+    m_context.actions.action("edit.rename")
+        ->setEnabled(isEntry && current.section != Section::Project &&
+                     current.section != Section::Evaluations);
     m_context.actions.action("edit.remove")->setEnabled(isEntry);
     m_context.actions.action("edit.duplicate")
         ->setEnabled(isEntry &&
@@ -271,6 +293,9 @@ void ProjectPanel::activate(const QModelIndex& index)
         m_context.actions.action("workspace.variations")->trigger();
     else if (entry.section == Section::Exports && !entry.name.isEmpty())
         m_context.actions.action("file.export")->trigger();
+    else if (entry.section == Section::Evaluations &&
+             (!entry.name.isEmpty() || m_model->rowCount(index) == 0))
+        m_context.actions.action(entry.name.isEmpty() ? "evaluations.add" : "evaluations.show")->trigger();
 }
 
 void ProjectPanel::hideEmpty()
@@ -298,10 +323,12 @@ void ProjectPanel::showMenu(const QPoint& position)
 /// What can be added: to a section, or beside all of them.
 void ProjectPanel::fillSectionMenu(QMenu& menu, const QModelIndex& section)
 {
-    const std::array additions{
-        std::pair{Section::Sequences, "file.import"}, std::pair{Section::Sequences, "file.importFolder"},
-        std::pair{Section::Animations, "animate.new"}, std::pair{Section::Variations, "variations.new"},
-        std::pair{Section::Exports, "file.export"}};
+    const std::array additions{std::pair{Section::Sequences, "file.import"},
+                               std::pair{Section::Sequences, "file.importFolder"},
+                               std::pair{Section::Animations, "animate.new"},
+                               std::pair{Section::Variations, "variations.new"},
+                               std::pair{Section::Evaluations, "evaluations.add"},
+                               std::pair{Section::Exports, "file.export"}};
     for (const auto& [where, action] : additions) {
         if (!section.isValid() || m_model->entry(section).section == where)
             menu.addAction(m_context.actions.action(QLatin1String(action)));
@@ -319,6 +346,12 @@ void ProjectPanel::fillEntryMenu(QMenu& menu, const EntryRef& entry)
     }
     if (entry.section == Section::Sequences)
         menu.addAction(m_context.actions.action("edit.labelTakes"));
+    if (entry.section == Section::Evaluations) {
+        for (const char* id : {"evaluations.show", "evaluations.compute", "evaluations.stop"}) {
+            if (QAction* action = m_context.actions.action(QLatin1String(id)); action->isEnabled())
+                menu.addAction(action);
+        }
+    }
     const auto* medium = entry.section == Section::Sequences ? m_context.media.medium(entry.name) : nullptr;
     if (medium != nullptr && medium->state == SequenceMedia::State::Failed) {
         menu.addAction(tr("Try again"), m_tree, [this, name = entry.name] { m_context.media.retry(name); });

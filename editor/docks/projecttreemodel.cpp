@@ -3,6 +3,8 @@
 #include "editor/docks/projecttreemodel.h"
 
 #include "editor/commands/projectedits.h"
+#include "editor/documents/evaluationnames.h"
+#include "editor/evaluations/evaluationtexts.h"
 #include "model/project/brokenentry.h"
 #include "widgets/theme/icons.h"
 
@@ -13,8 +15,8 @@ namespace quadrille {
 namespace {
 
 constexpr std::array sections{Section::Characters, Section::Sequences,  Section::Animations,
-                              Section::BodyParts,  Section::Variations, Section::Exports,
-                              Section::Project};
+                              Section::BodyParts,  Section::Variations, Section::Evaluations,
+                              Section::Exports,    Section::Project};
 /// Marks the index of a section; entries carry their section's row.
 constexpr quintptr sectionId = ~quintptr{0};
 
@@ -43,6 +45,20 @@ QStringList namesOfBodies(const Project& project)
     }
     result.removeAll(QString());
     return result;
+}
+
+QStringList namesOfEvaluations(const Project& project)
+{
+    QStringList result;
+    for (const EvaluationEntry& evaluation : project.evaluations)
+        result += evaluationName(evaluation);
+    return result;
+}
+
+/// What stands for an entry.
+QString titleOf(const EntryRef& entry)
+{
+    return entry.section == Section::Evaluations ? evaluationTitle(entry.name) : entry.name;
 }
 
 /// In the colour of texts once it is up to date; what is yet to be made is faint, what is being made
@@ -76,6 +92,8 @@ QString iconOf(Section section)
         return QStringLiteral("parts");
     case Section::Variations:
         return QStringLiteral("variation");
+    case Section::Evaluations:
+        return QStringLiteral("evaluation");
     case Section::Project: // what cannot be read
         return QStringLiteral("error");
     default:
@@ -163,6 +181,8 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const
             return tr("Body parts (%1)").arg(count);
         case Section::Variations:
             return tr("Variations (%1)").arg(count);
+        case Section::Evaluations:
+            return tr("Evaluations (%1)").arg(count);
         case Section::Project:
             return tr("Cannot be read (%1)").arg(count);
         default:
@@ -171,6 +191,7 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const
     }
     switch (role) {
     case Qt::DisplayRole:
+        return titleOf(ref);
     case Qt::EditRole:
         return ref.name;
     case Qt::DecorationRole:
@@ -183,7 +204,7 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const
         const EntryStatus status = m_statusOf(ref);
         const QString state = status.problem.isEmpty() ? stateText(status.state) : status.problem;
         //: an entry of the project, and its state or what is wrong with it
-        return state.isEmpty() ? ref.name : tr("%1: %2").arg(ref.name, state);
+        return state.isEmpty() ? titleOf(ref) : tr("%1: %2").arg(titleOf(ref), state);
     }
     default:
         return {};
@@ -221,7 +242,8 @@ Qt::ItemFlags ProjectTreeModel::flags(const QModelIndex& index) const
         return flags;
     flags |= Qt::ItemNeverHasChildren;
     const Section section = entry(index).section;
-    flags.setFlag(Qt::ItemIsEditable, section != Section::BodyParts && section != Section::Project);
+    flags.setFlag(Qt::ItemIsEditable, section != Section::BodyParts && section != Section::Evaluations &&
+                                          section != Section::Project);
     return flags;
 }
 
@@ -246,6 +268,8 @@ QStringList ProjectTreeModel::namesOf(int section) const
         return namesOfBodies(project);
     case Section::Variations:
         return names(project.variations);
+    case Section::Evaluations:
+        return namesOfEvaluations(project);
     case Section::Project: {
         QStringList titles;
         for (const std::string& title : titlesOf(brokenEntries(project)))

@@ -17,6 +17,8 @@ enum class Section
     Animations,
     BodyParts, ///< an entry is called by its character
     Variations,
+    Evaluations, ///< an entry is called by its table, and its character where it names one: see
+                 ///< evaluationName()
     Exports,
 };
 

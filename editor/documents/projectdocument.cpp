@@ -4,6 +4,7 @@
 
 #include "editor/commands/projectcommand.h"
 #include "editor/documents/editcheck.h"
+#include "editor/documents/evaluationnames.h"
 #include "editor/documents/projectpaths.h"
 #include "model/core/file.h"
 #include "model/project/usableproject.h"
@@ -62,6 +63,12 @@ const VariationEntry* ProjectDocument::variation(const QString& name) const
 const ExportEntry* ProjectDocument::exportEntry(const QString& name) const
 {
     return findByName(m_project.exports, name.toStdString());
+}
+
+const EvaluationEntry* ProjectDocument::evaluation(const QString& name) const
+{
+    const auto found = std::ranges::find(m_project.evaluations, name, evaluationName);
+    return found == m_project.evaluations.end() ? nullptr : &*found;
 }
 
 const CharacterEntry* ProjectDocument::characterOf(const SequenceEntry& sequence) const

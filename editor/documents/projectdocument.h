@@ -36,6 +36,8 @@ public:
     const AnimationEntry* animation(const QString& name) const;
     const VariationEntry* variation(const QString& name) const;
     const ExportEntry* exportEntry(const QString& name) const;
+    /// \param name  see evaluationName().
+    const EvaluationEntry* evaluation(const QString& name) const;
     /// The character of a sequence: the one it names, or the only one.
     const CharacterEntry* characterOf(const SequenceEntry& sequence) const;
 

@@ -78,6 +78,8 @@ bool Selection::exists(const EntryRef& entry) const
         return m_document.animation(entry.name) != nullptr;
     case Section::Variations:
         return m_document.variation(entry.name) != nullptr;
+    case Section::Evaluations:
+        return m_document.evaluation(entry.name) != nullptr;
     case Section::Exports:
         return m_document.exportEntry(entry.name) != nullptr;
     }

@@ -107,7 +107,7 @@ void SequenceMedia::follow(const ChangeEvent& event)
         }
         m_items.clear();
         update();
-    } else if (event.entry.section != Section::Exports) {
+    } else if (event.entry.section != Section::Exports && event.entry.section != Section::Evaluations) {
         update();
     }
 }

@@ -28,6 +28,7 @@ constexpr std::array table{
     Row{"propertiesPanel", "project"},
     Row{"texturePanel", "textures", "The texture view"},
     Row{"issuesPanel", "importing"},
+    Row{"evaluationPanel", "evaluations"},
     Row{"historyView", "project"},
     Row{"jobsPopup", "project"},
     // Views

@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+// Evaluations: added, computed, looked at, saved, taken back.
+#include "editor/commands/projectedits.h"
+#include "editor/docks/projecttreemodel.h"
+#include "editor/evaluations/evaluationcharts.h"
+#include "editor/evaluations/evaluationpanel.h"
+#include "editor/evaluations/evaluationtexts.h"
+#include "graphfixture.h"
+#include "tests/qt/patience.h"
+#include "widgets/graph/barchart.h"
+#include "widgets/graph/linechart.h"
+
+#include <QAbstractItemModelTester>
+#include <QClipboard>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHeaderView>
+#include <QLabel>
+#include <QListWidget>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTabBar>
+#include <QTableView>
+#include <QToolButton>
+#include <QTreeView>
+
+namespace quadrille {
+
+using State = EvaluationMedia::State;
+
+class EvaluationsTest : public GraphFixture
+{
+    Q_OBJECT
+
+private:
+    EvaluationPanel& panel() { return *test::find<EvaluationPanel>("evaluationPanel"); }
+    QListWidget& choices() { return *test::find<QListWidget>("evaluationChoices"); }
+    QAbstractItemModel& table() { return *test::find<QTableView>("evaluationTable")->model(); }
+    State stateOf(const char* name)
+    {
+        const auto* medium = context().evaluations.medium(name);
+        return medium != nullptr ? medium->state : State::Opening;
+    }
+    QModelIndex treeIndex(const QString& name)
+    {
+        auto* tree = test::find<QTreeView>("projectTree");
+        return static_cast<ProjectTreeModel*>(tree->model())->indexOf({Section::Evaluations, name});
+    }
+    int choiceOf(const QString& title)
+    {
+        const auto found = choices().findItems(title, Qt::MatchExactly);
+        return found.isEmpty() ? -1 : choices().row(found.front());
+    }
+    void addByKeyboard(const QString& title)
+    {
+        context().actions.action("evaluations.add")->trigger();
+        QTRY_VERIFY(choices().hasFocus());
+        for (int i = 0; i < choices().count() && choices().currentRow() != choiceOf(title); ++i)
+            QTest::keyClick(&choices(), Qt::Key_Down);
+        QCOMPARE(choices().currentRow(), choiceOf(title));
+        QTest::keyClick(&choices(), Qt::Key_Return);
+    }
+    void compute(const char* name)
+    {
+        context().selection.select({Section::Evaluations, QLatin1String(name)});
+        QTRY_COMPARE(stateOf(name), State::Stale);
+        context().actions.action("evaluations.compute")->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(stateOf(name), State::Fresh, test::patience);
+    }
+    void add(const char* name)
+    {
+        EvaluationEntry entry;
+        entry.table = name;
+        QCOMPARE(addEvaluation(context().document, entry), QLatin1String(name));
+    }
+
+private slots:
+    void oneIsAddedComputedSeenSavedAndTakenBack()
+    {
+        const Project before = context().document.project();
+        addByKeyboard("Essential graph and motion graph");
+        QCOMPARE(context().document.project().evaluations.size(), 1U);
+        QCOMPARE(context().selection.current().name, QStringLiteral("fig9"));
+        QCOMPARE(treeIndex("fig9").data().toString(), QStringLiteral("Essential graph and motion graph"));
+        auto* button = test::find<QPushButton>("evaluationCompute");
+        QTRY_VERIFY(button->hasFocus());
+        QTRY_COMPARE(stateOf("fig9"), State::Stale);
+        QCOMPARE(treeIndex("fig9").data(ProjectTreeModel::StateRole).toInt(),
+                 static_cast<int>(EntryState::Stale));
+        QTest::keyClick(button, Qt::Key_Return);
+        QCOMPARE(stateOf("fig9"), State::Computing);
+        QVERIFY(test::find<QProgressBar>("evaluationProgress")->isVisible());
+        QTRY_COMPARE_WITH_TIMEOUT(stateOf("fig9"), State::Fresh, test::patience);
+        QCOMPARE(treeIndex("fig9").data(ProjectTreeModel::StateRole).toInt(),
+                 static_cast<int>(EntryState::Fresh));
+
+        // Three tables: the results, those of as many edges, and components; a line for each graph.
+        auto* tabs = test::find<QTabBar>("evaluationTabs");
+        QCOMPARE(tabs->count(), 3);
+        QCOMPARE(tabs->tabText(1), QStringLiteral("As many edges in both"));
+        QCOMPARE(table().rowCount(), 12);
+        QCOMPARE(table().headerData(1, Qt::Horizontal).toString(), QStringLiteral("α"));
+        auto* lines = test::find<widgets::LineChart>("evaluationLines");
+        QVERIFY(lines->isVisible());
+        QCOMPARE(lines->series().size(), 2U);
+        QCOMPARE(lines->series()[1].name, QStringLiteral("Essential graph"));
+        QCOMPARE(lines->series()[0].points.size(), 6U);
+
+        // The table as it is in the store, as the command line writes it.
+        const QString file = m_folder->filePath("fig9.csv");
+        QTimer::singleShot(0, this, [&] {
+            QFileDialog* chooser = nullptr;
+            QTRY_VERIFY((chooser = panel().findChild<QFileDialog*>()) != nullptr && chooser->isVisible());
+            chooser->selectFile(file);
+            static_cast<QDialog*>(chooser)->accept();
+        });
+        context().actions.action("evaluations.save")->trigger();
+        QTRY_VERIFY(QFile::exists(file));
+        QFile saved(file);
+        QVERIFY(saved.open(QIODevice::ReadOnly));
+        QCOMPARE(saved.readLine().trimmed(),
+                 QByteArray("graph,alpha,nodes,edges,transitions,density,mean-cost,cost-deviation,"
+                            "unreachable-pairs,components"));
+        QCOMPARE(saved.readAll().count('\n'), 12);
+        context().actions.action("evaluations.copy")->trigger();
+        QVERIFY(QGuiApplication::clipboard()->text().startsWith("graph,alpha,"));
+
+        context().document.undo();
+        QCOMPARE(context().document.project(), before);
+        QVERIFY(!treeIndex("fig9").isValid());
+        QVERIFY(choices().isVisible());
+        context().document.redo();
+        QCOMPARE(context().document.project().evaluations.size(), 1U);
+        context().selection.select({Section::Evaluations, "fig9"});
+        QTRY_COMPARE(stateOf("fig9"), State::Fresh); // the results were kept
+    }
+
+    void aProjectThatIsOpenedAgainShowsItsResults()
+    {
+        add("fig7");
+        compute("fig7");
+        context().document.saveAs(m_folder->filePath("again.quadrille").toStdString());
+        add("fig4");
+        compute("fig4"); // now beside the file
+        compute("fig7");
+        context().document.save();
+        context().document.load(m_folder->filePath("again.quadrille").toStdString());
+        QTRY_COMPARE(stateOf("fig7"), State::Fresh);
+        QCOMPARE(stateOf("fig4"), State::Fresh);
+        context().selection.select({Section::Evaluations, "fig7"});
+        QTRY_COMPARE(table().rowCount(), 9);
+        // What it depends on is another now.
+        context().document.undoStack()->clear();
+        setSequenceRange(context().document, "first", FrameRange{FrameIndex(0), FrameIndex(40)});
+        QTRY_COMPARE(stateOf("fig7"), State::Stale);
+        QCOMPARE(table().rowCount(), 9); // the results before, with a word
+        QVERIFY(test::find<QWidget>("evaluationMessage")->isVisible());
+        context().document.undo();
+        QTRY_COMPARE(stateOf("fig7"), State::Fresh);
+    }
+
+    void columnsSortByTheirNumbers()
+    {
+        add("density");
+        compute("density");
+        auto* view = test::find<QTableView>("evaluationTable");
+        QAbstractItemModelTester tester(view->model());
+        int column = 0;
+        while (view->model()->headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString() !=
+               "essential-density")
+            ++column;
+        const auto values = [&] {
+            std::vector<double> shown;
+            for (int row = 0; row < view->model()->rowCount(); ++row)
+                shown.push_back(view->model()->index(row, column).data(Qt::UserRole).toDouble());
+            return shown;
+        };
+        QCOMPARE(values().size(), 15U);
+        QVERIFY(!std::ranges::is_sorted(values()));
+        view->horizontalHeader()->setSortIndicator(column, Qt::AscendingOrder);
+        QVERIFY(std::ranges::is_sorted(values()));
+        view->horizontalHeader()->setSortIndicator(column, Qt::DescendingOrder);
+        QVERIFY(std::ranges::is_sorted(values(), std::greater()));
+        // Bars for both graphs, called by what was varied.
+        auto* bars = test::find<widgets::BarChart>("evaluationBars");
+        QVERIFY(bars->isVisible());
+        QCOMPARE(bars->series().size(), 2U);
+        QCOMPARE(bars->categories()[0], QStringLiteral("as set"));
+        QVERIFY(bars->categories().contains("longest window 0.6"));
+        QVERIFY(bars->csv().contains("\"as set\","));
+        bars->setFocus();
+        QTest::keyClick(bars, Qt::Key_Down);
+        QVERIFY(bars->readOut().startsWith("as set; "));
+        QCOMPARE(bars->accessibleDescription(), bars->readOut());
+    }
+
+    void computingIsStopped()
+    {
+        add("junctions");
+        context().selection.select({Section::Evaluations, "junctions"});
+        QTRY_COMPARE(stateOf("junctions"), State::Stale);
+        context().actions.action("evaluations.compute")->trigger();
+        QCOMPARE(stateOf("junctions"), State::Computing);
+        QVERIFY(!context().actions.action("evaluations.compute")->isEnabled());
+        context().actions.action("evaluations.stop")->trigger();
+        QTRY_COMPARE(stateOf("junctions"), State::Stale);
+        QVERIFY(context().actions.action("evaluations.compute")->isEnabled());
+    }
+
+    void whatCannotBeEvaluatedSaysWhy()
+    {
+        context().actions.action("evaluations.add")->trigger();
+        const auto* angles = choices().item(choiceOf("Pose distances and joint angles"));
+        QVERIFY(!angles->flags().testFlag(Qt::ItemIsEnabled));
+        QVERIFY(angles->data(Qt::AccessibleDescriptionRole).toString().contains("joint angles (a BVH file"));
+        const auto* variations = choices().item(choiceOf("What shows of variations"));
+        QVERIFY(!variations->flags().testFlag(Qt::ItemIsEnabled));
+        add("fig7");
+        QVERIFY(!choices().item(choiceOf("Kinds of transitions"))->flags().testFlag(Qt::ItemIsEnabled));
+        // One of variations, written by hand, is there and says that there are none.
+        add("variations");
+        context().selection.select({Section::Evaluations, "variations"});
+        QTRY_COMPARE(stateOf("variations"), State::Impossible);
+        QVERIFY(test::find<QLabel>("evaluationEmpty")->text().contains("nothing in the project"));
+        QVERIFY(!context().actions.action("evaluations.compute")->isEnabled());
+    }
+
+    void severalAreRemovedAtOnce()
+    {
+        add("fig7");
+        add("fig9");
+        const Project before = context().document.project();
+        removeEntries(context().document, Section::Evaluations, {"fig7", "fig9"});
+        QVERIFY(context().document.project().evaluations.empty());
+        context().document.undo();
+        QCOMPARE(context().document.project(), before);
+        QVERIFY(treeIndex("fig9").isValid());
+    }
+};
+
+} // namespace quadrille
+
+QUADRILLE_QT_TEST(quadrille::EvaluationsTest);
+#include "tst_evaluations.moc"
