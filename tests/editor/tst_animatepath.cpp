@@ -73,6 +73,42 @@ private slots:
         QCOMPARE(path().spans[0].frames->label, std::string("lean"));
     }
 
+    void aProjectInCentimetresHasItsStepsAndNumbers()
+    {
+        Project project = document().project();
+        project.settings.axes.metresPerUnit = 0.01;
+        document().reset(project);
+        m_window->context().actions.action("workspace.animate")->trigger();
+        QCOMPARE(viewport().ruler().metresPerUnit(), 0.01);
+        m_window->context().actions.action("animate.new")->trigger();
+        PathEntry path;
+        path.points = {{0, 0, 0}, {0, 0, 50}, {0, 0, 100}};
+        path.spans = {{.from = 25, .to = 75}};
+        path.obstacles = {{.corners = {{60, 60}}, .radius = 20}};
+        addPath(path);
+        auto* length = test::find<QLabel>("pathLength");
+        QTRY_COMPARE(length->text(), QLocale().toString(100) + " cm");
+        auto* clearance = test::find<QDoubleSpinBox>("pathClearance");
+        QCOMPARE(clearance->suffix(), QStringLiteral(" cm"));
+        QCOMPARE(clearance->singleStep(), 5.0);
+        QCOMPARE(clearance->decimals(), 0);
+        auto* points = test::find<QTableWidget>("pathPoints");
+        QCOMPARE(points->item(1, 1)->data(Qt::EditRole).toDouble(), 50.0);
+        tool().editor().setSelected({Kind::Point, 1, 0});
+        viewport().setFocus();
+        QTest::keyClick(viewport().view(), Qt::Key_Down);
+        QVERIFY2((tool().path()->points[1] - Vec3d(0, 0, 60)).norm() < 1e-6, "ten centimetres");
+        QTest::keyClick(viewport().view(), Qt::Key_Down, Qt::ControlModifier);
+        QVERIFY2((tool().path()->points[1] - Vec3d(0, 0, 61)).norm() < 1e-6, "one centimetre");
+        tool().editor().setSelected({Kind::StretchEnd, 0, 0});
+        auto* to = test::find<QDoubleSpinBox>("spanTo");
+        QTRY_VERIFY(to->isVisible());
+        QCOMPARE(to->singleStep(), 10.0);
+        // What the hand does not mean is not in the file: tenths of a millimetre.
+        const PathSpace space{.ground = 0, .metresPerUnit = 0.01};
+        QCOMPARE(space.fromView({12.345678F, 0, 0.001F}, false), Vec3d(12.35, 0, 0));
+    }
+
     void theViewKeepsItsSizeUnderThePen()
     {
         auto* draw = test::find<QPushButton>("drawPath");

@@ -37,6 +37,9 @@ private slots:
     void aDoubleClickOnTheCurveInsertsAPoint();
     void deleteRemovesAPointAndAtLastThePath();
     void everythingCanBeDoneByKeyboard();
+    void stepsAreThoseOfTheRuler_data();
+    void stepsAreThoseOfTheRuler();
+    void lengthsAreReadInTheirUnits();
     void pointsInSpaceAreLiftedByTheirArrow();
     void endsOfStretchesAreDraggedAlongTheCurve();
     void discsAreDrawnMovedResizedAndDeleted();

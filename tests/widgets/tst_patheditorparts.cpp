@@ -107,6 +107,83 @@ void TestPathEditor::everythingCanBeDoneByKeyboard()
     QVERIFY(m_editor->shape().obstacles.empty());
 }
 
+void TestPathEditor::stepsAreThoseOfTheRuler_data()
+{
+    QTest::addColumn<double>("metresPerUnit");
+    QTest::addColumn<float>("middle");
+    QTest::addColumn<float>("coarse");
+    QTest::addColumn<float>("fine");
+    // In the unit of coordinates: ten centimetres, a metre, a centimetre; or an inch, a foot, a tenth of an
+    // inch.
+    QTest::newRow("m") << 1.0 << 0.1F << 1.0F << 0.01F;
+    QTest::newRow("cm") << 0.01 << 10.0F << 100.0F << 1.0F;
+    QTest::newRow("mm") << 0.001 << 100.0F << 1000.0F << 10.0F;
+    QTest::newRow("ft") << 0.3048 << 1.0F / 12 << 1.0F << 1.0F / 120;
+    QTest::newRow("in") << 0.0254 << 1.0F << 12.0F << 0.1F;
+}
+
+void TestPathEditor::stepsAreThoseOfTheRuler()
+{
+    QFETCH(double, metresPerUnit);
+    QFETCH(float, middle);
+    QFETCH(float, coarse);
+    QFETCH(float, fine);
+    const Turntable before = m_viewport->camera();
+    m_viewport->setRuler(Ruler(metresPerUnit));
+    const float metre = m_viewport->ruler().of(1.0F);
+    QVERIFY(std::abs(m_viewport->camera().distance / metre - before.distance) < 1e-3F); // sees the same
+    PathShape shape{.kind = PathKind::Polyline, .points = {{-metre, 0, 0}, {metre, 0, 0}, {metre, 0, metre}}};
+    shape.stretches = {
+        {.from = 0.5 * static_cast<double>(metre), .to = static_cast<double>(metre), .text = {}}};
+    show(shape);
+    const auto moved = [&](Qt::KeyboardModifiers modifiers) {
+        m_editor->setSelected({Part::Point, 1, 0});
+        const QVector3D from = m_editor->shape().points[1];
+        key(Qt::Key_Right, modifiers);
+        return (m_editor->shape().points[1] - from).x();
+    };
+    const auto isAbout = [&](float is, float wanted) { return std::abs(is - wanted) < 1e-4F * metre; };
+    QVERIFY(isAbout(moved({}), middle));
+    QVERIFY(isAbout(moved(Qt::ShiftModifier), coarse));
+    QVERIFY(isAbout(moved(Qt::ControlModifier), fine));
+    // Ends of stretches go by the same steps, and keep five centimetres between them.
+    m_editor->setSelected({Part::StretchEnd, 0, 0});
+    key(Qt::Key_Left);
+    QVERIFY(isAbout(static_cast<float>(m_editor->shape().stretches[0].to), metre - middle));
+    for (int i = 0; i < 20; ++i)
+        key(Qt::Key_Left, Qt::ShiftModifier);
+    QVERIFY(isAbout(static_cast<float>(m_editor->shape().stretches[0].to), 0.05F * metre));
+    // A point that is dragged with Ctrl lies on the grid.
+    drag(pixel({Part::Point, 2, 0}), pixel(metre * QVector3D(0.52F, 0, 1.31F)), Qt::ControlModifier);
+    for (const int axis : {0, 2}) {
+        const float lines = m_editor->shape().points[2][axis] / middle;
+        QVERIFY2(std::abs(lines - std::round(lines)) < 1e-2F, qPrintable(QString::number(lines)));
+    }
+    QVERIFY((m_editor->shape().points[2] / metre - QVector3D(0.52F, 0, 1.31F)).length() < 0.75F);
+    // Discs by key: 40 centimetres, and five more.
+    m_editor->setMode(PathEditor::Mode::Disc);
+    key(Qt::Key_Insert);
+    QVERIFY(isAbout(m_editor->shape().obstacles[0].radius, 0.4F * metre));
+    m_editor->setSelected({Part::Obstacle, 0, 0});
+    key(Qt::Key_Plus);
+    QVERIFY(isAbout(m_editor->shape().obstacles[0].radius, 0.45F * metre));
+}
+
+void TestPathEditor::lengthsAreReadInTheirUnits()
+{
+    const QLocale c = QLocale::c();
+    QCOMPARE(Ruler(1).text(1.25, c), QStringLiteral("1.250 m"));
+    QCOMPARE(Ruler(0.01).text(125, c), QStringLiteral("1.250 m"));
+    QCOMPARE(Ruler(0.01).text(3.4, c), QStringLiteral("3.4 cm"));
+    QCOMPARE(Ruler(0.001).text(7.2, c), QStringLiteral("7.20 mm"));
+    QCOMPARE(Ruler(0.3048).text(4.1, c), QStringLiteral("4.10 ft"));
+    QCOMPARE(Ruler(0.3048).text(0.5, c), QStringLiteral("6.00 in"));
+    QCOMPARE(Ruler(0.0254).text(30, c), QStringLiteral("2.50 ft"));
+    QCOMPARE(Ruler(0.01).decimals(3), 1);
+    QCOMPARE(Ruler(0.3048).decimals(3), 3);
+    QCOMPARE(Ruler(0.01).rounded(12.345678, 4), 12.35);
+}
+
 void TestPathEditor::pointsInSpaceAreLiftedByTheirArrow()
 {
     showLine(PathKind::Polyline, true);

@@ -24,21 +24,21 @@ namespace {
 
 /// Draws lines from the place on the ground, antialiased by its derivative, in place of the lit colour.
 constexpr auto fragmentCode = R"(
-  vec2 place = groundPlace;
+  vec2 place = groundPlace / lineStep;
   vec2 perPixel = max(fwidth(place), vec2(1e-6));
   vec2 perLine = perPixel * linePixels;
   float coarsest = max(perPixel.x, perPixel.y) * linePixels;
   vec2 metre = abs(fract(place - 0.5) - 0.5) / perLine;
-  vec2 tenth = abs(fract(place * 10.0 - 0.5) - 0.5) / (perLine * 10.0);
+  vec2 tenth = abs(fract(place * lineParts - 0.5) - 0.5) / (perLine * lineParts);
   float metreLine = (1.0 - min(min(metre.x, metre.y), 1.0)) * (1.0 - smoothstep(0.15, 0.5, coarsest));
   float tenthLine = (1.0 - min(min(tenth.x, tenth.y), 1.0)) * (1.0 - smoothstep(0.006, 0.02, coarsest));
   float alpha = max(metreLine * 0.42, tenthLine * 0.14);
   vec3 color = lineColor;
   vec2 axis = 1.0 - clamp(abs(place) / perLine - 0.25, 0.0, 1.0);
-  axis *= 0.7 * (1.0 - smoothstep(0.0, 1.0, vec2(abs(place.y), abs(place.x)) / axisLength));
+  axis *= 0.7 * (1.0 - smoothstep(0.0, 1.0, vec2(abs(groundPlace.y), abs(groundPlace.x)) / axisLength));
   if (axis.y > 0.0) { color = mix(color, firstColor, axis.y); alpha = max(alpha, axis.y); }
   if (axis.x > 0.0) { color = mix(color, secondColor, axis.x); alpha = max(alpha, axis.x); }
-  float away = length(place - fadeCenter) / fadeRadius;
+  float away = length(groundPlace - fadeCenter) / fadeRadius;
   float near = 1.0 - smoothstep(0.12, 1.0, away);
   alpha *= near;
   float under = floorBrightness * near * near * (1.0 - alpha);
@@ -61,6 +61,7 @@ struct GroundGrid::Private
     vtkNew<vtkPoints> points;
     vtkNew<vtkFloatArray> places;
     vtkNew<vtkPolyData> surface;
+    Ruler ruler;
     float height = 0.0F;
     double floor = 0.0;
 };
@@ -125,6 +126,11 @@ void GroundGrid::setPixelRatio(double pixels)
                                                                             static_cast<float>(pixels));
 }
 
+void GroundGrid::setRuler(const Ruler& ruler)
+{
+    d->ruler = ruler;
+}
+
 void GroundGrid::setHeight(float height)
 {
     d->height = height;
@@ -135,7 +141,7 @@ void GroundGrid::follow(const Turntable& camera)
     const bool upIsZ = camera.upAxis == UpAxis::Z;
     const int second = upIsZ ? 1 : 2;
     const int up = upIsZ ? 2 : 1;
-    const float radius = std::clamp(camera.distance * 3.0F, 4.0F, 400.0F);
+    const float radius = std::clamp(camera.distance * 3.0F, d->ruler.of(4.0F), d->ruler.of(400.0F));
     const float center[2] = {camera.target.x(), camera.target[second]};
     static constexpr float corners[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     for (vtkIdType i = 0; i < 4; ++i) {
@@ -153,7 +159,10 @@ void GroundGrid::follow(const Turntable& camera)
     vtkUniforms* uniforms = shader->GetFragmentCustomUniforms();
     uniforms->SetUniform2f("fadeCenter", center);
     uniforms->SetUniformf("fadeRadius", radius);
-    uniforms->SetUniformf("axisLength", std::clamp(camera.distance * 0.5F, 0.5F, 4.0F));
+    uniforms->SetUniformf("axisLength",
+                          std::clamp(camera.distance * 0.5F, d->ruler.of(0.5F), d->ruler.of(4.0F)));
+    uniforms->SetUniformf("lineStep", static_cast<float>(d->ruler.coarse()));
+    uniforms->SetUniformf("lineParts", static_cast<float>(d->ruler.parts()));
     // Seen from below, a floor would hide the soles.
     const bool isAbove = camera.position()[up] > d->height;
     uniforms->SetUniformf("floorBrightness", isAbove ? static_cast<float>(d->floor) : 0.0F);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "widgets/viewport/ruler.h"
 #include "widgets/viewport/turntable.h"
 
 #include <QColor>
@@ -11,8 +12,8 @@ class vtkRenderer;
 
 namespace quadrille::widgets {
 
-/// A faint floor with lines every metre, every ten centimetres when near, that fades with the distance; near
-/// the origin the two axes in their colours.
+/// A faint floor with lines every metre, every ten centimetres when near (feet and inches for rulers that
+/// have them), that fades with the distance; near the origin the two axes in their colours.
 class GroundGrid
 {
 public:
@@ -29,7 +30,8 @@ public:
     void setFloor(double brightness);
     /// \param pixels  of the screen for one logical pixel.
     void setPixelRatio(double pixels);
-    /// Height of the ground along the up axis, metres.
+    void setRuler(const Ruler& ruler);
+    /// Height of the ground along the up axis.
     void setHeight(float height);
     /// Keeps the grid about what the camera looks at.
     void follow(const Turntable& camera);

@@ -24,9 +24,9 @@ namespace quadrille::widgets {
 
 namespace {
 
-constexpr float areaLift = 0.002F;  // metres above the ground, or the grid would flicker through
-constexpr float curveLift = 0.004F; // above areas
-constexpr float hatchSpacing = 0.12F;
+constexpr float areaLift = 0.002F;    // metres above the ground, or the grid would flicker through
+constexpr float curveLift = 0.004F;   // above areas
+constexpr float hatchSpacing = 0.12F; // metres
 constexpr double fillOpacity = 0.22;
 
 struct Drawn
@@ -120,7 +120,8 @@ void addDashes(Builder& builder, const SceneCurve& curve, const QVector3D& lift)
         const float length = (curve.points[i + 1] - curve.points[i]).length();
         for (float from = 0.0F; from < length;) {
             const float cell = std::floor((walked + from) / curve.dash + 1e-4F);
-            const float to = std::min(length, std::max((cell + 1.0F) * curve.dash - walked, from + 1e-4F));
+            const float to =
+                std::min(length, std::max((cell + 1.0F) * curve.dash - walked, from + 1e-3F * curve.dash));
             if (static_cast<long>(cell) % 2 == 0) {
                 const vtkIdType first = builder.count();
                 put(i, from / length);
@@ -186,15 +187,16 @@ MarkActors::~MarkActors()
     d->resize(d->lines, 0);
 }
 
-void MarkActors::show(const SceneMarks& marks, const QVector3D& up, double pixels)
+void MarkActors::show(const SceneMarks& marks, const QVector3D& metre, double pixels)
 {
+    const QVector3D up = metre.normalized();
     d->resize(d->fills, marks.areas.size());
     d->resize(d->lines, marks.curves.size() + marks.areas.size());
     for (std::size_t i = 0; i < marks.areas.size(); ++i) {
         const SceneArea& area = marks.areas[i];
         Builder fill;
         for (const QVector3D& corner : area.outline)
-            fill.add(corner + areaLift * up);
+            fill.add(corner + areaLift * metre);
         const std::vector<int> triangles = triangulate(area.outline, up);
         for (std::size_t t = 0; t + 2 < triangles.size(); t += 3)
             fill.triangle({triangles[t], triangles[t + 1], triangles[t + 2]});
@@ -202,15 +204,15 @@ void MarkActors::show(const SceneMarks& marks, const QVector3D& up, double pixel
 
         Builder border;
         for (const QVector3D& corner : area.outline)
-            border.add(corner + curveLift * up);
+            border.add(corner + curveLift * metre);
         const vtkIdType corners = border.count();
         for (vtkIdType c = 0; c < corners; ++c)
             border.line({c, (c + 1) % corners});
         if (area.hatched) {
-            const std::vector<QVector3D> hatch = hatchLines(area.outline, up, hatchSpacing);
+            const std::vector<QVector3D> hatch = hatchLines(area.outline, up, hatchSpacing * metre.length());
             for (std::size_t h = 0; h + 1 < hatch.size(); h += 2) {
-                const vtkIdType first = border.add(hatch[h] + curveLift * up);
-                border.line({first, border.add(hatch[h + 1] + curveLift * up)});
+                const vtkIdType first = border.add(hatch[h] + curveLift * metre);
+                border.line({first, border.add(hatch[h + 1] + curveLift * metre)});
             }
         }
         border.finish(*d->lines[i], area.color, 1.5 * pixels, 1.0);
@@ -219,7 +221,7 @@ void MarkActors::show(const SceneMarks& marks, const QVector3D& up, double pixel
         const SceneCurve& curve = marks.curves[i];
         Builder builder;
         // Each a little above the one before, or they would flicker through each other.
-        build(builder, curve, (curveLift + 0.001F * static_cast<float>(i)) * up);
+        build(builder, curve, (curveLift + 0.001F * static_cast<float>(i)) * metre);
         builder.finish(*d->lines[marks.areas.size() + i], curve.color,
                        static_cast<double>(curve.width) * pixels, curve.color.alphaF());
     }

@@ -20,9 +20,9 @@ public:
     MarkActors(const MarkActors&) = delete;
     MarkActors& operator=(const MarkActors&) = delete;
 
-    /// \param up      of the ground that areas lie on.
+    /// \param metre   upwards from the ground that areas lie on, in the unit of the marks.
     /// \param pixels  of the screen for one logical pixel.
-    void show(const SceneMarks& marks, const QVector3D& up, double pixels);
+    void show(const SceneMarks& marks, const QVector3D& metre, double pixels);
 
 private:
     struct Private;

@@ -117,9 +117,9 @@ const PathPart& PathEditor::selected() const
     return d->selected;
 }
 
-void PathEditor::setUsualHeight(float metres)
+void PathEditor::setUsualHeight(float height)
 {
-    d->usualHeight = metres;
+    d->usualHeight = height;
 }
 
 bool PathEditor::isDragging() const
@@ -160,7 +160,7 @@ PathPart PathEditor::partAt(const QPointF& position) const
             continue;
         const auto place = d->placeAt(position, d->viewport.groundHeight());
         if (place && std::abs((*place - obstacle.corners[0]).length() - obstacle.radius) <
-                         static_cast<float>(edgeReach) * d->metresPerPixel(*place))
+                         static_cast<float>(edgeReach) * d->unitsPerPixel(*place))
             return {PathPart::Kind::ObstacleRadius, static_cast<int>(i), 0};
     }
     double distance = 0.0;
@@ -204,7 +204,7 @@ std::optional<QVector3D> PathEditor::Private::placeAt(const QPointF& pixel, floa
     const int up = upIndex();
     constexpr float farthest = 500.0F; // metres; beyond is the horizon
     const float distance = (height - ray.origin[up]) / ray.direction[up];
-    if (!(distance > 0.0F) || distance > farthest)
+    if (!(distance > 0.0F) || distance > ruler().of(farthest))
         return std::nullopt;
     QVector3D place = ray.origin + distance * ray.direction;
     place[up] = height;
@@ -218,12 +218,12 @@ float PathEditor::Private::heightAt(const QPointF& pixel, const QVector3D& foot)
     normal[upIndex()] = 0.0F;
     const float facing = QVector3D::dotProduct(ray.direction, normal);
     if (std::abs(facing) < 0.02F) // seen from above
-        return -static_cast<float>(pixel.y()) * metresPerPixel(foot);
+        return -static_cast<float>(pixel.y()) * unitsPerPixel(foot);
     const float distance = QVector3D::dotProduct(foot - ray.origin, normal) / facing;
     return (ray.origin + distance * ray.direction)[upIndex()];
 }
 
-float PathEditor::Private::metresPerPixel(const QVector3D& near) const
+float PathEditor::Private::unitsPerPixel(const QVector3D& near) const
 {
     const Turntable& camera = owner.camera();
     const float depth = QVector3D::dotProduct(near - camera.position(), camera.forward());
@@ -242,7 +242,9 @@ QVector3D PathEditor::Private::constrained(const QVector3D& from, QVector3D plac
     }
     if (modifiers.testFlag(Qt::ControlModifier)) {
         constexpr float tenPixels = 10.0F;
-        const float step = metresPerPixel(place) * tenPixels < 0.1F ? 0.1F : 1.0F;
+        const auto middle = static_cast<float>(ruler().middle());
+        const float step =
+            unitsPerPixel(place) * tenPixels < middle ? middle : static_cast<float>(ruler().coarse());
         for (int axis = 0; axis < 3; ++axis)
             if (axis != up && (place[axis] != from[axis] || !modifiers.testFlag(Qt::ShiftModifier)))
                 place[axis] = std::round(place[axis] / step) * step;

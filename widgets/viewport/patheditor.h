@@ -49,15 +49,16 @@ enum class PathEdit
     Draw ///< a stroke by a free hand
 };
 
-/// Draws and edits a path in a viewport. It changes nothing itself: edits are signals, and come back by
-/// setShape(). While something is dragged, signals come with `committed` false, at the end once with true;
-/// Escape ends with the old values.
+/// Draws and edits a path in a viewport, in whose unit all lengths are. It changes nothing itself: edits are
+/// signals, and come back by setShape(). While something is dragged, signals come with `committed` false, at
+/// the end once with true; Escape ends with the old values.
 ///
 /// Drawing: a click adds a point, a stroke is made to few points (Bézier: pulls the handles); a double click,
 /// Return or a click on the first point ends. Editing: points, handles, ends of stretches and obstacles are
 /// dragged (Shift keeps to an axis, Ctrl snaps to the grid, Alt moves a handle alone, or lifts a point in
 /// space), a double click on the curve inserts a point. Tab walks over everything, arrows move it
-/// (Shift by 1 m, Ctrl by 1 cm), Page Up and Page Down lift, Insert adds, Delete removes, + and − resize.
+/// by 10 cm (Shift by 1 m, Ctrl by 1 cm; in feet and inches by an inch, a foot, a tenth of an inch), Page Up
+/// and Page Down lift, Insert adds, Delete removes, + and − resize.
 class PathEditor : public HandleTool
 {
     Q_OBJECT
@@ -86,8 +87,8 @@ public:
     Mode mode() const;
     void setSelected(const PathPart& part);
     const PathPart& selected() const;
-    /// The height above the ground that the first point gets in space, metres.
-    void setUsualHeight(float metres);
+    /// The height above the ground that the first point gets in space.
+    void setUsualHeight(float height);
     /// Whether something is being dragged.
     bool isDragging() const override;
     bool isDrawing() const override;
@@ -96,7 +97,7 @@ public:
     /// The part that would be dragged from here.
     PathPart partAt(const QPointF& position) const;
 
-    /// What double click and Delete do, for menus. \param length  along the curve, metres.
+    /// What double click and Delete do, for menus. \param length  along the curve.
     void insertPoint(double length);
     void removeSelected();
     /// Puts the handles of the selected point of a Bézier path onto one line.
@@ -117,7 +118,7 @@ signals:
     void obstacleDeletionAsked(int obstacle);
     /// A part was double-clicked, or Return was pressed on it: to be looked at closer.
     void activated(const quadrille::widgets::PathPart& part);
-    /// \param length  where on the curve, metres; where there is none under the pointer, 0.
+    /// \param length  where on the curve; where there is none under the pointer, 0.
     void contextMenuAsked(const quadrille::widgets::PathPart& part, double length,
                           const QPoint& globalPosition);
 
@@ -147,7 +148,9 @@ private:
     void addPoint(const QVector3D& place);
     void insertOnCurve(std::size_t anchor, float t, const QVector3D& place);
     bool nudge(int key, Qt::KeyboardModifiers modifiers);
-    bool resizeSelected(float metres);
+    bool resizeSelected(float by);
+    double shortestStretch() const;
+    float smallestRadius() const;
     bool deleteSelected();
     void askMenu(const PathPart& part, const QPointF& position, const QPoint& globalPosition);
     void dragTo(const QMouseEvent& event);

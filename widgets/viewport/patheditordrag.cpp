@@ -12,11 +12,21 @@ namespace quadrille::widgets {
 
 namespace {
 
-constexpr double shortestStretch = 0.05; // metres
-constexpr float smallestRadius = 0.05F;
-constexpr float usualRadius = 0.4F;
+constexpr float usualRadius = 0.4F; // metres
 
 } // namespace
+
+double PathEditor::shortestStretch() const
+{
+    constexpr double metres = 0.05;
+    return d->ruler().of(metres);
+}
+
+float PathEditor::smallestRadius() const
+{
+    constexpr float metres = 0.05F;
+    return d->ruler().of(metres);
+}
 
 PathDrag PathEditor::Private::startOf(const PathPart& part, const QMouseEvent& event) const
 {
@@ -49,10 +59,10 @@ void PathEditor::dragTo(const QMouseEvent& event)
             return;
         const PathStretch& before = drag.before.stretches[index];
         if (part.kind == PathPart::Kind::StretchStart)
-            emit stretchEdited(part.index, std::clamp(*length, 0.0, before.to - shortestStretch), before.to,
+            emit stretchEdited(part.index, std::clamp(*length, 0.0, before.to - shortestStretch()), before.to,
                                false);
         else
-            emit stretchEdited(part.index, before.from, std::max(*length, before.from + shortestStretch),
+            emit stretchEdited(part.index, before.from, std::max(*length, before.from + shortestStretch()),
                                false);
         return;
     }
@@ -61,8 +71,9 @@ void PathEditor::dragTo(const QMouseEvent& event)
         const int up = d->upIndex();
         place[up] += d->heightAt(event.position(), drag.start) - drag.grabbed[up];
         place[up] = std::max(place[up], d->viewport.groundHeight());
-        if (event.modifiers().testFlag(Qt::ControlModifier))
-            place[up] = std::round(place[up] * 10.0F) / 10.0F;
+        if (const auto step = static_cast<float>(d->ruler().middle());
+            event.modifiers().testFlag(Qt::ControlModifier))
+            place[up] = std::round(place[up] / step) * step;
     } else if (const auto now = d->placeAt(event.position(), drag.start[d->upIndex()])) {
         place = d->constrained(drag.start, drag.start + *now - drag.grabbed, event.modifiers());
     }
@@ -86,7 +97,7 @@ void PathEditor::applyTo(const PathPart& part, const QVector3D& place, bool mirr
     if (part.kind == PathPart::Kind::ObstacleCorner) {
         obstacle.corners[static_cast<std::size_t>(part.corner)] = place;
     } else if (part.kind == PathPart::Kind::ObstacleRadius) {
-        obstacle.radius = std::max(smallestRadius, (place - obstacle.corners.front()).length());
+        obstacle.radius = std::max(smallestRadius(), (place - obstacle.corners.front()).length());
     } else {
         QVector3D middle;
         for (const QVector3D& corner : obstacle.corners)
@@ -145,8 +156,7 @@ void PathEditor::finishStroke(bool commit)
     } else if (drag.stroke.size() > 1) {
         constexpr float roughness = 6.0F; // pixels
         std::vector<QVector3D> points = d->drawnPoints();
-        for (const QVector3D& point :
-             simplifiedStroke(drag.stroke, roughness * d->metresPerPixel(drag.start)))
+        for (const QVector3D& point : simplifiedStroke(drag.stroke, roughness * d->unitsPerPixel(drag.start)))
             points.push_back(point);
         emit pointsEdited(points, PathEdit::Draw, true);
     }
@@ -158,7 +168,7 @@ void PathEditor::finishObstacle()
     if (d->mode == Mode::Disc && isDragging()) {
         obstacle.corners = {d->drag.start};
         const float radius = d->pointer ? (*d->pointer - d->drag.start).length() : 0.0F;
-        obstacle.radius = d->drag.moved ? std::max(smallestRadius, radius) : usualRadius;
+        obstacle.radius = d->drag.moved ? std::max(smallestRadius(), radius) : d->ruler().of(usualRadius);
     } else if (d->mode == Mode::Polygon && d->corners.size() > 2) {
         obstacle.corners = d->corners;
     } else {
@@ -186,7 +196,7 @@ void PathEditor::addPoint(const QVector3D& place)
     if (points.empty()) {
         d->firstPoint = place;
         emit repaintAsked();
-    } else if ((points.back() - place).length() > same) {
+    } else if ((points.back() - place).length() > d->ruler().of(same)) {
         emit pointsEdited(appendedPoint(d->shape.kind, points, place), PathEdit::Add, true);
     }
 }
@@ -232,10 +242,10 @@ void PathEditor::insertByKey()
     const std::vector<QVector3D> points = d->drawnPoints();
     if (d->mode == Mode::Disc) {
         setMode(Mode::Edit);
-        emit obstacleAdded({.corners = {target}, .radius = usualRadius, .problem = {}});
+        emit obstacleAdded({.corners = {target}, .radius = d->ruler().of(usualRadius), .problem = {}});
     } else if (d->mode == Mode::Polygon) {
-        QVector3D first = usualRadius * QVector3D(1, 0, 0);
-        QVector3D second = usualRadius * QVector3D::crossProduct(d->up(), QVector3D(1, 0, 0));
+        QVector3D first = d->ruler().of(usualRadius) * QVector3D(1, 0, 0);
+        QVector3D second = d->ruler().of(usualRadius) * QVector3D::crossProduct(d->up(), QVector3D(1, 0, 0));
         setMode(Mode::Edit);
         emit obstacleAdded({.corners = {target + first + second, target - first + second,
                                         target - first - second, target + first - second},
@@ -256,7 +266,7 @@ void PathEditor::insertByKey()
         direction[d->upIndex()] = 0.0F;
         if (direction.isNull())
             direction = QVector3D(1, 0, 0);
-        addPoint(points.back() + direction.normalized());
+        addPoint(points.back() + d->ruler().of(1.0F) * direction.normalized());
         if (!d->shape.points.empty())
             setSelected({PathPart::Kind::Point, static_cast<int>(d->shape.points.size()) - 1, 0});
     }
@@ -274,17 +284,17 @@ bool PathEditor::nudge(int key, Qt::KeyboardModifiers modifiers)
     const auto place = d->placeOf(d->selected);
     if (!place)
         return false;
-    const float step = modifiers.testFlag(Qt::ShiftModifier)     ? 1.0F
-                       : modifiers.testFlag(Qt::ControlModifier) ? 0.01F
-                                                                 : 0.1F;
+    const auto step = static_cast<float>(modifiers.testFlag(Qt::ShiftModifier)     ? d->ruler().coarse()
+                                         : modifiers.testFlag(Qt::ControlModifier) ? d->ruler().fine()
+                                                                                   : d->ruler().middle());
     const bool isStart = d->selected.kind == PathPart::Kind::StretchStart;
     const bool isBackwards = key == Qt::Key_Left || key == Qt::Key_Down || key == Qt::Key_PageDown;
     if (isStart || d->selected.kind == PathPart::Kind::StretchEnd) {
         PathStretch stretch = d->shape.stretches[static_cast<std::size_t>(d->selected.index)];
         double& end = isStart ? stretch.from : stretch.to;
         end += static_cast<double>(isBackwards ? -step : step);
-        stretch.from = std::clamp(stretch.from, 0.0, stretch.to - shortestStretch);
-        stretch.to = std::max(stretch.to, stretch.from + shortestStretch);
+        stretch.to = std::max(stretch.to, shortestStretch());
+        stretch.from = std::clamp(stretch.from, 0.0, stretch.to - shortestStretch());
         emit stretchEdited(d->selected.index, stretch.from, stretch.to, true);
         return true;
     }
@@ -305,7 +315,7 @@ bool PathEditor::nudge(int key, Qt::KeyboardModifiers modifiers)
     return true;
 }
 
-bool PathEditor::resizeSelected(float metres)
+bool PathEditor::resizeSelected(float by)
 {
     const auto index = static_cast<std::size_t>(d->selected.index);
     const bool isDisc = d->selected.kind == PathPart::Kind::Obstacle && index < d->shape.obstacles.size() &&
@@ -313,7 +323,7 @@ bool PathEditor::resizeSelected(float metres)
     if (!isDisc)
         return false;
     PathObstacle obstacle = d->shape.obstacles[index];
-    obstacle.radius = std::max(smallestRadius, obstacle.radius + metres);
+    obstacle.radius = std::max(smallestRadius(), obstacle.radius + by);
     emit obstacleEdited(d->selected.index, obstacle, true);
     return true;
 }

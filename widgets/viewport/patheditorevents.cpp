@@ -272,9 +272,9 @@ bool PathEditor::pressOther(const QKeyEvent& event)
     switch (event.key()) {
     case Qt::Key_Plus:
     case Qt::Key_Equal:
-        return resizeSelected(radiusStep);
+        return resizeSelected(d->ruler().of(radiusStep));
     case Qt::Key_Minus:
-        return resizeSelected(-radiusStep);
+        return resizeSelected(-d->ruler().of(radiusStep));
     default:
         return nudge(event.key(), event.modifiers());
     }

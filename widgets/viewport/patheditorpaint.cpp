@@ -116,8 +116,11 @@ void PathEditor::refreshMarks()
             if (d->shape.clearance > 0.0F) {
                 auto around = widenedOutline(obstacle, d->shape.clearance, d->up());
                 around.push_back(around.front());
-                marks.curves.push_back(
-                    {.points = around, .color = color, .colors = {}, .width = 1.5F, .dash = 0.08F});
+                marks.curves.push_back({.points = around,
+                                        .color = color,
+                                        .colors = {},
+                                        .width = 1.5F,
+                                        .dash = d->ruler().of(0.08F)});
             }
             if (!obstacle.problem.isEmpty())
                 marks.labels.push_back({obstacle.corners[0], obstacle.problem, color});
@@ -140,14 +143,14 @@ void PathEditor::Private::paintSpace(QPainter& painter) const
             continue;
         const QColor color = Theme::color(isActive ? ColorRole::AccentText : ColorRole::Line);
         paintToolLine(painter, {*from, *to}, color, isActive ? 1.5 : 1.0, Qt::DashLine);
-        const double pixels = static_cast<double>(0.06F / metresPerPixel(foot));
+        const double pixels = static_cast<double>(ruler().of(0.06F) / unitsPerPixel(foot));
         const double flat =
             std::max(0.25, std::abs(std::sin(static_cast<double>(owner.camera().pitch) * M_PI / 180.0)));
         painter.setPen(QPen(color, 1.5));
         painter.drawEllipse(*to, pixels, pixels * flat);
         if (isActive)
             paintToolWords(painter, (*from + *to) / 2.0 + QPointF(44.0, 8.0),
-                           lengthText(static_cast<double>((shape.points[i] - foot).length())));
+                           ruler().text(static_cast<double>((shape.points[i] - foot).length())));
     }
 }
 
@@ -220,7 +223,7 @@ void PathEditor::Private::paintDrawing(QPainter& painter) const
             const SampledCurve sampled(sampler(shape.kind, planned));
             paintToolLine(painter, polygon(owner, sampled.points()), accent, 2.0, Qt::DashLine);
             if (const auto pixel = project(planned.back()))
-                paintToolWords(painter, *pixel + QPointF(0.0, 24.0), lengthText(sampled.length()));
+                paintToolWords(painter, *pixel + QPointF(0.0, 24.0), ruler().text(sampled.length()));
         }
         if (drag.kind == PathDrag::Kind::Pull && pointer && drag.moved) {
             paintToolLine(painter, polygon(owner, {2.0F * drag.start - *pointer, *pointer}), accent, 1.0,
@@ -243,7 +246,7 @@ void PathEditor::Private::paintDrawing(QPainter& painter) const
         circle.push_back(circle.front());
         paintToolLine(painter, polygon(owner, circle), accent, 2.0, Qt::DashLine);
         if (const auto pixel = project(*pointer))
-            paintToolWords(painter, *pixel + QPointF(0.0, 24.0), lengthText(static_cast<double>(radius)));
+            paintToolWords(painter, *pixel + QPointF(0.0, 24.0), ruler().text(static_cast<double>(radius)));
     }
     if (pointer && drag.kind == PathDrag::Kind::None)
         dot(*pointer);

@@ -51,6 +51,7 @@ struct PathEditor::Private
     std::optional<QPointF> clickOnNothing; ///< where a press was left to the camera
     bool isMenuPress = false;              ///< the right button is down on a part
 
+    const Ruler& ruler() const { return viewport.ruler(); }
     QVector3D up() const;
     int upIndex() const;
     /// Those of the path, or the first of a path that has no other yet.
@@ -65,7 +66,7 @@ struct PathEditor::Private
     /// The place for a new point under a pixel.
     std::optional<QVector3D> newPlace(const QPointF& pixel, Qt::KeyboardModifiers modifiers) const;
     std::optional<QVector3D> placeOf(const PathPart& part) const;
-    float metresPerPixel(const QVector3D& near) const;
+    float unitsPerPixel(const QVector3D& near) const;
     /// The curve's length next to a pixel. \param distance  pixels to the curve.
     std::optional<double> lengthAt(const QPointF& pixel, double* distance) const;
     std::vector<PathPart> parts() const;

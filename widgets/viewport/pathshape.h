@@ -19,7 +19,7 @@ enum class PathKind
 /// A stretch of a path of which more is asked.
 struct PathStretch
 {
-    double from = 0; ///< metres along the curve
+    double from = 0; ///< along the curve
     double to = 0;
     QString text; ///< what is asked
 
@@ -30,14 +30,14 @@ struct PathStretch
 struct PathObstacle
 {
     std::vector<QVector3D> corners; ///< of the polygon; of a disc, its centre alone
-    float radius = 0;               ///< of the disc, metres
+    float radius = 0;               ///< of the disc
     QString problem;                ///< what is wrong with it; empty when nothing is
 
     bool isDisc() const { return corners.size() == 1; }
     bool operator==(const PathObstacle&) const = default;
 };
 
-/// What a path editor shows. All points are in the coordinates of the view, metres.
+/// What a path editor shows. All points and lengths are in the coordinates of the view.
 struct PathShape
 {
     PathKind kind = PathKind::CatmullRom;
@@ -45,7 +45,7 @@ struct PathShape
     std::vector<QVector3D> points;
     std::vector<PathStretch> stretches;
     std::vector<PathObstacle> obstacles;
-    float clearance = 0; ///< kept from obstacles, metres
+    float clearance = 0; ///< kept from obstacles
 
     bool operator==(const PathShape&) const = default;
 };

@@ -11,7 +11,7 @@ namespace quadrille::widgets {
 namespace {
 
 constexpr float shortestDistance = 0.02F;
-constexpr float longestDistance = 2000.0F;
+constexpr float longestDistance = 2e6F; // two kilometres in the smallest unit, millimetres
 
 /// From a frame whose up axis is y into the one asked for.
 QVector3D toWorld(const QVector3D& v, UpAxis up)

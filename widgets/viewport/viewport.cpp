@@ -57,6 +57,7 @@ Annotations Viewport::Private::annotations() const
 {
     Annotations result;
     result.measured = measured;
+    result.ruler = scene.ruler();
     result.notice = notice;
     const int up = gestures->camera().upAxis == UpAxis::Y ? 1 : 2;
     for (const auto& [id, figure] : scene.figures()) {
@@ -288,14 +289,33 @@ void Viewport::setUpAxis(UpAxis axis)
     redraw();
 }
 
-void Viewport::setGroundHeight(float metres)
+void Viewport::setRuler(const Ruler& ruler)
 {
-    if (d->groundHeight == metres)
+    if (ruler == d->scene.ruler())
         return;
-    d->groundHeight = metres;
-    d->scene.setGroundHeight(metres);
+    Turntable camera = d->gestures->camera();
+    const double scale = d->scene.ruler().metresPerUnit() / ruler.metresPerUnit();
+    camera.target *= static_cast<float>(scale);
+    camera.distance *= static_cast<float>(scale);
+    d->scene.setRuler(ruler);
+    d->gestures->setCamera(camera);
+    clearMeasurement();
+    arrange();
+}
+
+const Ruler& Viewport::ruler() const
+{
+    return d->scene.ruler();
+}
+
+void Viewport::setGroundHeight(float height)
+{
+    if (d->groundHeight == height)
+        return;
+    d->groundHeight = height;
+    d->scene.setGroundHeight(height);
     redraw();
-    emit groundHeightChanged(metres);
+    emit groundHeightChanged(height);
 }
 
 float Viewport::groundHeight() const

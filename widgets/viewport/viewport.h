@@ -5,6 +5,7 @@
 #include "widgets/viewport/colormap.h"
 #include "widgets/viewport/figureshape.h"
 #include "widgets/viewport/groundshadow.h"
+#include "widgets/viewport/ruler.h"
 #include "widgets/viewport/scenemarks.h"
 #include "widgets/viewport/shading.h"
 #include "widgets/viewport/turntable.h"
@@ -40,7 +41,7 @@ struct Pick
     std::uint32_t triangle = 0;
     std::uint32_t vertex = 0; ///< the triangle's corner next to the point
     std::array<float, 3> barycentric{};
-    QVector3D point; ///< metres, in the view: with the figure's offset
+    QVector3D point; ///< in the view: with the figure's offset
 };
 
 struct SnapshotOptions
@@ -50,7 +51,8 @@ struct SnapshotOptions
     bool annotations = true; ///< legend, measurement, names
 };
 
-/// Shows figures in three dimensions and lets them be looked at from everywhere. Where there is no
+/// Shows figures in three dimensions and lets them be looked at from everywhere. All lengths but those that
+/// say otherwise are in the unit of its ruler. Where there is no
 /// OpenGL, a label says so and everything else still works.
 class Viewport : public QWidget
 {
@@ -84,7 +86,7 @@ public:
     /// None where there is no such figure.
     std::optional<FigureShape> figureShape(int figure) const;
     /// A new frame; quick enough for playback (under 1 ms at 20,000 vertices).
-    /// \param positions  vertices × 3, metres, in the order of the mesh.
+    /// \param positions  vertices × 3, in the order of the mesh.
     void setPositions(int figure, std::span<const float> positions);
     /// A null image takes the texture away; the figure is then clay. RGB888 and RGBA8888 are the quickest.
     void setTexture(int figure, const QImage& texture, int material = 0);
@@ -129,7 +131,10 @@ public:
     void setNotice(const QString& text);
     const QString& notice() const;
     void setUpAxis(UpAxis axis);
-    void setGroundHeight(float metres);
+    /// What coordinates are in; metres by default. The camera keeps what it sees.
+    void setRuler(const Ruler& ruler);
+    const Ruler& ruler() const;
+    void setGroundHeight(float height);
     float groundHeight() const;
     /// The camera moves along with a figure; no figure: it stays.
     void setFollowed(std::optional<int> figure);
@@ -174,7 +179,7 @@ signals:
     void figureChanged(int figure);
     void toolChanged(quadrille::widgets::Viewport::Tool tool);
     void cameraChanged();
-    void groundHeightChanged(float metres);
+    void groundHeightChanged(float height);
     /// A click with the right button, or the key for menus. Drags with that button move the camera.
     void contextMenuAsked(const QPoint& globalPosition);
     /// A picture was drawn. \param milliseconds  what drawing took.

@@ -165,7 +165,7 @@ void Viewport::arrange()
     }
     std::vector<QVector3D> offsets(lanes.size());
     if (d->layout == Layout::SideBySide)
-        offsets = laneOffsets(boxes, anchor, d->gestures->camera().upAxis);
+        offsets = laneOffsets(boxes, anchor, d->gestures->camera().upAxis, d->scene.ruler().of(1.0F));
     // The figure that goes back to its own place does so in the world, not in the view.
     if (!lanes.empty())
         d->gestures->carry(-lanes[anchor]->layoutOffset);

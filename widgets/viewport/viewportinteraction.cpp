@@ -164,7 +164,8 @@ void Viewport::click(const QPointF& position, Qt::MouseButton button, Qt::Keyboa
             d->measured.push_back(hit->point);
         redraw();
         if (d->measured.size() == 2)
-            emit measured(static_cast<double>((d->measured[1] - d->measured[0]).length()));
+            emit measured(static_cast<double>((d->measured[1] - d->measured[0]).length()) *
+                          ruler().metresPerUnit());
         return;
     }
     if (hit)

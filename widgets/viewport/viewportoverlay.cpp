@@ -6,8 +6,6 @@
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/labelplaces.h"
 
-#include <QCoreApplication>
-#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPolygonF>
@@ -139,9 +137,9 @@ void paintMeasurement(QPainter& painter, const QSizeF& size, const Annotations& 
     for (const QPointF& pixel : pixels)
         painter.drawEllipse(pixel, 4.5, 4.5);
     if (pixels.size() == 2) {
-        const double metres =
-            static_cast<double>((annotations.measured[1] - annotations.measured[0]).length());
-        paintPlate(painter, (pixels[0] + pixels[1]) / 2.0 - QPointF(0.0, 18.0), lengthText(metres), {});
+        const auto length = static_cast<double>((annotations.measured[1] - annotations.measured[0]).length());
+        paintPlate(painter, (pixels[0] + pixels[1]) / 2.0 - QPointF(0.0, 18.0),
+                   annotations.ruler.text(length), {});
     }
 }
 
@@ -239,16 +237,6 @@ void paintWords(QPainter& painter, const QSizeF& size, const Annotations& annota
 }
 
 } // namespace
-
-QString lengthText(double metres, const QLocale& locale)
-{
-    const auto text = [](const char* pattern) { return QCoreApplication::translate("Length", pattern); };
-    if (metres >= 1.0)
-        return text(QT_TRANSLATE_NOOP("Length", "%1 m")).arg(locale.toString(metres, 'f', 3));
-    if (metres >= 0.01)
-        return text(QT_TRANSLATE_NOOP("Length", "%1 cm")).arg(locale.toString(metres * 100.0, 'f', 1));
-    return text(QT_TRANSLATE_NOOP("Length", "%1 mm")).arg(locale.toString(metres * 1000.0, 'f', 2));
-}
 
 void paintAnnotations(QPainter& painter, const QSizeF& size, const Annotations& annotations)
 {

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "widgets/viewport/colormap.h"
+#include "widgets/viewport/ruler.h"
 #include "widgets/viewport/scenemarks.h"
 #include "widgets/viewport/viewtool.h"
 
-#include <QLocale>
 #include <QPointer>
 #include <QWidget>
 #include <optional>
@@ -26,6 +26,7 @@ struct Annotations
         bool operator==(const Name&) const = default;
     };
     Turntable camera;
+    Ruler ruler;
     std::vector<QVector3D> measured; ///< none, one or two points
     std::vector<Name> names;
     bool namesListed = false; ///< in a column, as figures in one place would hide each other's names
@@ -46,9 +47,6 @@ struct Annotations
 
 /// Draws annotations into a rectangle that starts at the origin.
 void paintAnnotations(QPainter& painter, const QSizeF& size, const Annotations& annotations);
-
-/// "1.25 m", "3.4 cm" or "7.2 mm" in the user's number format.
-QString lengthText(double metres, const QLocale& locale = QLocale());
 
 /// A transparent sheet over the view; there only while something is to be written.
 class ViewportOverlay : public QWidget

@@ -60,8 +60,11 @@ struct ViewportScene::Private
     std::map<QString, Layer> layers;
 
     QVector3D up() const { return camera.upAxis == UpAxis::Y ? QVector3D(0, 1, 0) : QVector3D(0, 0, 1); }
+    /// A metre upwards.
+    QVector3D lift() const { return ruler.of(1.0F) * up(); }
     Shading shading = Shading::Textured;
     Turntable camera;
+    Ruler ruler;
     double pixels = 1.0; ///< of the screen for one logical pixel
     bool ghostsVisible = true;
     bool trajectoriesVisible = true;
@@ -93,8 +96,10 @@ void ViewportScene::setCamera(const Turntable& camera)
 {
     d->camera = camera;
     const auto distance = static_cast<double>(camera.distance);
+    constexpr double nearest = 0.002; // metres
     constexpr double beyond = 400.0;
-    lookWith(d->renderer, camera, std::max(0.002, distance * 0.02), distance * 4.0 + beyond);
+    lookWith(d->renderer, camera, std::max(d->ruler.of(nearest), distance * 0.02),
+             distance * 4.0 + d->ruler.of(beyond));
     d->ground->follow(camera);
     d->lights.follow(camera);
     sortGhosts(camera);
@@ -131,7 +136,7 @@ void ViewportScene::updateColors()
     for (auto& [id, figure] : m_figures)
         refresh(figure);
     for (auto& [name, layer] : d->layers)
-        layer.actors->show(layer.marks, d->up(), d->pixels);
+        layer.actors->show(layer.marks, d->lift(), d->pixels);
 }
 
 void ViewportScene::setShading(Shading shading)
@@ -156,6 +161,22 @@ SceneShadows& ViewportScene::shadows()
     return *d->shadows;
 }
 
+void ViewportScene::setRuler(const Ruler& ruler)
+{
+    d->ruler = ruler;
+    d->ground->setRuler(ruler);
+    setCamera(d->camera);
+    for (auto& [id, figure] : m_figures)
+        refresh(figure);
+    for (auto& [name, layer] : d->layers)
+        layer.actors->show(layer.marks, d->lift(), d->pixels);
+}
+
+const Ruler& ViewportScene::ruler() const
+{
+    return d->ruler;
+}
+
 void ViewportScene::setGroundHeight(float height)
 {
     d->ground->setHeight(height);
@@ -172,7 +193,7 @@ void ViewportScene::setPixelRatio(double pixels)
     for (auto& [id, figure] : m_figures)
         refresh(figure);
     for (auto& [name, layer] : d->layers)
-        layer.actors->show(layer.marks, d->up(), pixels);
+        layer.actors->show(layer.marks, d->lift(), pixels);
 }
 
 SceneFigure& ViewportScene::add(int id, FigureMesh mesh, const QString& name)
@@ -240,8 +261,8 @@ void ViewportScene::applyTrajectory(int id)
         return;
     const SceneFigure& figure = m_figures.at(id);
     // A little above the ground, or the grid would flicker through.
-    const QVector3D above = d->camera.upAxis == UpAxis::Y ? QVector3D(0, 0.004F, 0) : QVector3D(0, 0, 0.004F);
-    line->second.actor->SetPosition(vtkbuffers::xyz(figure.shift() + above).data());
+    constexpr float lift = 0.004F; // metres
+    line->second.actor->SetPosition(vtkbuffers::xyz(figure.shift() + lift * d->lift()).data());
     line->second.actor->SetVisibility(figure.visible && d->trajectoriesVisible ? 1 : 0);
     line->second.actor->GetProperty()->SetLineWidth(static_cast<float>(trajectoryWidth * d->pixels));
 }
@@ -291,7 +312,7 @@ void ViewportScene::setMarks(const QString& layer, const SceneMarks& marks)
     if (!own.actors)
         own.actors = std::make_unique<MarkActors>(d->renderer);
     own.marks = marks;
-    own.actors->show(marks, d->up(), d->pixels);
+    own.actors->show(marks, d->lift(), d->pixels);
 }
 
 std::optional<std::pair<QVector3D, QVector3D>> ViewportScene::markBounds() const

@@ -4,6 +4,7 @@
 
 #include "widgets/viewport/figureactor.h"
 #include "widgets/viewport/ghostactor.h"
+#include "widgets/viewport/ruler.h"
 #include "widgets/viewport/scenemarks.h"
 #include "widgets/viewport/sceneshadows.h"
 #include "widgets/viewport/turntable.h"
@@ -60,7 +61,10 @@ public:
     Shading shading() const;
     GroundGrid& ground();
     SceneShadows& shadows();
-    /// Height of the ground along the up axis, metres.
+    /// What the coordinates of everything are in.
+    void setRuler(const Ruler& ruler);
+    const Ruler& ruler() const;
+    /// Height of the ground along the up axis.
     void setGroundHeight(float height);
     /// \param pixels  of the screen for one logical pixel: lines are as wide everywhere.
     void setPixelRatio(double pixels);

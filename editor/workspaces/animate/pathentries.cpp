@@ -6,6 +6,7 @@
 #include "model/project/pathcurve.h"
 #include "model/synthesis/pathcourse.h"
 #include "widgets/viewport/pathgeometry.h"
+#include "widgets/viewport/ruler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,8 @@ namespace quadrille {
 namespace {
 
 constexpr double shortestSpan = 0.01; // metres
+/// Decimals in metres: what the hand does not mean should not stand in the file.
+constexpr int finest = 4;
 
 /// The lengths at which a curve passes its points, last its own length.
 std::vector<double> anchorLengths(const PathEntry& path, double metresPerUnit)
@@ -110,11 +113,10 @@ QVector3D PathSpace::toView(const Vec3d& point, bool onGround) const
 
 Vec3d PathSpace::fromView(const QVector3D& point, bool onGround) const
 {
-    // Tenths of a millimetre: what the hand does not mean should not stand in the file.
-    constexpr double finest = 1e4;
+    const widgets::Ruler ruler(metresPerUnit);
     Vec3d result;
     for (int axis = 0; axis < 3; ++axis)
-        result[axis] = std::round(static_cast<double>(point[axis]) * finest) / finest;
+        result[axis] = ruler.rounded(static_cast<double>(point[axis]), finest);
     if (onGround)
         result[axisOf(up)] = 0;
     return result;
@@ -193,10 +195,11 @@ widgets::PathObstacle PathSpace::toView(const ObstacleEntry& obstacle) const
 
 ObstacleEntry PathSpace::fromView(const widgets::PathObstacle& obstacle, ObstacleEntry before) const
 {
+    const widgets::Ruler ruler(metresPerUnit);
     before.corners.clear();
     for (const QVector3D& corner : obstacle.corners)
         before.corners.push_back(groundFromView(corner));
-    before.radius = obstacle.isDisc() ? std::round(static_cast<double>(obstacle.radius) * 1e4) / 1e4 : 0;
+    before.radius = obstacle.isDisc() ? ruler.rounded(static_cast<double>(obstacle.radius), finest) : 0;
     return before;
 }
 
@@ -232,7 +235,7 @@ PathEntry withPoints(const PathEntry& before, std::vector<Vec3d> points, double 
 
 PathEntry withCurve(const PathEntry& before, PathCurve curve, double metresPerUnit)
 {
-    const PathSpace space{.up = UpAxis::Y};
+    const PathSpace space{.up = UpAxis::Y, .metresPerUnit = metresPerUnit};
     const auto points =
         widgets::convertedPoints(space.toView(before.points, false), kindOf(before.curve), kindOf(curve));
     PathEntry after = before;

@@ -7,12 +7,20 @@
 #include "editor/workspaces/animate/pathtool.h"
 #include "model/project/lengthunit.h"
 #include "model/project/validateamounts.h"
+#include "widgets/viewport/ruler.h"
 
 #include <QDoubleSpinBox>
+#include <QLocale>
 #include <QSignalBlocker>
 #include <cmath>
 
 namespace quadrille {
+
+namespace {
+
+constexpr auto inMetres = "inMetres"; ///< what a field was made with: lowest value, decimals and step
+
+} // namespace
 
 QDoubleSpinBox* numberField(double lowest, int decimals, double step)
 {
@@ -22,6 +30,7 @@ QDoubleSpinBox* numberField(double lowest, int decimals, double step)
     field->setDecimals(decimals);
     field->setSingleStep(step);
     field->setKeyboardTracking(false);
+    field->setProperty(inMetres, QVariantList{lowest, decimals, step});
     return field;
 }
 
@@ -47,11 +56,23 @@ QString unitOf(const PathTool& tool)
     return QString::fromStdString(unitText(settingsOf(tool).axes.metresPerUnit));
 }
 
+QString lengthText(const PathTool& tool, double length)
+{
+    const int decimals = widgets::Ruler(settingsOf(tool).axes.metresPerUnit).decimals(2);
+    return QLocale().toString(length, 'f', decimals);
+}
+
 void setUnit(const PathTool& tool, std::initializer_list<QDoubleSpinBox*> fields)
 {
-    const double farthest = farthestPlace(settingsOf(tool).axes.metresPerUnit);
+    const widgets::Ruler ruler(settingsOf(tool).axes.metresPerUnit);
+    const double farthest = farthestPlace(ruler.metresPerUnit());
     for (QDoubleSpinBox* field : fields) {
-        field->setRange(field->minimum() < 0 ? -farthest : field->minimum(), farthest);
+        const QSignalBlocker quiet(field);
+        const QVariantList usual = field->property(inMetres).toList();
+        const double lowest = usual[0].toDouble();
+        field->setDecimals(ruler.decimals(usual[1].toInt()));
+        field->setRange(lowest < 0 ? -farthest : lowest / ruler.decade(), farthest);
+        field->setSingleStep(usual[2].toDouble() / ruler.decade());
         field->setSuffix(QLatin1Char(' ') + unitOf(tool));
     }
 }

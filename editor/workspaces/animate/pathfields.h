@@ -13,7 +13,7 @@ namespace quadrille {
 
 class PathTool;
 
-/// A field for a number from `lowest` on.
+/// A field for a number from `lowest` on; of lengths, what is usual in metres.
 QDoubleSpinBox* numberField(double lowest, int decimals, double step);
 /// Without telling anybody.
 void setValue(QDoubleSpinBox* field, double value);
@@ -23,8 +23,10 @@ double valueOf(const QDoubleSpinBox* field, double exact);
 const ProjectSettings& settingsOf(const PathTool& tool);
 /// The project's unit of length: "m".
 QString unitOf(const PathTool& tool);
-/// Writes the project's unit behind the numbers of fields, and lets them reach as far as a path may; those
-/// that may be negative, to both sides.
+/// A length in the project's unit, without its name, as exact as two decimals of metres.
+QString lengthText(const PathTool& tool, double length);
+/// Writes the project's unit behind the numbers of fields, with steps and decimals that suit it, and lets
+/// them reach as far as a path may; those that may be negative, to both sides.
 void setUnit(const PathTool& tool, std::initializer_list<QDoubleSpinBox*> fields);
 
 } // namespace quadrille

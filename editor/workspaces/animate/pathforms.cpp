@@ -86,8 +86,7 @@ void PathForm::show(const QString& /*name*/)
     m_space->setCurrentIndex(shown.inSpace ? 1 : 0);
     setValue(m_clearance, shown.clearance);
     setFieldVisible(m_clearance, !shown.obstacles.empty());
-    m_length->setText(
-        QStringLiteral("%1 %2").arg(QLocale().toString(m_tool.length(), 'f', 2), unitOf(m_tool)));
+    m_length->setText(QStringLiteral("%1 %2").arg(lengthText(m_tool, m_tool.length()), unitOf(m_tool)));
     m_result->setText(resultText());
 }
 

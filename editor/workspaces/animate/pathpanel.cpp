@@ -201,11 +201,11 @@ void PathPanel::refresh()
 void PathPanel::fillSpans()
 {
     QStringList texts;
-    const auto metres = [](double length) { return QLocale().toString(length, 'f', 2); };
     if (const PathEntry* path = m_tool.path()) {
         for (const PathSpanEntry& span : path->spans)
             texts += tr("%1 – %2 %3 · %4")
-                         .arg(metres(span.from), metres(span.to), unitOf(m_tool), m_tool.spanText(span));
+                         .arg(lengthText(m_tool, span.from), lengthText(m_tool, span.to), unitOf(m_tool),
+                              m_tool.spanText(span));
     }
     m_spans->fill(texts);
 }
@@ -218,7 +218,7 @@ void PathPanel::fillObstacles()
             const auto number = texts.size() + 1;
             texts += obstacle.isDisc() ? tr("%1 · disc, radius %2 %3")
                                              .arg(number)
-                                             .arg(QLocale().toString(obstacle.radius, 'f', 2), unitOf(m_tool))
+                                             .arg(lengthText(m_tool, obstacle.radius), unitOf(m_tool))
                                        : tr("%1 · polygon, %n corner(s)", nullptr,
                                             static_cast<int>(obstacle.corners.size()))
                                              .arg(number);

@@ -9,6 +9,7 @@
 #include "editor/workspaces/animate/pathtool.h"
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/pathgeometry.h"
+#include "widgets/viewport/ruler.h"
 
 #include <QApplication>
 #include <QDoubleSpinBox>
@@ -24,7 +25,7 @@ using widgets::PathPart;
 
 namespace {
 
-/// Shows three decimals, and edits them in a field with limits.
+/// Shows coordinates to the millimetre, and edits them in a field with limits.
 class CoordinateDelegate : public QStyledItemDelegate
 {
 public:
@@ -35,7 +36,9 @@ public:
 
     QString displayText(const QVariant& value, const QLocale& locale) const override
     {
-        return locale.toString(value.toDouble(), 'f', 3);
+        constexpr int millimetres = 3; // decimals of metres
+        const widgets::Ruler ruler(settingsOf(m_tool).axes.metresPerUnit);
+        return locale.toString(value.toDouble(), 'f', ruler.decimals(millimetres));
     }
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& /*option*/,
                           const QModelIndex& /*index*/) const override

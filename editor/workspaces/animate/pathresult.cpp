@@ -92,7 +92,8 @@ void PathResult::showFrame()
         const bool onGround = !result->walk.constraints.path->inSpace;
         const QVector3D wanted = space.toView(m_followed[frame].wanted, onGround);
         const QVector3D up = space.up == UpAxis::Z ? QVector3D(0, 0, 1) : QVector3D(0, 1, 0);
-        std::vector<QVector3D> ring = widgets::circleOnGround(wanted, ringRadius, up);
+        std::vector<QVector3D> ring =
+            widgets::circleOnGround(wanted, m_animation.view().viewport().ruler().of(ringRadius), up);
         ring.push_back(ring.front());
         const QColor color = Theme::color(ColorRole::AccentText);
         marks.curves = {{.points = std::move(ring), .color = color, .colors = {}, .width = 2.0F},
@@ -127,6 +128,7 @@ void PathResult::addWay(const AnimationResult& result, SceneMarks& marks) const
     const PathSpace space{.up = result.plan.up, .ground = m_animation.view().viewport().groundHeight()};
     const PathEntry* path = findPath(result.entry);
     const bool onGround = path == nullptr || !path->inSpace;
+    const float dash = m_animation.view().viewport().ruler().of(dashLength);
     auto before = widgets::FrameKind::Captured;
     for (const PlannedFrame& frame : result.plan.frames) {
         const widgets::FrameKind kind = frameKindOf(frame.origin);
@@ -136,7 +138,7 @@ void PathResult::addWay(const AnimationResult& result, SceneMarks& marks) const
                             .color = widgets::frameKindColor(kind),
                             .colors = {},
                             .width = wayWidth,
-                            .dash = kind == widgets::FrameKind::Captured ? 0.0F : dashLength};
+                            .dash = kind == widgets::FrameKind::Captured ? 0.0F : dash};
             if (!marks.curves.empty())
                 part.points.push_back(marks.curves.back().points.back());
             marks.curves.push_back(std::move(part));

@@ -12,7 +12,6 @@
 
 #include <QAction>
 #include <QLocale>
-#include <cmath>
 #include <utility>
 
 namespace quadrille {
@@ -63,6 +62,12 @@ void PathTool::edit(const QString& text, const QString& property, const Edit& ed
         phase);
 }
 
+double PathTool::alongPath(double length) const
+{
+    constexpr int millimetres = 3; // decimals of metres
+    return widgets::Ruler(m_space.metresPerUnit).rounded(length, millimetres);
+}
+
 double PathTool::usualHeight() const
 {
     constexpr double waist = 0.95; // metres, of a grown person
@@ -80,9 +85,8 @@ void PathTool::connectEditor()
                 edit(
                     tr("Move the end of a span"), QStringLiteral("path span %1").arg(span),
                     [&](PathEntry& path) {
-                        constexpr double finest = 1e3;
-                        path.spans[static_cast<std::size_t>(span)].from = std::round(from * finest) / finest;
-                        path.spans[static_cast<std::size_t>(span)].to = std::round(to * finest) / finest;
+                        path.spans[static_cast<std::size_t>(span)].from = alongPath(from);
+                        path.spans[static_cast<std::size_t>(span)].to = alongPath(to);
                     },
                     phaseOf(committed));
             });
@@ -234,11 +238,8 @@ void PathTool::addSpan()
     if (from > whole - shortest)
         from = 0;
     const double to = from + (whole - from) / 2;
-    edit(tr("Add a span to the path"), QStringLiteral("path spans"), [&](PathEntry& path) {
-        constexpr double finest = 1e3;
-        path.spans.push_back(
-            {.from = std::round(from * finest) / finest, .to = std::round(to * finest) / finest});
-    });
+    edit(tr("Add a span to the path"), QStringLiteral("path spans"),
+         [&](PathEntry& path) { path.spans.push_back({.from = alongPath(from), .to = alongPath(to)}); });
     m_editor->setSelected({PathPart::Kind::StretchStart, static_cast<int>(path()->spans.size()) - 1, 0});
 }
 

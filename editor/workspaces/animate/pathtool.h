@@ -56,6 +56,8 @@ signals:
     void changed();
 
 private:
+    /// A length along the path as it is written: ends of spans are rounded to millimetres.
+    double alongPath(double length) const;
     void makeActions();
     void connectEditor();
     void refresh();

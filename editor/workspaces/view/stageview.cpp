@@ -197,6 +197,7 @@ void StageView::followDocument()
 {
     const ProjectSettings& settings = m_context.document.project().settings;
     m_viewport->setUpAxis(settings.axes.up == UpAxis::Z ? widgets::UpAxis::Z : widgets::UpAxis::Y);
+    m_viewport->setRuler(widgets::Ruler(settings.axes.metresPerUnit));
     m_player->setFps(settings.fps);
     m_bar->setFps(settings.fps);
     m_timeline->setFps(settings.fps);
