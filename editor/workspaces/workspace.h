@@ -12,6 +12,9 @@
 
 namespace quadrille {
 
+/// A property of docks: whether one is hidden because the window is low, until there is something in it.
+inline constexpr auto waitsForNeed = "waitsForNeed";
+
 /// One of the window's workspaces: a page with a view in its centre, and docks of its own around it.
 class Workspace : public QWidget
 {

@@ -227,7 +227,9 @@ void WorkspaceTabs::arrangeFirst(const Entry& entry)
     for (QDockWidget* dock : docks) {
         if (m_window.dockWidgetArea(dock) != Qt::BottomDockWidgetArea)
             continue;
-        dock->setVisible(dock->property("isShownFirst").toBool() && m_window.height() >= roomyHeight);
+        const bool isShown = dock->property("isShownFirst").toBool();
+        dock->setVisible(isShown && m_window.height() >= roomyHeight);
+        dock->setProperty(waitsForNeed, isShown && dock->isHidden());
         m_window.resizeDocks({dock}, {lowHeight}, Qt::Vertical);
     }
     const auto lower = std::ranges::find_if(
@@ -237,7 +239,9 @@ void WorkspaceTabs::arrangeFirst(const Entry& entry)
     (*lower)->raise();
     m_window.resizeDocks({docks.front()}, {std::clamp(m_window.width() / wideShare, leastWide, mostWide)},
                          Qt::Horizontal);
-    m_window.resizeDocks({docks.front(), *lower}, {3, 2}, Qt::Vertical);
+    // Lists and charts above need their lines; what is below is a picture of any size.
+    const QList<int> shares = m_window.height() < roomyHeight ? QList{2, 1} : QList{3, 2};
+    m_window.resizeDocks({docks.front(), *lower}, shares, Qt::Vertical);
 }
 
 QByteArray WorkspaceTabs::arrangement() const

@@ -5,6 +5,7 @@
 #include "cutwords.h"
 #include "editor/application/defaultsettings.h"
 #include "editor/application/startguard.h"
+#include "editor/commands/animationedits.h"
 #include "editor/commands/projectedits.h"
 #include "tests/qt/languages.h"
 #include "tests/qt/registry.h"
@@ -224,6 +225,29 @@ private slots:
         cut.removeDuplicates();
         QCOMPARE(cut.join('\n'), QString());
         context().languages.setLanguage("en");
+    }
+
+    void aStoryboardWithCardsShowsInALowWindow()
+    {
+        m_window->resize(1280, 720 - 32); // the title bar
+        openTake();
+        m_window->workspaces().select("animate");
+        QTRY_VERIFY(dock("storyboardDock")->isHidden());
+        addAnimation(context().document, {.name = "nothing yet"});
+        AnimationEntry steps{.name = "steps"};
+        steps.constraints = {ActionEntry{.frames = {.label = {}, .sequence = "walk", .range = {}}}};
+        addAnimation(context().document, steps);
+        context().selection.selectAnimations({"nothing yet"});
+        QTest::qWait(20);
+        QVERIFY2(dock("storyboardDock")->isHidden(), "there is nothing on it");
+        context().selection.selectAnimations({"steps"});
+        QTRY_VERIFY(dock("storyboardDock")->isVisible());
+        // Who closes it wants the room.
+        dock("storyboardDock")->hide();
+        context().selection.selectAnimations({"nothing yet"});
+        context().selection.selectAnimations({"steps"});
+        QTest::qWait(20);
+        QVERIFY(dock("storyboardDock")->isHidden());
     }
 
     void nothingMovesWhenJobsAndTipsCome()

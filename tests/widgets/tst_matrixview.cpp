@@ -139,6 +139,11 @@ void TestMatrixView::namesStandAsNearAsCanBeWithoutCoveringEachOther()
     // Room for two of four, and for none.
     QCOMPARE(spread({2, 9, 16, 22}, 25), (Places{5, {}, 16, {}}));
     QCOMPARE(spread({2, 3}, 5), (Places{{}, {}}));
+    // One that is pointed at takes the place of its neighbour.
+    const std::vector<double> four{2, 9, 16, 22};
+    QCOMPARE(spreadLabels(four, 10, 25, 1), (Places{{}, 7.5, 17.5, {}}));
+    QCOMPARE(spreadLabels(four, 10, 25, 3), (Places{5, {}, {}, 20}));
+    QCOMPARE(spreadLabels(four, 10, 25, 2), spread({2, 9, 16, 22}, 25));
     // On both sides of what stands still, with as little moving as a plain search finds.
     const std::vector<double> wanted{12, 14, 40, 63, 64, 65};
     const Places found = spread(wanted, 100);

@@ -20,7 +20,8 @@ struct Pool
 
 } // namespace
 
-std::vector<std::optional<double>> spreadLabels(std::span<const double> wanted, double apart, double length)
+std::vector<std::optional<double>> spreadLabels(std::span<const double> wanted, double apart, double length,
+                                                std::optional<std::size_t> needed)
 {
     std::vector<std::optional<double>> places(wanted.size());
     const auto room = static_cast<std::size_t>(std::max(0.0, std::floor(length / apart)));
@@ -28,6 +29,8 @@ std::vector<std::optional<double>> spreadLabels(std::span<const double> wanted, 
     std::vector<std::size_t> kept(shown);
     for (std::size_t i = 0; i < shown; ++i)
         kept[i] = i * wanted.size() / shown;
+    if (needed && !kept.empty()) // the last that is not behind it
+        *std::prev(std::upper_bound(kept.begin(), kept.end(), *needed)) = *needed;
 
     std::vector<Pool> pools;
     for (std::size_t i = 0; i < shown; ++i) {

@@ -12,8 +12,10 @@ namespace quadrille::widgets {
 /// the least sum of squared displacements (isotonic regression, pool adjacent violators). \param wanted where
 /// labels belong, ascending, pixels. \param apart   from the middle of a label to that of the next, > 0.
 /// \param length  of the axis; labels lie within it.
+/// \param needed  a label that is kept, in the place of the nearest one, if some are left out.
 /// \return their middles; nothing for labels that are left out because there is no room for all: those that
 /// are kept are spread evenly among all.
-std::vector<std::optional<double>> spreadLabels(std::span<const double> wanted, double apart, double length);
+std::vector<std::optional<double>> spreadLabels(std::span<const double> wanted, double apart, double length,
+                                                std::optional<std::size_t> needed = {});
 
 } // namespace quadrille::widgets

@@ -117,20 +117,40 @@ void MatrixView::Private::paintTicks(QPainter& painter, const QFontMetricsF& met
 void MatrixView::Private::paintNames(QPainter& painter, const QFontMetricsF& metrics) const
 {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    const auto rows = namePlaces(Qt::Vertical, metrics);
-    const auto columns = namePlaces(Qt::Horizontal, metrics);
-    for (std::size_t block = 0; block < blocks.size(); ++block) {
-        if (rows[block])
-            paintRowName(painter, metrics, block, *rows[block]);
-        if (columns[block])
-            paintColumnName(painter, metrics, block, *columns[block]);
+    const QFont usual = painter.font();
+    for (const Qt::Orientation orientation : {Qt::Vertical, Qt::Horizontal}) {
+        painter.setFont(nameFont(usual, orientation));
+        const QFontMetricsF own(painter.font());
+        const auto places = namePlaces(orientation, own);
+        for (std::size_t block = 0; block < blocks.size(); ++block) {
+            if (places[block] && orientation == Qt::Vertical)
+                paintRowName(painter, own, block, *places[block]);
+            else if (places[block])
+                paintColumnName(painter, own, block, *places[block]);
+        }
     }
+    painter.setFont(usual);
     painter.setPen(Theme::color(ColorRole::TextMuted));
     //: rows of the matrix: where a transition comes from; columns: where it goes to
     painter.drawText(
         QRectF(matrixGap, 0, area.left() - 2.0 * matrixGap, outer.top() - 2.0),
         Qt::AlignLeft | Qt::AlignVCenter,
         metrics.elidedText(MatrixView::tr("from ↓ to →"), Qt::ElideRight, area.left() - 2.0 * matrixGap));
+}
+
+/// The usual font, or a smaller one where that lets more names show.
+QFont MatrixView::Private::nameFont(const QFont& usual, Qt::Orientation orientation) const
+{
+    constexpr double smallest = 0.8;
+    std::size_t names = 0;
+    for (std::size_t block = 0; block < blocks.size(); ++block)
+        names += shownBlock(block, orientation).second > 0 ? 1 : 0;
+    const double room = orientation == Qt::Horizontal ? area.width() : area.height();
+    const double wanted = QFontMetricsF(usual).height() * nameRoom * static_cast<double>(names);
+    QFont font = usual;
+    if (wanted > room)
+        font.setPointSizeF(usual.pointSizeF() * std::max(room / wanted, smallest));
+    return font;
 }
 
 std::vector<std::optional<double>> MatrixView::Private::namePlaces(Qt::Orientation orientation,
@@ -146,7 +166,15 @@ std::vector<std::optional<double>> MatrixView::Private::namePlaces(Qt::Orientati
         wanted.push_back(first + length / 2);
     }
     const double length = orientation == Qt::Horizontal ? area.width() : area.height();
-    const auto spread = spreadLabels(wanted, metrics.height() * nameRoom, length);
+    // The name of the take that is pointed at is never the one that is left out.
+    std::optional<std::size_t> needed;
+    if (current) {
+        const int block = blockOf(orientation == Qt::Horizontal ? current->column : current->row);
+        if (const auto at = std::find(seen.begin(), seen.end(), static_cast<std::size_t>(block));
+            at != seen.end())
+            needed = static_cast<std::size_t>(at - seen.begin());
+    }
+    const auto spread = spreadLabels(wanted, metrics.height() * nameRoom, length, needed);
     std::vector<std::optional<double>> places(blocks.size());
     for (std::size_t i = 0; i < seen.size(); ++i)
         places[seen[i]] = spread[i];

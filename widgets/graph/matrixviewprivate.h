@@ -83,6 +83,7 @@ struct MatrixView::Private
     void paintVeil(QPainter& painter) const;
     void paintNames(QPainter& painter, const QFontMetricsF& metrics) const;
     /// Middles of the blocks' names along a side of the table; those of blocks that are not seen have none.
+    QFont nameFont(const QFont& usual, Qt::Orientation orientation) const;
     std::vector<std::optional<double>> namePlaces(Qt::Orientation orientation,
                                                   const QFontMetricsF& metrics) const;
     /// What a side keeps free for pictures: nothing while no block is broad enough for one.

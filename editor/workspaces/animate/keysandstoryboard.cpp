@@ -12,6 +12,7 @@
 #include "editor/workspaces/animate/storyboardpanel.h"
 #include "editor/workspaces/view/framenotes.h"
 #include "editor/workspaces/view/notespanel.h"
+#include "editor/workspaces/workspace.h"
 
 #include <QDockWidget>
 #include <QLayout>
@@ -162,6 +163,13 @@ void KeysAndStoryboard::fitDocks()
     const bool isEmpty = entry == nullptr || (keysOf(*entry).empty() && actionsOf(*entry).empty());
     auto* dock = qobject_cast<QDockWidget*>(m_storyboard->parentWidget());
     auto* window = qobject_cast<QMainWindow*>(m_animation.view().window());
+    const bool hasCards = entry != nullptr && !actionsOf(*entry).empty();
+    if (dock != nullptr && hasCards && m_animation.view().isVisible() &&
+        dock->property(waitsForNeed).toBool()) {
+        dock->setProperty(waitsForNeed, false); // who closes it again wants the room
+        dock->show();
+        dock->raise();
+    }
     if (dock == nullptr || window == nullptr || dock->isFloating() || isEmpty == m_areDocksLow)
         return;
     m_areDocksLow = isEmpty;
