@@ -87,7 +87,7 @@ QString evaluationTitle(const QString& name)
     const QString table = name.section(QLatin1Char('/'), 0, 0);
     const QString character = name.section(QLatin1Char('/'), 1);
     const TableText* texts = textsOf(table);
-    const QString title = texts == nullptr ? table : translated(texts->title);
+    QString title = texts == nullptr ? table : translated(texts->title);
     if (character.isEmpty())
         return title;
     //: an evaluation and the character that it is of

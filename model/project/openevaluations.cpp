@@ -45,11 +45,13 @@ std::vector<const ResultStage*> evaluationStagesOf(const std::vector<ResultStage
 
 void addTables(OpenedEvaluation& opened, const ResultStage& stage, Result result)
 {
-    for (DataTable& table : result.tables)
-        opened.tables.push_back({.name = stage.dataPrefix + "/" + table.name,
-                                 .character = stage.character,
-                                 .isFresh = true,
-                                 .content = std::move(table)});
+    for (DataTable& table : result.tables) {
+        DataItem& item = opened.tables.emplace_back();
+        item.name = stage.dataPrefix + "/" + table.name;
+        item.character = stage.character;
+        item.isFresh = true;
+        item.content = std::move(table);
+    }
 }
 
 OpenedEvaluation openedFrom(const std::vector<const ResultStage*>& stages, const RebuildReport& report,
@@ -99,6 +101,7 @@ openEvaluations(const Project& project, const std::filesystem::path& projectFile
         report = rebuild(stages, projectFile, {.targets = targets, .dryRun = true}, progress, {});
     const ResultStore store(cacheFolder(projectFile));
     std::vector<OpenedEvaluation> opened;
+    opened.reserve(own.size());
     for (const auto& each : own)
         opened.push_back(openedFrom(each, report, store));
     return opened;

@@ -211,21 +211,26 @@ void BarChart::leaveEvent(QEvent* /*event*/)
 
 void BarChart::keyPressEvent(QKeyEvent* event)
 {
-    const auto last = static_cast<int>(m_categories.size()) - 1;
-    if (isEmpty())
+    if (isEmpty() || !readByKey(*event))
         QWidget::keyPressEvent(event);
-    else if (event->matches(QKeySequence::Copy))
+}
+
+bool BarChart::readByKey(const QKeyEvent& event)
+{
+    const auto last = static_cast<int>(m_categories.size()) - 1;
+    if (event.matches(QKeySequence::Copy))
         copyCsv();
-    else if (event->key() == Qt::Key_Down)
+    else if (event.key() == Qt::Key_Down)
         read(std::min(m_read + 1, last));
-    else if (event->key() == Qt::Key_Up)
+    else if (event.key() == Qt::Key_Up)
         read(m_read < 0 ? last : std::max(m_read - 1, 0));
-    else if (event->key() == Qt::Key_Home)
+    else if (event.key() == Qt::Key_Home)
         read(0);
-    else if (event->key() == Qt::Key_End)
+    else if (event.key() == Qt::Key_End)
         read(last);
     else
-        QWidget::keyPressEvent(event);
+        return false;
+    return true;
 }
 
 void BarChart::contextMenuEvent(QContextMenuEvent* event)

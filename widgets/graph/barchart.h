@@ -70,6 +70,7 @@ private:
     QRectF groupOf(int category) const;
     ChartScale scale() const;
     void read(int category);
+    bool readByKey(const QKeyEvent& event);
     void paintHead(QPainter& painter) const;
     void paintGroup(QPainter& painter, int category) const;
 
