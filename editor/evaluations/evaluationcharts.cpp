@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/evaluations/evaluationcharts.h"
 
+#include "editor/evaluations/evaluationchartplans.h"
 #include "editor/evaluations/evaluationtexts.h"
 #include "widgets/theme/theme.h"
 
@@ -17,206 +18,6 @@
 namespace quadrille {
 
 namespace {
-
-using Columns = std::vector<const char*>;
-
-/// How a chart is made of a table: bars of some columns for each of its rows, or lines over a column.
-struct ChartPlan
-{
-    const char* evaluation;
-    const char* table; ///< data name without "evaluation/"
-    const char* title; ///< of context Evaluation
-    Columns values;
-    Columns categories;    ///< what names a bar; of lines: what names a series
-    const char* unit = ""; ///< of what is shown, the values times `scale`
-    double scale = 1;
-    const char* series = "";    ///< bars: the column whose values are series of their own
-    const char* over = "";      ///< what values are divided by, a column
-    const char* x = "";         ///< lines: along the other axis
-    const char* xTitle = "";    ///< of context Evaluation
-    bool isLogarithmic = false; ///< along x
-};
-
-const std::vector<ChartPlan>& plans()
-{
-    static const std::vector<ChartPlan> all{
-        {.evaluation = "fig4",
-         .table = "fig4",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Change of edges"),
-         .values = {"edge-change"},
-         .categories = {"pairs", "method"},
-         .unit = "%",
-         .scale = 100,
-         .x = "lambda",
-         .xTitle = QT_TRANSLATE_NOOP("Evaluation", "λ")},
-        {.evaluation = "fig4",
-         .table = "fig4",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Change of volume"),
-         .values = {"volume-change"},
-         .categories = {"pairs", "method"},
-         .unit = "%",
-         .scale = 100,
-         .x = "lambda",
-         .xTitle = QT_TRANSLATE_NOOP("Evaluation", "λ")},
-        {.evaluation = "fig7",
-         .table = "fig7",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Costs, over the largest of a linear transition"),
-         .values = {"surface", "acceleration"},
-         .categories = {"transition", "slope"}},
-        {.evaluation = "fig7",
-         .table = "fig7",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Length"),
-         .values = {"length"},
-         .categories = {"transition", "slope"},
-         .unit = "frames"},
-        {.evaluation = "fig9",
-         .table = "fig9",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Mean path cost"),
-         .values = {"mean-cost"},
-         .categories = {"graph"},
-         .x = "alpha",
-         .xTitle = QT_TRANSLATE_NOOP("Evaluation", "α"),
-         .isLogarithmic = true},
-        {.evaluation = "fig9",
-         .table = "fig9-equal-density",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Mean path cost, as many edges in both"),
-         .values = {"common-mean-cost"},
-         .categories = {"graph"},
-         .x = "alpha",
-         .xTitle = QT_TRANSLATE_NOOP("Evaluation", "α"),
-         .isLogarithmic = true},
-        {.evaluation = "fig9",
-         .table = "fig9",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Density"),
-         .values = {"density"},
-         .categories = {"graph"},
-         .unit = "%",
-         .scale = 100,
-         .x = "alpha",
-         .xTitle = QT_TRANSLATE_NOOP("Evaluation", "α"),
-         .isLogarithmic = true},
-        {.evaluation = "table1",
-         .table = "table1",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Correlation with joint angles"),
-         .values = {"pearson-euclidean", "pearson-surface", "distance-correlation-euclidean",
-                    "distance-correlation-surface"},
-         .categories = {"reference"}},
-        {.evaluation = "table1",
-         .table = "table1-joints",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Correlation, joint by joint"),
-         .values = {"pearson-euclidean", "pearson-surface"},
-         .categories = {"joint"}},
-        {.evaluation = "table2",
-         .table = "table2",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Later than wanted"),
-         .values = {"error"},
-         .categories = {"key", "sequence"},
-         .unit = "frames",
-         .series = "search"},
-        {.evaluation = "junctions",
-         .table = "junctions-criteria",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Good transitions"),
-         .values = {"good"},
-         .categories = {"criterion"},
-         .unit = "%",
-         .scale = 100,
-         .series = "blend",
-         .over = "measured"},
-        {.evaluation = "junctions",
-         .table = "junctions-criteria",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "What is used up of the limit, median"),
-         .values = {"median-ratio"},
-         .categories = {"criterion"},
-         .series = "blend"},
-        {.evaluation = "junctions",
-         .table = "junctions-predictors",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "How well costs foretell, area under the curve"),
-         .values = {"area"},
-         .categories = {"predictor"},
-         .series = "blend"},
-        {.evaluation = "density",
-         .table = "density",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Pairs of frames with a transition"),
-         .values = {"essential-density", "motion-density"},
-         .categories = {"variant", "quantile", "longest", "alpha"},
-         .unit = "%",
-         .scale = 100},
-        {.evaluation = "walks",
-         .table = "walks",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Deviation from the path"),
-         .values = {"mean-deviation", "greatest-deviation"},
-         .categories = {"path"},
-         .unit = "cm",
-         .scale = 100},
-        {.evaluation = "walks",
-         .table = "walks",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Foot slide"),
-         .values = {"slide", "slide-of-takes"},
-         .categories = {"path"},
-         .unit = "m/s"},
-        {.evaluation = "walks",
-         .table = "walks",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Change of speed"),
-         .values = {"speed-change", "speed-change-of-takes"},
-         .categories = {"path"},
-         .unit = "m/s"},
-        {.evaluation = "walks",
-         .table = "walks",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Transitions a second"),
-         .values = {"transitions-per-second"},
-         .categories = {"path"},
-         .unit = "1/s"},
-        {.evaluation = "walks",
-         .table = "walks",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Blended share of the frames"),
-         .values = {"blended-share"},
-         .categories = {"path"},
-         .unit = "%",
-         .scale = 100},
-        {.evaluation = "variations",
-         .table = "variations",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Acceleration, as multiples of the take’s"),
-         .values = {"acceleration", "greatest-acceleration"},
-         .categories = {"variation", "of", "to", "weight"}},
-        {.evaluation = "variations",
-         .table = "variations",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Foot slide, as multiples of the take’s"),
-         .values = {"slide"},
-         .categories = {"variation", "of", "to", "weight"}},
-        {.evaluation = "variations",
-         .table = "variations",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Below and above the take"),
-         .values = {"sink", "hover"},
-         .categories = {"variation", "of", "to", "weight"},
-         .unit = "cm",
-         .scale = 100},
-        {.evaluation = "variations",
-         .table = "variations",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Greatest turn from the take"),
-         .values = {"heading"},
-         .categories = {"variation", "of", "to", "weight"},
-         .unit = "°"},
-        {.evaluation = "variations",
-         .table = "variations",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "How many"),
-         .values = {"asked", "delivered", "drawn"},
-         .categories = {"variation", "of", "to", "weight"}},
-        {.evaluation = "cvs-fig4",
-         .table = "cvs-fig4",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Mean distance of a vertex"),
-         .values = {"model-error", "principal-components-error"},
-         .categories = {"variation", "part"},
-         .unit = "mm",
-         .scale = 1000},
-        {.evaluation = "cvs-fig7",
-         .table = "cvs-fig7-means",
-         .title = QT_TRANSLATE_NOOP("Evaluation", "Mean distance of a vertex"),
-         .values = {"from-takes", "from-nearby"},
-         .categories = {"blend", "weight", "across-weight", "part"},
-         .unit = "mm",
-         .scale = 1000}};
-    return all;
-}
 
 QString translatedTitle(const char* text)
 {
@@ -435,7 +236,7 @@ std::vector<EvaluationChart> chartsOf(const std::string& table, const std::vecto
     const auto isOfAnother = [&](const DataItem& item) { return item.character != tables.front().character; };
     const bool namesCharacter = !tables.empty() && std::ranges::any_of(tables, isOfAnother);
     std::vector<EvaluationChart> charts;
-    for (const ChartPlan& plan : plans()) {
+    for (const ChartPlan& plan : evaluationChartPlans()) {
         if (table != plan.evaluation)
             continue;
         std::vector<Rows> rows;
