@@ -133,22 +133,6 @@ Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nod
     return {nodeCount, std::move(edges)};
 }
 
-TransitionTable transitionsOf(const Result& result)
-{
-    const auto countsOf = [](const Table<float>& counts) -> Table<std::uint16_t> {
-        return counts.isFinite().select(counts, 0.0F).cast<std::uint16_t>();
-    };
-    const DataArray& array = arrayOf(result, "transition-windows");
-    const auto& values = std::get<std::vector<float>>(array.values);
-    using Windows = Eigen::Map<const Table<float>, 0, Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>>;
-    const Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic> everySecond(2 * array.shape[1], 2);
-    return {.cost = tableOf<float>(arrayOf(result, "transition-cost")),
-            .length = countsOf(tableOf<float>(arrayOf(result, "transition-length"))),
-            .sourceWindow = countsOf(Windows(values.data(), array.shape[0], array.shape[1], everySecond)),
-            .destinationWindow =
-                countsOf(Windows(values.data() + 1, array.shape[0], array.shape[1], everySecond))};
-}
-
 Result rootPosesResult(const RootPoses& roots, const std::string& unit)
 {
     DataArray centres;
@@ -241,6 +225,7 @@ CostParts CharacterGraph::partsOf(const FramePair& pair) const
                           .steps = steps(),
                           .stances = m_roots.stances,
                           .contactWeight = m_work.graph.steps.contacts,
+                          .drifts = m_drifts,
                           .paths = *m_paths,
                           .transitions = m_transitions,
                           .costs = *m_costs};

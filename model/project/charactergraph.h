@@ -17,9 +17,6 @@ namespace quadrille {
 /// One of both graphs, "essential-graph" or "motion-graph", from the result of the stage of graphs.
 Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nodeCount);
 
-/// \param result  of the stage of transitions.
-TransitionTable transitionsOf(const Result& result);
-
 /// \param unit  of lengths.
 Result rootPosesResult(const RootPoses& roots, const std::string& unit);
 RootPoses rootPosesOf(const Result& result, UpAxis up);
