@@ -169,11 +169,11 @@ struct SearchSettings
     {
         return {.budget = 20'000,
                 .leftOutWeight = 5,
-                .charging = {.deadZone = 0.07, .perMetre = 25},
+                .charging = {.deadZone = 0.07, .perMetre = 50},
                 .prefersLocomotion = true,
                 .flightWeight = 200,
                 .paceWeight = 200,
-                .unevenWeight = 200};
+                .unevenWeight = 300};
     }
 };
 
