@@ -105,6 +105,7 @@ std::vector<double> standingLevels(const CharacterFrames& character, const Stanc
                         .height);
     }
     std::vector<double> levels;
+    levels.reserve(heights.size());
     for (std::vector<double>& ofFoot : heights)
         levels.push_back(ofFoot.empty() ? -std::numeric_limits<double>::infinity()
                                         : quantile(std::move(ofFoot), 0.5));

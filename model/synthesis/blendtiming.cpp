@@ -18,6 +18,7 @@ constexpr double reachShare = 0.5;
 std::vector<double> shownShares(std::size_t cells)
 {
     std::vector<double> shares;
+    shares.reserve(cells);
     for (std::size_t t = 0; t < cells; ++t) {
         const double even = static_cast<double>(t) / static_cast<double>(cells - 1);
         shares.push_back(even * even * (3 - 2 * even));
@@ -31,6 +32,7 @@ std::vector<double> leadsOf(const std::vector<FramePair>& path)
 {
     const auto last = static_cast<double>(path.size() - 1);
     std::vector<double> leads;
+    leads.reserve(path.size());
     for (const FramePair& cell : path)
         leads.push_back((cell.source - path.front().source) -
                         (cell.destination - path.back().destination + last));

@@ -39,7 +39,6 @@ private:
         NodeIndex destination = 0;
         double lambda = 0;
         std::uint32_t standing = 0; ///< in the clip
-        std::uint32_t inBoth = 0;   ///< in both frames
         Eigen::Rotation2Dd sourceTurn{0};
         Eigen::Rotation2Dd destinationTurn{0};
     };
@@ -91,10 +90,7 @@ void FootFollower::setSteps(NodeIndex i, NodeIndex j, int length, int sourceWind
         step.source = i + along(sourceWindow);
         step.destination = j - destinationWindow + 1 + along(destinationWindow);
         step.lambda = even * even * (3 - 2 * even);
-        const std::uint32_t atSource = m_stances.at(step.source);
-        const std::uint32_t atDestination = m_stances.at(step.destination);
-        step.standing = step.lambda < 0.5 ? atSource : atDestination;
-        step.inBoth = atSource & atDestination;
+        step.standing = m_stances.at(step.lambda < 0.5 ? step.source : step.destination);
     }
 }
 
@@ -107,26 +103,12 @@ void FootFollower::turn(Step& step, const Step& before) const
     step.destinationTurn.angle() = step.sourceTurn.angle() + between;
 }
 
-/// As transitionMotion has it: feet that stand in both windows stay, else the centre goes on as in both.
+/// As transitionMotion has it.
 Vec2d FootFollower::wayOfCentre(const Step& before, const Step& now) const
 {
-    const std::uint32_t standing = before.inBoth & now.inBoth;
-    Vec2d way = Vec2d::Zero();
-    if (standing == 0) {
-        way = (1 - before.lambda) *
-                  (before.sourceTurn * Vec2d(centreOf(now.source) - centreOf(before.source))) +
-              before.lambda *
-                  (before.destinationTurn * Vec2d(centreOf(now.destination) - centreOf(before.destination)));
-        return way;
-    }
-    int count = 0;
-    for (std::size_t foot = 0; foot < m_feet; ++foot) {
-        if ((standing >> foot & 1U) == 0)
-            continue;
-        way += reach(before, foot) - reach(now, foot);
-        ++count;
-    }
-    return way / count;
+    return (1 - before.lambda) * (before.sourceTurn * Vec2d(centreOf(now.source) - centreOf(before.source))) +
+           before.lambda *
+               (before.destinationTurn * Vec2d(centreOf(now.destination) - centreOf(before.destination)));
 }
 
 int FootFollower::standsBefore(NodeIndex node, std::size_t foot) const

@@ -37,7 +37,7 @@ StepCosts stepCosts(const RootPoses& roots, const FrameLayout& layout, double fp
 
 /// How far a foot is dragged (footDrifts) for as much as one of all feet that stand in one frame only costs,
 /// body heights.
-inline constexpr double dragOfOneFoot = 0.125;
+inline constexpr double dragOfOneFoot = 0.25;
 
 /// Adds to costs of transitions what dragging feet costs. \param cost  D, frames × frames. \param drifts  of
 /// footDrifts. \param isSum  whether D is the sum over `length` steps, not the mean.

@@ -100,10 +100,11 @@ private slots:
         const auto isUpToDate = [](const fs::path& project) {
             const auto stages =
                 rebuild(loadProject(project), project, {.targets = {"graph/Quad"}, .dryRun = true}).stages;
-            // The editor has no use for Euclidean distances.
+            // The editor has no use for Euclidean distances, nor for tables of edges.
             return stages.size() > 4 && std::ranges::all_of(stages, [](const StageReport& stage) {
                        return stage.state == StageState::Fresh ||
-                              stage.stage == "graph/Quad/euclidean-distance";
+                              stage.stage == "graph/Quad/euclidean-distance" ||
+                              stage.stage == "graph/Quad/edges";
                    });
         };
         if (!fs::exists(folder))

@@ -124,11 +124,11 @@ private slots:
         test::find<QDoubleSpinBox>("chainLeast")->setValue(99);
         QCOMPARE(entry().chain.leastAcceptance, entry().chain.greatestAcceptance - 0.01);
         auto* distance = test::find<QDoubleSpinBox>("limitDistance");
-        QCOMPARE(distance->text(), QStringLiteral("As the takes"));
         distance->setValue(6);
         QCOMPARE(entry().limits.poseDistance.value(), 0.06);
         distance->setValue(0);
         QVERIFY(!entry().limits.poseDistance);
+        QCOMPARE(distance->text(), QStringLiteral("As the takes"));
         test::find<QDoubleSpinBox>("limitVolume")->setValue(5);
         QCOMPARE(entry().limits.volumeChange, 0.05);
         test::find<QToolButton>("learnAdvanced")->click();

@@ -51,9 +51,8 @@ struct SnapshotOptions
     bool annotations = true; ///< legend, measurement, names
 };
 
-/// Shows figures in three dimensions and lets them be looked at from everywhere. All lengths but those that
-/// say otherwise are in the unit of its ruler. Where there is no
-/// OpenGL, a label says so and everything else still works.
+/// Shows figures in three dimensions and lets them be looked at from everywhere; lengths are in the unit of
+/// its ruler. Where there is no OpenGL, a label says so and everything else still works.
 class Viewport : public QWidget
 {
     Q_OBJECT
@@ -104,8 +103,7 @@ public:
     void setFigureOpacity(int figure, double opacity);
     /// One value per vertex or triangle; empty takes them away. Shown in Shading::Scalar with a legend.
     void setScalars(int figure, std::span<const float> values, ScalarPlace place, const ScalarRange& range);
-    /// A colour for each triangle, shown in Shading::Scalar with a legend of its own; takes the place of
-    /// scalars. Empty takes them away.
+    /// A colour for each triangle in place of scalars, shown as they are with its own legend. Empty: none.
     void setTriangleColors(int figure, std::span<const QRgb> colors, const ColorKey& key);
     void setGhosts(int figure, const std::vector<Ghost>& ghosts);
     /// A line on the ground, e.g. of the centroid; in the figure's coordinates.
@@ -142,8 +140,7 @@ public:
     void setTool(Tool tool);
     Tool tool() const;
     void clearMeasurement();
-    /// What gets the events of the view first, unless there is measured; null for nothing. The caller keeps
-    /// it.
+    /// Gets the events of the view first, unless there is measured; null for nothing. The caller keeps it.
     void setViewTool(ViewTool* tool);
     ViewTool* viewTool() const;
 
@@ -174,7 +171,7 @@ signals:
     void missed(Qt::MouseButton button);
     /// The pointer is over a figure, or over none any more.
     void hovered(const std::optional<quadrille::widgets::Pick>& pick);
-    void measured(double metres);
+    void measured(double length);
     /// A figure has other positions.
     void figureChanged(int figure);
     void toolChanged(quadrille::widgets::Viewport::Tool tool);
