@@ -38,7 +38,7 @@ double centreAcceleration(const Clip& clip)
 
 std::optional<double> meanSlide(const Clip& clip, const Stances& stances, UpAxis up)
 {
-    const std::vector<std::uint32_t> standing = stancesOf(clip.origins, clip.fps, stances);
+    const std::vector<std::uint32_t> standing = stancesOf(clip, stances);
     double sum = 0;
     int count = 0;
     for (std::size_t f = 0; f + 1 < standing.size(); ++f) {

@@ -131,6 +131,7 @@ ResultStage transitionStage(const CharacterWork& work, const ResultStage& distan
 ResultStage driftStage(const CharacterWork& work)
 {
     ResultStage stage = work.stage(graphstage::drifts);
+    stage.version = 2;
     const double fps = work.opener->project().settings.fps;
     const UpAxis up = work.opener->project().settings.axes.up;
     stage.settings = nlohmann::json({fps}).dump();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/footdrift.h"
 
+#include "model/synthesis/blendsteps.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -59,6 +61,7 @@ private:
                step.lambda * (step.destinationTurn *
                               Vec2d(footOf(step.destination, foot) - centreOf(step.destination)));
     }
+    Vec2d placeAt(std::size_t t, std::size_t foot) const { return m_centres[t] + reach(m_steps[t], foot); }
     void setSteps(NodeIndex i, NodeIndex j, int length, int sourceWindow, int destinationWindow);
     void turn(Step& step, const Step& before) const;
     Vec2d wayOfCentre(const Step& before, const Step& now) const;
@@ -138,7 +141,10 @@ void FootFollower::closeGaps(std::size_t foot)
         std::size_t end = t;
         while (end < m_steps.size() && (m_steps[end].standing & bit) == 0)
             ++end;
-        for (std::size_t g = t; end < m_steps.size() && end - t <= m_longestGap && g < end; ++g)
+        if (end == m_steps.size() || end - t > m_longestGap ||
+            (placeAt(end, foot) - placeAt(t - 1, foot)).norm() > longestCarry * m_stances.height)
+            continue;
+        for (std::size_t g = t; g < end; ++g)
             m_steps[g].standing |= bit;
     }
 }
@@ -153,7 +159,6 @@ double FootFollower::driftOf(std::size_t foot) const
         std::size_t last = first;
         while (last + 1 < m_steps.size() && stands(last + 1))
             ++last;
-        const auto placeAt = [&](std::size_t t) -> Vec2d { return m_centres[t] + reach(m_steps[t], foot); };
         const auto weightAt = [&](std::size_t t) {
             return 1 + (t == 0 ? standsBefore(m_steps.front().source, foot) : 0) +
                    (t + 1 == m_steps.size() ? standsBehind(m_steps.back().destination, foot) : 0);
@@ -161,12 +166,12 @@ double FootFollower::driftOf(std::size_t foot) const
         Vec2d mean = Vec2d::Zero();
         int sum = 0;
         for (std::size_t t = first; t <= last; ++t) {
-            mean += weightAt(t) * placeAt(t);
+            mean += weightAt(t) * placeAt(t, foot);
             sum += weightAt(t);
         }
         mean /= sum;
         for (std::size_t t = first; t <= last; ++t)
-            greatest = std::max(greatest, (placeAt(t) - mean).norm());
+            greatest = std::max(greatest, (placeAt(t, foot) - mean).norm());
         first = last;
     }
     return greatest;

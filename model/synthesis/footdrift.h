@@ -8,12 +8,12 @@
 
 namespace quadrille {
 
-/// How far transitions drag feet over the ground: of the feet that stand in a transition by stancesOf, how
-/// far a gentle blend carries one away from where it is on average while it stands; the greatest of all feet.
-/// What a correction of contacts has to take back, and cannot where it is much. Feet are followed by their
-/// middles and by the windows alone, which both are taken to go on evenly. \param roots  with turns and known
-/// stances; zeros where nothing is known of feet. \return frames × frames, body heights; 0 where there is no
-/// transition. \throws Error Cancelled. Cost: O(frames² · L · feet).
+/// How far transitions drag feet over the ground: of the feet that stand in a transition by
+/// stancesBeforeSteps, how far a gentle blend carries one away from where it is on average while it stands;
+/// the greatest of all feet. What a correction of contacts has to take back, and cannot where it is much, or
+/// a step. Feet are followed by their middles and by the windows alone, which both are taken to go on evenly.
+/// \param roots  with turns and known stances; zeros where nothing is known of feet. \return frames × frames,
+/// body heights; 0 where there is no transition. \throws Error Cancelled. Cost: O(frames² · L · feet).
 Table<float> footDrifts(const RootPoses& roots, const FrameLayout& layout, const TransitionTable& transitions,
                         double fps, const Progress& progress = {});
 

@@ -118,6 +118,63 @@ struct Ease
     }
 };
 
+/// Lifts a foot over the ground where it goes from one contact to the next inside a blend, as in a step
+/// between two poses that both stand, unless it clears the ground by itself.
+class StepLift
+{
+public:
+    /// \param middles  of the foot in each frame, with its shift.
+    StepLift(const Clip& clip, const FootContacts& foot, std::span<const Vec2d> middles, double height,
+             const Ground& ground)
+        : m_clip(clip), m_foot(foot), m_middles(middles), m_height(height), m_ground(ground)
+    {
+    }
+
+    /// \param most  metres.
+    void addTo(std::span<double> lifts, double most) const
+    {
+        for (std::size_t s = 0; s + 1 < m_foot.spans.size(); ++s) {
+            const std::int64_t from = m_foot.spans[s].last.value;
+            const std::int64_t to = m_foot.spans[s + 1].first.value;
+            const double clearance =
+                std::min(most, clearanceFor((m_middles[at(to)] - m_middles[at(from)]).norm()));
+            if (!isInBlend(from + 1, to - 1) || 2 * ownClearance(from, to) > clearance)
+                continue;
+            for (std::int64_t f = from + 1; f < to; ++f) {
+                const double t = static_cast<double>(f - from) / static_cast<double>(to - from);
+                lifts[at(f)] += clearance * 16 * t * t * (1 - t) * (1 - t);
+            }
+        }
+    }
+
+private:
+    /// A step of 20 cm goes 5 cm high.
+    double clearanceFor(double way) const { return 0.01 * m_height + 0.15 * way; }
+    bool isInBlend(std::int64_t first, std::int64_t last) const
+    {
+        const auto origins = std::span(m_clip.origins).subspan(at(first), at(last - first + 1));
+        return std::ranges::none_of(origins, &FrameOrigin::isSingle);
+    }
+    /// How high the foot goes without help, over its contacts.
+    double ownClearance(std::int64_t from, std::int64_t to) const
+    {
+        const auto heightAt = [&](std::int64_t f) {
+            return soleOf(m_clip.frame(f), m_foot.vertices, m_height, m_ground).height;
+        };
+        const double level = std::max(heightAt(from), heightAt(to));
+        double most = 0;
+        for (std::int64_t f = from + 1; f < to; ++f)
+            most = std::max(most, heightAt(f) - level);
+        return most;
+    }
+
+    const Clip& m_clip;
+    const FootContacts& m_foot;
+    std::span<const Vec2d> m_middles;
+    double m_height;
+    const Ground& m_ground;
+};
+
 } // namespace
 
 bool FootShift::isNothing() const
@@ -197,13 +254,19 @@ std::vector<FootShift> footShifts(const Clip& clip, const FootContacts& foot,
     const auto ease = std::max<std::int64_t>(1, std::llround(settings.easeSeconds * clip.fps));
     for (std::vector<double>* values : {&turns, &along, &across, &lifts})
         easeBetween(*values, foot.spans, ease);
+    std::vector<Vec2d> middles(count);
     for (std::size_t f = 0; f < count; ++f) {
         const Positions pose = clip.frame(static_cast<std::int64_t>(f));
         Vec2d middle = Vec2d::Zero();
         for (const std::uint32_t v : foot.vertices)
             middle += ground.of(pose[v].cast<double>()) / static_cast<double>(foot.vertices.size());
-        shifts[f] = {.pivot = middle, .turn = turns[f], .shift = {along[f], across[f]}, .lift = lifts[f]};
+        shifts[f] = {.pivot = middle, .turn = turns[f], .shift = {along[f], across[f]}};
+        middles[f] = middle + shifts[f].shift;
     }
+    StepLift(clip, foot, middles, height, ground)
+        .addTo(lifts, settings.strength * settings.greatestLift * height);
+    for (std::size_t f = 0; f < count; ++f)
+        shifts[f].lift = lifts[f];
     return shifts;
 }
 

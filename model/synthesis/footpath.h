@@ -30,8 +30,9 @@ struct FootContacts
     std::vector<FrameRange> spans;       ///< in the clip, ascending, apart from each other
 };
 
-/// How a foot is moved in each frame so that what touches the ground stands still during its contacts.
-/// \param height  of the figure, metres.
+/// How a foot is moved in each frame so that what touches the ground stands still during its contacts, and
+/// is lifted where it steps from one contact to the next inside a blend. \param height  of the figure,
+/// metres.
 std::vector<FootShift> footShifts(const Clip& clip, const FootContacts& foot,
                                   const ContactCorrectionSettings& settings, double height,
                                   const Ground& ground);

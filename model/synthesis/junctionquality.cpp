@@ -89,16 +89,17 @@ JunctionMeasures JunctionJudge::judge(const Transition& transition, const BlendS
     const ClipPlan plan =
         planClip(m_roots, segments.walk, std::span(&transition, 1), {.start = {}, .blend = blend});
     Clip clip = makeClip(m_character, plan, method);
+    const std::vector<std::uint32_t> standing = stancesOf(clip, m_roots.stances);
     if (correction && !m_legs.feet.empty()) {
-        const std::vector<ContactSpan> contacts = contactsOf(clip, m_roots.stances);
+        const std::vector<ContactSpan> contacts = contactsOf(standing, m_roots.stances);
         clip = contactsCorrected(std::move(clip), contacts, *correction,
                                  {.up = m_roots.up, .frames = {}, .legs = &m_legs, .trustsLegs = true});
     }
     const ClipPlan::Junction& junction = plan.junctions.front();
     JunctionMeasures measures;
     measures.values = {acceleration(clip, junction, transition, measures.worstAcceleration),
-                       frozen(clip, junction), centreStep(plan, segments), footSlip(clip, junction, segments),
-                       volume(clip, junction, transition)};
+                       frozen(clip, junction), centreStep(plan, segments),
+                       footSlip(clip, junction, standing, segments), volume(clip, junction, transition)};
     return measures;
 }
 
@@ -164,9 +165,9 @@ JunctionValue JunctionJudge::centreStep(const ClipPlan& plan, const Segments& se
 }
 
 JunctionValue JunctionJudge::footSlip(const Clip& clip, const ClipPlan::Junction& junction,
-                                      const Segments& segments) const
+                                      std::span<const std::uint32_t> standing, const Segments& segments) const
 {
-    const auto slide = footSlide(clip, junction, m_roots);
+    const auto slide = footSlide(clip, junction, m_roots, standing);
     double captured = m_usualSlide;
     for (const WalkSpan& span : segments.spans)
         captured = std::max(captured, meanSlide(span.first, span.last));

@@ -91,7 +91,7 @@ private:
     JunctionValue frozen(const Clip& clip, const ClipPlan::Junction& junction) const;
     JunctionValue centreStep(const ClipPlan& plan, const Segments& segments) const;
     JunctionValue footSlip(const Clip& clip, const ClipPlan::Junction& junction,
-                           const Segments& segments) const;
+                           std::span<const std::uint32_t> standing, const Segments& segments) const;
     /// Over the captured frames in which a foot stands, units of length a second.
     double meanSlide(NodeIndex first, NodeIndex last) const;
     JunctionValue volume(const Clip& clip, const ClipPlan::Junction& junction,

@@ -25,9 +25,9 @@ Vec2d velocity(const ClipPlan& plan, std::int64_t from, std::int64_t to, double 
 
 } // namespace
 
-std::optional<double> footSlide(const Clip& clip, const ClipPlan::Junction& junction, const RootPoses& roots)
+std::optional<double> footSlide(const Clip& clip, const ClipPlan::Junction& junction, const RootPoses& roots,
+                                std::span<const std::uint32_t> standing)
 {
-    const std::vector<std::uint32_t> standing = stancesOf(clip.origins, clip.fps, roots.stances);
     double sum = 0;
     int count = 0;
     for (std::int64_t f = junction.first; f < junction.last; ++f) {

@@ -3,6 +3,7 @@
 #include "model/synthesis/stances.h"
 
 #include "model/sequence/contacts.h"
+#include "model/synthesis/blendsteps.h"
 #include "model/synthesis/contactcorrection.h"
 #include "model/synthesis/soles.h"
 
@@ -64,11 +65,13 @@ std::uint32_t mirroredFeet(std::uint32_t feet, const std::vector<std::size_t>& a
     return mirrored;
 }
 
-/// Lets feet stand on where they leave the ground for a moment only inside a blend.
-void closeGaps(std::vector<std::uint32_t>& standing, const std::vector<FrameOrigin>& origins,
-               std::size_t feet, std::size_t longest)
+/// Lets feet stand on where they leave the ground for a moment only inside a blend, and are not carried far
+/// then.
+void closeGaps(std::vector<std::uint32_t>& standing, const Clip& clip, const Stances& stances)
 {
-    for (std::size_t foot = 0; foot < feet; ++foot) {
+    const std::vector<FrameOrigin>& origins = clip.origins;
+    const auto longest = static_cast<std::size_t>(longestStanceGap * clip.fps);
+    for (std::size_t foot = 0; foot < stances.feet.size(); ++foot) {
         const std::uint32_t bit = 1U << foot;
         for (std::size_t f = 1; f < standing.size(); ++f) {
             if ((standing[f] & bit) != 0 || (standing[f - 1] & bit) == 0)
@@ -77,7 +80,10 @@ void closeGaps(std::vector<std::uint32_t>& standing, const std::vector<FrameOrig
             while (end < standing.size() && (standing[end] & bit) == 0 && !origins[end].isSingle())
                 ++end;
             const bool standsBehind = end < standing.size() && (standing[end] & bit) != 0;
-            for (std::size_t g = f; standsBehind && end - f <= longest && g < end; ++g)
+            if (!standsBehind || end - f > longest ||
+                carriedWay(clip, stances, foot, f - 1, end) > longestCarry)
+                continue;
+            for (std::size_t g = f; g < end; ++g)
                 standing[g] |= bit;
         }
     }
@@ -139,17 +145,23 @@ Stances givenStances(const CharacterFrames& character)
     return stances;
 }
 
-std::vector<std::uint32_t> stancesOf(const std::vector<FrameOrigin>& origins, double fps,
-                                     const Stances& stances)
+std::vector<std::uint32_t> stancesBeforeSteps(const Clip& clip, const Stances& stances)
 {
     const std::vector<std::size_t> across = acrossOf(stances);
     std::vector<std::uint32_t> standing;
-    standing.reserve(origins.size());
-    for (const FrameOrigin& origin : origins) {
+    standing.reserve(clip.origins.size());
+    for (const FrameOrigin& origin : clip.origins) {
         const std::uint32_t feet = stances.at(origin.nearest());
         standing.push_back(origin.mirrored ? mirroredFeet(feet, across) : feet);
     }
-    closeGaps(standing, origins, stances.feet.size(), static_cast<std::size_t>(longestStanceGap * fps));
+    closeGaps(standing, clip, stances);
+    return standing;
+}
+
+std::vector<std::uint32_t> stancesOf(const Clip& clip, const Stances& stances)
+{
+    std::vector<std::uint32_t> standing = stancesBeforeSteps(clip, stances);
+    addSteps(standing, clip, stances);
     return standing;
 }
 
@@ -210,7 +222,11 @@ std::vector<bool> framesInAir(const Stances& stances, const FrameLayout& layout,
 
 std::vector<ContactSpan> contactsOf(const Clip& clip, const Stances& stances)
 {
-    const std::vector<std::uint32_t> standing = stancesOf(clip.origins, clip.fps, stances);
+    return contactsOf(stancesOf(clip, stances), stances);
+}
+
+std::vector<ContactSpan> contactsOf(std::span<const std::uint32_t> standing, const Stances& stances)
+{
     std::vector<ContactSpan> spans;
     for (std::size_t foot = 0; foot < stances.feet.size(); ++foot) {
         for (std::size_t f = 0; f < standing.size(); ++f) {

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,10 +52,11 @@ inline constexpr double longestStanceGap = 0.2;
 
 /// Which feet stand in each frame of a clip, by their bits: those of the frame that counts more in it.
 /// Through a transition a foot that stands before and after stands throughout, unless it is off the ground
-/// for longer than a fifth of a second; one that stands on one side only lands or lifts at one moment. Left
-/// and right are exchanged where the clip is mirrored.
-std::vector<std::uint32_t> stancesOf(const std::vector<FrameOrigin>& origins, double fps,
-                                     const Stances& stances);
+/// for longer than a fifth of a second or carried farther than longestCarry meanwhile; one that stands on one
+/// side only lands or lifts at one moment. Left and right are exchanged where the clip is mirrored.
+std::vector<std::uint32_t> stancesBeforeSteps(const Clip& clip, const Stances& stances);
+/// The same where feet that a blend carries far take steps (addSteps).
+std::vector<std::uint32_t> stancesOf(const Clip& clip, const Stances& stances);
 
 /// In which frames no foot stands for at least 0.06 seconds: shorter ones are steps of which the contact was
 /// missed. Empty where no foot ever stands, and nobody knows what stands.
@@ -70,7 +72,9 @@ std::optional<double> slideOf(Positions before, Positions after, std::uint32_t f
 std::vector<std::optional<double>> capturedSlides(const CharacterFrames& character, const Stances& stances,
                                                   UpAxis up, const Progress& progress = {});
 
-/// As contacts of the clip, by their first frames.
+/// As contacts of the clip, by their first frames. \param standing  of each of its frames.
+std::vector<ContactSpan> contactsOf(std::span<const std::uint32_t> standing, const Stances& stances);
+/// The same of stancesOf.
 std::vector<ContactSpan> contactsOf(const Clip& clip, const Stances& stances);
 
 } // namespace quadrille

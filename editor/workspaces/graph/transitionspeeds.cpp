@@ -35,7 +35,7 @@ TransitionSpeeds::Speeds measure(const OpenedCharacter& opened, const FramePair&
     const auto inMetres = [metres](std::optional<double> speed) {
         return speed ? std::optional(*speed * metres) : std::nullopt;
     };
-    return {inMetres(footSlide(clip, junction, graph.roots())),
+    return {inMetres(footSlide(clip, junction, graph.roots(), stancesOf(clip, graph.roots().stances))),
             inMetres(speedJump(plan, junction, clip.fps))};
 }
 

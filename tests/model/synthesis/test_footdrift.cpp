@@ -89,29 +89,43 @@ struct Walker
         const Walk walk{{{std::max(i - 8, 0), i}, {j, std::min(j + 8, layout.frameCount() - 1)}}};
         const ClipPlan plan =
             planClip(roots, walk, std::span(&transition, 1), {.start = {}, .blend = BlendSettings::gentle()});
-        std::vector<FrameOrigin> origins;
-        for (const PlannedFrame& frame : plan.frames)
-            origins.push_back(frame.origin);
-        const std::vector<std::uint32_t> standing = stancesOf(origins, fps, roots.stances);
+        const std::vector<std::uint32_t> standing = stancesBeforeSteps(feetOf(plan), roots.stances);
         double greatest = 0;
         for (std::size_t foot = 0; foot < 2; ++foot)
             greatest = std::max(greatest, greatestDeviation(plan, standing, foot));
         return greatest / roots.stances.height;
     }
 
+    /// A clip of a triangle of both feet and a point beside them.
+    Clip feetOf(const ClipPlan& plan) const
+    {
+        Clip clip{.topology = std::make_shared<const Topology>(TopologyData{
+                      .vertexCount = 3, .triangles = {{VertexIndex(0), VertexIndex(1), VertexIndex(2)}}}),
+                  .fps = fps};
+        for (std::size_t f = 0; f < plan.frames.size(); ++f) {
+            clip.origins.push_back(plan.frames[f].origin);
+            for (std::size_t foot = 0; foot < 2; ++foot)
+                clip.positions.push_back(Ground(roots.up).at(placeAt(plan, f, foot), 0).cast<float>());
+            clip.positions.emplace_back(0, 0, 0);
+        }
+        return clip;
+    }
+
+    Vec2d placeAt(const ClipPlan& plan, std::size_t f, std::size_t foot) const
+    {
+        const Ground ground(roots.up);
+        const PlannedFrame& frame = plan.frames[f];
+        const double lambda = frame.isSingle() ? 0 : frame.lambda;
+        const auto placed = [&](const GroundMotion& place, NodeIndex node) -> Vec2d {
+            return place(ground.of(roots.stances.placeOf(node, foot)));
+        };
+        return (1 - lambda) * placed(frame.placeSource, frame.times.source.frame) +
+               lambda * placed(frame.placeDestination, frame.times.destination.frame);
+    }
+
     double greatestDeviation(const ClipPlan& plan, const std::vector<std::uint32_t>& standing,
                              std::size_t foot) const
     {
-        const Ground ground(roots.up);
-        const auto placeAt = [&](std::size_t f) -> Vec2d {
-            const PlannedFrame& frame = plan.frames[f];
-            const double lambda = frame.isSingle() ? 0 : frame.lambda;
-            const auto placed = [&](const GroundMotion& place, NodeIndex node) -> Vec2d {
-                return place(ground.of(roots.stances.placeOf(node, foot)));
-            };
-            return (1 - lambda) * placed(frame.placeSource, frame.times.source.frame) +
-                   lambda * placed(frame.placeDestination, frame.times.destination.frame);
-        };
         const auto first = static_cast<std::size_t>(plan.junctions.front().first);
         const auto last = static_cast<std::size_t>(plan.junctions.front().last);
         double greatest = 0;
@@ -123,10 +137,10 @@ struct Walker
             }
             Vec2d mean = Vec2d::Zero();
             for (const std::size_t g : span)
-                mean += placeAt(g) / static_cast<double>(span.size());
+                mean += placeAt(plan, g, foot) / static_cast<double>(span.size());
             for (const std::size_t g : span)
                 if (first <= g && g <= last)
-                    greatest = std::max(greatest, (placeAt(g) - mean).norm());
+                    greatest = std::max(greatest, (placeAt(plan, g, foot) - mean).norm());
             span.clear();
         }
         return greatest;

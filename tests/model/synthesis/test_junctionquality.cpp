@@ -119,7 +119,8 @@ TEST(JunctionSpeeds, FeetSlideAsFastAsTheyAreMoved)
     const std::size_t vertices = clip.topology->vertexCount();
     for (std::size_t i = vertices; i < clip.positions.size(); ++i)
         clip.positions[i] = clip.positions[i - vertices] + Vec3f(0.01F, 0, 0);
-    const auto slide = footSlide(clip, plan.junctions.front(), subject().roots);
+    const auto slide =
+        footSlide(clip, plan.junctions.front(), subject().roots, stancesOf(clip, subject().roots.stances));
     ASSERT_TRUE(slide.has_value());
     EXPECT_NEAR(*slide, 0.25, 1e-4); // a centimetre in each of 25 frames; positions are single precision
 }
