@@ -19,7 +19,7 @@ if(QUADRILLE_SANITIZE)
     list(APPEND QUADRILLE_QT_TEST_ENVIRONMENT QTEST_FUNCTION_TIMEOUT=set:3000000)
 endif()
 # The thread sanitizer's detector of deadlocks counts what one library under Qt locks and misses that another unlocks it.
-# Between fork and exec Qt's own code runs, which the sanitizer takes for threads that go on.
+# And it ends a process that starts threads after another program was started from it.
 if(QUADRILLE_SANITIZE STREQUAL "thread")
     list(APPEND QUADRILLE_QT_TEST_ENVIRONMENT
         TSAN_OPTIONS=path_list_append:detect_deadlocks=0:die_after_fork=0)

@@ -173,7 +173,7 @@ struct SearchSettings
                 .prefersLocomotion = true,
                 .flightWeight = 200,
                 .paceWeight = 200,
-                .unevenWeight = 300};
+                .unevenWeight = 600};
     }
 };
 

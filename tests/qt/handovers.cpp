@@ -13,8 +13,8 @@
 
 namespace {
 
-// Nor is TBB: loops run on the thread that asks for them. Parallel, they would keep the sanitizer busy with races that
-// are none; the tests of the model look at them in programs that do little else.
+// Nor is TBB: loops run on the thread that asks for them. Parallel, they would keep the sanitizer busy with
+// races that are none; the tests of the model look at them in programs that do little else.
 const tbb::global_control oneThreadEach(tbb::global_control::max_allowed_parallelism, 1);
 
 char handovers; // its address is what the sanitizer keeps in order
