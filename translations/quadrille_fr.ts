@@ -817,6 +817,14 @@
         <translation>tirées</translation>
     </message>
     <message>
+        <source>drawn from</source>
+        <translation>tirée de</translation>
+    </message>
+    <message>
+        <source>bad</source>
+        <translation>mauvaises</translation>
+    </message>
+    <message>
         <source>greatest acceleration</source>
         <translation>plus grande accélération</translation>
     </message>

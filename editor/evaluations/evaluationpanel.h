@@ -41,6 +41,7 @@ public:
     void save(const QString& file);
     /// Less than what is in it: a low window must not grow with it.
     QSize minimumSizeHint() const override { return {200, 60}; }
+    QSize sizeHint() const override { return {640, 320}; }
 
 private:
     void makeActions();

@@ -168,6 +168,8 @@ constexpr std::array words{
     Word{"asked", QT_TRANSLATE_NOOP("EvaluationWord", "asked")},
     Word{"delivered", QT_TRANSLATE_NOOP("EvaluationWord", "delivered")},
     Word{"drawn", QT_TRANSLATE_NOOP("EvaluationWord", "drawn")},
+    Word{"drawn-from", QT_TRANSLATE_NOOP("EvaluationWord", "drawn from")},
+    Word{"bad", QT_TRANSLATE_NOOP("EvaluationWord", "bad")},
     Word{"greatest-acceleration", QT_TRANSLATE_NOOP("EvaluationWord", "greatest acceleration")},
     Word{"centre-acceleration", QT_TRANSLATE_NOOP("EvaluationWord", "acceleration of the centre")},
     Word{"sink", QT_TRANSLATE_NOOP("EvaluationWord", "sink")},

@@ -195,6 +195,27 @@ private slots:
         QCOMPARE(bars->accessibleDescription(), bars->readOut());
     }
 
+    void columnsAreCalledInWords()
+    {
+        EvaluationEntry entry;
+        entry.table = "junctions";
+        entry.count = 3;
+        addEvaluation(context().document, entry);
+        compute("junctions");
+        auto* tabs = test::find<QTabBar>("evaluationTabs");
+        QCOMPARE(tabs->count(), 3);
+        for (int tab = 0; tab < tabs->count(); ++tab) {
+            tabs->setCurrentIndex(tab);
+            for (int column = 0; column < table().columnCount(); ++column) {
+                const QString title = table().headerData(column, Qt::Horizontal).toString();
+                QVERIFY2(!title.contains('-'), qPrintable(title));
+            }
+        }
+        // High enough for some rows of the table.
+        QVERIFY(test::find<QTableView>("evaluationTable")->viewport()->height() >
+                4 * test::find<QTableView>("evaluationTable")->rowHeight(0));
+    }
+
     void computingIsStopped()
     {
         add("junctions");
