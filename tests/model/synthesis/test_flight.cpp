@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "walkworld.h"
+#include "tests/model/synthesis/walkworld.h"
 
 #include <gtest/gtest.h>
 
 namespace quadrille {
 namespace {
+
+using test::WalkWorld;
 
 constexpr double weight = 200;
 
