@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/blendsteps.h"
 
-#include "model/sequence/feet.h"
-
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <span>
 
 namespace quadrille {
 
@@ -64,18 +64,6 @@ std::vector<CarriedFoot> carriedFeet(const std::vector<std::uint32_t>& standing,
 }
 
 } // namespace
-
-double carriedWay(const Clip& clip, const Stances& stances, std::size_t foot, std::size_t from,
-                  std::size_t to)
-{
-    const std::vector<std::uint32_t>& vertices = stances.feet[foot].vertices;
-    if (vertices.empty() || vertices.size() == clip.topology->vertexCount())
-        return 0;
-    const auto placeAt = [&](std::size_t frame) {
-        return meanOf(clip.frame(static_cast<std::int64_t>(frame)), vertices);
-    };
-    return static_cast<double>((placeAt(to) - placeAt(from)).norm()) / stances.height;
-}
 
 void addSteps(std::vector<std::uint32_t>& standing, const Clip& clip, const Stances& stances)
 {

@@ -6,15 +6,6 @@
 
 namespace quadrille {
 
-/// How far a blend carries a foot that stands throughout it before it takes a step there, heights of the
-/// figure: a foot that is held in between has to reach half as far.
-inline constexpr double longestCarry = 0.08;
-
-/// How far a foot is carried from one frame of a clip to another, heights of the figure; 0 where nobody knows
-/// the foot.
-double carriedWay(const Clip& clip, const Stances& stances, std::size_t foot, std::size_t from,
-                  std::size_t to);
-
 /// Lets feet take steps: where a blend carries a foot that stands throughout it farther than longestCarry, as
 /// between two poses whose feet stand apart by different widths, it leaves the ground in the middle of the
 /// blend for up to 0.4 seconds. Those that are carried farthest step, at most two and one after the other,

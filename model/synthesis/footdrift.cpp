@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/footdrift.h"
 
-#include "model/synthesis/blendsteps.h"
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>

@@ -145,6 +145,18 @@ Stances givenStances(const CharacterFrames& character)
     return stances;
 }
 
+double carriedWay(const Clip& clip, const Stances& stances, std::size_t foot, std::size_t from,
+                  std::size_t to)
+{
+    const std::vector<std::uint32_t>& vertices = stances.feet[foot].vertices;
+    if (vertices.empty() || vertices.size() == clip.topology->vertexCount())
+        return 0;
+    const auto placeAt = [&](std::size_t frame) {
+        return meanOf(clip.frame(static_cast<std::int64_t>(frame)), vertices);
+    };
+    return static_cast<double>((placeAt(to) - placeAt(from)).norm()) / stances.height;
+}
+
 std::vector<std::uint32_t> stancesBeforeSteps(const Clip& clip, const Stances& stances)
 {
     const std::vector<std::size_t> across = acrossOf(stances);

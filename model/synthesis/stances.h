@@ -50,6 +50,15 @@ Stances givenStances(const CharacterFrames& character);
 /// throughout, seconds.
 inline constexpr double longestStanceGap = 0.2;
 
+/// How far a blend carries a foot that stands throughout it before it takes a step there
+/// (addSteps), heights of the figure: a foot that is held in between has to reach half as far.
+inline constexpr double longestCarry = 0.08;
+
+/// How far a foot is carried from one frame of a clip to another, heights of the figure; 0 where nobody knows
+/// the foot.
+double carriedWay(const Clip& clip, const Stances& stances, std::size_t foot, std::size_t from,
+                  std::size_t to);
+
 /// Which feet stand in each frame of a clip, by their bits: those of the frame that counts more in it.
 /// Through a transition a foot that stands before and after stands throughout, unless it is off the ground
 /// for longer than a fifth of a second or carried farther than longestCarry meanwhile; one that stands on one
