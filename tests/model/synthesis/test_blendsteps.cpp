@@ -84,7 +84,8 @@ TEST(BlendSteps, CapturedFramesAndFeetThatNobodyFoundStayAsTheyAre)
     for (FrameOrigin& origin : captured.clip.origins)
         origin.destination = origin.source;
     EXPECT_EQ(captured.standing(), "BBBBBBBBBBBB");
-    Standing unknown(10, far, far);
+    const Vec3f veryFar(1, 0, 0); // with it goes the middle of the whole body
+    Standing unknown(10, veryFar, veryFar);
     unknown.stances.feet[0].vertices = {0, 1, 2};
     unknown.stances.feet[1].vertices = {};
     EXPECT_EQ(unknown.standing(), "BBBBBBBBBBBB");
