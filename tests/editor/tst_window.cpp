@@ -217,7 +217,10 @@ private slots:
                 if (each->isHidden())
                     continue;
                 each->raise();
-                QCoreApplication::processEvents();
+                // What a job has just said is laid out a moment later.
+                const auto wordsFit = [this] { return test::wordsCutIn(*m_window).isEmpty(); };
+                if (QTest::qWaitFor(wordsFit, 1000))
+                    continue;
                 for (const QString& words : test::wordsCutIn(*m_window))
                     cut += workspace + ": " + words;
             }
