@@ -183,7 +183,7 @@ ResultStage clipStage(const CharacterWork& work, const AnimationEntry& animation
 {
     ResultStage stage;
     stage.name = clipStageOf("animations/" + animation.name);
-    stage.version = 6;
+    stage.version = 7;
     stage.dataPrefix = walk.dataPrefix;
     const AnimationEntry made{.interpolation = animation.interpolation,
                               .gentleBlend = animation.gentleBlend,

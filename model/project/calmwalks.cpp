@@ -40,7 +40,7 @@ ResultStage walksStage(const CharacterWork& work, const EvaluationEntry& evaluat
     AnimationEntry animation;
     animation.character = work.character;
     ResultStage stage = evaluationStage(work, evaluation);
-    stage.version = 12;
+    stage.version = 13;
     stage.settings = work.settings + nlohmann::json({project.fps, metres, work.sequences}).dump() +
                      walkSettings(animation, work);
     stage.files = [work](const Progress& progress) { return work.files(progress); };

@@ -217,7 +217,7 @@ ResultStage junctionsStage(const CharacterWork& work, const EvaluationEntry& eva
     const auto seed = static_cast<std::uint32_t>(evaluation.seed);
     const double fps = work.opener->project().settings.fps;
     ResultStage stage = evaluationStage(work, evaluation);
-    stage.version = 8;
+    stage.version = 9;
     stage.settings = work.settings + nlohmann::json({count, seed, fps, work.sequences}).dump();
     stage.files = [work](const Progress& progress) { return work.files(progress); };
     stage.inputs = CharacterGraph::inputs(work);

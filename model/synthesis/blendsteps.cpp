@@ -13,20 +13,19 @@ namespace {
 
 constexpr double longestStep = 0.4; // seconds
 constexpr double shortestStep = 0.2;
-constexpr std::size_t mostSteps = 2; // in one blend
 
-/// The frames of one blend, in the clip.
-struct Blend
+/// Frames of the clip: of a blend, or of a foot that stands in it.
+struct Stretch
 {
     std::size_t first;
     std::size_t last;
 
-    std::size_t count() const { return last - first + 1; }
+    std::size_t count() const { return last + 1 - first; }
 };
 
-std::vector<Blend> blendsOf(const std::vector<FrameOrigin>& origins)
+std::vector<Stretch> blendsOf(const std::vector<FrameOrigin>& origins)
 {
-    std::vector<Blend> blends;
+    std::vector<Stretch> blends;
     for (std::size_t f = 0; f < origins.size(); ++f) {
         if (origins[f].isSingle())
             continue;
@@ -37,55 +36,93 @@ std::vector<Blend> blendsOf(const std::vector<FrameOrigin>& origins)
     return blends;
 }
 
-/// A foot that stands throughout a blend, and how far it is carried.
+/// A foot that stands for some frames of a blend, and how far it is carried meanwhile.
 struct CarriedFoot
 {
-    std::size_t foot;
+    std::uint32_t bit;
+    Stretch frames;
     double way;
 };
 
-/// Farthest first.
-std::vector<CarriedFoot> carriedFeet(const std::vector<std::uint32_t>& standing, const Blend& blend,
+/// Those that are carried far, farthest first.
+std::vector<CarriedFoot> carriedFeet(const std::vector<std::uint32_t>& standing, const Stretch& blend,
                                      const Clip& clip, const Stances& stances)
 {
-    std::uint32_t throughout = standing[blend.first];
-    for (std::size_t f = blend.first; f <= blend.last; ++f)
-        throughout &= standing[f];
     std::vector<CarriedFoot> feet;
     for (std::size_t foot = 0; foot < stances.feet.size(); ++foot) {
-        if ((throughout >> foot & 1U) == 0)
-            continue;
-        const double way = carriedWay(clip, stances, foot, blend.first, blend.last);
-        if (way > longestCarry)
-            feet.push_back({foot, way});
+        const std::uint32_t bit = 1U << foot;
+        for (std::size_t first = blend.first; first <= blend.last; ++first) {
+            std::size_t end = first;
+            while (end <= blend.last && (standing[end] & bit) != 0)
+                ++end;
+            if (end == first)
+                continue;
+            const double way = carriedWay(clip, stances, foot, first, end - 1);
+            if (way > longestCarry)
+                feet.push_back({bit, {first, end - 1}, way});
+            first = end;
+        }
     }
     std::ranges::stable_sort(feet, std::greater(), &CarriedFoot::way);
     return feet;
 }
 
+/// Lets feet step one after the other in the middle of frames in which all of them stand.
+class Steps
+{
+public:
+    Steps(std::vector<std::uint32_t>& standing, double fps)
+        : m_standing(standing)
+        , m_longest(static_cast<std::size_t>(std::lround(longestStep * fps)))
+        , m_shortest(static_cast<std::size_t>(std::ceil(shortestStep * fps)))
+    {
+    }
+
+    /// \return whether there is time for all.
+    bool add(std::span<const CarriedFoot> feet)
+    {
+        Stretch common = feet.front().frames;
+        for (const CarriedFoot& foot : feet)
+            common = {std::max(common.first, foot.frames.first), std::min(common.last, foot.frames.last)};
+        // Before, between and behind steps all feet stand for a frame.
+        if (common.last < common.first + feet.size() * (m_shortest + 1))
+            return false;
+        const std::size_t length = std::min((common.count() - 1) / feet.size() - 1, m_longest);
+        std::size_t begin = common.first + (common.count() - feet.size() * (length + 1) + 1) / 2;
+        for (const CarriedFoot& foot : feet) {
+            lift(foot.bit, std::span(m_standing).subspan(begin, length));
+            begin += length + 1;
+        }
+        return true;
+    }
+
+private:
+    /// Unless it is the only one that stands.
+    static void lift(std::uint32_t foot, std::span<std::uint32_t> swing)
+    {
+        if (std::ranges::all_of(swing, [foot](std::uint32_t on) { return (on & ~foot) != 0; })) {
+            for (std::uint32_t& on : swing)
+                on &= ~foot;
+        }
+    }
+
+    std::vector<std::uint32_t>& m_standing;
+    std::size_t m_longest;
+    std::size_t m_shortest;
+};
+
 } // namespace
 
 void addSteps(std::vector<std::uint32_t>& standing, const Clip& clip, const Stances& stances)
 {
-    const auto longest = static_cast<std::size_t>(std::lround(longestStep * clip.fps));
-    const auto shortest = static_cast<std::size_t>(std::ceil(shortestStep * clip.fps));
-    for (const Blend& blend : blendsOf(clip.origins)) {
+    Steps steps(standing, clip.fps);
+    for (const Stretch& blend : blendsOf(clip.origins)) {
         const std::vector<CarriedFoot> feet = carriedFeet(standing, blend, clip, stances);
-        // Before, between and behind steps all feet stand for a frame.
-        const std::size_t fitting = (blend.count() - 1) / (shortest + 1);
-        const std::size_t steps = std::min({feet.size(), fitting, mostSteps});
-        if (steps == 0)
+        if (feet.empty())
             continue;
-        const std::size_t length = std::min((blend.count() - 1) / steps - 1, longest);
-        std::size_t begin = blend.first + (blend.count() - steps * (length + 1) + 1) / 2;
-        for (std::size_t step = 0; step < steps; ++step, begin += length + 1) {
-            const std::uint32_t bit = 1U << feet[step].foot;
-            const auto swing = std::span(standing).subspan(begin, length);
-            if (!std::ranges::all_of(swing, [bit](std::uint32_t on) { return (on & ~bit) != 0; }))
-                continue;
-            for (std::uint32_t& on : swing)
-                on &= ~bit;
-        }
+        const std::span farthest(feet.begin(), std::min<std::size_t>(feet.size(), 2));
+        if (!steps.add(farthest) && farthest.size() > 1)
+            steps.add(farthest.first(1));
     }
 }
 

@@ -78,6 +78,20 @@ TEST(BlendSteps, NobodyStepsWithTheOnlyFootThatStands)
     EXPECT_EQ(walker.standing(), "BBBBBBLLLLLL");
 }
 
+TEST(BlendSteps, FeetThatLandInABlendOrLeaveTheGroundStepWhileTheyStand)
+{
+    const Vec3f veryFar(0.5F, 0, 0);
+    Standing jumper(16, veryFar, little);
+    jumper.stances.standing = {0, bothFeet};
+    EXPECT_EQ(jumper.standing(), "---------BRRRRRRBB");
+    jumper.stances.standing = {bothFeet, 0};
+    EXPECT_EQ(jumper.standing(), "BBRRRRRRB---------");
+    // In a shorter blend there is no time left for it.
+    Standing shorter(12, veryFar, little);
+    shorter.stances.standing = {0, bothFeet};
+    EXPECT_EQ(shorter.standing(), "-------BBBBBBB");
+}
+
 TEST(BlendSteps, CapturedFramesAndFeetThatNobodyFoundStayAsTheyAre)
 {
     Standing captured(10, far, little);
