@@ -88,6 +88,10 @@
         <translation>Part fondue des images</translation>
     </message>
     <message>
+        <source>Share of the frames that are no locomotion</source>
+        <translation>Part des images qui ne sont pas de la locomotion</translation>
+    </message>
+    <message>
         <source>Acceleration, as multiples of the take’s</source>
         <translation>Accélération, en multiples de celle de la prise</translation>
     </message>
@@ -742,11 +746,15 @@
     </message>
     <message>
         <source>shortest run</source>
-        <translation>plus courte course</translation>
+        <translation>plus courte suite d’images</translation>
     </message>
     <message>
         <source>blended share</source>
         <translation>part fondue</translation>
+    </message>
+    <message>
+        <source>share of other movements</source>
+        <translation>part d’autres mouvements</translation>
     </message>
     <message>
         <source>mean deviation</source>

@@ -150,6 +150,7 @@ constexpr std::array words{
     Word{"transitions-per-second", QT_TRANSLATE_NOOP("EvaluationWord", "transitions a second")},
     Word{"shortest-run", QT_TRANSLATE_NOOP("EvaluationWord", "shortest run")},
     Word{"blended-share", QT_TRANSLATE_NOOP("EvaluationWord", "blended share")},
+    Word{"stray-share", QT_TRANSLATE_NOOP("EvaluationWord", "share of other movements")},
     Word{"mean-deviation", QT_TRANSLATE_NOOP("EvaluationWord", "mean deviation")},
     Word{"greatest-deviation", QT_TRANSLATE_NOOP("EvaluationWord", "greatest deviation")},
     Word{"slide", QT_TRANSLATE_NOOP("EvaluationWord", "foot slide")},

@@ -130,7 +130,8 @@ MotionMeasures measureTakes(const CharacterFrames& character, const RootPoses& r
     return measuresOf(std::move(slides), changes);
 }
 
-WalkCalmness calmnessOf(const ClipPlan& plan, const Walk& walk, double fps)
+WalkCalmness calmnessOf(const ClipPlan& plan, const Walk& walk, const std::vector<bool>& locomotion,
+                        double fps)
 {
     WalkCalmness calmness{.seconds = static_cast<double>(plan.frameCount()) / fps,
                           .transitions = static_cast<int>(walk.transitionCount())};
@@ -140,6 +141,14 @@ WalkCalmness calmnessOf(const ClipPlan& plan, const Walk& walk, double fps)
     const auto blended = std::ranges::count_if(
         plan.frames, [](const PlannedFrame& frame) { return !frame.origin.isSingle(); });
     calmness.blendedShare = static_cast<double>(blended) / static_cast<double>(plan.frameCount());
+    if (locomotion.empty())
+        return calmness;
+    const auto isStray = [&](NodeIndex node) { return locomotion[static_cast<std::size_t>(node)] ? 0 : 1; };
+    double stray = 0;
+    for (const PlannedFrame& frame : plan.frames)
+        stray += (1 - frame.origin.lambda) * isStray(frame.origin.source) +
+                 frame.origin.lambda * isStray(frame.origin.destination);
+    calmness.strayShare = stray / static_cast<double>(plan.frameCount());
     return calmness;
 }
 

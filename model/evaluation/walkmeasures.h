@@ -42,9 +42,12 @@ struct WalkCalmness
     int transitions = 0;
     NodeIndex shortestRun = 0; ///< captured frames between two transitions, or at an end
     double blendedShare = 0;   ///< of the frames
+    double strayShare = 0;     ///< what is shown of frames that are no locomotion, in all that is shown
     double transitionsPerSecond() const { return seconds > 0 ? transitions / seconds : 0; }
 };
-WalkCalmness calmnessOf(const ClipPlan& plan, const Walk& walk, double fps);
+/// \param locomotion  which captured frames are (WalkMaterial); empty: nobody knows.
+WalkCalmness calmnessOf(const ClipPlan& plan, const Walk& walk, const std::vector<bool>& locomotion,
+                        double fps);
 
 /// The paths that walks are compared on.
 inline constexpr std::array<std::string_view, 5> standardPaths{"straight", "s", "circle", "right-angle",

@@ -156,7 +156,7 @@ ResultStage walkStage(const CharacterWork& work, const AnimationEntry& animation
 {
     ResultStage stage;
     stage.name = "animations/" + animation.name + "/walk";
-    stage.version = 14;
+    stage.version = 15;
     stage.dataPrefix = "animations/" + animation.name;
     stage.settings = walkSettings(animation, work);
     stage.inputs = CharacterGraph::inputs(work);

@@ -19,6 +19,7 @@ TableBuilder walksTable()
     TableBuilder table("walks", walksNote);
     table.text("path").real("length", "m").real("seconds", "s").whole("transitions");
     table.real("transitions-per-second", "1/s").whole("shortest-run", "frame").real("blended-share");
+    table.real("stray-share");
     table.real("mean-deviation", "m").real("greatest-deviation", "m");
     table.real("slide", "m/s").real("slide-of-takes", "m/s").real("slide-ratio");
     table.real("speed-change", "m/s").real("speed-change-of-takes", "m/s");
@@ -40,7 +41,7 @@ ResultStage walksStage(const CharacterWork& work, const EvaluationEntry& evaluat
     AnimationEntry animation;
     animation.character = work.character;
     ResultStage stage = evaluationStage(work, evaluation);
-    stage.version = 13;
+    stage.version = 14;
     stage.settings = work.settings + nlohmann::json({project.fps, metres, work.sequences}).dump() +
                      walkSettings(animation, work);
     stage.files = [work](const Progress& progress) { return work.files(progress); };
@@ -59,22 +60,23 @@ ResultStage walksStage(const CharacterWork& work, const EvaluationEntry& evaluat
             constraints.path.emplace();
             for (const Vec2d& point : standardPath(standardPaths[p]))
                 constraints.path->points.push_back(Ground(roots.up).at(point, 0));
+            const WalkMaterial material = graph.material(blendSettings(animation), true);
             const WalkSolution solution =
-                findWalk(graph.material(blendSettings(animation), true), constraints,
-                         searchSettings(animation.search, project.fps), progress.part(part(0), part(0.7)));
+                findWalk(material, constraints, searchSettings(animation.search, project.fps),
+                         progress.part(part(0), part(0.7)));
             const ClipPlan plan = animationPlan(animation, graph, solution);
-            const WalkCalmness calm = calmnessOf(plan, solution.walk, project.fps);
+            const WalkCalmness calm = calmnessOf(plan, solution.walk, material.locomotion, project.fps);
             const AnimationClip made =
                 animationClip(animation, graph, character, plan, {}, progress.part(part(0.7), part(0.9)));
             const MotionMeasures motion = measureMotion(made.processed.clip, roots.stances, roots.up, levels);
             const MotionMeasures takes = measureTakes(character, roots, solution.walk.spans, levels);
-            table.add({std::string(standardPaths[p]), solution.pathLength, calm.seconds,
-                       std::int64_t{calm.transitions}, calm.transitionsPerSecond(),
-                       std::int64_t{calm.shortestRun}, calm.blendedShare, solution.meanDeviation,
-                       solution.greatestDeviation, motion.slide95 * metres, takes.slide95 * metres,
-                       ratioOf(motion.slide95, takes.slide95), motion.speedChange * metres,
-                       takes.speedChange * metres, ratioOf(motion.speedChange, takes.speedChange),
-                       solution.totalCost, solution.expansions});
+            table.add(
+                {std::string(standardPaths[p]), solution.pathLength, calm.seconds,
+                 std::int64_t{calm.transitions}, calm.transitionsPerSecond(), std::int64_t{calm.shortestRun},
+                 calm.blendedShare, calm.strayShare, solution.meanDeviation, solution.greatestDeviation,
+                 motion.slide95 * metres, takes.slide95 * metres, ratioOf(motion.slide95, takes.slide95),
+                 motion.speedChange * metres, takes.speedChange * metres,
+                 ratioOf(motion.speedChange, takes.speedChange), solution.totalCost, solution.expansions});
         }
         Result result;
         result.tables = {std::move(table).table()};

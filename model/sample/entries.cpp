@@ -118,8 +118,8 @@ std::vector<AnimationEntry> sampleAnimations(const std::string& character)
     };
     PathEntry curve;
     // As tight as the takes can turn: the body stays within a hand's breadth of it.
-    curve.points = {{0, 0, 0},       {0.22, 0, 0.98},  {0.25, 0, 2.02}, {0.14, 0, 2.99}, {0.02, 0, 4.06},
-                    {-0.1, 0, 5.03}, {-0.12, 0, 6.03}, {0.17, 0, 6.99}, {0.17, 0, 8},    {0.08, 0, 8.98}};
+    curve.points = {{0, 0, 0},        {0.22, 0, 0.98},  {0.25, 0, 2.02}, {0.14, 0, 2.99}, {0.02, 0, 4.06},
+                    {-0.11, 0, 5.03}, {-0.14, 0, 6.03}, {0.17, 0, 6.99}, {0.17, 0, 8},    {0.08, 0, 8.98}};
     curve.spans = {{.from = 3.5, .to = 6, .frames = labelled("jog")}};
     curve.obstacles = {{.corners = {Vec2d(-1.6, 2.4)}, .radius = 0.4}};
     curve.clearance = 0.3;

@@ -15,11 +15,11 @@ constexpr double leastTravel = 0.1; ///< metres that tell a direction
 } // namespace
 
 MoveMotions::MoveMotions(const WalkGraph& graph, const WalkMotion& motion, const PathCourse& course,
-                         double unevenWeight)
+                         ShownCharges charges)
     : m_graph(graph)
     , m_motion(motion)
     , m_course(course)
-    , m_unevenWeight(unevenWeight)
+    , m_charges(std::move(charges))
     , m_motions(graph.moves().size())
 {
     for (const Vec3d& centre : motion.roots->centres) {
@@ -93,8 +93,22 @@ void MoveMotions::compute(MoveIndex index, Motion& motion) const
     }
     if (motion.steps.empty())
         append(begin, begin, {move.from, move.to});
-    if (m_unevenWeight > 0)
-        motion.weight = m_unevenWeight * unevennessOf(move, motion);
+    if (m_charges.uneven > 0)
+        motion.weight += m_charges.uneven * unevennessOf(move, motion);
+    if (!m_charges.frames.empty())
+        motion.weight += weightOfFrames(transition, moved);
+}
+
+/// Like captured frames, those of a transition weigh as the walk leaves them.
+double MoveMotions::weightOfFrames(const Transition& transition, const TransitionMotion& moved) const
+{
+    double weight = 0;
+    for (std::size_t t = 0; t + 1 < moved.steps.size(); ++t) {
+        const double lambda = moved.steps[t].lambda;
+        weight += (1 - lambda) * m_charges.frames[static_cast<std::size_t>(transition.path[t].source)] +
+                  lambda * m_charges.frames[static_cast<std::size_t>(transition.path[t].destination)];
+    }
+    return weight;
 }
 
 /// With the frames that are played before and behind, as many as a fifth of a second has.

@@ -23,6 +23,13 @@ struct WalkMotion
     double fps = 0;           ///< 0: nobody asks how even the pace is
 };
 
+/// What transitions weigh beyond their moves, for what they show.
+struct ShownCharges
+{
+    double uneven = 0;               ///< of an uneven pace (SearchSettings::unevenWeight · α)
+    std::vector<double> frames = {}; ///< of each captured frame, as far as it shows; empty: none
+};
+
 /// How the moves of a graph go over the ground, in metres, each computed when it is first asked for.
 class MoveMotions
 {
@@ -39,13 +46,12 @@ public:
     {
         std::vector<Step> steps; ///< as many as frames go by, without the frame that it leaves
         GroundMotion exit;       ///< places the frame that it comes to as captured
-        double weight = 0;       ///< of a transition beyond that of its move, for its uneven pace
+        double weight = 0;       ///< of a transition beyond that of its move (ShownCharges)
         bool isKnown = false;
     };
 
-    /// \param unevenWeight  what the unevenness of a transition weighs (SearchSettings::unevenWeight · α).
     MoveMotions(const WalkGraph& graph, const WalkMotion& motion, const PathCourse& course,
-                double unevenWeight = 0);
+                ShownCharges charges = {});
 
     const Motion& of(MoveIndex move);
     /// Computes the motions of some moves, [begin, end) or given ones, on all cores; `of` is then free. What
@@ -72,11 +78,12 @@ public:
 private:
     void compute(MoveIndex index, Motion& motion) const;
     double unevennessOf(const WalkMove& move, const Motion& motion) const;
+    double weightOfFrames(const Transition& transition, const TransitionMotion& moved) const;
 
     const WalkGraph& m_graph;
     const WalkMotion& m_motion;
     const PathCourse& m_course;
-    double m_unevenWeight;
+    ShownCharges m_charges;
     std::vector<Vec3d> m_points;
     std::vector<double> m_arcLengths; ///< from the first frame on
     std::vector<double> m_walkable;

@@ -24,9 +24,9 @@ std::vector<NodeIndex> startsOf(const WalkConstraints& constraints, NodeIndex no
     return {chosen.begin(), chosen.end()};
 }
 
-/// What playing on from each frame costs along a path; empty where it is as in the graph.
-std::vector<double> frameWeights(const WalkMaterial& material, const WalkConstraints& constraints,
-                                 const SearchSettings& settings)
+/// What showing each frame costs along a path; empty where it is as in the graph.
+std::vector<double> pathWeights(const WalkMaterial& material, const WalkConstraints& constraints,
+                                const SearchSettings& settings)
 {
     const auto& isLocomotion = material.locomotion;
     if (!constraints.path || !settings.prefersLocomotion)
@@ -47,8 +47,9 @@ WalkTask::WalkTask(const WalkMaterial& walkMaterial, const WalkConstraints& aske
     : material(walkMaterial)
     , constraints(asked)
     , settings(sought)
+    , frameWeights(pathWeights(walkMaterial, asked, sought))
     , graph(walkMaterial.graph, walkMaterial.costs, walkMaterial.alpha, asked.junctions,
-            {.frames = frameWeights(walkMaterial, asked, sought),
+            {.frames = frameWeights,
              .inAir = walkMaterial.inAir,
              .flight = asked.areKeysAlone() ? sought.flightWeight * walkMaterial.alpha : 0,
              .paces = walkMaterial.paces,
@@ -69,7 +70,8 @@ WalkTask::WalkTask(const WalkMaterial& walkMaterial, const WalkConstraints& aske
 WalkCourse::Along::Along(const WalkTask& task, const WalkStages& stages)
     : course(*task.constraints.path, task.material.motion.roots->up, task.material.motion.metresPerUnit)
     , costs(course, task.constraints.path->spans, task.graph.nodeCount(), task.beta, task.settings.charging)
-    , motions(task.graph, task.material.motion, course, task.settings.unevenWeight * task.material.alpha)
+    , motions(task.graph, task.material.motion, course,
+              {.uneven = task.settings.unevenWeight * task.material.alpha, .frames = task.frameWeights})
     , problem{.graph = task.graph,
               .stages = stages,
               .course = course,

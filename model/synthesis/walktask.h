@@ -17,6 +17,7 @@ struct WalkTask
     const WalkMaterial& material;
     const WalkConstraints& constraints;
     const SearchSettings& settings;
+    std::vector<double> frameWeights; ///< of each captured frame along a path; empty: as in the graph
     WalkGraph graph;
     std::vector<NodeIndex> starts;
     double beta = 0;

@@ -41,12 +41,20 @@ TEST(WalkMeasures, CountFramesOfAPlanByHand)
     ClipPlan plan{.up = UpAxis::Y, .frames = std::vector<PlannedFrame>(10)};
     for (std::size_t f = 4; f < 7; ++f)
         plan.frames[f].origin = {.source = 1, .destination = 9, .lambda = 0.5};
-    const WalkCalmness calm = calmnessOf(plan, Walk{{{0, 3}, {12, 14}}}, 5);
+    const Walk walk{{{0, 3}, {12, 14}}};
+    const WalkCalmness calm = calmnessOf(plan, walk, {}, 5);
     EXPECT_DOUBLE_EQ(calm.seconds, 2);
     EXPECT_EQ(calm.transitions, 1);
     EXPECT_DOUBLE_EQ(calm.transitionsPerSecond(), 0.5);
     EXPECT_EQ(calm.shortestRun, 3);
     EXPECT_DOUBLE_EQ(calm.blendedShare, 0.3);
+    EXPECT_EQ(calm.strayShare, 0);
+    // All show frame 0, and three of them frames 1 and 9 by halves.
+    std::vector<bool> locomotion(15, true);
+    locomotion[9] = false;
+    EXPECT_DOUBLE_EQ(calmnessOf(plan, walk, locomotion, 5).strayShare, 0.15);
+    locomotion[0] = false;
+    EXPECT_DOUBLE_EQ(calmnessOf(plan, walk, locomotion, 5).strayShare, 0.85);
 }
 
 TEST(WalkMeasures, FeelAFootThatSlidesAndASpeedThatChanges)

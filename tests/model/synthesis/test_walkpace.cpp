@@ -62,6 +62,43 @@ TEST(WalkPace, KeepsItsPaceWhereThatIsAsked)
     EXPECT_LT(changesOf(1000), 0.6 * changesOf(0));
 }
 
+TEST(WalkPace, FramesThatAreNoLocomotionWeighAsFarAsTheyShow)
+{
+    const WalkWorld world({.seed = 4, .counts = {40, 40, 40}, .missing = 0.3, .shortest = 4});
+    const FrameLayout& layout = world.costs.layout();
+    WalkMaterial material = world.material();
+    material.locomotion.assign(static_cast<std::size_t>(layout.frameCount()), true);
+    const PathConstraint path = longCurve();
+    const auto solve = [&](double weight) {
+        return findWalk(material, {.path = path},
+                        {.budget = 20'000, .prefersLocomotion = true, .strayWeight = weight});
+    };
+    const int stray = layout.sequenceOf(solve(0).walk.spans.front().first);
+    std::fill_n(material.locomotion.begin() + layout.firstOf(stray), layout.countOf(stray), false);
+    const auto strayIn = [&](const Walk& walk) {
+        std::vector<Transition> transitions;
+        for (std::size_t i = 0; i < walk.transitionCount(); ++i)
+            transitions.push_back(world.transition(walk.transition(i)));
+        const ClipPlan plan = planClip(world.roots, walk, transitions);
+        double sum = 0;
+        for (std::size_t f = 0; f + 1 < plan.frames.size(); ++f) {
+            const FrameOrigin& origin = plan.frames[f].origin;
+            sum += (1 - origin.lambda) * (layout.sequenceOf(origin.source) == stray ? 1 : 0) +
+                   origin.lambda * (layout.sequenceOf(origin.destination) == stray ? 1 : 0);
+        }
+        return sum;
+    };
+    const WalkSolution free = solve(0.1);
+    const double shown = strayIn(free.walk);
+    ASSERT_GT(shown, 3) << "or the next shows nothing";
+    const WalkGraph graph(world.graph, world.costs, WalkWorld::alpha, {});
+    double weights = 0;
+    for (std::size_t i = 0; i < free.walk.transitionCount(); ++i)
+        weights += graph.move(graph.transition(free.walk.transition(i))).weight;
+    EXPECT_NEAR(free.cost.edges, weights + 0.1 * WalkWorld::alpha * shown, 1e-9);
+    EXPECT_LT(strayIn(solve(1000).walk), 0.2 * shown);
+}
+
 TEST(WalkPace, KeepsAnEvenPaceInTransitionsWhereThatIsAsked)
 {
     constexpr double fps = 30;
