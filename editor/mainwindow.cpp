@@ -178,7 +178,7 @@ void MainWindow::connectAll()
         showMessage(tr("Exported to %1").arg(files.value(0)), files);
         m_context.variations.readStopped();
     });
-    connect(m_variations, &VariationsWorkspace::exportAsked, this,
+    connect(m_variations, &VariationsWorkspace::exportRequested, this,
             [this](const QString& clip) { m_export->exportClips({clip}); });
     connect(m_pictures, &PictureFlow::saved, this,
             [this](const QStringList& files) { showMessage(tr("Saved to %1").arg(files.value(0)), files); });
@@ -192,10 +192,10 @@ void MainWindow::connectAll()
         m_context.issues.add(error);
         showProblem(describe(error).oneLine());
     });
-    connect(m_welcome, &WelcomePage::actionAsked, this,
+    connect(m_welcome, &WelcomePage::actionRequested, this,
             [this](const QString& id) { m_context.actions.action(id)->trigger(); });
-    connect(m_welcome, &WelcomePage::projectAsked, this, [this](const QString& file) { open({file}); });
-    connect(m_welcome, &WelcomePage::sampleAsked, m_sample, &SampleFlow::open);
+    connect(m_welcome, &WelcomePage::projectRequested, this, [this](const QString& file) { open({file}); });
+    connect(m_welcome, &WelcomePage::sampleRequested, m_sample, &SampleFlow::open);
     connect(m_welcome, &WelcomePage::sampleCancelled, m_sample, &SampleFlow::cancel);
     connect(m_sample, &SampleFlow::progressed, m_welcome, &WelcomePage::showSampleProgress);
     connect(m_sample, &SampleFlow::ended, m_welcome, &WelcomePage::endSampleProgress);

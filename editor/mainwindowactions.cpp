@@ -38,7 +38,7 @@ void MainWindow::makeActions()
         {"file.open", file, [] { return tr("&Open…"); }, {}, "open", standardKeys(QKeySequence::Open)},
         [this] { m_files->askOpen(); });
     auto* recent = new RecentMenu(m_context.settings, this);
-    connect(recent, &RecentMenu::projectAsked, this,
+    connect(recent, &RecentMenu::projectRequested, this,
             [this](const QString& chosen) { m_files->open(chosen); });
     actions.add({"file.recent", file, [] { return tr("Open &recent"); }, {}, "history", {}}, [] {})
         ->setMenu(recent);

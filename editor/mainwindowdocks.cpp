@@ -58,7 +58,7 @@ void MainWindow::makeDocks()
         "issuesDock", [] { return tr("Issues"); }, new IssuesPanel(m_context.issues),
         Qt::BottomDockWidgetArea);
     auto* texture = addDock(
-        "textureDock", [] { return tr("Texture"); }, new TexturePanel(m_context, m_sequences->stage()),
+        "textureDock", [] { return tr("Texture"); }, new TexturePanel(m_context, m_sequences->scene()),
         Qt::RightDockWidgetArea);
     auto* evaluation = addDock(
         "evaluationDock", [] { return tr("Evaluation"); }, new EvaluationPanel(m_context),
@@ -128,14 +128,15 @@ void MainWindow::makeMenus()
     m_panelMenu->addActions(panels->actions());
     QMenu* layoutMenu = menus->addSubmenu(menus->view(), "layoutsMenu", [] { return tr("La&yout"); });
     layouts->fill(*layoutMenu);
-    connect(panels, &PanelActions::menuAsked, this, [this, layoutMenu](const QDockWidget* dock, QMenu& menu) {
-        menu.addSeparator();
-        menu.addAction(tr("Help on “%1”").arg(dock->windowTitle()), this,
-                       [this, dock] { m_help->show(helpTopicOf(dock->widget())); });
-        menu.addSeparator();
-        menu.addMenu(m_panelMenu);
-        menu.addMenu(layoutMenu);
-    });
+    connect(panels, &PanelActions::menuRequested, this,
+            [this, layoutMenu](const QDockWidget* dock, QMenu& menu) {
+                menu.addSeparator();
+                menu.addAction(tr("Help on “%1”").arg(dock->windowTitle()), this,
+                               [this, dock] { m_help->show(helpTopicOf(dock->widget())); });
+                menu.addSeparator();
+                menu.addMenu(m_panelMenu);
+                menu.addMenu(layoutMenu);
+            });
 }
 
 /// The right mouse button on bars of the window.

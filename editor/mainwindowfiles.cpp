@@ -43,7 +43,7 @@ void MainWindow::connectFiles()
     connect(m_recovery, &RecoveryFlow::told, this, &MainWindow::showProblem);
     auto* notice = new RecoveryNotice;
     m_welcome->addNotice(notice);
-    connect(notice, &RecoveryNotice::recoverAsked, m_recovery, &RecoveryFlow::recover);
+    connect(notice, &RecoveryNotice::recoverRequested, m_recovery, &RecoveryFlow::recover);
     connect(m_recovery, &RecoveryFlow::answered, notice, &RecoveryNotice::refresh);
     connect(&m_autosave, &Autosave::failed, this, [this](const Error& error) {
         m_context.issues.add(error);

@@ -3876,6 +3876,13 @@
     </message>
 </context>
 <context>
+    <name>quadrille::ClipScene</name>
+    <message>
+        <source>Reading the path of “%1”</source>
+        <translation>Lecture du trajet de «&#xa0;%1&#xa0;»</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::ContactProposal</name>
     <message>
         <source>Edit</source>
@@ -9885,6 +9892,24 @@ maximal %2</translation>
     </message>
 </context>
 <context>
+    <name>quadrille::SceneGhosts</name>
+    <message>
+        <source>Ghosts of “%1”</source>
+        <translation>Fantômes de «&#xa0;%1&#xa0;»</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::SceneView</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Frise chronologique</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Affichage</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::SequenceCards</name>
     <message>
         <source>Cannot be opened</source>
@@ -10072,13 +10097,6 @@ maximal %2</translation>
         <source>others</source>
         <comment>axes</comment>
         <translation>autres</translation>
-    </message>
-</context>
-<context>
-    <name>quadrille::SequenceStage</name>
-    <message>
-        <source>Reading the path of “%1”</source>
-        <translation>Lecture du trajet de «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -10342,24 +10360,6 @@ maximal %2</translation>
     <message>
         <source>%1 (missing)</source>
         <translation>%1 (manque)</translation>
-    </message>
-</context>
-<context>
-    <name>quadrille::StageGhosts</name>
-    <message>
-        <source>Ghosts of “%1”</source>
-        <translation>Fantômes de «&#xa0;%1&#xa0;»</translation>
-    </message>
-</context>
-<context>
-    <name>quadrille::StageView</name>
-    <message>
-        <source>Timeline</source>
-        <translation>Frise chronologique</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Affichage</translation>
     </message>
 </context>
 <context>

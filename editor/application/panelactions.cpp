@@ -73,7 +73,7 @@ void PanelActions::showMenu(QDockWidget* dock, const QPoint& place)
     menu.addAction(dock->isFloating() ? tr("Put back into the window") : tr("Take out of the window"), dock,
                    [dock] { dock->setFloating(!dock->isFloating()); });
     menu.addAction(tr("Hide “%1”").arg(dock->windowTitle()), dock, &QWidget::close);
-    emit menuAsked(dock, menu);
+    emit menuRequested(dock, menu);
     menu.exec(place);
 }
 

@@ -30,7 +30,7 @@ public:
 signals:
     /// The right mouse button, or the key of the menu, on the title of a panel. \param menu  has what is
     /// about the panel; more may be added.
-    void menuAsked(QDockWidget* dock, QMenu& menu);
+    void menuRequested(QDockWidget* dock, QMenu& menu);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -31,7 +31,7 @@ struct Choice
 /// Asks a question whose buttons are the choices, the first being the default, and Cancel.
 template <typename Answer>
 Answer ask(QWidget* window, const char* name, const QString& sentence, const QString& remedy,
-           const std::vector<Choice<Answer>>& choices, Answer otherwise)
+           const std::vector<Choice<Answer>>& choices, Answer fallback)
 {
     QMessageBox box(QMessageBox::Warning, QStringLiteral("Quadrille"), sentence, QMessageBox::Cancel, window);
     box.setObjectName(QLatin1String(name));
@@ -50,7 +50,7 @@ Answer ask(QWidget* window, const char* name, const QString& sentence, const QSt
         if (box.clickedButton() == button)
             return answer;
     }
-    return otherwise;
+    return fallback;
 }
 
 } // namespace

@@ -25,7 +25,7 @@ void RecentMenu::refill()
     for (const QString& file : files) {
         const QFileInfo info(file);
         QAction* action =
-            addAction(menuText(info.completeBaseName()), this, [this, file] { emit projectAsked(file); });
+            addAction(menuText(info.completeBaseName()), this, [this, file] { emit projectRequested(file); });
         action->setToolTip(file);
         action->setEnabled(info.exists());
     }

@@ -17,7 +17,7 @@ public:
     explicit RecentMenu(Settings& settings, QWidget* parent = nullptr);
 
 signals:
-    void projectAsked(const QString& file);
+    void projectRequested(const QString& file);
 
 private:
     void refill();

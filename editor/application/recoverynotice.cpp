@@ -51,7 +51,7 @@ QWidget* RecoveryNotice::makeRow(const Recovery& recovery)
     layout->addWidget(text, 1);
     layout->addWidget(recover);
     layout->addWidget(discard);
-    connect(recover, &QPushButton::clicked, this, [this, recovery] { emit recoverAsked(recovery); });
+    connect(recover, &QPushButton::clicked, this, [this, recovery] { emit recoverRequested(recovery); });
     connect(discard, &QPushButton::clicked, this, [this, id = recovery.id] {
         discardRecovery(id);
         refresh();

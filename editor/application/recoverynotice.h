@@ -22,7 +22,7 @@ public:
     void refresh();
 
 signals:
-    void recoverAsked(const quadrille::Recovery& recovery);
+    void recoverRequested(const quadrille::Recovery& recovery);
 
 protected:
     void showEvent(QShowEvent* event) override;

@@ -5,8 +5,8 @@
 #include "editor/application/editorcontext.h"
 #include "editor/application/windowplace.h"
 #include "editor/documents/projectpaths.h"
+#include "editor/playback/clipscene.h"
 #include "editor/playback/player.h"
-#include "editor/playback/sequencestage.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "widgets/viewport/viewport.h"
 
@@ -35,8 +35,8 @@ QJsonObject toJson(const widgets::Turntable& camera)
 widgets::Turntable cameraFrom(const QJsonObject& json, widgets::Turntable camera)
 {
     const QJsonArray target = json["target"].toArray();
-    const auto number = [](const QJsonValue& value, float otherwise) {
-        return static_cast<float>(value.toDouble(otherwise));
+    const auto number = [](const QJsonValue& value, float fallback) {
+        return static_cast<float>(value.toDouble(fallback));
     };
     if (target.size() == 3)
         camera.target = {number(target[0], 0), number(target[1], 0), number(target[2], 0)};
@@ -53,7 +53,7 @@ SessionKeeper::SessionKeeper(EditorContext& context, WorkspaceTabs& workspaces, 
     : QObject(&window), m_context(context), m_workspaces(workspaces), m_sequences(sequences), m_window(window)
 {
     connect(&context.document, &ProjectDocument::changed, this, &SessionKeeper::follow);
-    connect(&sequences.stage(), &SequenceStage::frameShown, this, &SessionKeeper::showView);
+    connect(&sequences.scene(), &ClipScene::frameShown, this, &SessionKeeper::showView);
 }
 
 Session SessionKeeper::load(const std::filesystem::path& project)
@@ -95,7 +95,7 @@ void SessionKeeper::keep()
     saveSession(session, m_context.document.file());
     // What was looked at last; a workspace that shows nothing says nothing about the project.
     Workspace* front = m_workspaces.currentWorkspace();
-    Workspace& shown = front != nullptr && front->stage().frameCount() > 0 ? *front : m_sequences;
+    Workspace& shown = front != nullptr && front->scene().frameCount() > 0 ? *front : m_sequences;
     const QImage picture = shown.viewport().snapshot({.size = thumbnailSize, .annotations = false});
     if (!picture.isNull())
         picture.save(thumbnailFile(toQString(m_context.document.file())));
@@ -132,7 +132,7 @@ void SessionKeeper::showView()
     if (shading >= 0 && shading < static_cast<int>(shadings.size()))
         m_context.actions.action(QLatin1String(shadings.at(static_cast<std::size_t>(shading))))
             ->setChecked(true);
-    if (session->frame > 0 && session->frame < m_sequences.stage().frameCount())
+    if (session->frame > 0 && session->frame < m_sequences.scene().frameCount())
         m_sequences.player().goTo(session->frame);
 }
 

@@ -9,7 +9,7 @@
 #include "editor/fields/texturefield.h"
 #include "editor/language/retranslate.h"
 #include "editor/pictures/uvedges.h"
-#include "editor/playback/sequencestage.h"
+#include "editor/playback/clipscene.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/icons.h"
 
@@ -37,10 +37,10 @@ constexpr int choiceWidth = 180; // pixels; a texture's name may stand on the bu
 
 } // namespace
 
-TexturePanel::TexturePanel(EditorContext& context, SequenceStage& stage, QWidget* parent)
+TexturePanel::TexturePanel(EditorContext& context, ClipScene& scene, QWidget* parent)
     : QWidget(parent)
     , m_context(context)
-    , m_stage(stage)
+    , m_scene(scene)
     , m_preparing(nullptr, 1)
     , m_view(new TextureView)
     , m_materials(new QComboBox)
@@ -55,8 +55,8 @@ TexturePanel::TexturePanel(EditorContext& context, SequenceStage& stage, QWidget
     , m_pointer(new QLabel)
 {
     arrangeWidgets();
-    connect(&stage, &SequenceStage::changed, this, &TexturePanel::refresh);
-    connect(&stage, &SequenceStage::frameLoaded, this, [this](const QString& name) {
+    connect(&scene, &ClipScene::changed, this, &TexturePanel::refresh);
+    connect(&scene, &ClipScene::frameLoaded, this, [this](const QString& name) {
         if (name == m_context.selection.shownSequence())
             refresh();
     });
@@ -188,8 +188,8 @@ void TexturePanel::refresh()
         return;
     const QString name = m_context.selection.shownSequence();
     const bool isOther = std::exchange(m_name, name) != name;
-    const MeshSequence* sequence = m_stage.sequenceOf(name);
-    const LoadedFrame* loaded = m_stage.loadedFrame(name);
+    const MeshSequence* sequence = m_scene.sequenceOf(name);
+    const LoadedFrame* loaded = m_scene.loadedFrame(name);
     if (const SequenceEntry* entry = m_context.document.sequence(name))
         m_choice->setTexture(entry->texture, tr("Choose textures"));
     refreshMaterials(sequence);
@@ -367,7 +367,7 @@ void TexturePanel::showTools()
 /// Says what is missing while something is shown nevertheless.
 void TexturePanel::showNote()
 {
-    const MeshSequence* sequence = m_stage.sequenceOf(m_name);
+    const MeshSequence* sequence = m_scene.sequenceOf(m_name);
     const bool hasImage = !m_view->image().isNull();
     if (sequence != nullptr && hasImage && !sequence->topology->hasUvs()) {
         m_note->show(MessageStrip::Kind::Info,

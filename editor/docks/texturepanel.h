@@ -17,7 +17,7 @@ class QToolButton;
 
 namespace quadrille {
 
-class SequenceStage;
+class ClipScene;
 class TextureField;
 struct EditorContext;
 
@@ -26,13 +26,13 @@ class MessageStrip;
 } // namespace widgets
 
 /// The texture that the shown sequence wears at the frame that the viewport shows, with the edges of the mesh
-/// over it. It gets its frames from the stage, reads nothing itself, and rests while it is hidden.
+/// over it. It gets its frames from the scene, reads nothing itself, and rests while it is hidden.
 class TexturePanel : public QWidget
 {
     Q_OBJECT
 
 public:
-    TexturePanel(EditorContext& context, SequenceStage& stage, QWidget* parent = nullptr);
+    TexturePanel(EditorContext& context, ClipScene& scene, QWidget* parent = nullptr);
     ~TexturePanel() override;
 
 protected:
@@ -67,7 +67,7 @@ private:
     int material() const;
 
     EditorContext& m_context;
-    SequenceStage& m_stage;
+    ClipScene& m_scene;
     JobRunner m_preparing; ///< one thread for itself: long jobs must not hold playback up
     widgets::TextureView* m_view;
     QComboBox* m_materials;

@@ -4,7 +4,7 @@
 
 #include "editor/documents/animationresult.h"
 #include "editor/jobs/jobrunner.h"
-#include "model/project/clipparts.h"
+#include "model/project/clipdependencies.h"
 #include "model/project/framenote.h"
 #include "model/project/variedrepeats.h"
 #include "model/project/walkrequest.h"

@@ -23,12 +23,12 @@ struct AnimationResult
     std::vector<SpanDraw> spans; ///< of the walk, and what they are drawn from
     /// That `spans` and origins count; null where none were asked for, or nothing is shown twice.
     std::shared_ptr<const std::vector<TakeVariation>> variations;
-    Project drawnFrom;                   ///< all that the variations depend on beside the character
-    MeshSequence sequence;               ///< after it
-    std::vector<FrameOrigin> origins;    ///< of the frames of `sequence`
-    std::optional<GroundMotion> travel;  ///< of a loop, see PostProcessed
-    std::int64_t framesBeforeRetime = 0; ///< see PostProcessed
-    bool isFinal = false;                ///< otherwise the best walk so far
+    Project drawnFrom;                    ///< all that the variations depend on beside the character
+    MeshSequence sequence;                ///< after it
+    std::vector<FrameProvenance> origins; ///< of the frames of `sequence`
+    std::optional<GroundMotion> travel;   ///< of a loop, see PostProcessed
+    std::int64_t framesBeforeRetime = 0;  ///< see PostProcessed
+    bool isFinal = false;                 ///< otherwise the best walk so far
 
     /// The variation that a number of an origin means, as "NAME/3"; empty for 0.
     std::string variationName(std::int32_t number) const

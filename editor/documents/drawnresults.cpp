@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/drawnresults.h"
 
+#include "model/project/buildstep.h"
 #include "model/project/clipresult.h"
 #include "model/project/lengthunit.h"
 #include "model/project/madeclips.h"
 #include "model/project/paths.h"
 #include "model/project/rebuild.h"
 #include "model/project/resultstore.h"
-#include "model/project/stage.h"
-#include "model/project/variationstages.h"
+#include "model/project/variationsteps.h"
 #include "model/variation/selectionspread.h"
 
 #include <algorithm>
@@ -26,24 +26,24 @@ const VariationEntry& drawnEntryOf(const VariationJob& job)
     return *std::ranges::find(job.project.variations, job.name, &VariationEntry::name);
 }
 
-std::vector<ResultStage> stagesOf(const VariationJob& job)
+std::vector<BuildStep> stepsOf(const VariationJob& job)
 {
     auto opener =
         std::make_shared<SequenceOpener>(job.project, projectFolder(job.file), cacheFolder(job.file));
-    return makeStages({std::move(opener), job.file});
+    return makeSteps({std::move(opener), job.file});
 }
 
-std::vector<std::string> samplesStages(const VariationJob& job)
+std::vector<std::string> samplesSteps(const VariationJob& job)
 {
-    std::vector<std::string> stages;
+    std::vector<std::string> steps;
     for (const std::string& part : partNamesOf(job.project, drawnEntryOf(job)))
-        stages.push_back(samplesStageOf(job.name, part));
-    return stages;
+        steps.push_back(samplesStepOf(job.name, part));
+    return steps;
 }
 
-std::string clipStage(const VariationJob& job, int number)
+std::string clipStep(const VariationJob& job, int number)
 {
-    return clipStageOf(variationClip(job.name, number));
+    return clipStepOf(variationClip(job.name, number));
 }
 
 /// Trajectories of all parts of each candidate, of one set after the other.
@@ -73,7 +73,7 @@ PartVariations partOf(const LatentVariations& latents, std::size_t part)
     return own;
 }
 
-/// Makes stages of an entry out of what was drawn already.
+/// Makes steps of an entry out of what was drawn already.
 class Keeping
 {
 public:
@@ -81,19 +81,20 @@ public:
             const DrawnDraft& draft)
         : m_job(job), m_opened(opened), m_learned(learned), m_draft(draft)
     {
-        const std::vector<std::string> samples = samplesStages(job);
+        const std::vector<std::string> samples = samplesSteps(job);
         for (std::size_t part = 0; part < samples.size(); ++part)
             m_results[samples[part]] = [this, part](const Progress&) { return samplesOf(part); };
-        m_results[selectionStageOf(job.name)] = [this](const Progress& progress) {
+        m_results[selectionStepOf(job.name)] = [this](const Progress& progress) {
             return selection(progress);
         };
         for (int number = 1; number <= variationCount(drawnEntryOf(job)); ++number)
-            m_results[clipStage(job, number)] = [](const Progress&) { return Result(); };
+            m_results[clipStep(job, number)] = [](const Progress&) { return Result(); };
         int before = 0;
         for (std::size_t set = 0; set < draft.selections.size(); ++set) {
             for (std::size_t i = 0; i < draft.selections[set].clips.size(); ++i)
-                m_results[clipStage(job, before + static_cast<int>(i) + 1)] =
-                    [this, set, i](const Progress&) { return clip(m_draft.selections[set].clips[i]); };
+                m_results[clipStep(job, before + static_cast<int>(i) + 1)] = [this, set, i](const Progress&) {
+                    return clip(m_draft.selections[set].clips[i]);
+                };
             before += drawnEntryOf(job).samples[set].count;
         }
     }
@@ -106,22 +107,22 @@ public:
         return names;
     }
 
-    /// The project's stages: those of the entry are there, nothing else is computed.
-    std::vector<ResultStage> stages() const
+    /// The project's steps: those of the entry are there, nothing else is computed.
+    std::vector<BuildStep> steps() const
     {
-        std::vector<ResultStage> stages = stagesOf(m_job);
-        for (ResultStage& stage : stages) {
-            const auto found = m_results.find(stage.name);
+        std::vector<BuildStep> steps = stepsOf(m_job);
+        for (BuildStep& step : steps) {
+            const auto found = m_results.find(step.name);
             if (found == m_results.end())
-                stage.compute = [](const StageContext&, const Progress&) -> Result {
+                step.compute = [](const StepContext&, const Progress&) -> Result {
                     throw Error(ErrorCode::Cancelled);
                 };
             else
-                stage.compute = [make = found->second](const StageContext&, const Progress& progress) {
+                step.compute = [make = found->second](const StepContext&, const Progress& progress) {
                     return make(progress);
                 };
         }
-        return stages;
+        return steps;
     }
 
 private:
@@ -186,27 +187,27 @@ std::shared_ptr<const std::vector<DrawnSet>> readFresh(const VariationJob& job, 
                                                        const Progress& progress)
 {
     const VariationEntry& entry = drawnEntryOf(job);
-    const std::vector<std::string> samples = samplesStages(job);
+    const std::vector<std::string> samples = samplesSteps(job);
     std::vector<std::string> targets = samples;
-    targets.push_back(selectionStageOf(job.name));
+    targets.push_back(selectionStepOf(job.name));
     for (int number = 1; number <= variationCount(entry); ++number)
-        targets.push_back(clipStage(job, number));
+        targets.push_back(clipStep(job, number));
     const RebuildReport report =
-        rebuild(stagesOf(job), job.file, {.targets = targets, .dryRun = true}, progress, {});
+        rebuild(stepsOf(job), job.file, {.targets = targets, .dryRun = true}, progress, {});
     std::map<std::string, std::string> fresh;
-    for (const StageReport& stage : report.stages) {
-        if (stage.state == StageState::Fresh)
-            fresh[stage.stage] = stage.key;
+    for (const StepReport& step : report.steps) {
+        if (step.state == StepState::Fresh)
+            fresh[step.step] = step.key;
     }
-    const auto isFresh = [&fresh](const std::string& stage) { return fresh.contains(stage); };
-    if (!std::ranges::all_of(samples, isFresh) || !isFresh(selectionStageOf(job.name)))
+    const auto isFresh = [&fresh](const std::string& step) { return fresh.contains(step); };
+    if (!std::ranges::all_of(samples, isFresh) || !isFresh(selectionStepOf(job.name)))
         return nullptr;
     const ResultStore store(cacheFolder(job.file));
-    const auto load = [&](const std::string& stage) { return store.freshResult(stage, fresh.at(stage)); };
+    const auto load = [&](const std::string& step) { return store.freshResult(step, fresh.at(step)); };
     std::vector<Result> drawnParts;
     drawnParts.reserve(samples.size());
-    for (const std::string& stage : samples)
-        drawnParts.push_back(load(stage));
+    for (const std::string& step : samples)
+        drawnParts.push_back(load(step));
     const auto latents = latentsOf(entry, drawnParts);
     std::vector<std::vector<SampleSpread>> spreads(entry.samples.size());
     for (const Result& part : drawnParts) {
@@ -214,7 +215,7 @@ std::shared_ptr<const std::vector<DrawnSet>> readFresh(const VariationJob& job, 
         for (std::size_t s = 0; s < spreads.size(); ++s)
             spreads[s].insert(spreads[s].end(), own[s].begin(), own[s].end());
     }
-    const std::vector<VariationSelection> selections = selectionsOf(load(selectionStageOf(job.name)), entry);
+    const std::vector<VariationSelection> selections = selectionsOf(load(selectionStepOf(job.name)), entry);
     auto sets = std::make_shared<std::vector<DrawnSet>>();
     int before = 0;
     for (std::size_t s = 0; s < selections.size(); ++s) {
@@ -224,9 +225,9 @@ std::shared_ptr<const std::vector<DrawnSet>> readFresh(const VariationJob& job, 
             const auto candidate = static_cast<std::size_t>(selections[s].accepted[i]);
             const int number = before + static_cast<int>(i) + 1;
             const std::string name = variationClip(job.name, number);
-            auto clip = isFresh(clipStageOf(name)) ? readClip(cacheFolder(job.file), name, opened.takes,
-                                                              opened.movement->alignment.fps)
-                                                   : std::nullopt;
+            auto clip = isFresh(clipStepOf(name)) ? readClip(cacheFolder(job.file), name, opened.takes,
+                                                             opened.movement->alignment.fps)
+                                                  : std::nullopt;
             if (!clip)
                 return nullptr;
             set.variations.push_back({.number = number,
@@ -259,10 +260,10 @@ void keepDrawn(const VariationJob& job, const OpenedVariation& opened, const Lea
 {
     const Keeping keeping(job, opened, learned, draft);
     const RebuildReport report =
-        rebuild(keeping.stages(), job.file, {.targets = keeping.names()}, progress, {});
-    for (const StageReport& stage : report.stages) {
-        if (stage.error && stage.error->code() != ErrorCode::Cancelled)
-            throw Error(*stage.error);
+        rebuild(keeping.steps(), job.file, {.targets = keeping.names()}, progress, {});
+    for (const StepReport& step : report.steps) {
+        if (step.error && step.error->code() != ErrorCode::Cancelled)
+            throw Error(*step.error);
     }
 }
 

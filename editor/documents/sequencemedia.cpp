@@ -3,11 +3,11 @@
 #include "editor/documents/sequencemedia.h"
 
 #include "editor/jobs/jobrunner.h"
-#include "model/project/clipparts.h"
+#include "model/project/buildstep.h"
+#include "model/project/clipdependencies.h"
 #include "model/project/madeclips.h"
 #include "model/project/paths.h"
 #include "model/project/resultstore.h"
-#include "model/project/stage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -131,9 +131,9 @@ SequenceMedia::Source SequenceMedia::sourceOf(const SequenceEntry& entry) const
             source.results = cacheFolder(m_document.workingFile());
         const ResultStore store(source.results);
         const auto addClip = [&](const std::string& made) {
-            for (const std::string& stage : clipStagesOf(*source.parts, made)) {
+            for (const std::string& scene : clipStepsOf(*source.parts, made)) {
                 std::error_code missing;
-                source.computed.push_back(std::filesystem::last_write_time(store.fileOf(stage), missing));
+                source.computed.push_back(std::filesystem::last_write_time(store.fileOf(scene), missing));
             }
         };
         for (const AnimationEntry& animation : source.parts->animations)

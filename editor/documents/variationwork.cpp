@@ -3,13 +3,13 @@
 #include "editor/documents/variationwork.h"
 
 #include "editor/documents/drawnresults.h"
+#include "model/project/buildstep.h"
 #include "model/project/madeclips.h"
 #include "model/project/paths.h"
 #include "model/project/rebuild.h"
 #include "model/project/resultstore.h"
-#include "model/project/stage.h"
 #include "model/project/variationresults.h"
-#include "model/project/variationstages.h"
+#include "model/project/variationsteps.h"
 #include "model/variation/reconstructionerror.h"
 
 #include <algorithm>
@@ -31,30 +31,30 @@ std::shared_ptr<SequenceOpener> openerOf(const VariationJob& job)
     return std::make_shared<SequenceOpener>(job.project, projectFolder(job.file), cacheFolder(job.file));
 }
 
-std::vector<std::string> modelStages(const VariationJob& job)
+std::vector<std::string> modelSteps(const VariationJob& job)
 {
-    std::vector<std::string> stages;
+    std::vector<std::string> steps;
     for (const std::string& part : partNamesOf(job.project, entryOf(job)))
-        stages.push_back(modelStageOf(job.name, part));
-    return stages;
+        steps.push_back(modelStepOf(job.name, part));
+    return steps;
 }
 
 /// What was learned before; empty where it is not there, or outdated.
 Models readModels(const VariationJob& job, const std::shared_ptr<SequenceOpener>& opener,
                   const Progress& progress)
 {
-    const std::vector<std::string> stages = modelStages(job);
+    const std::vector<std::string> steps = modelSteps(job);
     const RebuildReport report =
-        rebuild(makeStages({opener, job.file}), job.file, {.targets = stages, .dryRun = true}, progress, {});
-    if (report.hasFailures() || report.count(StageState::Stale) > 0)
+        rebuild(makeSteps({opener, job.file}), job.file, {.targets = steps, .dryRun = true}, progress, {});
+    if (report.hasFailures() || report.count(StepState::Stale) > 0)
         return {};
     std::map<std::string, std::string> keys;
-    for (const StageReport& stage : report.stages)
-        keys[stage.stage] = stage.key;
+    for (const StepReport& step : report.steps)
+        keys[step.step] = step.key;
     const ResultStore store(cacheFolder(job.file));
     Models models;
-    for (const std::string& stage : stages) {
-        ResultStore::Entry entry = store.load(stage, keys.at(stage));
+    for (const std::string& step : steps) {
+        ResultStore::Entry entry = store.load(step, keys.at(step));
         if (entry.state != ResultStore::State::Fresh) // replaced by somebody else in the meantime
             return {};
         models.push_back(learningOf(entry.result));
@@ -67,25 +67,25 @@ void keepModels(const VariationJob& job, const OpenedVariation& opened, const Mo
                 const Progress& progress)
 {
     progress.report(0);
-    const std::vector<std::string> names = modelStages(job);
-    std::vector<ResultStage> stages = makeStages({openerOf(job), job.file});
-    for (ResultStage& stage : stages) {
-        if (stage.name == alignmentStageOf(job.name))
-            stage.compute = [movement = opened.movement](const StageContext&, const Progress&) {
+    const std::vector<std::string> names = modelSteps(job);
+    std::vector<BuildStep> steps = makeSteps({openerOf(job), job.file});
+    for (BuildStep& step : steps) {
+        if (step.name == alignmentStepOf(job.name))
+            step.compute = [movement = opened.movement](const StepContext&, const Progress&) {
                 return alignmentResult(*movement);
             };
-        const auto found = std::ranges::find(names, stage.name);
+        const auto found = std::ranges::find(names, step.name);
         if (found == names.end())
             continue;
         const auto part = static_cast<std::size_t>(found - names.begin());
-        stage.compute = [&, part](const StageContext&, const Progress&) {
+        step.compute = [&, part](const StepContext&, const Progress&) {
             return modelResult(opened.movement->training[part], models[part], opened.work->takeNames());
         };
     }
-    const RebuildReport report = rebuild(stages, job.file, {.targets = names, .force = true}, progress, {});
-    for (const StageReport& stage : report.stages) {
-        if (stage.error)
-            throw Error(*stage.error);
+    const RebuildReport report = rebuild(steps, job.file, {.targets = names, .force = true}, progress, {});
+    for (const StepReport& step : report.steps) {
+        if (step.error)
+            throw Error(*step.error);
     }
 }
 
@@ -178,8 +178,8 @@ Drawing drawVariations(const VariationJob& job, const OpenedVariation& opened,
         const VariationSubject subject = opened.work->subject(samples);
         constexpr double drawing = 0.4;
         LatentVariations latents =
-            drawLatents(*learned.movement, subject, candidatesFor(samples.count), samples.seed,
-                        {entry.chain, entry.extent}, own.part(0, drawing));
+            sampleLatents(*learned.movement, subject, candidatesFor(samples.count), samples.seed,
+                          {entry.chain, entry.extent}, own.part(0, drawing));
         VariationSelection selection =
             selectVariations(*learned.movement, subject, latents.variations, samples.count, samples.seed,
                              poses, meter, takes.layout(), entry.limits, own.part(drawing, 1));

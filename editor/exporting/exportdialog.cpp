@@ -173,7 +173,7 @@ void ExportDialog::connectAll()
     connect(m_fps, &QDoubleSpinBox::valueChanged, this, edited);
     connect(m_axes, &AxesFields::edited, this, edited);
     connect(m_textures, &QCheckBox::toggled, this, edited);
-    connect(m_picture, &PictureFields::viewAsked, this, &ExportDialog::takeView);
+    connect(m_picture, &PictureFields::viewRequested, this, &ExportDialog::takeView);
     connect(m_strip, &widgets::MessageStrip::actionTriggered, this, &ExportDialog::showInFolder);
     connect(m_picture, &PictureFields::edited, this, edited);
     connect(m_keep, &QCheckBox::toggled, this, [this](bool kept) { m_plan.isKept = kept; });

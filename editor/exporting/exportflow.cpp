@@ -11,7 +11,7 @@
 
 namespace quadrille {
 
-ExportFlow::ExportFlow(EditorContext& context, std::function<StageView*()> view, QWidget* window)
+ExportFlow::ExportFlow(EditorContext& context, std::function<SceneView*()> view, QWidget* window)
     : QObject(window), m_context(context), m_view(std::move(view)), m_window(window)
 {
     context.actions.add({"file.export",
@@ -31,7 +31,7 @@ ExportFlow::ExportFlow(EditorContext& context, std::function<StageView*()> view,
 
 std::optional<SeenCamera> ExportFlow::seen(const QString& name, const MeshSequence& clip) const
 {
-    StageView* view = m_view();
+    SceneView* view = m_view();
     return view == nullptr ? std::nullopt : seenCamera(*view, name, clip);
 }
 

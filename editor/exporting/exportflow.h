@@ -12,7 +12,7 @@ class QWidget;
 
 namespace quadrille {
 
-class StageView;
+class SceneView;
 struct EditorContext;
 
 /// Lets sequences, animations, variations and the project's exports go out.
@@ -23,7 +23,7 @@ class ExportFlow : public QObject
 public:
     /// \param window what dialogs belong to.
     /// \param view    the view in front, whose camera films begin with; null when there is none.
-    ExportFlow(EditorContext& context, std::function<StageView*()> view, QWidget* window);
+    ExportFlow(EditorContext& context, std::function<SceneView*()> view, QWidget* window);
 
     /// Asks how some clips shall go out, each "sequences/NAME" or "animations/NAME", or "variations/NAME".
     void exportClips(const QStringList& clips);
@@ -43,7 +43,7 @@ private:
     std::optional<SeenCamera> seen(const QString& name, const MeshSequence& clip) const;
 
     EditorContext& m_context;
-    std::function<StageView*()> m_view;
+    std::function<SceneView*()> m_view;
     QWidget* m_window;
     QString m_format = QStringLiteral("gltf"); ///< that was chosen last
     QString m_folder;

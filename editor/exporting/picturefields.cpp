@@ -68,7 +68,7 @@ PictureFields::PictureFields(QWidget* parent)
     });
     connect(m_view, &QCheckBox::toggled, this, [this](bool taken) {
         if (taken)
-            emit viewAsked();
+            emit viewRequested();
         else
             m_settings.view.reset();
         emit edited();

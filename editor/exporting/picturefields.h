@@ -39,7 +39,7 @@ public:
 signals:
     void edited();
     /// The user wants the place where the view looks now.
-    void viewAsked();
+    void viewRequested();
 
 private:
     void retranslate();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/exporting/seencamera.h"
 
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "model/render/clipcamera.h"
 
 #include <algorithm>
@@ -18,10 +18,10 @@ Vec3d toVector(const QVector3D& v)
 
 } // namespace
 
-std::optional<SeenCamera> seenCamera(StageView& view, const QString& name, const MeshSequence& clip)
+std::optional<SeenCamera> seenCamera(SceneView& view, const QString& name, const MeshSequence& clip)
 {
-    const MeshSequence* shown = view.stage().sequenceOf(name);
-    const int figure = view.stage().figureOf(name);
+    const MeshSequence* shown = view.scene().sequenceOf(name);
+    const int figure = view.scene().figureOf(name);
     const auto shape = view.viewport().figureShape(figure);
     if (shown == nullptr || !shape || shown->topology != clip.topology ||
         shown->frameCount() != clip.frameCount())
@@ -33,7 +33,7 @@ std::optional<SeenCamera> seenCamera(StageView& view, const QString& name, const
     seen.camera.up = toVector(turntable.up());
     seen.camera.verticalFovDegrees = static_cast<double>(turntable.fieldOfView);
     seen.follows = view.viewport().followed() == figure;
-    seen.frame = FrameIndex(std::min(view.stage().frame().value, clip.frameCount() - 1));
+    seen.frame = FrameIndex(std::min(view.scene().frame().value, clip.frameCount() - 1));
     return seen;
 }
 

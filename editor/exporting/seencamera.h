@@ -11,7 +11,7 @@
 
 namespace quadrille {
 
-class StageView;
+class SceneView;
 
 /// Where a view looks from at a clip, in the clip's own coordinates.
 struct SeenCamera
@@ -23,7 +23,7 @@ struct SeenCamera
 
 /// The camera of a view; nothing where it does not show the clip.
 /// \param name of the clip in its section.
-std::optional<SeenCamera> seenCamera(StageView& view, const QString& name, const MeshSequence& clip);
+std::optional<SeenCamera> seenCamera(SceneView& view, const QString& name, const MeshSequence& clip);
 
 /// The camera of a film's first frame, so that the frame that was shown looks as it did: a camera that goes
 /// along with the figure is taken back along its way.

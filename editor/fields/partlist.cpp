@@ -53,7 +53,7 @@ bool PartList::event(QEvent* event)
 void PartList::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() == Qt::Key_Delete && currentRow() >= 0)
-        emit deletionAsked(currentRow());
+        emit deletionRequested(currentRow());
     else
         QListWidget::keyPressEvent(event);
 }

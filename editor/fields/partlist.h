@@ -19,7 +19,7 @@ public:
     void showRow(int row);
 
 signals:
-    void deletionAsked(int row);
+    void deletionRequested(int row);
 
 protected:
     bool event(QEvent* event) override;

@@ -14,18 +14,18 @@ constexpr double fastest = 8.0;
 
 } // namespace
 
-Player::Player(SequenceStage& stage, QObject* parent) : QObject(parent), m_stage(stage)
+Player::Player(ClipScene& scene, QObject* parent) : QObject(parent), m_scene(scene)
 {
     m_time.start();
     m_timer.setTimerType(Qt::PreciseTimer);
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &Player::tick);
-    connect(&m_stage, &SequenceStage::frameShown, this, [this](FrameIndex frame) {
+    connect(&m_scene, &ClipScene::frameShown, this, [this](FrameIndex frame) {
         if (isPlaying())
             setFrame(frame);
     });
     // Not in the middle of painting: what listens changes its own texts.
-    connect(&m_stage, &SequenceStage::framePainted, this, &Player::measure, Qt::QueuedConnection);
+    connect(&m_scene, &ClipScene::framePainted, this, &Player::measure, Qt::QueuedConnection);
 }
 
 void Player::setFps(double fps)
@@ -59,7 +59,7 @@ void Player::toggle()
 
 void Player::play(double speed)
 {
-    if (m_stage.frameCount() == 0)
+    if (m_scene.frameCount() == 0)
         return;
     const bool wasPlaying = isPlaying();
     const bool isAtEnd = speed > 0 ? m_frame >= m_last : m_frame <= m_first;
@@ -76,7 +76,7 @@ void Player::pause()
         return;
     m_clock.stop();
     m_timer.stop();
-    stopAt(m_stage.comingFrame());
+    stopAt(m_scene.comingFrame());
 }
 
 void Player::playAndReturn()
@@ -105,7 +105,7 @@ void Player::step(int frames)
 
 void Player::goTo(qint64 frame)
 {
-    const std::int64_t last = std::max<std::int64_t>(0, m_stage.frameCount() - 1);
+    const std::int64_t last = std::max<std::int64_t>(0, m_scene.frameCount() - 1);
     const FrameIndex wanted(std::clamp<std::int64_t>(frame, 0, last));
     if (isPlaying())
         m_clock.start(wanted.value, now(), m_clock.speed());
@@ -128,7 +128,7 @@ void Player::tick()
         return;
     }
     const double speed = m_clock.speed();
-    if (frame != m_stage.comingFrame())
+    if (frame != m_scene.comingFrame())
         show(frame, speed > 0 ? std::max(1, static_cast<int>(std::lround(speed)))
                               : std::min(-1, static_cast<int>(std::lround(speed))));
     m_timer.start(static_cast<int>(std::ceil(m_clock.untilNext(time) * 1000)));
@@ -137,7 +137,7 @@ void Player::tick()
 /// While it plays, the playhead is where the picture is; otherwise the picture follows the playhead.
 void Player::show(FrameIndex frame, int step)
 {
-    m_stage.showFrame(frame, step);
+    m_scene.showFrame(frame, step);
     if (!isPlaying())
         setFrame(frame);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/playback/sequencestage.h"
+#include "editor/playback/clipscene.h"
 #include "widgets/timeline/playbackclock.h"
 
 #include <QElapsedTimer>
@@ -11,17 +11,17 @@
 
 namespace quadrille {
 
-/// Plays what the stage shows: holds the rate by leaving frames out and tells which frame it is at, while it
-/// plays the one that is seen. Frames are those of the stage, from 0.
+/// Plays what the scene shows: holds the rate by leaving frames out and tells which frame it is at, while it
+/// plays the one that is seen. Frames are those of the scene, from 0.
 class Player : public QObject
 {
     Q_OBJECT
 
 public:
-    explicit Player(SequenceStage& stage, QObject* parent = nullptr);
+    explicit Player(ClipScene& scene, QObject* parent = nullptr);
 
     void setFps(double fps);
-    /// Frames that play, both included. \pre 0 ≤ first ≤ last < the stage's frameCount().
+    /// Frames that play, both included. \pre 0 ≤ first ≤ last < the scene's frameCount().
     void setRange(FrameIndex first, FrameIndex last);
     void setLooping(bool looping);
     void setBackAndForth(bool backAndForth) { m_clock.setBackAndForth(backAndForth); }
@@ -58,7 +58,7 @@ private:
     void measure(FrameIndex frame);
     double now() const { return static_cast<double>(m_time.nsecsElapsed()) * 1e-9; }
 
-    SequenceStage& m_stage;
+    ClipScene& m_scene;
     widgets::PlaybackClock m_clock;
     QElapsedTimer m_time;
     QTimer m_timer;

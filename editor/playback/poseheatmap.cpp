@@ -27,14 +27,14 @@ double endFor(double high)
 
 } // namespace
 
-PoseHeatMap::PoseHeatMap(widgets::Viewport& viewport, SequenceStage& stage, JobRunner& jobs, QObject* parent)
-    : QObject(parent), m_viewport(viewport), m_stage(stage), m_jobs(jobs)
+PoseHeatMap::PoseHeatMap(widgets::Viewport& viewport, ClipScene& scene, JobRunner& jobs, QObject* parent)
+    : QObject(parent), m_viewport(viewport), m_scene(scene), m_jobs(jobs)
 {
-    connect(&stage, &SequenceStage::changed, this, [this] {
+    connect(&scene, &ClipScene::changed, this, [this] {
         m_measured.reset();
         follow();
     });
-    connect(&stage, &SequenceStage::frameLoaded, this, &PoseHeatMap::follow);
+    connect(&scene, &ClipScene::frameLoaded, this, &PoseHeatMap::follow);
 }
 
 PoseHeatMap::~PoseHeatMap() = default;
@@ -69,17 +69,17 @@ void PoseHeatMap::clear()
     m_greatest = 0;
     if (m_job)
         m_job->cancel();
-    for (const QString& name : m_stage.shown()) {
-        if (const int figure = m_stage.figureOf(name); figure >= 0)
+    for (const QString& name : m_scene.shown()) {
+        if (const int figure = m_scene.figureOf(name); figure >= 0)
             m_viewport.setScalars(figure, {}, widgets::ScalarPlace::PerTriangle, {});
     }
 }
 
 std::optional<PoseHeatMap::Shown> PoseHeatMap::wanted() const
 {
-    const QStringList& names = m_stage.shown();
-    const LoadedFrame* first = m_stage.loadedFrame(names[0]);
-    const LoadedFrame* second = m_stage.loadedFrame(names[1]);
+    const QStringList& names = m_scene.shown();
+    const LoadedFrame* first = m_scene.loadedFrame(names[0]);
+    const LoadedFrame* second = m_scene.loadedFrame(names[1]);
     if (first == nullptr || second == nullptr)
         return {};
     return Shown{names, first->frame, second->frame};
@@ -89,7 +89,7 @@ void PoseHeatMap::follow()
 {
     if (!m_isOn)
         return;
-    if (m_stage.shown().size() != 2) {
+    if (m_scene.shown().size() != 2) {
         clear();
         setState(State::NotTwo);
         return;
@@ -125,8 +125,8 @@ PoseHeatMap::Distances PoseHeatMap::measure(const MeshSequence& a, FrameIndex fr
 void PoseHeatMap::start()
 {
     const Shown shown = *wanted();
-    const MeshSequence& a = *m_stage.sequenceOf(shown.names[0]);
-    const MeshSequence& b = *m_stage.sequenceOf(shown.names[1]);
+    const MeshSequence& a = *m_scene.sequenceOf(shown.names[0]);
+    const MeshSequence& b = *m_scene.sequenceOf(shown.names[1]);
     if (a.topology->vertexCount() != b.topology->vertexCount() ||
         a.topology->triangles() != b.topology->triangles()) {
         clear();
@@ -156,7 +156,7 @@ void PoseHeatMap::start()
 
 void PoseHeatMap::apply(const Shown& shown, const Distances& distances)
 {
-    if (!m_isOn || shown.names != m_stage.shown())
+    if (!m_isOn || shown.names != m_scene.shown())
         return;
     m_mean = distances.mean;
     m_greatest = std::max(m_greatest, endFor(distances.high));
@@ -166,9 +166,9 @@ void PoseHeatMap::apply(const Shown& shown, const Distances& distances)
                                          tr("Pose distance, mean %1").arg(QLocale().toString(m_mean, 'f', 3)),
                                      .unit = tr("rad")};
     for (const QString& name : shown.names) {
-        const MeshSequence* sequence = m_stage.sequenceOf(name);
+        const MeshSequence* sequence = m_scene.sequenceOf(name);
         if (sequence != nullptr && sequence->topology->triangles().size() == distances.ofTriangles.size())
-            m_viewport.setScalars(m_stage.figureOf(name), distances.ofTriangles,
+            m_viewport.setScalars(m_scene.figureOf(name), distances.ofTriangles,
                                   widgets::ScalarPlace::PerTriangle, range);
     }
     m_state = State::Shown;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/playback/sequencestage.h"
+#include "editor/playback/clipscene.h"
 
 #include <QObject>
 #include <QPointer>
@@ -12,7 +12,7 @@ namespace quadrille {
 
 class Job;
 
-/// Colours the two figures that a stage compares by what each triangle adds to the distance of their poses.
+/// Colours the two figures that a scene compares by what each triangle adds to the distance of their poses.
 /// Computed in jobs; while one runs, only the frames shown last count, so that playback is never held up.
 class PoseHeatMap : public QObject
 {
@@ -28,8 +28,7 @@ public:
         Shown,
     };
 
-    PoseHeatMap(widgets::Viewport& viewport, SequenceStage& stage, JobRunner& jobs,
-                QObject* parent = nullptr);
+    PoseHeatMap(widgets::Viewport& viewport, ClipScene& scene, JobRunner& jobs, QObject* parent = nullptr);
     ~PoseHeatMap() override;
 
     void setOn(bool on);
@@ -66,7 +65,7 @@ private:
                              FrameIndex frameOfB);
 
     widgets::Viewport& m_viewport;
-    SequenceStage& m_stage;
+    ClipScene& m_scene;
     JobRunner& m_jobs;
     QPointer<Job> m_job;
     bool m_isOn = false;

@@ -3,8 +3,8 @@
 #include "editor/relinking/relinkplan.h"
 
 #include "model/core/error.h"
+#include "model/project/buildstep.h"
 #include "model/project/importsurvey.h"
-#include "model/project/stage.h"
 #include "model/sequence/io/sourcefiles.h"
 
 #include <algorithm>

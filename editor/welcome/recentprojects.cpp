@@ -165,9 +165,9 @@ void RecentProjects::ask(const QListWidgetItem* item)
 {
     const QString file = item->data(FileRole).toString();
     if (item->data(MissingRole).toBool())
-        emit missingAsked(file);
+        emit missingRequested(file);
     else
-        emit projectAsked(file);
+        emit projectRequested(file);
 }
 
 void RecentProjects::showMenu(const QPoint& position)
@@ -181,7 +181,7 @@ void RecentProjects::showMenu(const QPoint& position)
     const QPoint place = viewport()->mapToGlobal(under == nullptr ? visualItemRect(item).center() : position);
     QMenu menu(this);
     menu.setObjectName(QStringLiteral("recentProjectMenu"));
-    menu.addAction(tr("Open"), this, [this, file] { emit projectAsked(file); })->setEnabled(!isMissing);
+    menu.addAction(tr("Open"), this, [this, file] { emit projectRequested(file); })->setEnabled(!isMissing);
     menu.addAction(tr("Show in its folder"), this,
                    [file] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(file).absolutePath())); })
         ->setEnabled(!isMissing);

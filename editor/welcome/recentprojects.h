@@ -28,9 +28,9 @@ public:
     void forget(const QString& file);
 
 signals:
-    void projectAsked(const QString& file);
+    void projectRequested(const QString& file);
     /// Somebody wants a project that is not there.
-    void missingAsked(const QString& file);
+    void missingRequested(const QString& file);
     /// There may be others now.
     void refreshed();
 

@@ -84,8 +84,8 @@ WelcomePage::WelcomePage(Settings& settings, QWidget* parent)
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(verticalScroll(centred));
 
-    connect(m_recent, &RecentProjects::projectAsked, this, &WelcomePage::projectAsked);
-    connect(m_recent, &RecentProjects::missingAsked, this, &WelcomePage::offerToForget);
+    connect(m_recent, &RecentProjects::projectRequested, this, &WelcomePage::projectRequested);
+    connect(m_recent, &RecentProjects::missingRequested, this, &WelcomePage::offerToForget);
     connect(m_recent, &RecentProjects::refreshed, this, &WelcomePage::showRecent);
     connect(m_missing, &widgets::MessageStrip::actionTriggered, this, [this] {
         m_missing->clear();
@@ -120,7 +120,7 @@ void WelcomePage::addOwnTiles(QGridLayout& tiles)
         m_own[i] = new WelcomeTile(QLatin1String(own[i].icon));
         m_own[i]->setObjectName(QStringLiteral("welcome.") + QLatin1String(own[i].action));
         connect(m_own[i], &QAbstractButton::clicked, this,
-                [this, id = QString::fromLatin1(own[i].action)] { emit actionAsked(id); });
+                [this, id = QString::fromLatin1(own[i].action)] { emit actionRequested(id); });
         tiles.addWidget(m_own[i], 0, static_cast<int>(i));
     }
 }
@@ -151,7 +151,7 @@ void WelcomePage::askSample(SampleGoal goal)
     if (m_sample.at(static_cast<std::size_t>(goal))->isInProgress())
         emit sampleCancelled();
     else
-        emit sampleAsked(goal);
+        emit sampleRequested(goal);
 }
 
 void WelcomePage::addNotice(QWidget* row)

@@ -40,9 +40,9 @@ public slots:
 
 signals:
     /// An action of the program, e.g. "file.open".
-    void actionAsked(const QString& id);
-    void projectAsked(const QString& file);
-    void sampleAsked(quadrille::SampleGoal goal);
+    void actionRequested(const QString& id);
+    void projectRequested(const QString& file);
+    void sampleRequested(quadrille::SampleGoal goal);
     /// Somebody does not want to wait for the sample.
     void sampleCancelled();
 

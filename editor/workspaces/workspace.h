@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "model/project/animationentry.h"
 
 #include <QWidget>
@@ -35,7 +35,7 @@ public:
     using QWidget::QWidget;
 
     /// What the actions of the menus View and Playback act on.
-    virtual StageView& view() = 0;
+    virtual SceneView& view() = 0;
     virtual std::vector<Panel> panels() { return {}; }
     /// The captured frame that is shown now, or that is nearest to what is shown; none without any.
     virtual std::optional<NamedFrame> shownPose() { return std::nullopt; }
@@ -44,7 +44,7 @@ public:
     /// The workspace comes to the front, or goes.
     virtual void setActive(bool /*active*/) {}
 
-    SequenceStage& stage() { return view().stage(); }
+    ClipScene& scene() { return view().scene(); }
     Player& player() { return view().player(); }
     widgets::Viewport& viewport() { return view().viewport(); }
 };

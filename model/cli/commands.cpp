@@ -54,9 +54,9 @@ FrameRange parseRange(const std::string& text)
     throwUsage("--range: “" + text + "” is not A:B with 0 ≤ A ≤ B");
 }
 
-CoordinateSystem AxesArguments::toAxes(const CoordinateSystem& otherwise) const
+CoordinateSystem AxesArguments::toAxes(const CoordinateSystem& fallback) const
 {
-    CoordinateSystem axes = otherwise;
+    CoordinateSystem axes = fallback;
     if (!up.empty()) {
         const auto axis = upAxisFromString(up);
         if (!axis)

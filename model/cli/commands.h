@@ -48,7 +48,7 @@ struct AxesArguments
     std::string unit;
 
     bool isGiven() const { return !up.empty() || !unit.empty(); }
-    CoordinateSystem toAxes(const CoordinateSystem& otherwise = {}) const;
+    CoordinateSystem toAxes(const CoordinateSystem& fallback = {}) const;
 };
 /// Adds the option --overwrite.
 void addOverwrite(CLI::App& command, bool& overwrite);

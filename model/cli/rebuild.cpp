@@ -31,28 +31,28 @@ std::string secondsText(double seconds)
     return text.data();
 }
 
-/// One line for a stage that is done.
-void sayStage(const StageReport& stage, Console& console)
+/// One line for a step that is done.
+void sayStep(const StepReport& step, Console& console)
 {
-    for (const Issue& issue : stage.issues)
+    for (const Issue& issue : step.issues)
         console.tell(issue);
-    switch (stage.state) {
-    case StageState::Fresh:
-        console.detail("up to date  " + stage.stage);
+    switch (step.state) {
+    case StepState::Fresh:
+        console.detail("up to date  " + step.step);
         return;
-    case StageState::Stale:
-        console.say("would compute  " + stage.stage + " (" + stage.reason + ")");
+    case StepState::Stale:
+        console.say("would compute  " + step.step + " (" + step.reason + ")");
         return;
-    case StageState::Computed:
-        console.say("computed  " + stage.stage + "  " + secondsText(stage.seconds));
-        for (const auto& file : stage.files)
+    case StepState::Computed:
+        console.say("computed  " + step.step + "  " + secondsText(step.seconds));
+        for (const auto& file : step.files)
             console.detail("  " + file.string());
         return;
-    case StageState::Failed:
-        console.fail(stage.stage + ": " + (stage.error ? stage.error->what() : ""));
+    case StepState::Failed:
+        console.fail(step.step + ": " + (step.error ? step.error->what() : ""));
         return;
-    case StageState::Skipped:
-        console.warn(stage.stage + " was left out: what it needs failed");
+    case StepState::Skipped:
+        console.warn(step.step + " was left out: what it needs failed");
         return;
     }
 }
@@ -60,12 +60,12 @@ void sayStage(const StageReport& stage, Console& console)
 /// Where the files are that were written or stood already.
 void sayFiles(const RebuildReport& report, Console& console)
 {
-    for (const StageReport& stage : report.stages) {
-        if (stage.files.empty() || stage.state == StageState::Failed)
+    for (const StepReport& step : report.steps) {
+        if (step.files.empty() || step.state == StepState::Failed)
             continue;
         const std::string more =
-            stage.files.size() > 1 ? " (" + std::to_string(stage.files.size()) + " files)" : "";
-        console.say(stage.stage + ": " + stage.files.front().string() + more);
+            step.files.size() > 1 ? " (" + std::to_string(step.files.size()) + " files)" : "";
+        console.say(step.step + ": " + step.files.front().string() + more);
     }
 }
 
@@ -77,8 +77,8 @@ void sayPlace(const std::string& project, Session& session)
         session.console.warn("The folder of results cannot be written; they are in " +
                              places.written.string() + ".");
     const auto unstored = unstoredResults();
-    for (const std::string& stage : unstored)
-        session.console.fail(stage + ": the result could not be stored in any folder and is lost");
+    for (const std::string& step : unstored)
+        session.console.fail(step + ": the result could not be stored in any folder and is lost");
     if (!unstored.empty())
         session.status = 1;
 }
@@ -91,11 +91,11 @@ void runRebuild(const RebuildArguments& arguments, Session& session)
     const Progress progress = console.progress(session.cancel, "Rebuilding");
     const Project project = loadProject(arguments.project, console);
     const RebuildReport report = rebuild(project, arguments.project, arguments.options, progress,
-                                         [&console](const StageReport& stage) { sayStage(stage, console); });
+                                         [&console](const StepReport& step) { sayStep(step, console); });
     console.endProgress();
     if (arguments.options.dryRun) {
-        for (const StageReport& stage : report.stages)
-            sayStage(stage, console);
+        for (const StepReport& step : report.steps)
+            sayStep(step, console);
     }
     if (!arguments.options.dryRun)
         sayPlace(arguments.project, session);
@@ -108,13 +108,13 @@ void runRebuild(const RebuildArguments& arguments, Session& session)
     }
     if (!arguments.options.dryRun)
         sayFiles(report, console);
-    const auto number = [&report](StageState state) { return std::to_string(report.count(state)); };
+    const auto number = [&report](StepState state) { return std::to_string(report.count(state)); };
     std::string sum = arguments.project + ": ";
-    sum += arguments.options.dryRun ? number(StageState::Stale) + " to compute, "
-                                    : number(StageState::Computed) + " computed, ";
-    sum += number(StageState::Fresh) + " up to date";
+    sum += arguments.options.dryRun ? number(StepState::Stale) + " to compute, "
+                                    : number(StepState::Computed) + " computed, ";
+    sum += number(StepState::Fresh) + " up to date";
     if (report.hasFailures())
-        sum += ", " + number(StageState::Failed) + " failed";
+        sum += ", " + number(StepState::Failed) + " failed";
     console.say(sum);
     if (report.hasFailures())
         session.status = 1;

@@ -59,7 +59,7 @@ void writeAtomically(const std::filesystem::path& path,
 void writeAtomically(const std::filesystem::path& path, std::string_view content);
 
 /// Throws the Error that a system error number stands for.
-/// \param otherwise ReadFailed or WriteFailed, where the number says nothing better.
-[[noreturn]] void throwSystemError(const std::filesystem::path& path, int error, ErrorCode otherwise);
+/// \param fallback ReadFailed or WriteFailed, where the number says nothing better.
+[[noreturn]] void throwSystemError(const std::filesystem::path& path, int error, ErrorCode fallback);
 
 } // namespace quadrille

@@ -52,9 +52,9 @@ std::string reasonOf(int error)
 
 } // namespace
 
-void throwSystemError(const std::filesystem::path& path, int error, ErrorCode otherwise)
+void throwSystemError(const std::filesystem::path& path, int error, ErrorCode fallback)
 {
-    const bool isWriting = otherwise == ErrorCode::WriteFailed;
+    const bool isWriting = fallback == ErrorCode::WriteFailed;
     if ((error == ENOENT || error == ENOTDIR) && !isWriting)
         throw Error(ErrorCode::FileNotFound, {path, {}, {}});
     if (error == EACCES || error == EPERM || error == EROFS)
@@ -67,7 +67,7 @@ void throwSystemError(const std::filesystem::path& path, int error, ErrorCode ot
              {{"reason", QUADRILLE_MESSAGE("The name of this file, or of a folder on the way to it, is "
                                            "longer than the disk allows")},
               {"remedy", QUADRILLE_MESSAGE("Choose a shorter name.")}}});
-    throw Error(otherwise, {path, {}, {{"reason", reasonOf(error)}}});
+    throw Error(fallback, {path, {}, {{"reason", reasonOf(error)}}});
 }
 
 } // namespace quadrille

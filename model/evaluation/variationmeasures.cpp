@@ -174,7 +174,7 @@ FollowedTake followedTake(const Clip& clip, const CharacterFrames& character)
         take.clip.positions.insert(take.clip.positions.end(), frame.positions().begin(),
                                    frame.positions().end());
     }
-    for (const FrameOrigin& origin : clip.origins)
+    for (const FrameProvenance& origin : clip.origins)
         take.frames.push_back(static_cast<std::size_t>(origin.nearest() - first));
     return take;
 }

@@ -181,7 +181,7 @@ SearchEntry readSearch(const ObjectReader& reader)
     SearchEntry search{.budget = reader.wholeNumber("budget"),
                        .beta = reader.number("beta"),
                        .mu = reader.number("mu"),
-                       .globalKeys = reader.truth("global", false)};
+                       .globalKeys = reader.boolean("global", false)};
     reader.word("style", search.isPaper, {{"calm", false}, {"paper", true}});
     search.dwell = reader.number("dwell");
     search.deadZone = reader.number("dead_zone");
@@ -256,7 +256,7 @@ std::optional<Settings> readStep(const ObjectReader& reader, const char* key, co
     const Json* json = reader.find(key);
     if (json != nullptr && json->is_object())
         return read(ObjectReader(*json, reader.pointer(key), reader.problems()));
-    return reader.truth(key, isUsual) ? std::optional(Settings()) : std::nullopt;
+    return reader.boolean(key, isUsual) ? std::optional(Settings()) : std::nullopt;
 }
 
 LoopSettings readLoop(const ObjectReader& reader, UnknownKeys& unknown)
@@ -264,7 +264,7 @@ LoopSettings readLoop(const ObjectReader& reader, UnknownKeys& unknown)
     unknown = reader.unknown(projectkeys::loop);
     return {.cutStart = readSeconds(reader, "cut_start"),
             .cutEnd = readSeconds(reader, "cut_end"),
-            .inPlace = reader.truth("in_place", false)};
+            .inPlace = reader.boolean("in_place", false)};
 }
 
 ContactCorrectionSettings readContactCorrection(const ObjectReader& reader, UnknownKeys& unknown)
@@ -311,7 +311,7 @@ RetimeSettings readRetime(const ObjectReader& reader, UnknownKeys& unknown)
     if (ways > 1)
         reader.invalid(reader.pointer(), "The time is given in several ways",
                        "Keep one of “factor”, “duration” and “curve”.");
-    settings.keepsRootSpeed = reader.truth("keep_root_speed", false);
+    settings.keepsRootSpeed = reader.boolean("keep_root_speed", false);
     unknown = reader.unknown(projectkeys::retime);
     return settings;
 }
@@ -325,7 +325,7 @@ PostProcessingEntry readPost(const ObjectReader& reader)
     post.steps.contacts = readStep<ContactCorrectionSettings>(
         reader, "contact_correction",
         [&](const ObjectReader& own) { return readContactCorrection(own, post.unknownOfContacts); }, true);
-    post.steps.mirror = reader.truth("mirror", false);
+    post.steps.mirror = reader.boolean("mirror", false);
     post.symmetry = reader.text("symmetry");
     post.steps.repeats = static_cast<int>(reader.wholeNumber("repeats").value_or(post.steps.repeats));
     if (const Json* retime = reader.find("retime"))

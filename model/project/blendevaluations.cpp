@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/evaluation/trajectories.h"
-#include "model/project/evaluationstages.h"
+#include "model/project/evaluationsteps.h"
 #include "model/project/lengthunit.h"
 #include "model/project/tablebuilder.h"
 #include "model/transition/posedistance.h"
@@ -36,7 +36,7 @@ struct BlendedSequences
 };
 
 /// Those of the evaluation; without any, those that turn most to the left and to the right.
-BlendedSequences blendedSequences(const CharacterWork& work, const EvaluationEntry& evaluation,
+BlendedSequences blendedSequences(const CharacterInputs& work, const EvaluationEntry& evaluation,
                                   const Progress& progress)
 {
     const Ground ground(work.opener->project().settings.axes.up);
@@ -110,22 +110,22 @@ Result trajectoryResult(const std::string& name, const BlendedSequences& blended
     return result;
 }
 
-ResultStage trajectoryStage(const CharacterWork& work, const EvaluationEntry& evaluation,
-                            std::optional<double> constantWeight)
+BuildStep trajectoryStep(const CharacterInputs& work, const EvaluationEntry& evaluation,
+                         std::optional<double> constantWeight)
 {
     const Project& project = work.opener->project();
     TransitionSettings settings = transitionSettings(work.graph, project.settings.fps);
     settings.length = TransitionLength::Path;
-    ResultStage stage = evaluationStage(work, evaluation);
-    stage.version = 2;
-    stage.settings = work.settings +
-                     nlohmann::json({evaluation.sequences, work.sequences, settings.longest(), settings.slope,
-                                     settings.cost == TransitionCost::Sum ? "sum" : "mean",
-                                     work.graph.pose.metric == PoseMetric::Surface ? "surface" : "euclidean",
-                                     work.graph.pose.stretchWeight})
-                         .dump();
-    stage.files = [work](const Progress& progress) { return work.files(progress); };
-    stage.compute = [=](const StageContext&, const Progress& progress) {
+    BuildStep step = evaluationStep(work, evaluation);
+    step.version = 2;
+    step.settings = work.settings +
+                    nlohmann::json({evaluation.sequences, work.sequences, settings.longest(), settings.slope,
+                                    settings.cost == TransitionCost::Sum ? "sum" : "mean",
+                                    work.graph.pose.metric == PoseMetric::Surface ? "surface" : "euclidean",
+                                    work.graph.pose.stretchWeight})
+                        .dump();
+    step.files = [work](const Progress& progress) { return work.files(progress); };
+    step.compute = [=](const StepContext&, const Progress& progress) {
         const BlendedSequences blended = blendedSequences(work, evaluation, progress.part(0, 0.4));
         const CharacterFrames frames(blended.sequences);
         const PoseDistances poses = poseDistances(frames, work.graph.pose, progress.part(0.4, 0.7));
@@ -136,19 +136,19 @@ ResultStage trajectoryStage(const CharacterWork& work, const EvaluationEntry& ev
                                 blendTrajectories(roots, blend, constantWeight),
                                 unitText(axes.metresPerUnit));
     };
-    return stage;
+    return step;
 }
 
 } // namespace
 
-ResultStage fig11Stage(const CharacterWork& work, const EvaluationEntry& evaluation)
+BuildStep fig11Step(const CharacterInputs& work, const EvaluationEntry& evaluation)
 {
-    return trajectoryStage(work, evaluation, 0.5);
+    return trajectoryStep(work, evaluation, 0.5);
 }
 
-ResultStage fig12Stage(const CharacterWork& work, const EvaluationEntry& evaluation)
+BuildStep fig12Step(const CharacterInputs& work, const EvaluationEntry& evaluation)
 {
-    return trajectoryStage(work, evaluation, std::nullopt);
+    return trajectoryStep(work, evaluation, std::nullopt);
 }
 
 } // namespace quadrille

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/evaluation/walkmeasures.h"
 #include "model/project/animate.h"
-#include "model/project/evaluationstages.h"
+#include "model/project/evaluationsteps.h"
 #include "model/project/tablebuilder.h"
 #include "model/project/walkrequest.h"
 
@@ -34,19 +34,19 @@ double ratioOf(double value, double reference)
 
 } // namespace
 
-ResultStage walksStage(const CharacterWork& work, const EvaluationEntry& evaluation)
+BuildStep walksStep(const CharacterInputs& work, const EvaluationEntry& evaluation)
 {
     const ProjectSettings project = work.opener->project().settings;
     const double metres = project.axes.metresPerUnit;
     AnimationEntry animation;
     animation.character = work.character;
-    ResultStage stage = evaluationStage(work, evaluation);
-    stage.version = 14;
-    stage.settings = work.settings + nlohmann::json({project.fps, metres, work.sequences}).dump() +
-                     walkSettings(animation, work);
-    stage.files = [work](const Progress& progress) { return work.files(progress); };
-    stage.inputs = CharacterGraph::inputs(work);
-    stage.compute = [=](const StageContext& context, const Progress& progress) {
+    BuildStep step = evaluationStep(work, evaluation);
+    step.version = 14;
+    step.settings = work.settings + nlohmann::json({project.fps, metres, work.sequences}).dump() +
+                    walkSettings(animation, work);
+    step.files = [work](const Progress& progress) { return work.files(progress); };
+    step.inputs = CharacterGraph::inputs(work);
+    step.compute = [=](const StepContext& context, const Progress& progress) {
         const CharacterGraph graph(work, context);
         const CharacterFrames character = work.open(progress.part(0, 0.05));
         const RootPoses& roots = graph.roots();
@@ -82,7 +82,7 @@ ResultStage walksStage(const CharacterWork& work, const EvaluationEntry& evaluat
         result.tables = {std::move(table).table()};
         return result;
     };
-    return stage;
+    return step;
 }
 
 } // namespace quadrille

@@ -3,9 +3,9 @@
 #include "model/project/carryresults.h"
 
 #include "model/core/file.h"
+#include "model/project/buildstep.h"
 #include "model/project/resultplaces.h"
 #include "model/project/resultstore.h"
-#include "model/project/stage.h"
 
 #include <atomic>
 #include <cerrno>

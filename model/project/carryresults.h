@@ -9,7 +9,7 @@
 namespace quadrille {
 
 // A project that is saved under another name has the same results: they are given to it, so that nothing is
-// computed again. They are there all at once or not at all; of a stage that both have, the one that is given
+// computed again. They are there all at once or not at all; of a step that both have, the one that is given
 // stays. Contents that belong to the folder of the project only (where media were, contact sheets) are not
 // given.
 

@@ -193,29 +193,29 @@ TransitionTable transitionTableOf(const Result& result)
                 countsOf(Windows(values.data() + 1, array.shape[0], array.shape[1], everySecond))};
 }
 
-std::vector<std::string> CharacterGraph::inputs(const CharacterWork& work)
+std::vector<std::string> CharacterGraph::inputs(const CharacterInputs& work)
 {
-    std::vector<std::string> stages = costInputs(work);
-    stages.push_back(work.stageName(graphstage::graphs));
-    stages.push_back(work.stageName(graphstage::rootPoses));
-    return stages;
+    std::vector<std::string> steps = costInputs(work);
+    steps.push_back(work.stepName(graphstep::graphs));
+    steps.push_back(work.stepName(graphstep::rootPoses));
+    return steps;
 }
 
-CharacterGraph::CharacterGraph(const CharacterWork& work, const StageContext& context) : m_work(work)
+CharacterGraph::CharacterGraph(const CharacterInputs& work, const StepContext& context) : m_work(work)
 {
-    const auto resultOf = [&](const char* stage) { return context.resultOf(work.stageName(stage)); };
-    const Result poses = resultOf(graphstage::poseDistance);
+    const auto resultOf = [&](const char* step) { return context.resultOf(work.stepName(step)); };
+    const Result poses = resultOf(graphstep::poseDistance);
     m_layout = layoutOf(poses);
     m_distances = tableOf<float>(poses.arrays.front());
-    m_transitions = transitionTableOf(resultOf(graphstage::transitions));
+    m_transitions = transitionTableOf(resultOf(graphstep::transitions));
     m_costs = costsOf(work, context);
-    m_graph = storedGraph(resultOf(graphstage::graphs), "essential-graph", m_layout.frameCount());
+    m_graph = storedGraph(resultOf(graphstep::graphs), "essential-graph", m_layout.frameCount());
     const ProjectSettings& settings = work.opener->project().settings;
-    m_roots = rootPosesOf(resultOf(graphstage::rootPoses), settings.axes.up);
+    m_roots = rootPosesOf(resultOf(graphstep::rootPoses), settings.axes.up);
     if (!work.graph.steps.isNothing())
         m_steps = weightedSteps(m_distances, stepCosts(m_roots, m_layout, settings.fps), work.graph.steps);
     if (knowsDrifts(work.graph))
-        m_drifts = tableOf<float>(resultOf(graphstage::drifts).arrays.front());
+        m_drifts = tableOf<float>(resultOf(graphstep::drifts).arrays.front());
     m_paths.emplace(steps(), m_layout, transitionSettings(work.graph, settings.fps));
 }
 

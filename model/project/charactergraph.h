@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/graph/digraph.h"
-#include "model/project/characterstages.h"
+#include "model/project/charactersteps.h"
 #include "model/project/costparts.h"
 #include "model/synthesis/findwalk.h"
 #include "model/synthesis/rootposes.h"
@@ -14,27 +14,27 @@
 
 namespace quadrille {
 
-/// One of both graphs, "essential-graph" or "motion-graph", from the result of the stage of graphs.
+/// One of both graphs, "essential-graph" or "motion-graph", from the result of the step of graphs.
 Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nodeCount);
 
 /// \param unit  of lengths.
 Result rootPosesResult(const RootPoses& roots, const std::string& unit);
 RootPoses rootPosesOf(const Result& result, UpAxis up);
-/// From the result of the stage of transitions.
+/// From the result of the step of transitions.
 TransitionTable transitionTableOf(const Result& result);
 
-/// What walks through the frames of a character need, from the results of its graph's stages.
+/// What walks through the frames of a character need, from the results of its graph's steps.
 class CharacterGraph
 {
 public:
-    /// The stages whose results it is made of.
-    static std::vector<std::string> inputs(const CharacterWork& work);
+    /// The steps whose results it is made of.
+    static std::vector<std::string> inputs(const CharacterInputs& work);
 
-    CharacterGraph(const CharacterWork& work, const StageContext& context);
+    CharacterGraph(const CharacterInputs& work, const StepContext& context);
     CharacterGraph(const CharacterGraph&) = delete;
     CharacterGraph& operator=(const CharacterGraph&) = delete;
 
-    const CharacterWork& work() const { return m_work; }
+    const CharacterInputs& work() const { return m_work; }
     const FrameLayout& layout() const { return m_layout; }
     const Table<float>& distances() const { return m_distances; }
     const TransitionCosts& costs() const { return *m_costs; }
@@ -68,7 +68,7 @@ public:
     Error named(const Error& error) const;
 
 private:
-    CharacterWork m_work;
+    CharacterInputs m_work;
     FrameLayout m_layout;
     Table<float> m_distances;
     Table<float> m_steps;  ///< empty where they are the distances

@@ -9,7 +9,7 @@
 #include "model/project/media.h"
 #include "model/project/paths.h"
 #include "model/project/projectguard.h"
-#include "model/project/stagestate.h"
+#include "model/project/stepstate.h"
 
 #include <set>
 
@@ -130,18 +130,18 @@ private:
 
     void checkResults()
     {
-        const auto stages = makeStages({m_opener, m_file});
+        const auto steps = makeSteps({m_opener, m_file});
         FileHashes hashes(cacheFolder(m_file) / "hashes.json");
         const auto status =
-            stageStatus(stages, ResultStore(cacheFolder(m_file)), m_folder, hashes, m_progress.part(0.8, 1));
-        for (std::size_t i = 0; i < stages.size(); ++i) {
+            stepStatus(steps, ResultStore(cacheFolder(m_file)), m_folder, hashes, m_progress.part(0.8, 1));
+        for (std::size_t i = 0; i < steps.size(); ++i) {
             (status[i].isFresh ? m_report.freshResults : m_report.staleResults)++;
             if (!status[i].isDamaged)
                 continue;
             ProjectProblem problem;
             problem.severity = ProjectProblem::Severity::Warning;
             problem.code = ErrorCode::ResultDamaged;
-            problem.context.file = ResultStore(cacheFolder(m_file)).fileOf(stages[i].name);
+            problem.context.file = ResultStore(cacheFolder(m_file)).fileOf(steps[i].name);
             m_report.problems.push_back(std::move(problem));
         }
     }

@@ -12,8 +12,8 @@ namespace quadrille {
 namespace {
 
 /// The symmetry of a character: in its mesh file the body mostly rests, as no captured frame may.
-Symmetry symmetryOf(const AnimationEntry& animation, const CharacterWork& work, const CharacterFrames& frames,
-                    const Progress& progress)
+Symmetry symmetryOf(const AnimationEntry& animation, const CharacterInputs& work,
+                    const CharacterFrames& frames, const Progress& progress)
 {
     const MeshSequence& any = frames.sequences().front();
     if (const auto files = symmetryFiles(animation, work); !files.empty())
@@ -33,7 +33,7 @@ Symmetry symmetryOf(const AnimationEntry& animation, const CharacterWork& work, 
 
 } // namespace
 
-PostProcessingInputs postProcessingInputs(const AnimationEntry& animation, const CharacterWork& work,
+PostProcessingInputs postProcessingInputs(const AnimationEntry& animation, const CharacterInputs& work,
                                           const CharacterFrames& frames, const Stances& stances)
 {
     const ProjectSettings& settings = work.opener->project().settings;
@@ -50,7 +50,7 @@ PostProcessingInputs postProcessingInputs(const AnimationEntry& animation, const
     return inputs;
 }
 
-std::vector<std::filesystem::path> symmetryFiles(const AnimationEntry& animation, const CharacterWork& work)
+std::vector<std::filesystem::path> symmetryFiles(const AnimationEntry& animation, const CharacterInputs& work)
 {
     if (!animation.post.steps.mirror || animation.post.symmetry.empty())
         return {};

@@ -59,7 +59,7 @@ Result clipResult(const Clip& clip, const FrameLayout& layout, const std::vector
         return number == 0 ? std::string() : variations[static_cast<std::size_t>(number) - 1];
     };
     for (std::int64_t f = 0; f < clip.frameCount(); ++f) {
-        const FrameOrigin& origin = clip.origins[static_cast<std::size_t>(f)];
+        const FrameProvenance& origin = clip.origins[static_cast<std::size_t>(f)];
         const int source = layout.sequenceOf(origin.source);
         const int destination = layout.sequenceOf(origin.destination);
         const Vec3d centre = centroid(clip.frame(f));
@@ -135,7 +135,7 @@ std::optional<MeshSequence> readClip(const std::filesystem::path& results, const
 {
     if (results.empty())
         return std::nullopt;
-    auto clip = clipOf(ResultStore(results).load(clipStageOf(name), {}).result, sequences, fps);
+    auto clip = clipOf(ResultStore(results).load(clipStepOf(name), {}).result, sequences, fps);
     if (!clip)
         return std::nullopt;
     return toSequence(name.substr(name.find('/') + 1), std::move(*clip), CharacterFrames(sequences));

@@ -4,7 +4,7 @@
 
 #include "model/core/seriesname.h"
 #include "model/core/stagedfiles.h"
-#include "model/project/characterstages.h"
+#include "model/project/charactersteps.h"
 #include "model/project/clipresult.h"
 #include "model/project/jsontext.h"
 #include "model/project/madeclips.h"
@@ -13,7 +13,7 @@
 #include "model/project/resultstore.h"
 #include "model/project/variate.h"
 #include "model/project/variationresults.h"
-#include "model/project/variationstages.h"
+#include "model/project/variationsteps.h"
 
 #include <algorithm>
 
@@ -122,23 +122,23 @@ fs::path dataSetDescription(const fs::path& out)
     return besidePath(out, ".json");
 }
 
-std::vector<std::string> dataSetStages(const Project& project, const std::string& variation)
+std::vector<std::string> dataSetSteps(const Project& project, const std::string& variation)
 {
-    std::vector<std::string> stages = clipStagesOf(project, "variations/" + variation);
-    stages.push_back(selectionStageOf(variation));
+    std::vector<std::string> steps = clipStepsOf(project, "variations/" + variation);
+    steps.push_back(selectionStepOf(variation));
     const VariationEntry* entry = findVariation(project, variation);
     for (const std::string& part : entry ? partNamesOf(project, *entry) : std::vector<std::string>())
-        stages.push_back(samplesStageOf(variation, part));
-    return stages;
+        steps.push_back(samplesStepOf(variation, part));
+    return steps;
 }
 
-ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, const StageResults& resultOf,
+ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, const StepResults& resultOf,
                           WriteGuard* guard, const Progress& progress)
 {
     const Project& project = opener.project();
     const auto named = variationOfClip(entry.what);
     const VariationEntry& variation = *findVariation(project, named->variation);
-    const Result selection = resultOf(selectionStageOf(variation.name));
+    const Result selection = resultOf(selectionStepOf(variation.name));
     const std::vector<Member> members = membersOf(variation, selection);
     ExportResult written;
     Json json = Json::object();
@@ -155,7 +155,7 @@ ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, cons
                                                progress.part(at, at + share));
         Json item = rowJson(selection.tables.front(), members[m].row);
         item["file"] = fs::path(own.path).filename().generic_string();
-        item["frames"] = framesJson(resultOf(clipStageOf(clip)));
+        item["frames"] = framesJson(resultOf(clipStepOf(clip)));
         json["variations"].push_back(std::move(item));
         written.files.insert(written.files.end(), files.files.begin(), files.files.end());
         written.issues.insert(written.issues.end(), files.issues.begin(), files.issues.end());
@@ -165,7 +165,7 @@ ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, cons
     json["latents"] = Json::object();
     for (const std::string& part : partNamesOf(project, variation)) {
         const fs::path file = dataSetLatents(out, part);
-        writeData(latentsItem(resultOf(samplesStageOf(variation.name, part)), members), file, guard);
+        writeData(latentsItem(resultOf(samplesStepOf(variation.name, part)), members), file, guard);
         json["latents"][part] = file.filename().generic_string();
         written.files.push_back(file);
     }

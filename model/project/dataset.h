@@ -10,7 +10,7 @@
 namespace quadrille {
 
 /// The results that a data set is described by, beside its clips.
-std::vector<std::string> dataSetStages(const Project& project, const std::string& variation);
+std::vector<std::string> dataSetSteps(const Project& project, const std::string& variation);
 
 // Where the files of a data set go, beside the path of its export.
 std::filesystem::path dataSetMember(const std::filesystem::path& out, int number);
@@ -21,9 +21,9 @@ std::filesystem::path dataSetDescription(const std::filesystem::path& out);
 /// says, DIR/NAME_1.pc2, DIR/NAME_2.pc2, …; the latent trajectories of each part, DIR/NAME_PART_latents.npy
 /// (variations × reference frames × dimensions); and DIR/NAME.json, which says what each of them varies, with
 /// seed, quality, and the captured frames that it follows.
-/// \param resultOf  the result of a stage of dataSetStages.
+/// \param resultOf  the result of a step of dataSetSteps.
 /// \throws Error as writeExport, and what opening the clips throws.
-ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, const StageResults& resultOf,
+ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, const StepResults& resultOf,
                           WriteGuard* guard, const Progress& progress);
 
 } // namespace quadrille

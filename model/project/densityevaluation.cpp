@@ -4,7 +4,7 @@
 #include "model/graph/essentialgraph.h"
 #include "model/graph/motiongraph.h"
 #include "model/project/charactergraph.h"
-#include "model/project/evaluationstages.h"
+#include "model/project/evaluationsteps.h"
 #include "model/project/tablebuilder.h"
 #include "model/synthesis/footdrift.h"
 #include "model/synthesis/liveliness.h"
@@ -58,7 +58,7 @@ double quantileOf(const Table<float>& distances, double share)
 TransitionCosts costsOf(const Variant& variant, const CharacterGraph& graph, const Table<double>& liveliness,
                         const Progress& progress)
 {
-    const CharacterWork& work = graph.work();
+    const CharacterInputs& work = graph.work();
     const GraphEntry entry = variant.isPublished ? GraphEntry::paper() : work.graph;
     TransitionSettings settings = transitionSettings(entry, graph.fps());
     if (variant.longest) {
@@ -88,23 +88,22 @@ std::int64_t transitionsOf(const Digraph& graph)
 
 } // namespace
 
-ResultStage densityStage(const CharacterWork& work, const EvaluationEntry& evaluation)
+BuildStep densityStep(const CharacterInputs& work, const EvaluationEntry& evaluation)
 {
     const std::vector<double> alphas =
         evaluation.alphas.empty() ? std::vector{work.graph.alpha} : evaluation.alphas;
     const bool isLively = work.graph.costScale == CostScale::Liveliness;
-    ResultStage stage = evaluationStage(work, evaluation);
-    stage.settings =
+    BuildStep step = evaluationStep(work, evaluation);
+    step.settings =
         nlohmann::json({alphas, costSettings(work.graph), work.sequences, work.opener->project().settings.fps,
                         static_cast<int>(work.graph.smoothing)})
             .dump();
-    stage.inputs = CharacterGraph::inputs(work);
-    stage.compute = [=](const StageContext& context, const Progress& progress) {
+    step.inputs = CharacterGraph::inputs(work);
+    step.compute = [=](const StepContext& context, const Progress& progress) {
         const CharacterGraph graph(work, context);
         const Table<double> liveliness =
-            isLively
-                ? tableOf<double>(context.resultOf(work.stageName(graphstage::liveliness)).arrays.front())
-                : Table<double>();
+            isLively ? tableOf<double>(context.resultOf(work.stepName(graphstep::liveliness)).arrays.front())
+                     : Table<double>();
         TableBuilder table("density", densityNote);
         table.text("variant").real("quantile").real("longest", "s").real("alpha").whole("takes");
         table.whole("frames").real("d-max",
@@ -143,7 +142,7 @@ ResultStage densityStage(const CharacterWork& work, const EvaluationEntry& evalu
         result.tables = {std::move(table).table()};
         return result;
     };
-    return stage;
+    return step;
 }
 
 } // namespace quadrille

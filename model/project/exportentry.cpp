@@ -41,10 +41,10 @@ bool isDataSet(const ExportEntry& entry)
     return variationOfClip(entry.what).value_or(VariationNumber{{}, 1}).number == 0;
 }
 
-std::vector<std::string> stagesOf(const Project& project, const ExportEntry& entry)
+std::vector<std::string> stepsOf(const Project& project, const ExportEntry& entry)
 {
-    return isDataSet(entry) ? dataSetStages(project, variationOfClip(entry.what)->variation)
-                            : clipStagesOf(project, entry.what);
+    return isDataSet(entry) ? dataSetSteps(project, variationOfClip(entry.what)->variation)
+                            : clipStepsOf(project, entry.what);
 }
 
 const AudioEntry* soundOf(const Project& project, const ExportEntry& entry)
@@ -98,7 +98,7 @@ ExportResult writeExport(const ExportEntry& entry, const MeshSequence& sequence,
     return exporter.write(prepared, resolvePath(entry.path, folder), options, progress);
 }
 
-ExportResult writeExport(const ExportEntry& entry, SequenceOpener& opener, const StageResults& resultOf,
+ExportResult writeExport(const ExportEntry& entry, SequenceOpener& opener, const StepResults& resultOf,
                          WriteGuard& guard, const Progress& progress)
 {
     if (isDataSet(entry))

@@ -14,8 +14,8 @@ namespace quadrille {
 /// \throws Error FormatUnknown.
 const Exporter& exporterOf(const ExportEntry& entry);
 
-/// The stages whose results an export reads. \return empty where it needs files only.
-std::vector<std::string> stagesOf(const Project& project, const ExportEntry& entry);
+/// The steps whose results an export reads. \return empty where it needs files only.
+std::vector<std::string> stepsOf(const Project& project, const ExportEntry& entry);
 
 /// The sound that is written with an export: that of the animation, into videos; null without one.
 const AudioEntry* soundOf(const Project& project, const ExportEntry& entry);
@@ -25,14 +25,14 @@ std::vector<CameraKey> cameraKeysOf(const Project& project, const ExportEntry& e
 /// Whether an entry is about all of "variations/NAME".
 bool isDataSet(const ExportEntry& entry);
 
-/// The result of a stage by its name.
-using StageResults = std::function<Result(const std::string& stage)>;
+/// The result of a step by its name.
+using StepResults = std::function<Result(const std::string& step)>;
 
 /// Writes what an entry is about: a clip, or a data set of variations.
-/// \param resultOf  results of the stages that stagesOf names.
+/// \param resultOf  results of the steps that stepsOf names.
 /// \param guard     decides what may be written over.
 /// \throws Error as exportSequence, and what opening the clip throws.
-ExportResult writeExport(const ExportEntry& entry, SequenceOpener& opener, const StageResults& resultOf,
+ExportResult writeExport(const ExportEntry& entry, SequenceOpener& opener, const StepResults& resultOf,
                          WriteGuard& guard, const Progress& progress);
 
 /// Writes a clip as an entry says.

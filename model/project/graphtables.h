@@ -14,7 +14,7 @@
 
 namespace quadrille {
 
-/// A graph as other stages read it: both ends of each edge, its weight and kind.
+/// A graph as other steps read it: both ends of each edge, its weight and kind.
 DataTable graphTable(const char* name, const char* description, const Digraph& graph);
 
 /// What names and describes the edges of a graph.

@@ -141,29 +141,29 @@ bool isMadeClip(std::string_view clip)
     return nameOfClip(clip, animationsSection).has_value() || (varied && varied->number > 0);
 }
 
-std::string clipStageOf(const std::string& clip)
+std::string clipStepOf(const std::string& clip)
 {
     return clip + "/clip";
 }
 
-std::vector<std::string> clipStagesOf(const Project& project, const std::string& clip)
+std::vector<std::string> clipStepsOf(const Project& project, const std::string& clip)
 {
     if (const auto name = nameOfClip(clip, "sequences")) {
         const SequenceEntry* entry = findSequence(project, *name);
         const auto shown = entry ? shownClip(project, *entry) : std::nullopt;
-        return shown ? std::vector{clipStageOf(*shown)} : std::vector<std::string>();
+        return shown ? std::vector{clipStepOf(*shown)} : std::vector<std::string>();
     }
     if (isMadeClip(clip))
-        return {clipStageOf(clip)};
-    std::vector<std::string> stages;
+        return {clipStepOf(clip)};
+    std::vector<std::string> steps;
     const auto varied = variationOfClip(clip);
     if (const VariationEntry* variation = varied ? findVariation(project, varied->variation) : nullptr) {
         for (int number = 1; number <= variationCount(*variation); ++number) {
             if (!isDiscarded(*variation, number))
-                stages.push_back(clipStageOf(variationClip(variation->name, number)));
+                steps.push_back(clipStepOf(variationClip(variation->name, number)));
         }
     }
-    return stages;
+    return steps;
 }
 
 std::optional<std::string> shownClip(const Project& project, const SequenceEntry& entry)

@@ -41,13 +41,13 @@ std::vector<const VariationEntry*> learnedVariations(const Project& project, con
 /// Names of the parts that an entry learns, the root first; “body” where it is not cut.
 std::vector<std::string> partNamesOf(const Project& project, const VariationEntry& entry);
 
-/// Whether a clip is one that stages make: "animations/NAME" or "variations/NAME/3".
+/// Whether a clip is one that steps make: "animations/NAME" or "variations/NAME/3".
 bool isMadeClip(std::string_view clip);
-/// The stage that makes it. \pre isMadeClip.
-std::string clipStageOf(const std::string& clip);
-/// The stages of the clips that a clip "SECTION/NAME" means, for all of "variations/NAME" those that were not
+/// The step that makes it. \pre isMadeClip.
+std::string clipStepOf(const std::string& clip);
+/// The steps of the clips that a clip "SECTION/NAME" means, for all of "variations/NAME" those that were not
 /// discarded; none where it is a sequence that shows a file.
-std::vector<std::string> clipStagesOf(const Project& project, const std::string& clip);
+std::vector<std::string> clipStepsOf(const Project& project, const std::string& clip);
 
 /// The clip that a sequence shows, perhaps through other sequences, where it is made; nothing where it shows
 /// files.

@@ -3,8 +3,8 @@
 #include "model/project/media.h"
 
 #include "model/core/error.h"
+#include "model/project/buildstep.h"
 #include "model/project/paths.h"
-#include "model/project/stage.h"
 
 #include <map>
 #include <set>

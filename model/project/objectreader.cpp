@@ -86,15 +86,15 @@ std::optional<std::int64_t> ObjectReader::wholeNumber(std::string_view key) cons
     return std::nullopt;
 }
 
-bool ObjectReader::truth(std::string_view key, bool otherwise) const
+bool ObjectReader::boolean(std::string_view key, bool fallback) const
 {
     const Json* value = find(key);
     if (value == nullptr)
-        return otherwise;
+        return fallback;
     if (value->is_boolean())
         return value->get<bool>();
     wrongType(key, "true or false");
-    return otherwise;
+    return fallback;
 }
 
 std::optional<FrameRange> ObjectReader::range(std::string_view key) const
@@ -151,13 +151,13 @@ std::optional<double> ObjectReader::unit(std::string_view key) const
 }
 
 std::optional<CoordinateSystem> ObjectReader::axes(std::string_view upKey, std::string_view unitKey,
-                                                   const CoordinateSystem& otherwise) const
+                                                   const CoordinateSystem& fallback) const
 {
     const auto up = upAxis(upKey);
     const auto metres = unit(unitKey);
     if (!up && !metres)
         return std::nullopt;
-    return CoordinateSystem{up.value_or(otherwise.up), metres.value_or(otherwise.metresPerUnit)};
+    return CoordinateSystem{up.value_or(fallback.up), metres.value_or(fallback.metresPerUnit)};
 }
 
 UnknownKeys ObjectReader::unknown(Keys known) const

@@ -35,7 +35,7 @@ public:
     std::string requiredText(std::string_view key) const;
     std::optional<double> number(std::string_view key) const;
     std::optional<std::int64_t> wholeNumber(std::string_view key) const;
-    bool truth(std::string_view key, bool otherwise) const;
+    bool boolean(std::string_view key, bool fallback) const;
     /// [first, last]
     std::optional<FrameRange> range(std::string_view key) const;
     /// As many numbers as `count`; any number of them where it is zero. \param expected  for the problem.
@@ -45,7 +45,7 @@ public:
     std::optional<double> unit(std::string_view key) const;
     /// Both keys are optional; what is not given is as in `otherwise`.
     std::optional<CoordinateSystem> axes(std::string_view upKey, std::string_view unitKey,
-                                         const CoordinateSystem& otherwise) const;
+                                         const CoordinateSystem& fallback) const;
 
     /// Calls `read(item, pointer)` for each item of an array member.
     template <typename Read>

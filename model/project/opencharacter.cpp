@@ -13,16 +13,16 @@ namespace quadrille {
 
 namespace {
 
-/// The keys of stages whose results are all there.
-using StageKeys = std::map<std::string, std::string>;
+/// The keys of steps whose results are all there.
+using StepKeys = std::map<std::string, std::string>;
 
-StageKeys keysOf(const RebuildReport& report)
+StepKeys keysOf(const RebuildReport& report)
 {
-    StageKeys keys;
-    for (const StageReport& stage : report.stages) {
-        if (stage.state == StageState::Failed)
-            throw Error(*stage.error);
-        keys[stage.stage] = stage.key;
+    StepKeys keys;
+    for (const StepReport& step : report.steps) {
+        if (step.state == StepState::Failed)
+            throw Error(*step.error);
+        keys[step.step] = step.key;
     }
     return keys;
 }
@@ -41,27 +41,27 @@ std::shared_ptr<const OpenedCharacter> openCharacter(Project project,
     const std::filesystem::path results = cacheFolder(projectFile);
     const auto opener =
         std::make_shared<SequenceOpener>(std::move(project), projectFolder(projectFile), results);
-    const CharacterWork work = characterWork(opener, graph);
+    const CharacterInputs work = characterWork(opener, graph);
     if (work.sequences.empty())
         return nullptr;
     constexpr double computing = 0.9;
     const RebuildReport report =
-        rebuild(makeStages({opener, projectFile}), projectFile,
+        rebuild(makeSteps({opener, projectFile}), projectFile,
                 {.targets = CharacterGraph::inputs(work), .dryRun = opening == GraphOpening::IfFresh},
                 progress.part(0, computing), {});
-    const StageKeys keys = keysOf(report);
-    if (report.count(StageState::Stale) > 0)
+    const StepKeys keys = keysOf(report);
+    if (report.count(StepState::Stale) > 0)
         return nullptr;
     const ResultStore store(results);
     std::map<std::string, Result> loaded;
-    for (const std::string& stage : CharacterGraph::inputs(work)) {
-        ResultStore::Entry entry = store.load(stage, keys.at(stage));
+    for (const std::string& step : CharacterGraph::inputs(work)) {
+        ResultStore::Entry entry = store.load(step, keys.at(step));
         if (entry.state != ResultStore::State::Fresh) // replaced by somebody else in the meantime
             return nullptr;
-        loaded[stage] = std::move(entry.result);
+        loaded[step] = std::move(entry.result);
     }
-    const StageContext context{.resultOf = [&](const std::string& stage) { return loaded.at(stage); },
-                               .tell = [](const Issue&) { /* told when the sequences were opened */ }};
+    const StepContext context{.resultOf = [&](const std::string& step) { return loaded.at(step); },
+                              .tell = [](const Issue&) { /* told when the sequences were opened */ }};
     CharacterFrames frames = work.open(progress.part(computing, 1));
     return std::shared_ptr<const OpenedCharacter>(
         new OpenedCharacter{std::move(frames), CharacterGraph(work, context)});

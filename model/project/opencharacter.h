@@ -25,7 +25,7 @@ enum class GraphOpening
 /// Opens the graph of a character from the results of a project.
 /// \param projectFile  the results lie beside it; it need not be there.
 /// \return null where there are no sequences, or results are missing that were not to be computed.
-/// \throws Error of the stage that failed, of opening sequences, Cancelled.
+/// \throws Error of the step that failed, of opening sequences, Cancelled.
 std::shared_ptr<const OpenedCharacter> openCharacter(Project project,
                                                      const std::filesystem::path& projectFile,
                                                      const std::string& character, GraphOpening opening,

@@ -14,16 +14,16 @@ namespace quadrille {
 
 namespace {
 
-std::vector<ResultStage> stagesOfProject(const Project& project, const std::filesystem::path& projectFile)
+std::vector<BuildStep> stepsOfProject(const Project& project, const std::filesystem::path& projectFile)
 {
     const auto opener =
         std::make_shared<SequenceOpener>(project, projectFolder(projectFile), cacheFolder(projectFile));
-    return makeStages({opener, projectFile});
+    return makeSteps({opener, projectFile});
 }
 
-/// The stages of an evaluation: one for each character that it is about.
-std::vector<const ResultStage*> evaluationStagesOf(const std::vector<ResultStage>& stages,
-                                                   const Project& project, const EvaluationEntry& evaluation)
+/// The steps of an evaluation: one for each character that it is about.
+std::vector<const BuildStep*> evaluationStepsOf(const std::vector<BuildStep>& steps, const Project& project,
+                                                const EvaluationEntry& evaluation)
 {
     const std::string name = "evaluations/" + evaluation.table;
     const auto isOfAnother = [&](const std::string& character) {
@@ -32,54 +32,54 @@ std::vector<const ResultStage*> evaluationStagesOf(const std::vector<ResultStage
                                return other.table == evaluation.table && other.character == character;
                            });
     };
-    std::vector<const ResultStage*> own;
-    for (const ResultStage& stage : stages) {
-        const bool isTable = stage.name == name || stage.name.starts_with(name + "/");
-        const bool isIts = evaluation.character.empty() ? !isOfAnother(stage.character)
-                                                        : evaluation.character == stage.character;
+    std::vector<const BuildStep*> own;
+    for (const BuildStep& step : steps) {
+        const bool isTable = step.name == name || step.name.starts_with(name + "/");
+        const bool isIts = evaluation.character.empty() ? !isOfAnother(step.character)
+                                                        : evaluation.character == step.character;
         if (isTable && isIts)
-            own.push_back(&stage);
+            own.push_back(&step);
     }
     return own;
 }
 
-void addTables(OpenedEvaluation& opened, const ResultStage& stage, Result result)
+void addTables(OpenedEvaluation& opened, const BuildStep& step, Result result)
 {
     for (DataTable& table : result.tables) {
         DataItem& item = opened.tables.emplace_back();
-        item.name = stage.dataPrefix + "/" + table.name;
-        item.character = stage.character;
+        item.name = step.dataPrefix + "/" + table.name;
+        item.character = step.character;
         item.isFresh = true;
         item.content = std::move(table);
     }
 }
 
-OpenedEvaluation openedFrom(const std::vector<const ResultStage*>& stages, const RebuildReport& report,
+OpenedEvaluation openedFrom(const std::vector<const BuildStep*>& steps, const RebuildReport& report,
                             const ResultStore& store)
 {
     OpenedEvaluation opened;
-    for (const ResultStage* stage : stages) {
+    for (const BuildStep* step : steps) {
         opened.state = OpenedEvaluation::State::Fresh;
-        const auto found = std::find_if(report.stages.begin(), report.stages.end(),
-                                        [&](const StageReport& each) { return each.stage == stage->name; });
-        const bool isThere = found != report.stages.end() &&
-                             (found->state == StageState::Fresh || found->state == StageState::Computed);
+        const auto found = std::find_if(report.steps.begin(), report.steps.end(),
+                                        [&](const StepReport& each) { return each.step == step->name; });
+        const bool isThere = found != report.steps.end() &&
+                             (found->state == StepState::Fresh || found->state == StepState::Computed);
         ResultStore::Entry entry;
         if (isThere)
-            entry = store.load(stage->name, found->key);
+            entry = store.load(step->name, found->key);
         if (entry.state != ResultStore::State::Fresh)
             return {.state = OpenedEvaluation::State::Stale, .tables = {}};
-        addTables(opened, *stage, std::move(entry.result));
+        addTables(opened, *step, std::move(entry.result));
     }
     return opened;
 }
 
-std::vector<std::string> stageNames(const std::vector<const ResultStage*>& stages)
+std::vector<std::string> stepNames(const std::vector<const BuildStep*>& steps)
 {
     std::vector<std::string> names;
-    names.reserve(stages.size());
-    for (const ResultStage* stage : stages)
-        names.push_back(stage->name);
+    names.reserve(steps.size());
+    for (const BuildStep* step : steps)
+        names.push_back(step->name);
     return names;
 }
 
@@ -88,17 +88,17 @@ std::vector<std::string> stageNames(const std::vector<const ResultStage*>& stage
 std::vector<OpenedEvaluation>
 openEvaluations(const Project& project, const std::filesystem::path& projectFile, const Progress& progress)
 {
-    const std::vector<ResultStage> stages = stagesOfProject(project, projectFile);
-    std::vector<std::vector<const ResultStage*>> own;
+    const std::vector<BuildStep> steps = stepsOfProject(project, projectFile);
+    std::vector<std::vector<const BuildStep*>> own;
     std::vector<std::string> targets;
     for (const EvaluationEntry& evaluation : project.evaluations) {
-        own.push_back(evaluationStagesOf(stages, project, evaluation));
-        for (const std::string& name : stageNames(own.back()))
+        own.push_back(evaluationStepsOf(steps, project, evaluation));
+        for (const std::string& name : stepNames(own.back()))
             targets.push_back(name);
     }
     RebuildReport report;
     if (!targets.empty())
-        report = rebuild(stages, projectFile, {.targets = targets, .dryRun = true}, progress, {});
+        report = rebuild(steps, projectFile, {.targets = targets, .dryRun = true}, progress, {});
     const ResultStore store(cacheFolder(projectFile));
     std::vector<OpenedEvaluation> opened;
     opened.reserve(own.size());
@@ -110,14 +110,14 @@ openEvaluations(const Project& project, const std::filesystem::path& projectFile
 OpenedEvaluation computeEvaluation(const Project& project, const std::filesystem::path& projectFile,
                                    std::size_t index, const Progress& progress)
 {
-    const std::vector<ResultStage> stages = stagesOfProject(project, projectFile);
-    const auto own = evaluationStagesOf(stages, project, project.evaluations.at(index));
+    const std::vector<BuildStep> steps = stepsOfProject(project, projectFile);
+    const auto own = evaluationStepsOf(steps, project, project.evaluations.at(index));
     if (own.empty())
         return {};
-    const RebuildReport report = rebuild(stages, projectFile, {.targets = stageNames(own)}, progress, {});
-    for (const StageReport& stage : report.stages) {
-        if (stage.state == StageState::Failed)
-            throw Error(*stage.error);
+    const RebuildReport report = rebuild(steps, projectFile, {.targets = stepNames(own)}, progress, {});
+    for (const StepReport& step : report.steps) {
+        if (step.state == StepState::Failed)
+            throw Error(*step.error);
     }
     return openedFrom(own, report, ResultStore(cacheFolder(projectFile)));
 }

@@ -31,7 +31,7 @@ std::vector<OpenedEvaluation> openEvaluations(const Project& project,
 
 /// Brings the results of one evaluation up to date first, with all that it needs.
 /// \param index  into Project::evaluations.
-/// \throws Error of the stage that failed, of opening sequences, Cancelled.
+/// \throws Error of the step that failed, of opening sequences, Cancelled.
 OpenedEvaluation computeEvaluation(const Project& project, const std::filesystem::path& projectFile,
                                    std::size_t index, const Progress& progress = {});
 

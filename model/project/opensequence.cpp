@@ -3,7 +3,7 @@
 #include "model/project/opensequence.h"
 
 #include "model/core/message.h"
-#include "model/project/clipparts.h"
+#include "model/project/clipdependencies.h"
 #include "model/project/clipresult.h"
 #include "model/project/madeclips.h"
 #include "model/project/paths.h"
@@ -223,7 +223,7 @@ OpenedSequence SequenceOpener::openMadeClip(const std::string& clip, const Progr
     auto made = readClip(m_results, clip, sequences, m_project.settings.fps);
     const auto varied = variationOfClip(clip);
     if (!made && varied &&
-        ResultStore(m_results).load(clipStageOf(clip), {}).state != ResultStore::State::Missing)
+        ResultStore(m_results).load(clipStepOf(clip), {}).state != ResultStore::State::Missing)
         throw Error(ErrorCode::VariationMissing, {.values = {{"number", std::to_string(varied->number)}}});
     if (!made)
         throwInvalid({}, "The clip “" + clip + "” is not computed yet",

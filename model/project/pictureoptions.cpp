@@ -73,7 +73,7 @@ public:
         else
             wrong(key, "a number from " + Json(lowest).dump() + " to " + Json(highest).dump());
     }
-    void truth(const char* key, bool& out) const
+    void boolean(const char* key, bool& out) const
     {
         const Json* value = find(key);
         if (value != nullptr && value->is_boolean())
@@ -153,7 +153,7 @@ RenderSettings pictureFromJson(const Json& json, const std::string& pointer, Pro
     reader.side("height", settings.look.height);
     reader.word("shading", settings.look.shading, shadings);
     reader.word("background", settings.look.background, backgrounds);
-    reader.truth("grid", settings.look.grid);
+    reader.boolean("grid", settings.look.grid);
     reader.word("camera", settings.camera, cameras);
     reader.number("revolutions", settings.revolutions, -1000, 1000);
     if (const Json* view = reader.find("view")) {

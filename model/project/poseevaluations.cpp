@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/evaluation/metriccomparison.h"
 #include "model/evaluation/shapechange.h"
-#include "model/project/evaluationstages.h"
+#include "model/project/evaluationsteps.h"
 #include "model/project/referenceangles.h"
 #include "model/project/tablebuilder.h"
 #include "model/transition/posedistance.h"
@@ -143,16 +143,16 @@ Result fig4Result(const std::vector<InterpolatedPair>& all, std::size_t perPair,
 
 } // namespace
 
-ResultStage fig4Stage(const CharacterWork& work, const EvaluationEntry& evaluation)
+BuildStep fig4Step(const CharacterInputs& work, const EvaluationEntry& evaluation)
 {
     constexpr int usualCount = 20;
     const int count = static_cast<int>(evaluation.count.value_or(usualCount));
     const auto seed = static_cast<std::uint64_t>(evaluation.seed);
-    ResultStage stage = evaluationStage(work, evaluation);
-    stage.settings = work.settings + nlohmann::json({count, seed, work.sequences}).dump();
-    stage.files = [work](const Progress& progress) { return work.files(progress); };
-    stage.inputs = {work.stageName(graphstage::poseDistance)};
-    stage.compute = [=, input = stage.inputs.front()](const StageContext& context, const Progress& progress) {
+    BuildStep step = evaluationStep(work, evaluation);
+    step.settings = work.settings + nlohmann::json({count, seed, work.sequences}).dump();
+    step.files = [work](const Progress& progress) { return work.files(progress); };
+    step.inputs = {work.stepName(graphstep::poseDistance)};
+    step.compute = [=, input = step.inputs.front()](const StepContext& context, const Progress& progress) {
         const Result poses = context.resultOf(input);
         const Table<float> distances = tableOf<float>(poses.arrays.front());
         const FrameLayout layout = layoutOf(poses);
@@ -165,10 +165,10 @@ ResultStage fig4Stage(const CharacterWork& work, const EvaluationEntry& evaluati
         return fig4Result(all, all.size() / pairs.size(), distances, poses.arrays.front().unit, layout,
                           work.sequences);
     };
-    return stage;
+    return step;
 }
 
-std::vector<std::size_t> sequencesWithAngles(const CharacterWork& work)
+std::vector<std::size_t> sequencesWithAngles(const CharacterInputs& work)
 {
     std::vector<std::size_t> found;
     for (std::size_t s = 0; s < work.sequences.size(); ++s) {
@@ -179,23 +179,23 @@ std::vector<std::size_t> sequencesWithAngles(const CharacterWork& work)
     return found;
 }
 
-ResultStage table1Stage(const CharacterWork& work, const EvaluationEntry& evaluation)
+BuildStep table1Step(const CharacterInputs& work, const EvaluationEntry& evaluation)
 {
     const auto chosen = sequencesWithAngles(work);
     const auto entryOf = [work](std::size_t sequence) {
         return *findSequence(work.opener->project(), work.sequences[sequence]);
     };
-    ResultStage stage = evaluationStage(work, evaluation);
-    stage.settings = nlohmann::json(chosen).dump();
-    stage.files = [=](const Progress& progress) {
+    BuildStep step = evaluationStep(work, evaluation);
+    step.settings = nlohmann::json(chosen).dump();
+    step.files = [=](const Progress& progress) {
         auto files = work.files(progress);
         for (const std::size_t sequence : chosen)
             files.push_back(
                 referenceAnglesFile(work.opener->project(), work.opener->folder(), entryOf(sequence)));
         return files;
     };
-    stage.inputs = {work.stageName(graphstage::poseDistance), work.stageName(graphstage::euclideanDistance)};
-    stage.compute = [=, inputs = stage.inputs](const StageContext& context, const Progress& progress) {
+    step.inputs = {work.stepName(graphstep::poseDistance), work.stepName(graphstep::euclideanDistance)};
+    step.compute = [=, inputs = step.inputs](const StepContext& context, const Progress& progress) {
         const Result poses = context.resultOf(inputs[0]);
         const FrameLayout layout = layoutOf(poses);
         std::vector<JointAngles> angles;
@@ -214,7 +214,7 @@ ResultStage table1Stage(const CharacterWork& work, const EvaluationEntry& evalua
         return table1Result(compareMetrics(joined(angles), partOf(euclidean, nodes), partOf(surface, nodes),
                                            progress.part(isSurface ? 0.1 : 0.5, 1)));
     };
-    return stage;
+    return step;
 }
 
 } // namespace quadrille

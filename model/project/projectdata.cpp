@@ -3,15 +3,15 @@
 #include "model/project/projectdata.h"
 
 #include "model/project/paths.h"
-#include "model/project/stagestate.h"
+#include "model/project/stepstate.h"
 
 namespace quadrille {
 
 namespace {
 
-std::string dataName(const ResultStage& stage, const std::string& name)
+std::string dataName(const BuildStep& step, const std::string& name)
 {
-    return stage.dataPrefix.empty() ? name : stage.dataPrefix + "/" + name;
+    return step.dataPrefix.empty() ? name : step.dataPrefix + "/" + name;
 }
 
 } // namespace
@@ -41,18 +41,18 @@ std::vector<DataItem> projectData(const Project& project, const std::filesystem:
                                   const Progress& progress)
 {
     const auto folder = projectFolder(projectFile);
-    const auto stages = makeStages({std::make_shared<SequenceOpener>(project, folder), projectFile});
+    const auto steps = makeSteps({std::make_shared<SequenceOpener>(project, folder), projectFile});
     const ResultStore store(cacheFolder(projectFile));
     FileHashes hashes(cacheFolder(projectFile) / "hashes.json");
-    const auto status = stageStatus(stages, store, folder, hashes, progress);
+    const auto status = stepStatus(steps, store, folder, hashes, progress);
     std::vector<DataItem> items;
-    for (std::size_t i = 0; i < stages.size(); ++i) {
+    for (std::size_t i = 0; i < steps.size(); ++i) {
         const bool fresh = status[i].isFresh;
-        Result result = fresh ? status[i].result : store.load(stages[i].name, status[i].key).result;
+        Result result = fresh ? status[i].result : store.load(steps[i].name, status[i].key).result;
         for (DataArray& array : result.arrays)
-            items.push_back({dataName(stages[i], array.name), stages[i].character, fresh, std::move(array)});
+            items.push_back({dataName(steps[i], array.name), steps[i].character, fresh, std::move(array)});
         for (DataTable& table : result.tables)
-            items.push_back({dataName(stages[i], table.name), stages[i].character, fresh, std::move(table)});
+            items.push_back({dataName(steps[i], table.name), steps[i].character, fresh, std::move(table)});
     }
     return items;
 }

@@ -4,12 +4,12 @@
 
 #include "model/core/error.h"
 #include "model/core/file.h"
+#include "model/project/buildstep.h"
 #include "model/project/jsontext.h"
 #include "model/project/media.h"
 #include "model/project/opensequence.h"
 #include "model/project/paths.h"
 #include "model/project/resultstore.h"
-#include "model/project/stage.h"
 #include "model/sequence/io/mtl.h"
 #include "model/sequence/io/registry.h"
 #include "model/sequence/io/sourcefiles.h"

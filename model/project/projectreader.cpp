@@ -183,7 +183,7 @@ ExportEntry readExport(const Json& json, const std::string& pointer, const Proje
     entry.range = reader.range("range");
     entry.fps = reader.number("fps");
     entry.axes = reader.axes("up_axis", "unit", settings.axes);
-    entry.textures = reader.truth("textures", entry.textures);
+    entry.textures = reader.boolean("textures", entry.textures);
     if (const Json* picture = reader.find("picture")) {
         pictureFromJson(*picture, reader.pointer("picture"), problems);
         entry.picture = *picture;

@@ -5,12 +5,12 @@
 #include "model/core/caughterror.h"
 #include "model/core/mediacache.h"
 #include "model/core/message.h"
-#include "model/project/exportstages.h"
+#include "model/project/exportsteps.h"
 #include "model/project/media.h"
 #include "model/project/paths.h"
 #include "model/project/projectguard.h"
 #include "model/project/resultplaces.h"
-#include "model/project/stagestate.h"
+#include "model/project/stepstate.h"
 
 #include <algorithm>
 #include <atomic>
@@ -36,13 +36,13 @@ Issue unstoredIssue(const fs::path& file)
     return issue;
 }
 
-/// Runs the stale ones of some stages, each as soon as its inputs are there.
+/// Runs the stale ones of some steps, each as soon as its inputs are there.
 class Rebuilder
 {
 public:
-    Rebuilder(const std::vector<ResultStage>& stages, const fs::path& projectFile,
-              const RebuildOptions& options, const Progress& progress, const StageListener& listener)
-        : m_stages(stages)
+    Rebuilder(const std::vector<BuildStep>& steps, const fs::path& projectFile, const RebuildOptions& options,
+              const Progress& progress, const StepListener& listener)
+        : m_steps(steps)
         , m_projectFile(projectFile)
         , m_folder(projectFolder(projectFile))
         , m_store(cacheFolder(projectFile))
@@ -50,19 +50,19 @@ public:
         , m_options(options)
         , m_progress(progress)
         , m_listener(listener)
-        , m_reports(stages.size())
-        , m_waiting(stages.size())
-        , m_fractions(stages.size())
-        , m_users(stages.size())
+        , m_reports(steps.size())
+        , m_waiting(steps.size())
+        , m_fractions(steps.size())
+        , m_users(steps.size())
     {
-        for (std::size_t i = 0; i < stages.size(); ++i)
-            m_byName[stages[i].name] = i;
+        for (std::size_t i = 0; i < steps.size(); ++i)
+            m_byName[steps[i].name] = i;
     }
 
     RebuildReport run()
     {
-        m_status = stageStatus(m_stages, m_store, m_folder, m_hashes, m_progress.part(0, planning));
-        for (std::size_t i = 0; i < m_stages.size(); ++i)
+        m_status = stepStatus(m_steps, m_store, m_folder, m_hashes, m_progress.part(0, planning));
+        for (std::size_t i = 0; i < m_steps.size(); ++i)
             plan(i);
         if (!m_options.dryRun && isAnyStale())
             prepare();
@@ -81,7 +81,7 @@ private:
     bool isAnyStale() const
     {
         return std::any_of(m_reports.begin(), m_reports.end(),
-                           [](const StageReport& report) { return report.state == StageState::Stale; });
+                           [](const StepReport& report) { return report.state == StepState::Stale; });
     }
 
     /// Before minutes of computing: can what comes of it be stored?
@@ -90,46 +90,46 @@ private:
         storeUnstoredResults();
         constexpr std::uint64_t least = std::uint64_t{32} << 20;
         std::uint64_t bytes = least;
-        for (std::size_t i = 0; i < m_stages.size(); ++i) {
-            if (m_reports[i].state == StageState::Stale)
-                bytes += expectedBytes(m_stages[i]);
+        for (std::size_t i = 0; i < m_steps.size(); ++i) {
+            if (m_reports[i].state == StepState::Stale)
+                bytes += expectedBytes(m_steps[i]);
         }
         prepareResults(m_projectFile, bytes);
         m_store = ResultStore(cacheFolder(m_projectFile));
     }
 
-    /// What the stage says, or what its last result took.
-    std::uint64_t expectedBytes(const ResultStage& stage) const
+    /// What the step says, or what its last result took.
+    std::uint64_t expectedBytes(const BuildStep& step) const
     {
         std::error_code error;
-        const auto before = fs::file_size(m_store.fileOf(stage.name), error);
+        const auto before = fs::file_size(m_store.fileOf(step.name), error);
         const std::uint64_t known = error ? 0 : before;
-        return stage.bytes ? std::max(known, stage.bytes(Progress(m_progress.token()))) : known;
+        return step.bytes ? std::max(known, step.bytes(Progress(m_progress.token()))) : known;
     }
 
     void plan(std::size_t i)
     {
-        StageReport& report = m_reports[i];
-        StageStatus& status = m_status[i];
-        report.stage = m_stages[i].name;
+        StepReport& report = m_reports[i];
+        StepStatus& status = m_status[i];
+        report.step = m_steps[i].name;
         report.key = status.key;
         report.error = status.error;
         if (status.isDamaged) {
             Issue damaged;
-            damaged.context.file = m_store.fileOf(report.stage);
+            damaged.context.file = m_store.fileOf(report.step);
             damaged.context.values = {{"text", std::string(errorMessage(ErrorCode::ResultDamaged).sentence) +
                                                    " " + errorMessage(ErrorCode::ResultDamaged).remedy}};
             report.issues.push_back(std::move(damaged));
         }
         if (status.error) {
-            report.state = StageState::Failed;
+            report.state = StepState::Failed;
         } else if (status.isFresh && !m_options.force) {
-            report.state = StageState::Fresh;
+            report.state = StepState::Fresh;
             addFiles(report, status.result);
             if (!m_options.dryRun)
-                m_store.prefer(report.stage, report.key);
+                m_store.prefer(report.step, report.key);
         } else {
-            report.state = StageState::Stale;
+            report.state = StepState::Stale;
             report.reason = status.isFresh ? "forced" : status.reason;
         }
     }
@@ -138,26 +138,26 @@ private:
     {
         const int jobs = m_options.jobs > 0 ? m_options.jobs : tbb::info::default_concurrency();
         tbb::task_arena arena(jobs);
-        for (std::size_t i = 0; i < m_stages.size(); ++i) {
-            m_waiting[i] = m_stages[i].inputs.size();
-            for (const std::string& input : m_stages[i].inputs)
+        for (std::size_t i = 0; i < m_steps.size(); ++i) {
+            m_waiting[i] = m_steps[i].inputs.size();
+            for (const std::string& input : m_steps[i].inputs)
                 m_users[m_byName.at(input)].push_back(i);
         }
         arena.execute([this] {
-            for (std::size_t i = 0; i < m_stages.size(); ++i) {
-                if (m_stages[i].inputs.empty())
+            for (std::size_t i = 0; i < m_steps.size(); ++i) {
+                if (m_steps[i].inputs.empty())
                     start(i);
             }
             m_tasks.wait();
         });
-        // A stage that was cancelled is not one that failed.
+        // A step that was cancelled is not one that failed.
         m_progress.report(planning);
     }
 
     void start(std::size_t i)
     {
         m_tasks.run([this, i] {
-            runStage(i);
+            runStep(i);
             for (const std::size_t user : m_users[i]) {
                 if (--m_waiting[user] == 0)
                     start(user);
@@ -165,15 +165,15 @@ private:
         });
     }
 
-    void runStage(std::size_t i)
+    void runStep(std::size_t i)
     {
-        StageReport& report = m_reports[i];
+        StepReport& report = m_reports[i];
         if (m_progress.isCancelled())
             return;
-        if (report.state == StageState::Stale && inputFailed(i))
-            report.state = StageState::Skipped;
-        if (report.state == StageState::Stale)
-            computeStage(i);
+        if (report.state == StepState::Stale && inputFailed(i))
+            report.state = StepState::Skipped;
+        if (report.state == StepState::Stale)
+            computeStep(i);
         m_fractions[i] = 1;
         if (m_progress.isCancelled())
             return;
@@ -184,20 +184,20 @@ private:
 
     bool inputFailed(std::size_t i) const
     {
-        const auto& inputs = m_stages[i].inputs;
+        const auto& inputs = m_steps[i].inputs;
         return std::any_of(inputs.begin(), inputs.end(), [this](const std::string& input) {
-            const StageState state = m_reports[m_byName.at(input)].state;
-            return state == StageState::Failed || state == StageState::Skipped;
+            const StepState state = m_reports[m_byName.at(input)].state;
+            return state == StepState::Failed || state == StepState::Skipped;
         });
     }
 
-    void computeStage(std::size_t i)
+    void computeStep(std::size_t i)
     {
-        StageReport& report = m_reports[i];
+        StepReport& report = m_reports[i];
         const auto begin = std::chrono::steady_clock::now();
-        StageContext context;
-        context.resultOf = [this](const std::string& stage) {
-            return m_store.freshResult(stage, m_status[m_byName.at(stage)].key);
+        StepContext context;
+        context.resultOf = [this](const std::string& step) {
+            return m_store.freshResult(step, m_status[m_byName.at(step)].key);
         };
         context.tell = [&report](Issue issue) { report.issues.push_back(std::move(issue)); };
         const Progress own(m_progress.token(), [this, i](double fraction) {
@@ -205,14 +205,14 @@ private:
             reportOverall();
         });
         try {
-            const Result result = m_stages[i].compute(context, own);
+            const Result result = m_steps[i].compute(context, own);
             own.report(1);
-            if (!m_store.save(report.stage, report.key, result))
-                report.issues.push_back(unstoredIssue(m_store.fileOf(report.stage)));
+            if (!m_store.save(report.step, report.key, result))
+                report.issues.push_back(unstoredIssue(m_store.fileOf(report.step)));
             addFiles(report, result);
-            report.state = StageState::Computed;
+            report.state = StepState::Computed;
         } catch (...) {
-            report.state = StageState::Failed;
+            report.state = StepState::Failed;
             report.error = caughtError();
         }
         report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -223,29 +223,29 @@ private:
         double sum = 0;
         for (const std::atomic<double>& fraction : m_fractions)
             sum += fraction;
-        m_progress.report(planning + (1 - planning) * sum / static_cast<double>(m_stages.size()));
+        m_progress.report(planning + (1 - planning) * sum / static_cast<double>(m_steps.size()));
     }
 
-    void addFiles(StageReport& report, const Result& result) const
+    void addFiles(StepReport& report, const Result& result) const
     {
         for (const WrittenFile& file : result.files)
             report.files.push_back(resolvePath(file.path, m_folder));
     }
 
-    const std::vector<ResultStage>& m_stages;
+    const std::vector<BuildStep>& m_steps;
     fs::path m_projectFile;
     fs::path m_folder;
     ResultStore m_store;
     FileHashes m_hashes;
     const RebuildOptions& m_options;
     const Progress& m_progress;
-    const StageListener& m_listener;
-    std::vector<StageReport> m_reports;
-    std::vector<StageStatus> m_status;
+    const StepListener& m_listener;
+    std::vector<StepReport> m_reports;
+    std::vector<StepStatus> m_status;
     std::map<std::string, std::size_t> m_byName;
     std::vector<std::atomic<std::size_t>> m_waiting;
     std::vector<std::atomic<double>> m_fractions;
-    std::vector<std::vector<std::size_t>> m_users; ///< stages that use one's result
+    std::vector<std::vector<std::size_t>> m_users; ///< steps that use one's result
     std::mutex m_listenerMutex;
     tbb::task_group m_tasks;
 };
@@ -265,57 +265,57 @@ void tryToNoteMedia(const Project& project, const fs::path& projectFile, const P
 
 bool RebuildReport::hasFailures() const
 {
-    return count(StageState::Failed) > 0;
+    return count(StepState::Failed) > 0;
 }
 
-std::size_t RebuildReport::count(StageState state) const
+std::size_t RebuildReport::count(StepState state) const
 {
     return static_cast<std::size_t>(std::count_if(
-        stages.begin(), stages.end(), [state](const StageReport& stage) { return stage.state == state; }));
+        steps.begin(), steps.end(), [state](const StepReport& step) { return step.state == state; }));
 }
 
-RebuildReport rebuild(const std::vector<ResultStage>& stages, const fs::path& projectFile,
-                      const RebuildOptions& options, const Progress& progress, const StageListener& listener)
+RebuildReport rebuild(const std::vector<BuildStep>& steps, const fs::path& projectFile,
+                      const RebuildOptions& options, const Progress& progress, const StepListener& listener)
 {
-    const auto selected = selectStages(stages, options.targets);
+    const auto selected = selectSteps(steps, options.targets);
     if (!options.dryRun)
         checkResultsPlace(projectFile, options.permissions);
     return Rebuilder(selected, projectFile, options, progress, listener).run();
 }
 
 RebuildReport rebuild(const Project& project, const fs::path& projectFile, const RebuildOptions& options,
-                      const Progress& progress, const StageListener& listener)
+                      const Progress& progress, const StepListener& listener)
 {
     MediaCache::shared()->setBudget(project.settings.cacheBytes());
     const fs::path folder = projectFolder(projectFile);
     const auto opener = std::make_shared<SequenceOpener>(project, folder, cacheFolder(projectFile));
     const auto guard = projectGuard(project, projectFile, options.permissions);
     const WrittenNote note(*guard, projectFile);
-    std::vector<ResultStage> stages = makeStages({opener, projectFile});
-    std::vector<ResultStage> guarded = exportStages(opener, guard);
-    for (ResultStage& stage : guarded) {
-        *std::find_if(stages.begin(), stages.end(),
-                      [&](const ResultStage& made) { return made.name == stage.name; }) = std::move(stage);
+    std::vector<BuildStep> steps = makeSteps({opener, projectFile});
+    std::vector<BuildStep> guarded = exportSteps(opener, guard);
+    for (BuildStep& step : guarded) {
+        *std::find_if(steps.begin(), steps.end(),
+                      [&](const BuildStep& made) { return made.name == step.name; }) = std::move(step);
     }
-    refuseMissingInputs(stages);
-    RebuildReport report = rebuild(stages, projectFile, options, progress, listener);
+    refuseMissingInputs(steps);
+    RebuildReport report = rebuild(steps, projectFile, options, progress, listener);
     if (!options.dryRun)
         tryToNoteMedia(project, projectFile, Progress(progress.token()));
     return report;
 }
 
-std::string toString(StageState state)
+std::string toString(StepState state)
 {
     switch (state) {
-    case StageState::Fresh:
+    case StepState::Fresh:
         return "fresh";
-    case StageState::Stale:
+    case StepState::Stale:
         return "stale";
-    case StageState::Computed:
+    case StepState::Computed:
         return "computed";
-    case StageState::Failed:
+    case StepState::Failed:
         return "failed";
-    case StageState::Skipped:
+    case StepState::Skipped:
         return "skipped";
     }
     return {};
@@ -325,24 +325,24 @@ Json toJson(const RebuildReport& report)
 {
     Json json = Json::object();
     json["stages"] = Json::array();
-    for (const StageReport& stage : report.stages) {
+    for (const StepReport& step : report.steps) {
         Json item = Json::object();
-        item["stage"] = stage.stage;
-        item["state"] = toString(stage.state);
-        item["reason"] = stage.reason;
-        item["key"] = stage.key;
-        item["seconds"] = stage.seconds;
+        item["stage"] = step.step;
+        item["state"] = toString(step.state);
+        item["reason"] = step.reason;
+        item["key"] = step.key;
+        item["seconds"] = step.seconds;
         item["files"] = Json::array();
-        for (const fs::path& file : stage.files)
+        for (const fs::path& file : step.files)
             item["files"].push_back(file.generic_string());
         item["issues"] = Json::array();
-        for (const Issue& issue : stage.issues)
+        for (const Issue& issue : step.issues)
             item["issues"].push_back(issue.toString());
-        item["error"] = stage.error ? Json(stage.error->what()) : Json(nullptr);
+        item["error"] = step.error ? Json(step.error->what()) : Json(nullptr);
         json["stages"].push_back(std::move(item));
     }
-    for (const StageState state : {StageState::Computed, StageState::Fresh, StageState::Stale,
-                                   StageState::Failed, StageState::Skipped})
+    for (const StepState state :
+         {StepState::Computed, StepState::Fresh, StepState::Stale, StepState::Failed, StepState::Skipped})
         json[toString(state)] = report.count(state);
     return json;
 }

@@ -37,7 +37,7 @@ struct DataTable
     bool operator==(const DataTable&) const = default;
 };
 
-/// A file that a stage wrote outside of the store.
+/// A file that a step wrote outside of the store.
 struct WrittenFile
 {
     std::string path; ///< relative to the project's folder
@@ -46,7 +46,7 @@ struct WrittenFile
     bool operator==(const WrittenFile&) const = default;
 };
 
-/// What a stage computes.
+/// What a step computes.
 struct Result
 {
     std::vector<DataArray> arrays;

@@ -129,7 +129,7 @@ auto readDamageable(const fs::path& path, const Read& read)
 std::string checksumOf(const ResultHeader& header, const Result& result)
 {
     ContentHasher hasher;
-    hasher.add(header.stage);
+    hasher.add(header.step);
     hasher.add(header.key);
     hasher.add(static_cast<std::int64_t>(result.arrays.size()));
     for (const DataArray& array : result.arrays)
@@ -157,7 +157,7 @@ void writeResultFile(const fs::path& path, const ResultHeader& header, const Res
         try {
             const Hdf5Handle file = hdf5data::createFile(temporary);
             hdf5data::writeText(file.id(), "format", formatName);
-            hdf5data::writeText(file.id(), "stage", header.stage);
+            hdf5data::writeText(file.id(), "stage", header.step);
             hdf5data::writeText(file.id(), "key", header.key);
             hdf5data::writeText(file.id(), "checksum", checksum);
             for (const DataArray& array : result.arrays)

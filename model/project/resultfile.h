@@ -11,13 +11,13 @@ namespace quadrille {
 /// What a result file says of itself.
 struct ResultHeader
 {
-    std::string stage; ///< "sequences/walk/statistics"
-    std::string key;   ///< hash of inputs, settings and algorithm version
+    std::string step; ///< "sequences/walk/statistics"
+    std::string key;  ///< hash of inputs, settings and algorithm version
 };
 
 /// Writes a result as one HDF5 file, atomically. The same result gives the same bytes.
 ///
-/// Root attributes: `format` ("quadrille-result"), `stage`, `key`, `checksum`. An array is a dataset with the
+/// Root attributes: `format` ("quadrille-result"), `step`, `key`, `checksum`. An array is a dataset with the
 /// attributes `unit`, `description` and, where they exist, `columns` (texts). A table is a group with the
 /// attributes `description` and `columns`, its columns being one-dimensional datasets. Texts are UTF-8 of a
 /// fixed size, padded with zeros. `files` is a table of the files written outside of the store.

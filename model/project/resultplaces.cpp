@@ -5,7 +5,7 @@
 #include "model/core/contenthash.h"
 #include "model/core/file.h"
 #include "model/core/message.h"
-#include "model/project/stage.h"
+#include "model/project/buildstep.h"
 
 #include <algorithm>
 #include <cstdlib>

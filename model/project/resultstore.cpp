@@ -3,8 +3,8 @@
 #include "model/project/resultstore.h"
 
 #include "model/core/error.h"
+#include "model/project/buildstep.h"
 #include "model/project/resultplaces.h"
-#include "model/project/stage.h"
 
 #include <algorithm>
 #include <functional>
@@ -23,7 +23,7 @@ namespace {
 struct Unstored
 {
     fs::path folder; ///< where it was to go
-    std::string stage;
+    std::string step;
     std::string key;
     std::shared_ptr<const Result> result;
 };
@@ -40,26 +40,26 @@ Memory& memory()
     return memory;
 }
 
-fs::path fileIn(const fs::path& folder, const std::string& stage)
+fs::path fileIn(const fs::path& folder, const std::string& step)
 {
-    return folder / (stage + ".h5");
+    return folder / (step + ".h5");
 }
 
-std::optional<Unstored> inMemory(const std::vector<fs::path>& folders, const std::string& stage)
+std::optional<Unstored> inMemory(const std::vector<fs::path>& folders, const std::string& step)
 {
     const std::scoped_lock lock(memory().mutex);
     for (const fs::path& folder : folders) {
-        if (const auto found = memory().results.find(fileIn(folder, stage)); found != memory().results.end())
+        if (const auto found = memory().results.find(fileIn(folder, step)); found != memory().results.end())
             return found->second;
     }
     return std::nullopt;
 }
 
-void forget(const std::vector<fs::path>& folders, const std::string& stage)
+void forget(const std::vector<fs::path>& folders, const std::string& step)
 {
     const std::scoped_lock lock(memory().mutex);
     for (const fs::path& folder : folders)
-        memory().results.erase(fileIn(folder, stage));
+        memory().results.erase(fileIn(folder, step));
 }
 
 /// The folder first, then the other places of its project.
@@ -71,13 +71,13 @@ std::vector<fs::path> placesWith(const fs::path& folder)
     return places;
 }
 
-/// Places that have a file of a stage, the newest file first; of two alike the earlier place.
-std::vector<fs::path> newestFirst(const std::vector<fs::path>& places, const std::string& stage)
+/// Places that have a file of a step, the newest file first; of two alike the earlier place.
+std::vector<fs::path> newestFirst(const std::vector<fs::path>& places, const std::string& step)
 {
     std::multimap<fs::file_time_type, fs::path, std::greater<>> found;
     for (const fs::path& place : places) {
         std::error_code error;
-        const fs::file_time_type time = fs::last_write_time(fileIn(place, stage), error);
+        const fs::file_time_type time = fs::last_write_time(fileIn(place, step), error);
         if (!error)
             found.emplace(time, place);
     }
@@ -87,12 +87,12 @@ std::vector<fs::path> newestFirst(const std::vector<fs::path>& places, const std
     return sorted;
 }
 
-ResultStore::Entry loadFrom(const fs::path& file, const std::string& stage, const std::string& key)
+ResultStore::Entry loadFrom(const fs::path& file, const std::string& step, const std::string& key)
 {
     try {
         const ResultHeader header = readResultHeader(file);
         Result result = readResultFile(file);
-        const bool fits = header.key == key && header.stage == stage;
+        const bool fits = header.key == key && header.step == step;
         return {fits ? ResultStore::State::Fresh : ResultStore::State::OtherKey, std::move(result)};
     } catch (const Error& failure) {
         if (failure.code() != ErrorCode::ResultDamaged && failure.code() != ErrorCode::FileEmpty)
@@ -102,10 +102,10 @@ ResultStore::Entry loadFrom(const fs::path& file, const std::string& stage, cons
 }
 
 /// The results of another place are a help, no more.
-ResultStore::Entry loadIfReadable(const fs::path& file, const std::string& stage, const std::string& key)
+ResultStore::Entry loadIfReadable(const fs::path& file, const std::string& step, const std::string& key)
 {
     try {
-        return loadFrom(file, stage, key);
+        return loadFrom(file, step, key);
     } catch (const Error&) {
         return {};
     }
@@ -121,7 +121,7 @@ bool isOfStoring(const Error& error)
 bool tryToStore(const fs::path& folder, const Unstored& unstored)
 {
     try {
-        writeResultFile(fileIn(folder, unstored.stage), {unstored.stage, unstored.key}, *unstored.result);
+        writeResultFile(fileIn(folder, unstored.step), {unstored.step, unstored.key}, *unstored.result);
         return true;
     } catch (const Error& error) {
         if (!isOfStoring(error))
@@ -132,23 +132,23 @@ bool tryToStore(const fs::path& folder, const Unstored& unstored)
 
 } // namespace
 
-fs::path ResultStore::fileOf(const std::string& stage) const
+fs::path ResultStore::fileOf(const std::string& step) const
 {
-    return fileIn(m_folder, stage);
+    return fileIn(m_folder, step);
 }
 
-ResultStore::Entry ResultStore::load(const std::string& stage, const std::string& key) const
+ResultStore::Entry ResultStore::load(const std::string& step, const std::string& key) const
 {
     const std::vector<fs::path> places = placesWith(m_folder);
     Entry best;
-    if (const auto kept = inMemory(places, stage)) {
+    if (const auto kept = inMemory(places, step)) {
         best = {kept->key == key ? State::Fresh : State::OtherKey, *kept->result};
         if (best.state == State::Fresh || key.empty())
             return best;
     }
-    for (const fs::path& place : newestFirst(places, stage)) {
-        Entry entry = place == m_folder ? loadFrom(fileOf(stage), stage, key)
-                                        : loadIfReadable(fileIn(place, stage), stage, key);
+    for (const fs::path& place : newestFirst(places, step)) {
+        Entry entry = place == m_folder ? loadFrom(fileOf(step), step, key)
+                                        : loadIfReadable(fileIn(place, step), step, key);
         const bool isUsable = entry.state == State::Fresh || (key.empty() && entry.state == State::OtherKey);
         if (isUsable)
             return entry;
@@ -158,49 +158,49 @@ ResultStore::Entry ResultStore::load(const std::string& stage, const std::string
     return best;
 }
 
-Result ResultStore::freshResult(const std::string& stage, const std::string& key) const
+Result ResultStore::freshResult(const std::string& step, const std::string& key) const
 {
-    Entry entry = load(stage, key);
+    Entry entry = load(step, key);
     if (entry.state != State::Fresh)
-        throw Error(ErrorCode::ResultReplaced, {.values = {{"stage", stage}}});
+        throw Error(ErrorCode::ResultReplaced, {.values = {{"stage", step}}});
     return std::move(entry.result);
 }
 
-bool ResultStore::save(const std::string& stage, const std::string& key, const Result& result) const
+bool ResultStore::save(const std::string& step, const std::string& key, const Result& result) const
 {
-    const Unstored unstored{m_folder, stage, key, std::make_shared<const Result>(result)};
+    const Unstored unstored{m_folder, step, key, std::make_shared<const Result>(result)};
     for (fs::path folder = m_folder; !folder.empty(); folder = nextResultFolder(folder)) {
         if (tryToStore(folder, unstored)) {
-            forget(placesWith(m_folder), stage);
+            forget(placesWith(m_folder), step);
             return true;
         }
     }
     const std::scoped_lock lock(memory().mutex);
-    memory().results[fileOf(stage)] = unstored;
+    memory().results[fileOf(step)] = unstored;
     return false;
 }
 
-void ResultStore::prefer(const std::string& stage, const std::string& key) const
+void ResultStore::prefer(const std::string& step, const std::string& key) const
 {
     const std::vector<fs::path> places = placesWith(m_folder);
-    const std::vector<fs::path> sorted = newestFirst(places, stage);
-    const auto kept = inMemory(places, stage);
+    const std::vector<fs::path> sorted = newestFirst(places, step);
+    const auto kept = inMemory(places, step);
     if (sorted.size() < 2 && !kept)
         return;
-    if (kept ? kept->key == key : loadFrom(fileIn(sorted.front(), stage), stage, key).state == State::Fresh)
+    if (kept ? kept->key == key : loadFrom(fileIn(sorted.front(), step), step, key).state == State::Fresh)
         return;
-    const Entry entry = load(stage, key);
+    const Entry entry = load(step, key);
     if (entry.state == State::Fresh)
-        save(stage, key, entry.result);
+        save(step, key, entry.result);
 }
 
 std::vector<std::string> unstoredResults()
 {
     const std::scoped_lock lock(memory().mutex);
-    std::vector<std::string> stages;
+    std::vector<std::string> steps;
     for (const auto& [file, unstored] : memory().results)
-        stages.push_back(unstored.stage);
-    return stages;
+        steps.push_back(unstored.step);
+    return steps;
 }
 
 void writeUnstoredResults(const fs::path& projectFile, const fs::path& folder)
@@ -212,7 +212,7 @@ void writeUnstoredResults(const fs::path& projectFile, const fs::path& folder)
     }();
     for (const auto& [file, unstored] : kept) {
         if (std::find(places.begin(), places.end(), unstored.folder) != places.end())
-            writeResultFile(fileIn(folder, unstored.stage), {unstored.stage, unstored.key}, *unstored.result);
+            writeResultFile(fileIn(folder, unstored.step), {unstored.step, unstored.key}, *unstored.result);
     }
 }
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/runexports.h"
 
+#include "model/project/buildstep.h"
 #include "model/project/exportclaims.h"
 #include "model/project/exportentry.h"
 #include "model/project/paths.h"
 #include "model/project/projectguard.h"
 #include "model/project/rebuild.h"
 #include "model/project/resultstore.h"
-#include "model/project/stage.h"
 
 #include <algorithm>
 
@@ -23,14 +23,14 @@ void computeClips(const Project& project, const std::filesystem::path& projectFi
     RebuildOptions options;
     options.permissions = permissions;
     for (const ExportEntry& entry : entries) {
-        const auto stages = stagesOf(project, entry);
-        options.targets.insert(options.targets.end(), stages.begin(), stages.end());
+        const auto steps = stepsOf(project, entry);
+        options.targets.insert(options.targets.end(), steps.begin(), steps.end());
     }
     if (options.targets.empty())
         return;
-    for (const StageReport& stage : rebuild(project, projectFile, options, progress).stages) {
-        if (stage.error)
-            throw *stage.error;
+    for (const StepReport& step : rebuild(project, projectFile, options, progress).steps) {
+        if (step.error)
+            throw *step.error;
     }
 }
 
@@ -98,7 +98,7 @@ std::vector<ExportResult> runExports(const Project& project, const std::filesyst
     for (const ExportEntry& entry : entries) {
         const double at = 0.5 + 0.5 * static_cast<double>(results.size()) / count;
         const Progress part = progress.part(at, at + 0.5 / count);
-        const auto resultOf = [&](const std::string& stage) { return store.load(stage, {}).result; };
+        const auto resultOf = [&](const std::string& step) { return store.load(step, {}).result; };
         results.push_back(writeExport(entry, opener, resultOf, *guard, part));
     }
     return results;

@@ -15,7 +15,7 @@ namespace quadrille {
 /// project writes the same bytes.
 /// \param projectFile  results lie beside it; it need not be there.
 /// \param permissions  what the user was asked about, see outputQuestions.
-/// \throws Error of the stage that failed, of opening and writing, BadArgument, Cancelled.
+/// \throws Error of the step that failed, of opening and writing, BadArgument, Cancelled.
 std::vector<ExportResult> runExports(const Project& project, const std::filesystem::path& projectFile,
                                      const std::vector<ExportEntry>& entries, const Progress& progress = {},
                                      WritePermissions permissions = {});

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/graph/comparison.h"
-#include "model/project/evaluationstages.h"
+#include "model/project/evaluationsteps.h"
 #include "model/project/graphtables.h"
 #include "model/project/lengthunit.h"
 #include "model/transition/acceleration.h"
@@ -55,18 +55,18 @@ Result fig7Result(const TransitionComparison& comparison, const std::string& uni
 
 } // namespace
 
-ResultStage fig7Stage(const CharacterWork& work, const EvaluationEntry& evaluation)
+BuildStep fig7Step(const CharacterInputs& work, const EvaluationEntry& evaluation)
 {
     const double fps = work.opener->project().settings.fps;
     TransitionSettings settings = transitionSettings(work.graph, fps);
-    ResultStage stage = evaluationStage(work, evaluation);
-    stage.settings = work.settings + nlohmann::json({fps, settings.shortest(), settings.longest(),
-                                                     settings.cost == TransitionCost::Sum ? "sum" : "mean"})
-                                         .dump();
-    stage.files = [work](const Progress& progress) { return work.files(progress); };
-    stage.inputs = {work.stageName(graphstage::poseDistance)};
-    stage.compute = [=](const StageContext& context, const Progress& progress) {
-        const Result poses = context.resultOf(stage.inputs.front());
+    BuildStep step = evaluationStep(work, evaluation);
+    step.settings = work.settings + nlohmann::json({fps, settings.shortest(), settings.longest(),
+                                                    settings.cost == TransitionCost::Sum ? "sum" : "mean"})
+                                        .dump();
+    step.files = [work](const Progress& progress) { return work.files(progress); };
+    step.inputs = {work.stepName(graphstep::poseDistance)};
+    step.compute = [=](const StepContext& context, const Progress& progress) {
+        const Result poses = context.resultOf(step.inputs.front());
         const Table<float> accelerations =
             accelerationDifferences(work.open(progress.part(0, 0.05)), fps, progress.part(0.05, 0.4));
         return fig7Result(compareTransitions(tableOf<float>(poses.arrays.front()), layoutOf(poses), settings,
@@ -74,7 +74,7 @@ ResultStage fig7Stage(const CharacterWork& work, const EvaluationEntry& evaluati
                           poses.arrays.front().unit,
                           unitText(work.opener->project().settings.axes.metresPerUnit) + "/s²");
     };
-    return stage;
+    return step;
 }
 
 namespace {
@@ -107,23 +107,23 @@ Result fig9Result(const std::vector<GraphComparison>& rows, const FrameLayout& l
 
 } // namespace
 
-ResultStage fig9Stage(const CharacterWork& work, const EvaluationEntry& evaluation)
+BuildStep fig9Step(const CharacterInputs& work, const EvaluationEntry& evaluation)
 {
     std::vector<double> alphas = evaluation.alphas;
     if (alphas.empty())
         alphas.assign(figure9Alphas.begin(), figure9Alphas.end());
-    ResultStage stage = evaluationStage(work, evaluation);
-    stage.settings = nlohmann::json({alphas, costSettings(work.graph), work.sequences,
-                                     static_cast<int>(work.graph.smoothing)})
-                         .dump();
-    stage.inputs = costInputs(work);
-    stage.compute = [=](const StageContext& context, const Progress& progress) {
+    BuildStep step = evaluationStep(work, evaluation);
+    step.settings = nlohmann::json({alphas, costSettings(work.graph), work.sequences,
+                                    static_cast<int>(work.graph.smoothing)})
+                        .dump();
+    step.inputs = costInputs(work);
+    step.compute = [=](const StepContext& context, const Progress& progress) {
         const TransitionCosts costs = costsOf(work, context);
         const auto minima = costMinima(costs, work.graph.smoothing, progress.part(0, 0.05));
         return fig9Result(sweepAlpha(costs, minima, alphas, progress.part(0.05, 1)), costs.layout(),
                           work.sequences);
     };
-    return stage;
+    return step;
 }
 
 } // namespace quadrille

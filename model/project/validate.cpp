@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/validate.h"
 
-#include "model/project/clipparts.h"
+#include "model/project/clipdependencies.h"
 #include "model/project/madeclips.h"
 #include "model/project/opensequence.h"
 #include "model/project/paths.h"

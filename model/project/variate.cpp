@@ -3,9 +3,9 @@
 #include "model/project/variate.h"
 
 #include "model/core/error.h"
+#include "model/project/buildstep.h"
 #include "model/project/madeclips.h"
 #include "model/project/sequencesettings.h"
-#include "model/project/stage.h"
 #include "model/project/variationjson.h"
 #include "model/synthesis/contactcorrection.h"
 #include "model/variation/posereach.h"
@@ -264,7 +264,7 @@ std::string VariationWork::movementSettings() const
     return settings;
 }
 
-std::vector<std::string> VariationWork::clipStages() const
+std::vector<std::string> VariationWork::clipSteps() const
 {
     return clipInputs(project(), sequences());
 }

@@ -53,12 +53,12 @@ public:
     /// A clip in metres as one in the project's unit.
     Clip inProjectUnit(Clip clip) const;
 
-    /// The files of the takes, for ResultStage::files.
+    /// The files of the takes, for BuildStep::files.
     std::vector<std::filesystem::path> files(const Progress& progress) const;
     /// All that the movement depends on beside the files, as text.
     std::string movementSettings() const;
-    /// The training sequences that are clips of others need these stages.
-    std::vector<std::string> clipStages() const;
+    /// The training sequences that are clips of others need these steps.
+    std::vector<std::string> clipSteps() const;
 
     /// What a set of samples varies. \throws Error as subjectOf.
     VariationSubject subject(const SamplesEntry& samples) const { return subjectOf(m_entry, samples); }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "model/evaluation/variationmeasures.h"
 #include "model/project/clipresult.h"
-#include "model/project/evaluationstages.h"
+#include "model/project/evaluationsteps.h"
 #include "model/project/madeclips.h"
 #include "model/project/tablebuilder.h"
 #include "model/project/variate.h"
 #include "model/project/variationresults.h"
-#include "model/project/variationstages.h"
+#include "model/project/variationsteps.h"
 
 #include <algorithm>
 #include <limits>
@@ -120,7 +120,7 @@ private:
         "lengths, and how much further cycles end from where they began; and why others were rejected."};
 };
 
-ComparedSet comparedSet(VariationWork& work, std::size_t set, const StageContext& context)
+ComparedSet comparedSet(VariationWork& work, std::size_t set, const StepContext& context)
 {
     const UpAxis up = work.project().settings.axes.up;
     const auto movement = work.movement();
@@ -131,7 +131,7 @@ ComparedSet comparedSet(VariationWork& work, std::size_t set, const StageContext
     for (int number = 1; number <= variationCount(work.entry()); ++number) {
         if (placeOfVariation(work.entry(), number)->set != set)
             continue;
-        auto clip = clipOf(context.resultOf(clipStageOf(variationClip(work.entry().name, number))),
+        auto clip = clipOf(context.resultOf(clipStepOf(variationClip(work.entry().name, number))),
                            frames.sequences(), movement->alignment.fps);
         if (!clip)
             continue;
@@ -148,24 +148,24 @@ ComparedSet comparedSet(VariationWork& work, std::size_t set, const StageContext
 
 } // namespace
 
-ResultStage variationsStage(const CharacterWork& work, const EvaluationEntry& evaluation)
+BuildStep variationsStep(const CharacterInputs& work, const EvaluationEntry& evaluation)
 {
     std::vector<std::shared_ptr<VariationWork>> works;
     for (const VariationEntry* entry : learnedVariations(work.opener->project(), work.character))
         works.push_back(std::make_shared<VariationWork>(work.opener, *entry));
-    ResultStage stage = evaluationStage(work, evaluation);
+    BuildStep step = evaluationStep(work, evaluation);
     for (const auto& each : works) {
         const std::string& name = each->entry().name;
-        stage.inputs.push_back(selectionStageOf(name));
+        step.inputs.push_back(selectionStepOf(name));
         for (int number = 1; number <= variationCount(each->entry()); ++number)
-            stage.inputs.push_back(clipStageOf(variationClip(name, number)));
+            step.inputs.push_back(clipStepOf(variationClip(name, number)));
     }
-    stage.compute = [works](const StageContext& context, const Progress& progress) {
+    step.compute = [works](const StepContext& context, const Progress& progress) {
         ComparisonTable table;
         for (std::size_t w = 0; w < works.size(); ++w) {
             progress.report(static_cast<std::int64_t>(w), static_cast<std::int64_t>(works.size()));
             const VariationEntry& entry = works[w]->entry();
-            const auto selections = selectionsOf(context.resultOf(selectionStageOf(entry.name)), entry);
+            const auto selections = selectionsOf(context.resultOf(selectionStepOf(entry.name)), entry);
             const bool isCycle = works[w]->movement()->alignment.cycle.has_value();
             for (std::size_t s = 0; s < selections.size(); ++s)
                 table.add(entry, entry.samples[s], selections[s], comparedSet(*works[w], s, context),
@@ -173,7 +173,7 @@ ResultStage variationsStage(const CharacterWork& work, const EvaluationEntry& ev
         }
         return std::move(table).result();
     };
-    return stage;
+    return step;
 }
 
 } // namespace quadrille

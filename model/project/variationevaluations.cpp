@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/evaluationstages.h"
+#include "model/project/evaluationsteps.h"
 #include "model/project/madeclips.h"
 #include "model/project/tablebuilder.h"
 #include "model/project/variate.h"
 #include "model/project/variationresults.h"
-#include "model/project/variationstages.h"
+#include "model/project/variationsteps.h"
 #include "model/variation/blenderrors.h"
 #include "model/variation/preblend.h"
 #include "model/variation/reconstructionerror.h"
@@ -19,7 +19,7 @@ namespace {
 
 using Works = std::vector<std::shared_ptr<VariationWork>>;
 
-Works worksOf(const CharacterWork& work)
+Works worksOf(const CharacterInputs& work)
 {
     Works works;
     for (const VariationEntry* entry : learnedVariations(work.opener->project(), work.character))
@@ -27,23 +27,23 @@ Works worksOf(const CharacterWork& work)
     return works;
 }
 
-/// A stage about the models of all variations of a character.
-ResultStage modelsStage(const CharacterWork& work, const EvaluationEntry& evaluation, const Works& works)
+/// A step about the models of all variations of a character.
+BuildStep modelsStep(const CharacterInputs& work, const EvaluationEntry& evaluation, const Works& works)
 {
-    ResultStage stage = evaluationStage(work, evaluation);
+    BuildStep step = evaluationStep(work, evaluation);
     for (const auto& each : works) {
         for (const std::string& part : partNamesOf(each->project(), each->entry()))
-            stage.inputs.push_back(modelStageOf(each->entry().name, part));
+            step.inputs.push_back(modelStepOf(each->entry().name, part));
     }
-    return stage;
+    return step;
 }
 
-GpdmState stateOf(const VariationWork& work, const BodyPart& part, const StageContext& context)
+GpdmState stateOf(const VariationWork& work, const BodyPart& part, const StepContext& context)
 {
-    return stateOf(context.resultOf(modelStageOf(work.entry().name, part.name)));
+    return stateOf(context.resultOf(modelStepOf(work.entry().name, part.name)));
 }
 
-Result reconstructionResult(const Works& works, const StageContext& context, const Progress& progress)
+Result reconstructionResult(const Works& works, const StepContext& context, const Progress& progress)
 {
     TableBuilder table("cvs-fig4",
                        "How far models reconstruct what they were learned from (CVS Fig. 4): mean "
@@ -124,7 +124,7 @@ public:
         m_means.real("from-takes", "m").real("from-nearby", "m").real("ratio");
     }
 
-    void add(VariationWork& work, std::size_t blend, const StageContext& context)
+    void add(VariationWork& work, std::size_t blend, const StepContext& context)
     {
         const auto movement = work.movement();
         const MovementBlend& pair = movement->blends[blend];
@@ -185,21 +185,21 @@ private:
 
 } // namespace
 
-ResultStage cvsFig4Stage(const CharacterWork& work, const EvaluationEntry& evaluation)
+BuildStep cvsFig4Step(const CharacterInputs& work, const EvaluationEntry& evaluation)
 {
     const Works works = worksOf(work);
-    ResultStage stage = modelsStage(work, evaluation, works);
-    stage.compute = [works](const StageContext& context, const Progress& progress) {
+    BuildStep step = modelsStep(work, evaluation, works);
+    step.compute = [works](const StepContext& context, const Progress& progress) {
         return reconstructionResult(works, context, progress);
     };
-    return stage;
+    return step;
 }
 
-ResultStage cvsFig7Stage(const CharacterWork& work, const EvaluationEntry& evaluation)
+BuildStep cvsFig7Step(const CharacterInputs& work, const EvaluationEntry& evaluation)
 {
     const Works works = worksOf(work);
-    ResultStage stage = modelsStage(work, evaluation, works);
-    stage.compute = [works](const StageContext& context, const Progress& progress) {
+    BuildStep step = modelsStep(work, evaluation, works);
+    step.compute = [works](const StepContext& context, const Progress& progress) {
         BlendTables tables;
         for (std::size_t w = 0; w < works.size(); ++w) {
             progress.report(static_cast<std::int64_t>(w), static_cast<std::int64_t>(works.size()));
@@ -208,7 +208,7 @@ ResultStage cvsFig7Stage(const CharacterWork& work, const EvaluationEntry& evalu
         }
         return std::move(tables).result();
     };
-    return stage;
+    return step;
 }
 
 } // namespace quadrille

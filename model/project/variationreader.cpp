@@ -116,23 +116,23 @@ BlendEntry readBlend(const ObjectReader& reader)
     return blend;
 }
 
-std::uint64_t readSeed(const ObjectReader& reader, std::uint64_t otherwise)
+std::uint64_t readSeed(const ObjectReader& reader, std::uint64_t fallback)
 {
     const auto seed = reader.wholeNumber("seed");
     if (seed && *seed < 0)
         reader.wrongType("seed", "a whole number from zero");
-    return seed && *seed >= 0 ? static_cast<std::uint64_t>(*seed) : otherwise;
+    return seed && *seed >= 0 ? static_cast<std::uint64_t>(*seed) : fallback;
 }
 
-int readCount(const ObjectReader& reader, std::string_view key, int otherwise)
+int readCount(const ObjectReader& reader, std::string_view key, int fallback)
 {
     const auto count = reader.wholeNumber(key);
     constexpr std::int64_t most = 1'000'000;
     if (count && (*count < 0 || *count > most)) {
         reader.wrongType(key, "a whole number from zero to a million");
-        return otherwise;
+        return fallback;
     }
-    return static_cast<int>(count.value_or(otherwise));
+    return static_cast<int>(count.value_or(fallback));
 }
 
 void readLearning(const ObjectReader& reader, VariationEntry& variation)
@@ -233,7 +233,7 @@ VariationEntry readVariation(const ObjectReader& reader)
     });
     variation.reference = reader.text("reference");
     variation.templatePose = readNamedFrame(reader, "template");
-    variation.cycles = reader.truth("cycles", variation.cycles);
+    variation.cycles = reader.boolean("cycles", variation.cycles);
     reader.each("blends", [&](const Json& json, const std::string& pointer) {
         variation.blends.push_back(readBlend({json, pointer, reader.problems()}));
     });
@@ -246,7 +246,7 @@ VariationEntry readVariation(const ObjectReader& reader)
         variation.samples.push_back(readSamples({json, pointer, reader.problems()}));
     });
     reader.word("poses", variation.draw, {{"mean", PoseDraw::Mean}, {"sample", PoseDraw::Sample}});
-    variation.correctsContacts = reader.truth("contact_correction", variation.correctsContacts);
+    variation.correctsContacts = reader.boolean("contact_correction", variation.correctsContacts);
     if (const Json* limits = reader.find("limits"))
         readLimits({*limits, reader.pointer("limits"), reader.problems()}, variation);
     variation.unknown = reader.unknown(projectkeys::variation);

@@ -3,7 +3,7 @@
 #include "model/project/variationresults.h"
 
 #include "model/core/error.h"
-#include "model/project/characterstages.h"
+#include "model/project/charactersteps.h"
 #include "model/project/tablebuilder.h"
 #include "model/variation/reconstructionerror.h"
 

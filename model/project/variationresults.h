@@ -11,7 +11,7 @@
 
 namespace quadrille {
 
-// What the stages of an entry of “variations” store, and what others take from it.
+// What the steps of an entry of “variations” store, and what others take from it.
 
 /// How the takes run against the reference.
 Result alignmentResult(const Movement& movement);

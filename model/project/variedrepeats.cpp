@@ -5,14 +5,14 @@
 #include "model/core/contains.h"
 #include "model/core/error.h"
 #include "model/core/message.h"
-#include "model/project/characterstages.h"
-#include "model/project/clipparts.h"
+#include "model/project/buildstep.h"
+#include "model/project/charactersteps.h"
+#include "model/project/clipdependencies.h"
 #include "model/project/madeclips.h"
 #include "model/project/opensequence.h"
 #include "model/project/paths.h"
 #include "model/project/rebuild.h"
 #include "model/project/resultstore.h"
-#include "model/project/stage.h"
 #include "model/project/tablebuilder.h"
 
 #include <algorithm>
@@ -114,16 +114,16 @@ std::vector<TakeVariation> openTakeVariations(Project project, const std::filesy
         return {};
     RebuildOptions options;
     for (const std::string& clip : clips)
-        options.targets.push_back(clipStageOf(clip));
+        options.targets.push_back(clipStepOf(clip));
     const std::filesystem::path results = cacheFolder(projectFile);
     const auto opener =
         std::make_shared<SequenceOpener>(std::move(project), projectFolder(projectFile), results);
     std::map<std::string, std::string> keys;
-    for (const StageReport& stage :
-         rebuild(makeStages({opener, projectFile}), projectFile, options, progress.part(0, 0.9), {}).stages) {
-        if (stage.error)
-            throw Error(*stage.error);
-        keys[stage.stage] = stage.key;
+    for (const StepReport& step :
+         rebuild(makeSteps({opener, projectFile}), projectFile, options, progress.part(0, 0.9), {}).steps) {
+        if (step.error)
+            throw Error(*step.error);
+        keys[step.step] = step.key;
     }
     std::vector<TakeVariation> variations;
     const ResultStore store(results);

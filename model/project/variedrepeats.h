@@ -25,13 +25,13 @@ bool isOfGraph(const Project& project, const VariationEntry& variation);
 std::vector<std::string> clipsDrawnFrom(const Project& project, const AnimationEntry& animation);
 
 /// One of them; nothing where too few were good enough for it to be there. \param clip  its name. \param
-/// result  of the stage of its clip.
+/// result  of the step of its clip.
 /// \throws Error ProjectInvalid (its take is not in the graph, or is another by now).
 std::optional<TakeVariation> takeVariation(const std::string& clip, const Result& result,
                                            const CharacterGraph& graph);
 
 /// All of them, brought up to date among the results of a project first: models that are not there are
-/// learned. \throws Error of the stage that failed; as takeVariation; Cancelled.
+/// learned. \throws Error of the step that failed; as takeVariation; Cancelled.
 std::vector<TakeVariation> openTakeVariations(Project project, const std::filesystem::path& projectFile,
                                               const AnimationEntry& animation, const CharacterGraph& graph,
                                               const Progress& progress = {});

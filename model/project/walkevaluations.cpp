@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/evaluation/keyexperiment.h"
 #include "model/project/charactergraph.h"
-#include "model/project/evaluationstages.h"
+#include "model/project/evaluationsteps.h"
 #include "model/project/lengthunit.h"
 #include "model/project/tablebuilder.h"
 #include "model/synthesis/findwalk.h"
@@ -178,17 +178,17 @@ void addReport(JunctionTables& tables, const std::string& blend, const Character
 
 } // namespace
 
-ResultStage table2Stage(const CharacterWork& work, const EvaluationEntry& evaluation)
+BuildStep table2Step(const CharacterInputs& work, const EvaluationEntry& evaluation)
 {
     constexpr int usualCount = 10;
     constexpr std::int64_t enough = 1'000'000'000; // expansions, to the end of the exact search
     const int count = static_cast<int>(evaluation.count.value_or(usualCount));
     const auto seed = static_cast<std::uint64_t>(evaluation.seed);
     const auto sequences = evaluation.sequences.empty() ? work.sequences : evaluation.sequences;
-    ResultStage stage = evaluationStage(work, evaluation);
-    stage.settings = nlohmann::json({count, seed, sequences, work.sequences, work.graph.alpha}).dump();
-    stage.inputs = CharacterGraph::inputs(work);
-    stage.compute = [=](const StageContext& context, const Progress& progress) {
+    BuildStep step = evaluationStep(work, evaluation);
+    step.settings = nlohmann::json({count, seed, sequences, work.sequences, work.graph.alpha}).dump();
+    step.inputs = CharacterGraph::inputs(work);
+    step.compute = [=](const StepContext& context, const Progress& progress) {
         const CharacterGraph graph(work, context);
         const std::vector<WalkSpan> spans = spansOf(graph, sequences);
         std::int64_t duration = 0;
@@ -207,21 +207,21 @@ ResultStage table2Stage(const CharacterWork& work, const EvaluationEntry& evalua
         result.tables = {std::move(tables.keys).table(), std::move(tables.summary).table()};
         return result;
     };
-    return stage;
+    return step;
 }
 
-ResultStage junctionsStage(const CharacterWork& work, const EvaluationEntry& evaluation)
+BuildStep junctionsStep(const CharacterInputs& work, const EvaluationEntry& evaluation)
 {
     constexpr int usualCount = 200;
     const int count = static_cast<int>(evaluation.count.value_or(usualCount));
     const auto seed = static_cast<std::uint32_t>(evaluation.seed);
     const double fps = work.opener->project().settings.fps;
-    ResultStage stage = evaluationStage(work, evaluation);
-    stage.version = 9;
-    stage.settings = work.settings + nlohmann::json({count, seed, fps, work.sequences}).dump();
-    stage.files = [work](const Progress& progress) { return work.files(progress); };
-    stage.inputs = CharacterGraph::inputs(work);
-    stage.compute = [=](const StageContext& context, const Progress& progress) {
+    BuildStep step = evaluationStep(work, evaluation);
+    step.version = 9;
+    step.settings = work.settings + nlohmann::json({count, seed, fps, work.sequences}).dump();
+    step.files = [work](const Progress& progress) { return work.files(progress); };
+    step.inputs = CharacterGraph::inputs(work);
+    step.compute = [=](const StepContext& context, const Progress& progress) {
         const CharacterGraph graph(work, context);
         const CharacterFrames character = work.open(progress.part(0, 0.05));
         const Table<float> accelerations = accelerationDifferences(character, fps, progress.part(0.05, 0.4));
@@ -250,7 +250,7 @@ ResultStage junctionsStage(const CharacterWork& work, const EvaluationEntry& eva
                          std::move(tables.predictors).table()};
         return result;
     };
-    return stage;
+    return step;
 }
 
 } // namespace quadrille

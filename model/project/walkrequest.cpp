@@ -176,7 +176,7 @@ GroundMotion startOf(const WalkEntry& entry, const CharacterGraph& graph)
     return GroundMotion::taking(centre, at, entry.turn * std::numbers::pi / 180);
 }
 
-std::string walkSettings(const AnimationEntry& animation, const CharacterWork& work)
+std::string walkSettings(const AnimationEntry& animation, const CharacterInputs& work)
 {
     AnimationEntry asked = animation;
     asked.name.clear();

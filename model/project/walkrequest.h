@@ -28,6 +28,6 @@ Walk walkOf(const std::vector<WalkSpanEntry>& spans, const CharacterGraph& graph
 GroundMotion startOf(const WalkEntry& entry, const CharacterGraph& graph);
 
 /// All of an animation and its character that a walk depends on beside the graph, as text.
-std::string walkSettings(const AnimationEntry& animation, const CharacterWork& work);
+std::string walkSettings(const AnimationEntry& animation, const CharacterInputs& work);
 
 } // namespace quadrille

@@ -32,7 +32,7 @@ struct Patch
 class Painter
 {
 public:
-    Painter(const Figure& figure, const ScreenScene& scene, const Lights& lights,
+    Painter(const ShadedFigure& figure, const ScreenScene& scene, const Lights& lights,
             const RenderOptions& options)
         : m_figure(figure), m_scene(scene), m_lights(lights), m_options(options)
     {
@@ -46,7 +46,7 @@ private:
     void prepareWire(const ScreenTriangle& t, Patch& patch) const;
     float wire(const Patch& patch, const std::array<std::int64_t, 3>& edges) const;
 
-    const Figure& m_figure;
+    const ShadedFigure& m_figure;
     const ScreenScene& m_scene;
     const Lights& m_lights;
     const RenderOptions& m_options;
@@ -210,11 +210,11 @@ class PictureTask
 {
 public:
     PictureTask(const ScreenScene& scene, const Painter& painter, const Projection& projection,
-                const Stage& stage, const RenderOptions& options, Image& image)
+                const Backdrop& backdrop, const RenderOptions& options, Image& image)
         : m_scene(scene)
         , m_painter(painter)
         , m_projection(projection)
-        , m_stage(stage)
+        , m_backdrop(backdrop)
         , m_options(options)
         , m_image(image)
     {
@@ -235,13 +235,13 @@ public:
                 LinearPixel pixel;
                 if (!isEmpty)
                     pixel = figureAt(x, y, buffer, patch);
-                const bool isStage = pixel.alpha == 0;
+                const bool isBackdrop = pixel.alpha == 0;
                 if (pixel.alpha < 1) {
-                    const LinearPixel behind = m_stage.at(x, y);
+                    const LinearPixel behind = m_backdrop.at(x, y);
                     pixel.color += behind.color * (1 - pixel.alpha);
                     pixel.alpha += behind.alpha * (1 - pixel.alpha);
                 }
-                store(pixel, isStage, x, y, m_image.pixel(x, y));
+                store(pixel, isBackdrop, x, y, m_image.pixel(x, y));
             }
         }
     }
@@ -261,7 +261,8 @@ private:
             for (int x = firstX; x < firstX + samples; ++x) {
                 const std::size_t sample = buffer.index(x, y);
                 const std::uint32_t item = buffer.items[sample];
-                if (item == ScreenTriangle::noPiece || buffer.nearness[sample] < m_stage.groundNearness(x, y))
+                if (item == ScreenTriangle::noPiece ||
+                    buffer.nearness[sample] < m_backdrop.groundNearness(x, y))
                     continue;
                 if (patch.item != item)
                     m_painter.preparePatch(item, patch);
@@ -278,15 +279,15 @@ private:
     const ScreenScene& m_scene;
     const Painter& m_painter;
     const Projection& m_projection;
-    const Stage& m_stage;
+    const Backdrop& m_backdrop;
     const RenderOptions& m_options;
     Image& m_image;
 };
 
 } // namespace
 
-Image drawPicture(const Figure& figure, const Projection& projection, const Lights& lights,
-                  const Stage& stage, const RenderOptions& options)
+Image drawPicture(const ShadedFigure& figure, const Projection& projection, const Lights& lights,
+                  const Backdrop& backdrop, const RenderOptions& options)
 {
     const int samples = options.supersampling;
     const ScreenScene scene =
@@ -294,7 +295,7 @@ Image drawPicture(const Figure& figure, const Projection& projection, const Ligh
                      options.height * samples, tilePixels * samples);
     const Painter painter(figure, scene, lights, options);
     Image image(options.width, options.height);
-    const PictureTask task(scene, painter, projection, stage, options, image);
+    const PictureTask task(scene, painter, projection, backdrop, options, image);
     tbb::parallel_for(tbb::blocked_range<int>(0, scene.tileCount()), [&](const auto& range) {
         TileBuffer buffer(scene.tileSize);
         for (int tile = range.begin(); tile != range.end(); ++tile)

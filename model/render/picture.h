@@ -3,9 +3,9 @@
 #pragma once
 
 #include "model/core/image.h"
+#include "model/render/backdrop.h"
 #include "model/render/mipmap.h"
 #include "model/render/shading.h"
-#include "model/render/stage.h"
 
 #include <memory>
 #include <span>
@@ -13,7 +13,7 @@
 namespace quadrille {
 
 /// A mesh as it is drawn.
-struct Figure
+struct ShadedFigure
 {
     Positions positions;
     std::span<const Vec3f> normals; ///< per vertex
@@ -22,9 +22,9 @@ struct Figure
     std::span<const std::shared_ptr<const MipTexture>> textures;
 };
 
-/// Draws a figure on its stage.
+/// Draws a figure on its backdrop.
 /// \param projection of options.width × options.height × supersampling² samples.
-Image drawPicture(const Figure& figure, const Projection& projection, const Lights& lights,
-                  const Stage& stage, const RenderOptions& options);
+Image drawPicture(const ShadedFigure& figure, const Projection& projection, const Lights& lights,
+                  const Backdrop& backdrop, const RenderOptions& options);
 
 } // namespace quadrille

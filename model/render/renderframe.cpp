@@ -3,10 +3,10 @@
 #include "model/render/renderframe.h"
 
 #include "model/core/error.h"
+#include "model/render/backdrop.h"
 #include "model/render/mipmap.h"
 #include "model/render/picture.h"
 #include "model/render/shading.h"
-#include "model/render/stage.h"
 
 #include <algorithm>
 #include <string>
@@ -46,7 +46,7 @@ std::shared_ptr<const MipTexture> scaled(std::shared_ptr<const Image> image)
 
 struct FrameRenderer::Shared
 {
-    VertexTriangles neighbours;
+    IncidentTriangles neighbours;
     GroundPlane ground;
     double shadowTexel = 0.01;
     /// By material; empty when each frame has its own.
@@ -108,9 +108,10 @@ Image FrameRenderer::render(FrameIndex frame, const Camera& camera) const
         shadow = ShadowMap(positions, topology.triangles(), m_shared->ground, lights.key().cast<double>(),
                            m_shared->shadowTexel);
     }
-    const Stage stage(m_options, projection, camera, m_shared->ground, std::move(shadow));
+    const Backdrop backdrop(m_options, projection, camera, m_shared->ground, std::move(shadow));
     const std::vector<Vec3f> normals = vertexNormals(positions, topology.triangles(), m_shared->neighbours);
-    return drawPicture({positions, normals, topology.data(), textures}, projection, lights, stage, m_options);
+    return drawPicture({positions, normals, topology.data(), textures}, projection, lights, backdrop,
+                       m_options);
 }
 
 Image renderFrame(const MeshSequence& sequence, FrameIndex frame, const Camera& camera,

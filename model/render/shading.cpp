@@ -10,9 +10,9 @@
 
 namespace quadrille {
 
-VertexTriangles trianglesOfVertices(std::span<const Triangle> triangles, std::uint32_t vertexCount)
+IncidentTriangles trianglesOfVertices(std::span<const Triangle> triangles, std::uint32_t vertexCount)
 {
-    VertexTriangles result;
+    IncidentTriangles result;
     result.starts.assign(vertexCount + std::size_t{1}, 0);
     for (const Triangle& triangle : triangles) {
         for (const VertexIndex v : triangle)
@@ -30,7 +30,7 @@ VertexTriangles trianglesOfVertices(std::span<const Triangle> triangles, std::ui
 }
 
 std::vector<Vec3f> vertexNormals(Positions positions, std::span<const Triangle> triangles,
-                                 const VertexTriangles& neighbours)
+                                 const IncidentTriangles& neighbours)
 {
     std::vector<Vec3f> faces(triangles.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces.size(), 2048), [&](const auto& range) {

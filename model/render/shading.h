@@ -14,16 +14,16 @@
 namespace quadrille {
 
 /// Which triangles meet at each vertex.
-struct VertexTriangles
+struct IncidentTriangles
 {
     std::vector<std::uint32_t> starts; ///< vertices + 1 offsets into `triangles`
     std::vector<std::uint32_t> triangles;
 };
-VertexTriangles trianglesOfVertices(std::span<const Triangle> triangles, std::uint32_t vertexCount);
+IncidentTriangles trianglesOfVertices(std::span<const Triangle> triangles, std::uint32_t vertexCount);
 
 /// Smooth unit normals: the mean of the vertex's triangles, weighted by area; zero where there is none.
 std::vector<Vec3f> vertexNormals(Positions positions, std::span<const Triangle> triangles,
-                                 const VertexTriangles& neighbours);
+                                 const IncidentTriangles& neighbours);
 
 /// How a surface answers to light.
 struct Material

@@ -43,8 +43,8 @@ public:
 
     explicit Path(const GaitPlan& plan)
     {
-        const auto at = [](const std::function<double(double)>& f, double t, double otherwise) {
-            return f ? f(t) : otherwise;
+        const auto at = [](const std::function<double(double)>& f, double t, double fallback) {
+            return f ? f(t) : fallback;
         };
         const auto forward = [&](PathPoint p, double dt) {
             p.vigour = at(plan.speed, p.time, 1);

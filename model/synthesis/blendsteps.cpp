@@ -23,7 +23,7 @@ struct Stretch
     std::size_t count() const { return last + 1 - first; }
 };
 
-std::vector<Stretch> blendsOf(const std::vector<FrameOrigin>& origins)
+std::vector<Stretch> blendsOf(const std::vector<FrameProvenance>& origins)
 {
     std::vector<Stretch> blends;
     for (std::size_t f = 0; f < origins.size(); ++f) {

@@ -3,7 +3,7 @@
 #include "model/core/error.h"
 #include "model/synthesis/findwalk.h"
 #include "model/synthesis/pathcourse.h"
-#include "model/synthesis/reach.h"
+#include "model/synthesis/reachableset.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 namespace quadrille {
 
 /// Where the pose of a frame comes from: a captured frame, or a point between two.
-struct FrameOrigin
+struct FrameProvenance
 {
     NodeIndex source = 0;
     NodeIndex destination = 0; ///< equal to source for captured poses
@@ -26,7 +26,7 @@ struct FrameOrigin
     bool isCaptured() const { return isSingle() && sourceVariation == 0; }
     /// The captured frame that it is nearer to; its texture and its labels are those of the frame.
     NodeIndex nearest() const { return lambda < 0.5 ? source : destination; }
-    bool operator==(const FrameOrigin&) const = default;
+    bool operator==(const FrameProvenance&) const = default;
 };
 
 /// A mesh sequence that was made from captured ones, with the origin of each of its frames: a plain value,
@@ -35,8 +35,8 @@ struct Clip
 {
     std::shared_ptr<const Topology> topology;
     double fps = 25;
-    std::vector<Vec3f> positions;     ///< frames × vertices, metres
-    std::vector<FrameOrigin> origins; ///< of each frame
+    std::vector<Vec3f> positions;         ///< frames × vertices, metres
+    std::vector<FrameProvenance> origins; ///< of each frame
 
     std::int64_t frameCount() const { return static_cast<std::int64_t>(origins.size()); }
     Positions frame(std::int64_t frame) const;

@@ -14,7 +14,7 @@ namespace quadrille {
 /// How a frame of a clip comes about: from which poses, and where they are put.
 struct PlannedFrame
 {
-    FrameOrigin origin;            ///< by the captured frames nearest to the moments that are shown
+    FrameProvenance origin;        ///< by the captured frames nearest to the moments that are shown
     BlendTimes times;              ///< both are one for a pose that is not blended
     double lambda = 0;             ///< weight of the destination, 0 … 1
     GroundMotion placeSource;      ///< of the source sequence as captured

@@ -41,7 +41,7 @@ TextureSet texturesOf(const Clip& clip, const CharacterFrames& character)
     const TextureSet* common = nullptr;
     bool isCommon = true;
     std::vector<Texture> textures;
-    for (const FrameOrigin& origin : clip.origins) {
+    for (const FrameProvenance& origin : clip.origins) {
         const Place place = placeOf(character, origin.nearest());
         const TextureSet& set = place.sequence.textures;
         if (!common)
@@ -66,7 +66,7 @@ std::set<std::string> namesAt(const std::vector<Span>& spans, std::string Span::
     return names;
 }
 
-std::set<std::string> labelsAt(const FrameOrigin& origin, const CharacterFrames& character)
+std::set<std::string> labelsAt(const FrameProvenance& origin, const CharacterFrames& character)
 {
     const Place place = placeOf(character, origin.nearest());
     return namesAt(place.sequence.labels, &LabelSpan::label, place.frame);
@@ -103,7 +103,7 @@ std::vector<ContactSpan> contactsOf(const Clip& clip, const CharacterFrames& cha
 MeshSequence toSequence(std::string name, Clip clip, const CharacterFrames& character)
 {
     std::vector<std::set<std::string>> labels;
-    for (const FrameOrigin& origin : clip.origins)
+    for (const FrameProvenance& origin : clip.origins)
         labels.push_back(labelsAt(origin, character));
     std::vector<ContactSpan> contacts = contactsOf(clip, character);
     TextureSet textures = texturesOf(clip, character);

@@ -3,10 +3,10 @@
 #include "model/synthesis/findwalk.h"
 
 #include "model/core/error.h"
+#include "model/synthesis/automatonsearch.h"
 #include "model/synthesis/followwalk.h"
 #include "model/synthesis/keywalk.h"
-#include "model/synthesis/reach.h"
-#include "model/synthesis/stagesearch.h"
+#include "model/synthesis/reachableset.h"
 #include "model/synthesis/walkimprovement.h"
 #include "model/synthesis/walkrepair.h"
 
@@ -23,7 +23,7 @@ void checkKeysReachable(const WalkGraph& graph, const std::vector<PoseKey>& keys
                         std::vector<NodeIndex> sources)
 {
     for (std::size_t k = 0; k < keys.size(); ++k) {
-        const Reach reach(graph, sources, k == 0);
+        const ReachableSet reach(graph, sources, k == 0);
         if (!reach.contains(keys[k].frame))
             throw Error(
                 ErrorCode::WalkKeyUnreachable,
@@ -38,7 +38,7 @@ void checkKeysReachable(const WalkGraph& graph, const std::vector<PoseKey>& keys
 void checkActionsPossible(const WalkGraph& graph, const std::vector<Action>& actions,
                           const std::vector<NodeIndex>& starts)
 {
-    const Reach reach(graph, starts, true);
+    const ReachableSet reach(graph, starts, true);
     for (std::size_t a = 0; a < actions.size(); ++a) {
         const Action& action = actions[a];
         double most = 0;
@@ -115,7 +115,7 @@ WalkSolution findKeys(const Search& search)
     NodeIndex node = walk.route.start;
     for (std::size_t m = 0;; ++m) {
         const auto met = std::upper_bound(walk.times.begin(), walk.times.end(), time) - walk.times.begin();
-        route.stages.push_back({.node = node, .key = static_cast<std::int16_t>(met)});
+        route.states.push_back({.node = node, .key = static_cast<std::int16_t>(met)});
         if (m == walk.route.moves.size())
             break;
         const WalkMove& move = task.graph.move(walk.route.moves[m]);
@@ -153,7 +153,8 @@ std::optional<WalkSolution> findByStages(const Search& search, Failure& failure,
     std::optional<FoundRoute> route =
         course.path() != nullptr
             ? searchPath(*course.path(), budget, tell, failure.path, effort, search.progress)
-            : searchStages(task.graph, course.stages(), task.starts, budget, tell, effort, search.progress);
+            : searchAutomaton(task.graph, course.automaton(), task.starts, budget, tell, effort,
+                              search.progress);
     if (known != nullptr) {
         std::optional<FoundRoute> other =
             followWalk(course.followed(), *known, route ? route->cost : unreachable);

@@ -13,7 +13,7 @@ constexpr double rounding = 1e-9; ///< of costs
 
 struct FollowedState
 {
-    StageState stage;
+    AutomatonState stage;
     std::int32_t time = 0;
     std::int32_t parent = -1;
     MoveIndex move = noMove;
@@ -80,8 +80,8 @@ private:
     {
         if (!std::ranges::binary_search(m_course.starts, node))
             return;
-        m_course.stages.settle(m_course.stages.begin(node), 0, m_settled);
-        for (const SettledStage& settled : m_settled)
+        m_course.automaton.settle(m_course.automaton.begin(node), 0, m_settled);
+        for (const SettledState& settled : m_settled)
             offer({.stage = settled.state, .cost = mu() * settled.edges + settled.timing});
     }
 
@@ -103,11 +103,11 @@ private:
             m_known.clear();
         for (std::size_t parent = first; parent < m_front; ++parent) {
             const FollowedState from = m_seen[parent];
-            if (!m_course.stages.allows(from.stage, move))
+            if (!m_course.automaton.allows(from.stage, move))
                 continue;
             const std::int32_t time = from.time + move.elapsed;
-            m_course.stages.settle(m_course.stages.after(from.stage, move), time, m_settled);
-            for (const SettledStage& settled : m_settled)
+            m_course.automaton.settle(m_course.automaton.after(from.stage, move), time, m_settled);
+            for (const SettledState& settled : m_settled)
                 offer({.stage = settled.state,
                        .time = time,
                        .parent = static_cast<std::int32_t>(parent),
@@ -134,9 +134,9 @@ private:
             m_seen[known->second] = state;
     }
 
-    StageFuture futureOf(const FollowedState& state) const
+    AutomatonFuture futureOf(const FollowedState& state) const
     {
-        return m_course.stages.future(state.stage, state.time);
+        return m_course.automaton.future(state.stage, state.time);
     }
 
     void endHere()
@@ -145,7 +145,7 @@ private:
             m_charge.total(mu()) + (m_course.path != nullptr ? m_course.path->costs.timingAtEnd(m_place) : 0);
         for (std::size_t i = m_front; i < m_seen.size(); ++i) {
             const double cost = m_seen[i].cost + path;
-            if (m_course.stages.isDone(m_seen[i].stage) && cost < (m_best ? m_best->cost : m_limit))
+            if (m_course.automaton.isDone(m_seen[i].stage) && cost < (m_best ? m_best->cost : m_limit))
                 m_best = routeTo(m_seen[i], m_seen, cost);
         }
     }
@@ -158,8 +158,8 @@ private:
     std::vector<FollowedState> m_seen;
     double m_least = unreachable; ///< cost of the states at the frame that the walk has come to
     std::size_t m_front = 0;      ///< the first of the states at the frame that the walk has come to
-    std::unordered_map<StageFuture, std::size_t, StageFutureHash> m_known; ///< of them
-    std::vector<SettledStage> m_settled;
+    std::unordered_map<AutomatonFuture, std::size_t, AutomatonFutureHash> m_known; ///< of them
+    std::vector<SettledState> m_settled;
     std::optional<FoundRoute> m_best;
 };
 

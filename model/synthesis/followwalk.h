@@ -12,7 +12,7 @@ namespace quadrille {
 struct FollowedCourse
 {
     const WalkGraph& graph;
-    const WalkStages& stages;
+    const ConstraintAutomaton& automaton;
     const PathProblem* path;              ///< null without a path
     const std::vector<NodeIndex>& starts; ///< where a walk may begin, ascending
     /// Whether it may begin behind the first frame of its first span, too.

@@ -153,7 +153,7 @@ private:
     bool isInBlend(std::int64_t first, std::int64_t last) const
     {
         const auto origins = std::span(m_clip.origins).subspan(at(first), at(last - first + 1));
-        return std::ranges::none_of(origins, &FrameOrigin::isSingle);
+        return std::ranges::none_of(origins, &FrameProvenance::isSingle);
     }
     /// How high the foot goes without help, over its contacts.
     double ownClearance(std::int64_t from, std::int64_t to) const

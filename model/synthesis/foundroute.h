@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/synthesis/walkstages.h"
+#include "model/synthesis/constraintautomaton.h"
 
 #include <algorithm>
 #include <functional>
@@ -13,9 +13,9 @@ namespace quadrille {
 struct FoundRoute
 {
     WalkRoute route;
-    std::vector<StageState> stages; ///< at the start and after each move, settled
-    double cost = 0;                ///< total
-    std::int64_t expansions = 0;    ///< until it was found
+    std::vector<AutomatonState> states; ///< at the start and after each move, settled
+    double cost = 0;                    ///< total
+    std::int64_t expansions = 0;        ///< until it was found
     bool optimal = false;
     double bound = 0; ///< no walk of the graph costs less; 0 where nothing is known
 };
@@ -37,14 +37,14 @@ FoundRoute routeTo(const State& last, const std::vector<State>& seen, double cos
 {
     FoundRoute found{.cost = cost};
     const State* state = &last;
-    found.stages.push_back(state->stage);
+    found.states.push_back(state->stage);
     while (state->parent >= 0) {
         found.route.moves.push_back(state->move);
         state = &seen[static_cast<std::size_t>(state->parent)];
-        found.stages.push_back(state->stage);
+        found.states.push_back(state->stage);
     }
     found.route.start = state->stage.node;
-    std::reverse(found.stages.begin(), found.stages.end());
+    std::reverse(found.states.begin(), found.states.end());
     std::reverse(found.route.moves.begin(), found.route.moves.end());
     return found;
 }

@@ -4,7 +4,7 @@
 
 #include "model/core/error.h"
 #include "model/synthesis/keylegs.h"
-#include "model/synthesis/reach.h"
+#include "model/synthesis/reachableset.h"
 
 #include <algorithm>
 #include <array>
@@ -118,7 +118,7 @@ LegWalk cheapestLeg(const WalkGraph& graph, const Leg& leg, const LegBounds& bou
 /// Whether some key is not reached, or not in time, and what would do.
 [[noreturn]] void refuse(const WalkGraph& graph, const Leg& leg, std::size_t key, std::int64_t begun)
 {
-    const Reach reach(graph, leg.sources, leg.isFirst);
+    const ReachableSet reach(graph, leg.sources, leg.isFirst);
     const std::string name = std::to_string(key + 1);
     if (!reach.contains(leg.target))
         throw Error(ErrorCode::WalkKeyUnreachable,

@@ -5,7 +5,7 @@
 #include "model/core/error.h"
 #include "model/core/message.h"
 #include "model/synthesis/clipsize.h"
-#include "model/synthesis/frameorigins.h"
+#include "model/synthesis/frameprovenance.h"
 #include "model/synthesis/makeclip.h"
 #include "model/synthesis/ownperiod.h"
 #include "model/synthesis/transitionmotion.h"
@@ -161,7 +161,7 @@ public:
 
     const CharacterFrames& character() const { return *m_character; }
     const Transition& transition() const { return m_transition; } ///< in nodes
-    const FrameOrigin& originOf(NodeIndex node) const
+    const FrameProvenance& originOf(NodeIndex node) const
     {
         const NodeIndex frame = node < m_count ? m_earliest + node : m_source + node - m_count;
         return (node < m_count ? m_to : m_from).origins[static_cast<std::size_t>(frame)];
@@ -200,7 +200,7 @@ ClosingBlend closingBlend(const Clip& from, const Clip& to, const Transition& cl
     between.positions.erase(between.positions.begin(), between.positions.begin() + vertices);
     between.origins.pop_back();
     between.origins.erase(between.origins.begin());
-    for (FrameOrigin& origin : between.origins)
+    for (FrameProvenance& origin : between.origins)
         origin = originBetween(closing.originOf(origin.source), closing.originOf(origin.destination),
                                origin.lambda);
     return result;

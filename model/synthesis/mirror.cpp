@@ -64,7 +64,7 @@ Clip mirrored(const Clip& clip, const Symmetry& symmetry, const MirrorLine& line
                       {"found", std::to_string(symmetry.vertexCount())}}});
     const Ground ground(up);
     Clip result = clip;
-    for (FrameOrigin& origin : result.origins)
+    for (FrameProvenance& origin : result.origins)
         origin.mirrored = !origin.mirrored;
     for (std::int64_t f = 0; f < clip.frameCount(); ++f) {
         progress.report(f, clip.frameCount());

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/pathsearch.h"
 
+#include "model/synthesis/beamlayers.h"
 #include "model/synthesis/fingerprints.h"
 #include "model/synthesis/pathoutlook.h"
 #include "model/synthesis/searchmemory.h"
-#include "model/synthesis/strata.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ struct PassSettings
 
 struct Candidate
 {
-    StageState stage;
+    AutomatonState stage;
     PathPlace place;
     std::int32_t time = 0;
     std::int32_t parent = -1; ///< among the states that were looked at
@@ -87,14 +87,14 @@ private:
     void begin()
     {
         m_layers.resize(static_cast<std::size_t>(m_problem.course.length() / layerLength) + 1);
-        std::vector<SettledStage> settled;
+        std::vector<SettledState> settled;
         for (const NodeIndex node : m_problem.starts) {
             Candidate first;
             PathCharge charge;
             if (!m_problem.costs.begin(m_problem.motions, node, first.place, charge))
                 continue;
-            m_problem.stages.settle(m_problem.stages.begin(node), 0, settled);
-            for (const SettledStage& stage : settled) {
+            m_problem.automaton.settle(m_problem.automaton.begin(node), 0, settled);
+            for (const SettledState& stage : settled) {
                 first.stage = stage.state;
                 first.cost = charge.total(m_problem.mu) + m_problem.mu * stage.edges + stage.timing;
                 offer(first);
@@ -116,9 +116,9 @@ private:
     }
 
     /// \return the moves, [begin, end), that a state may make.
-    std::pair<MoveIndex, MoveIndex> movesOf(const StageState& stage) const
+    std::pair<MoveIndex, MoveIndex> movesOf(const AutomatonState& stage) const
     {
-        if (m_problem.stages.hasRun(stage) || m_problem.graph.hasRequired())
+        if (m_problem.automaton.hasRun(stage) || m_problem.graph.hasRequired())
             return m_problem.graph.from(stage.node);
         const MoveIndex next = m_problem.graph.playedOn(stage.node);
         return {next, next == noMove ? noMove : next + 1};
@@ -130,11 +130,11 @@ private:
         m_seen.push_back(from);
         const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(from.place.placement.turn).toRotationMatrix();
         const auto [begin, end] = movesOf(from.stage);
-        if (m_problem.stages.hasRun(from.stage))
+        if (m_problem.automaton.hasRun(from.stage))
             m_problem.motions.prepare(begin, std::min(end, begin + m_settings.moves));
         for (MoveIndex index = begin; index < end; ++index) {
             const WalkMove& move = m_problem.graph.move(index);
-            if (!m_problem.stages.allows(from.stage, move))
+            if (!m_problem.automaton.allows(from.stage, move))
                 continue;
             if (index - begin >= m_settings.moves && move.required < 0) {
                 m_isComplete = false;
@@ -156,8 +156,8 @@ private:
             next.time = from.time + move.elapsed;
             next.parent = parent;
             next.move = index;
-            m_problem.stages.settle(m_problem.stages.after(from.stage, move), next.time, m_settled);
-            for (const SettledStage& stage : m_settled) {
+            m_problem.automaton.settle(m_problem.automaton.after(from.stage, move), next.time, m_settled);
+            for (const SettledState& stage : m_settled) {
                 next.stage = stage.state;
                 next.cost = cost + m_problem.mu * stage.edges + stage.timing;
                 offer(next);
@@ -169,12 +169,12 @@ private:
     /// must be. \param cost  with that of the move.
     bool isPromising(const Candidate& from, MoveIndex index, double cost)
     {
-        if (!m_problem.stages.isEmpty())
+        if (!m_problem.automaton.isEmpty())
             return true;
         const WalkMove& move = m_problem.graph.move(index);
         const MoveMotions::Motion& motion = m_problem.motions.of(index);
         const FrameLayout& layout = m_problem.graph.layout();
-        const NodeIndex node = std::min(move.to + std::max(0, m_problem.stages.runLeft({}) - 1),
+        const NodeIndex node = std::min(move.to + std::max(0, m_problem.automaton.runLeft({}) - 1),
                                         layout.lastOf(layout.sequenceOf(move.to)));
         const double walked = from.place.walked + static_cast<double>(motion.steps.back().arcLength) +
                               m_problem.motions.wayBetween(move.to, node);
@@ -182,8 +182,8 @@ private:
             return true;
         const double rank =
             cost + outlookShare * m_outlook.cost(node, walked, from.place.placement * motion.exit);
-        StageLayer<Candidate>& layer = m_layers[layerOf(walked)];
-        return layer.stratum({.node = node}, 0).takes(rank);
+        BeamFront<Candidate>& front = m_layers[layerOf(walked)];
+        return front.layer({.node = node}, 0).takes(rank);
     }
 
     std::size_t layerOf(double walked) const
@@ -193,33 +193,33 @@ private:
 
     void offer(Candidate& candidate)
     {
-        const double left = m_problem.stages.leastCost(candidate.stage, candidate.time);
+        const double left = m_problem.automaton.leastCost(candidate.stage, candidate.time);
         if (candidate.cost + left >= m_limit)
             return;
         const bool isAtEnd = candidate.place.walked >= m_problem.course.length();
-        if (isAtEnd && m_problem.stages.hasRun(candidate.stage) && !isInAir(candidate.stage.node)) {
-            if (m_problem.stages.isDone(candidate.stage))
+        if (isAtEnd && m_problem.automaton.hasRun(candidate.stage) && !isInAir(candidate.stage.node)) {
+            if (m_problem.automaton.isDone(candidate.stage))
                 keep(candidate);
             return;
         }
         const NodeIndex node = candidate.stage.node;
         const FrameLayout& layout = m_problem.graph.layout();
-        if (node + m_problem.stages.runLeft(candidate.stage) > layout.lastOf(layout.sequenceOf(node)))
+        if (node + m_problem.automaton.runLeft(candidate.stage) > layout.lastOf(layout.sequenceOf(node)))
             return;
         // The last frames of a sequence have no way out.
         if (candidate.place.walked + m_problem.motions.walkableFrom(candidate.stage.node) <
             m_problem.course.length())
             return;
-        const bool runs = !m_problem.stages.hasRun(candidate.stage);
+        const bool runs = !m_problem.automaton.hasRun(candidate.stage);
         if (runs && candidate.stage.run > 1) {
             m_running.push_back(candidate);
             return;
         }
-        StageLayer<Candidate>& layer = m_layers[layerOf(candidate.place.walked)];
-        Stratum<Candidate>& stratum =
-            layer.stratum(candidate.stage, m_problem.stages.quartersDone(candidate.stage, candidate.time));
+        BeamFront<Candidate>& front = m_layers[layerOf(candidate.place.walked)];
+        BeamLayer<Candidate>& layer =
+            front.layer(candidate.stage, m_problem.automaton.quartersDone(candidate.stage, candidate.time));
         candidate.rank = candidate.cost + left + outlook(candidate);
-        if (!stratum.takes(candidate.rank)) {
+        if (!layer.takes(candidate.rank)) {
             m_isComplete = false;
             return;
         }
@@ -231,7 +231,7 @@ private:
         }
         m_kept = std::max(m_kept, static_cast<std::size_t>(candidate.parent + 1));
         candidate.order = m_order++;
-        stratum.add(candidate, m_settings.width);
+        layer.add(candidate, m_settings.width);
     }
 
     bool isInAir(NodeIndex node) const
@@ -270,7 +270,7 @@ private:
             return static_cast<std::int64_t>(std::floor(value / size));
         };
         const std::size_t future =
-            StageFutureHash()(m_problem.stages.future(candidate.stage, candidate.time));
+            AutomatonFutureHash()(m_problem.automaton.future(candidate.stage, candidate.time));
         return fingerprintOf({static_cast<std::int64_t>(future), candidate.place.timed,
                               candidate.place.timedFrames / 2,
                               cell(candidate.place.walked, m_settings.offset),
@@ -283,11 +283,11 @@ private:
     PassSettings m_settings;
     double m_limit;
     PathFailure& m_failure;
-    std::vector<StageLayer<Candidate>> m_layers;
+    std::vector<BeamFront<Candidate>> m_layers;
     std::vector<Candidate> m_running; ///< cannot leave their takes yet
     std::vector<Candidate> m_seen;
     std::size_t m_kept = 0; ///< of these, the first ones: open states come after them
-    std::vector<SettledStage> m_settled;
+    std::vector<SettledState> m_settled;
     CheapestKnown m_known;
     std::uint32_t m_order = 0;
     std::optional<FoundRoute> m_found;
@@ -303,9 +303,9 @@ std::optional<FoundRoute> searchPath(PathProblem& problem, std::int64_t budget, 
     const double layers = problem.course.length() / layerLength + 1;
     const auto allMoves = static_cast<MoveIndex>(problem.graph.moves().size());
     const PathOutlook outlook(problem.graph, problem.course, problem.costs, problem.motions, problem.mu,
-                              problem.stages.runLeft({}), progress);
+                              problem.automaton.runLeft({}), progress);
     PassSettings settings{
-        .width = 16, .moves = problem.stages.isEmpty() ? allMoves : 64, .offset = 0.1, .heading = 0.2};
+        .width = 16, .moves = problem.automaton.isEmpty() ? allMoves : 64, .offset = 0.1, .heading = 0.2};
     for (std::int64_t left = budget; left > 0;) {
         progress.report(budget - left, budget);
         // A pass that the budget would end half way is made narrower instead.

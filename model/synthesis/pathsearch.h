@@ -15,7 +15,7 @@ namespace quadrille {
 struct PathProblem
 {
     const WalkGraph& graph;
-    const WalkStages& stages;
+    const ConstraintAutomaton& automaton;
     const PathCourse& course;
     const PathCosts& costs;
     MoveMotions& motions;

@@ -6,7 +6,7 @@
 #include "model/core/error.h"
 #include "model/core/message.h"
 #include "model/synthesis/clipsize.h"
-#include "model/synthesis/frameorigins.h"
+#include "model/synthesis/frameprovenance.h"
 #include "model/synthesis/monotonecurve.h"
 #include "model/transition/poseinterpolation.h"
 

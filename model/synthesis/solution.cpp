@@ -12,22 +12,23 @@ namespace quadrille {
 namespace {
 
 /// Fills in what a route means for keys and actions.
-class StageAccount
+class StepAccount
 {
 public:
-    StageAccount(const WalkStages& stages, const WalkConstraints& constraints, WalkSolution& solution)
-        : m_stages(stages), m_constraints(constraints), m_solution(solution)
+    StepAccount(const ConstraintAutomaton& automaton, const WalkConstraints& constraints,
+                WalkSolution& solution)
+        : m_automaton(automaton), m_constraints(constraints), m_solution(solution)
     {
         m_solution.actions.resize(constraints.actions.size());
     }
 
     /// A frame that the route comes to. \param arrived  its stage before it was settled.
-    void add(const StageState& arrived, const StageState& settled, std::int64_t time)
+    void add(const AutomatonState& arrived, const AutomatonState& settled, std::int64_t time)
     {
-        m_stages.settle(arrived, time, m_settled);
+        m_automaton.settle(arrived, time, m_settled);
         double edges = std::numeric_limits<double>::infinity();
         double timing = 0;
-        for (const SettledStage& stage : m_settled) {
+        for (const SettledState& stage : m_settled) {
             if (stage.state == settled && stage.edges + stage.timing < edges + timing) {
                 edges = stage.edges;
                 timing = stage.timing;
@@ -38,22 +39,22 @@ public:
         m_solution.cost.timing += timing;
         if (settled.key > arrived.key)
             m_solution.keys.push_back({m_constraints.keys[static_cast<std::size_t>(arrived.key)].time, time});
-        const bool begins = arrived.span == StageState::free &&
-                            (settled.span != StageState::free || settled.step > arrived.step);
+        const bool begins = arrived.span == AutomatonState::free &&
+                            (settled.span != AutomatonState::free || settled.step > arrived.step);
         const auto step = static_cast<std::size_t>(arrived.step);
         if (!begins && settled.step == arrived.step)
             return;
-        FrameRange& range = m_solution.actions[static_cast<std::size_t>(m_stages.steps()[step].action)];
+        FrameRange& range = m_solution.actions[static_cast<std::size_t>(m_automaton.steps()[step].action)];
         if (begins && range.count() == 0)
             range.first = FrameIndex(time);
         range.last = FrameIndex(time);
     }
 
 private:
-    const WalkStages& m_stages;
+    const ConstraintAutomaton& m_automaton;
     const WalkConstraints& m_constraints;
     WalkSolution& m_solution;
-    std::vector<SettledStage> m_settled;
+    std::vector<SettledState> m_settled;
 };
 
 /// Follows a route along the path.
@@ -139,18 +140,19 @@ FrameRange WalkSolution::asked() const
     return all;
 }
 
-WalkSolution solutionOf(const WalkGraph& graph, const WalkStages& stages, const WalkConstraints& constraints,
-                        const FoundRoute& found, double mu, const PathMeasure* path)
+WalkSolution solutionOf(const WalkGraph& graph, const ConstraintAutomaton& automaton,
+                        const WalkConstraints& constraints, const FoundRoute& found, double mu,
+                        const PathMeasure* path)
 {
     WalkSolution solution{.walk = graph.walk(found.route),
                           .expansions = found.expansions,
                           .optimal = found.optimal,
                           .bound = found.bound};
-    StageAccount account(stages, constraints, solution);
+    StepAccount account(automaton, constraints, solution);
     std::optional<PathAccount> along;
     if (path)
         along.emplace(*path, constraints, found.route.start, solution);
-    account.add(stages.begin(found.route.start), found.stages.front(), 0);
+    account.add(automaton.begin(found.route.start), found.states.front(), 0);
     std::int64_t time = 0;
     for (std::size_t m = 0; m < found.route.moves.size(); ++m) {
         const WalkMove& move = graph.move(found.route.moves[m]);
@@ -158,7 +160,7 @@ WalkSolution solutionOf(const WalkGraph& graph, const WalkStages& stages, const 
             along->follow(found.route.moves[m], time);
         time += move.elapsed;
         solution.cost.edges += move.weight;
-        account.add(stages.after(found.stages[m], move), found.stages[m + 1], time);
+        account.add(automaton.after(found.states[m], move), found.states[m + 1], time);
     }
     solution.frameCount = time + 1;
     if (along)

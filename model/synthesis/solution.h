@@ -17,8 +17,9 @@ struct PathMeasure
 };
 
 /// Follows a route once more and accounts for it. \param path  null without a path; weights then count 1.
-/// \pre The stages are those of the constraints, and the route keeps to them.
-WalkSolution solutionOf(const WalkGraph& graph, const WalkStages& stages, const WalkConstraints& constraints,
-                        const FoundRoute& found, double mu, const PathMeasure* path);
+/// \pre The automaton is that of the constraints, and the route keeps to them.
+WalkSolution solutionOf(const WalkGraph& graph, const ConstraintAutomaton& automaton,
+                        const WalkConstraints& constraints, const FoundRoute& found, double mu,
+                        const PathMeasure* path);
 
 } // namespace quadrille

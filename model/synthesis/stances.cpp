@@ -69,7 +69,7 @@ std::uint32_t mirroredFeet(std::uint32_t feet, const std::vector<std::size_t>& a
 /// then.
 void closeGaps(std::vector<std::uint32_t>& standing, const Clip& clip, const Stances& stances)
 {
-    const std::vector<FrameOrigin>& origins = clip.origins;
+    const std::vector<FrameProvenance>& origins = clip.origins;
     const auto longest = static_cast<std::size_t>(longestStanceGap * clip.fps);
     for (std::size_t foot = 0; foot < stances.feet.size(); ++foot) {
         const std::uint32_t bit = 1U << foot;
@@ -162,7 +162,7 @@ std::vector<std::uint32_t> stancesBeforeSteps(const Clip& clip, const Stances& s
     const std::vector<std::size_t> across = acrossOf(stances);
     std::vector<std::uint32_t> standing;
     standing.reserve(clip.origins.size());
-    for (const FrameOrigin& origin : clip.origins) {
+    for (const FrameProvenance& origin : clip.origins) {
         const std::uint32_t feet = stances.at(origin.nearest());
         standing.push_back(origin.mirrored ? mirroredFeet(feet, across) : feet);
     }

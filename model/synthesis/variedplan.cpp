@@ -211,7 +211,7 @@ Vec3d centreAt(const CharacterFrames& character, const FrameTime& time)
 /// Shows what both sides show. \param isBetween  two spans: the sides are two.
 void vary(PlannedFrame& planned, const Side& source, const Side& destination, bool isBetween)
 {
-    FrameOrigin& origin = planned.origin;
+    FrameProvenance& origin = planned.origin;
     const double weight = source.weightOf(origin.source);
     if (isBetween) {
         origin.sourceVariation = weight < 0.5 ? 0 : source.number;

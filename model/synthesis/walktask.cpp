@@ -62,18 +62,18 @@ WalkTask::WalkTask(const WalkMaterial& walkMaterial, const WalkConstraints& aske
     if (asked.start || inAir.empty() || !stays)
         return;
     std::erase_if(starts, [&](NodeIndex node) {
-        const bool isAsked = asked.areKeysAlone() && asked.keys.front().frame == node;
-        return inAir[static_cast<std::size_t>(node)] && !isAsked;
+        const bool isRequested = asked.areKeysAlone() && asked.keys.front().frame == node;
+        return inAir[static_cast<std::size_t>(node)] && !isRequested;
     });
 }
 
-WalkCourse::Along::Along(const WalkTask& task, const WalkStages& stages)
+WalkCourse::Along::Along(const WalkTask& task, const ConstraintAutomaton& automaton)
     : course(*task.constraints.path, task.material.motion.roots->up, task.material.motion.metresPerUnit)
     , costs(course, task.constraints.path->spans, task.graph.nodeCount(), task.beta, task.settings.charging)
     , motions(task.graph, task.material.motion, course,
               {.uneven = task.settings.unevenWeight * task.material.alpha, .frames = task.frameWeights})
     , problem{.graph = task.graph,
-              .stages = stages,
+              .automaton = automaton,
               .course = course,
               .costs = costs,
               .motions = motions,
@@ -85,18 +85,18 @@ WalkCourse::Along::Along(const WalkTask& task, const WalkStages& stages)
 
 WalkCourse::WalkCourse(const WalkTask& task, int leastRun)
     : m_task(task)
-    , m_stages(task.graph, task.constraints, task.beta, task.constraints.path ? task.settings.mu : 1,
-               leastRun, task.settings.leftOutWeight)
+    , m_automaton(task.graph, task.constraints, task.beta, task.constraints.path ? task.settings.mu : 1,
+                  leastRun, task.settings.leftOutWeight)
 {
     if (task.constraints.path)
-        m_along.emplace(task, m_stages);
+        m_along.emplace(task, m_automaton);
 }
 
 FollowedCourse WalkCourse::followed()
 {
     const WalkConstraints& asked = m_task.constraints;
     return {.graph = m_task.graph,
-            .stages = m_stages,
+            .automaton = m_automaton,
             .path = path(),
             .starts = m_task.starts,
             .beginsLater = !asked.path && asked.keys.empty()};
@@ -105,9 +105,9 @@ FollowedCourse WalkCourse::followed()
 WalkSolution WalkCourse::solution(const FoundRoute& route)
 {
     if (!m_along)
-        return solutionOf(m_task.graph, m_stages, m_task.constraints, route, m_task.settings.mu, nullptr);
+        return solutionOf(m_task.graph, m_automaton, m_task.constraints, route, m_task.settings.mu, nullptr);
     const PathMeasure measure{m_along->course, m_along->costs, m_along->motions};
-    return solutionOf(m_task.graph, m_stages, m_task.constraints, route, m_task.settings.mu, &measure);
+    return solutionOf(m_task.graph, m_automaton, m_task.constraints, route, m_task.settings.mu, &measure);
 }
 
 } // namespace quadrille

@@ -36,7 +36,7 @@ public:
     WalkCourse(const WalkCourse&) = delete;
     WalkCourse& operator=(const WalkCourse&) = delete;
 
-    const WalkStages& stages() const { return m_stages; }
+    const ConstraintAutomaton& automaton() const { return m_automaton; }
     /// Null without a path.
     PathProblem* path() { return m_along ? &m_along->problem : nullptr; }
     /// For walks that are given.
@@ -51,11 +51,11 @@ private:
         MoveMotions motions;
         PathProblem problem;
 
-        Along(const WalkTask& task, const WalkStages& stages);
+        Along(const WalkTask& task, const ConstraintAutomaton& automaton);
     };
 
     const WalkTask& m_task;
-    WalkStages m_stages;
+    ConstraintAutomaton m_automaton;
     std::optional<Along> m_along;
 };
 

@@ -4,7 +4,7 @@
 
 #include "model/core/badargument.h"
 #include "model/core/error.h"
-#include "model/transition/pathprogramme.h"
+#include "model/transition/warpsolver.h"
 
 #include <algorithm>
 #include <cassert>
@@ -47,9 +47,9 @@ std::optional<Transition> WarpPaths::solve(FramePair frames, int rows, int colum
                                            int shortestColumns, Mean guess) const
 {
     const NodeIndex firstDestination = frames.destination - columns + 1;
-    PathProgramme programme(m_settings.slope, rows, columns);
+    WarpSolver programme(m_settings.slope, rows, columns);
     const bool mean = m_settings.cost == TransitionCost::Mean;
-    PathProgramme::Best best;
+    WarpSolver::Best best;
     double sum = 0;
     // For means, see improveToLeastMeans; without a guess the first path is the one of the least sum.
     for (double rest = -1; rest != 0;) {
@@ -76,7 +76,7 @@ std::optional<Transition> WarpPaths::solve(FramePair frames, int rows, int colum
     const int length = m_settings.lengthOf(cells, found.sourceWindow, found.destinationWindow);
     found.path.reserve(static_cast<std::size_t>(length));
     for (int t = 0; t < length; ++t) {
-        const PathProgramme::Cell& cell = best.path[evenly(t, length, cells)];
+        const WarpSolver::Cell& cell = best.path[evenly(t, length, cells)];
         found.path.push_back(
             {.source = frames.source + cell.row, .destination = firstDestination + cell.column});
     }

@@ -81,9 +81,9 @@ std::vector<Vec3f> played(std::span<const Vec3f> poses, std::span<const RigidMot
     return frames;
 }
 
-std::vector<FrameOrigin> variationOrigins(const TakeWarp& warp, NodeIndex firstNode)
+std::vector<FrameProvenance> variationOrigins(const TakeWarp& warp, NodeIndex firstNode)
 {
-    std::vector<FrameOrigin> origins;
+    std::vector<FrameProvenance> origins;
     for (std::int64_t f = warp.frames.first.value; f <= warp.frames.last.value; ++f) {
         const auto node = static_cast<NodeIndex>(firstNode + f);
         origins.push_back({node, node, 0, false});
@@ -91,7 +91,7 @@ std::vector<FrameOrigin> variationOrigins(const TakeWarp& warp, NodeIndex firstN
     return origins;
 }
 
-std::vector<FrameOrigin> variationOrigins(std::span<const OriginTake> takes)
+std::vector<FrameProvenance> variationOrigins(std::span<const OriginTake> takes)
 {
     assert(!takes.empty());
     if (takes.size() == 1)
@@ -106,7 +106,7 @@ std::vector<FrameOrigin> variationOrigins(std::span<const OriginTake> takes)
     std::vector<WarpShare> warps;
     for (const OriginTake& take : takes)
         warps.push_back(take.part);
-    std::vector<FrameOrigin> origins;
+    std::vector<FrameProvenance> origins;
     for (const double position : blendedWarp(warps).playback)
         origins.push_back({a.firstNode + nearestFrame(*a.part.warp, position),
                            b.firstNode + nearestFrame(*b.part.warp, position), weight, false});

@@ -48,7 +48,7 @@ std::vector<Vec3f> played(std::span<const Vec3f> poses, std::span<const RigidMot
 
 /// Where the frames of a variation of a take come from: each from the captured frame at its time.
 /// \param firstNode  of the take's sequence in its character.
-std::vector<FrameOrigin> variationOrigins(const TakeWarp& warp, NodeIndex firstNode);
+std::vector<FrameProvenance> variationOrigins(const TakeWarp& warp, NodeIndex firstNode);
 
 /// A captured take in a blend.
 struct OriginTake
@@ -60,6 +60,6 @@ struct OriginTake
 /// Where the frames of a variation of a blend come from: each from the captured frames of two takes at its
 /// phase. Of more takes the two with the largest shares count, in their order.
 /// \pre Some takes, their shares greater than 0.
-std::vector<FrameOrigin> variationOrigins(std::span<const OriginTake> takes);
+std::vector<FrameProvenance> variationOrigins(std::span<const OriginTake> takes);
 
 } // namespace quadrille

@@ -129,7 +129,7 @@ VariationMeter::VariationMeter(const CharacterFrames& character, std::span<const
     }
 }
 
-std::vector<std::uint32_t> VariationMeter::standingIn(const FrameOrigin& origin) const
+std::vector<std::uint32_t> VariationMeter::standingIn(const FrameProvenance& origin) const
 {
     return common(baselineOf(origin.source).standing, baselineOf(origin.destination).standing);
 }
@@ -180,7 +180,7 @@ void VariationMeter::addGround(const Clip& clip, VariationQuality& quality) cons
     double ofTake = std::numeric_limits<double>::infinity();
     double own = ofTake;
     for (std::size_t f = 0; f < quality.frames.size(); ++f) {
-        const FrameOrigin& origin = clip.origins[f];
+        const FrameProvenance& origin = clip.origins[f];
         ofTake = std::min({ofTake, baselineOf(origin.source).lowest, baselineOf(origin.destination).lowest});
         own = std::min(own, quality.frames[f].lowest);
         quality.collapse = std::max(quality.collapse, quality.frames[f].collapse);
@@ -213,7 +213,7 @@ VariationQuality VariationMeter::measure(const Clip& clip, const Progress& progr
         quality.meanPoseDistance += pose.distance / static_cast<double>(nearest.size());
         quality.worstPoseDistance = std::max(quality.worstPoseDistance, pose.distance);
     }
-    for (const FrameOrigin& origin : clip.origins)
+    for (const FrameProvenance& origin : clip.origins)
         quality.takeDistance = std::max(
             {quality.takeDistance, baselineOf(origin.source).reach, baselineOf(origin.destination).reach});
     addSkate(clip, quality);

@@ -103,7 +103,7 @@ private:
         double reach = 0;  ///< of its take, metres
     };
     const FrameBaseline& baselineOf(NodeIndex node) const { return m_frames[static_cast<std::size_t>(node)]; }
-    std::vector<std::uint32_t> standingIn(const FrameOrigin& origin) const;
+    std::vector<std::uint32_t> standingIn(const FrameProvenance& origin) const;
     void addSkate(const Clip& clip, VariationQuality& quality) const;
     void addIntersections(VariationQuality& quality) const;
     void addVolume(VariationQuality& quality) const;

@@ -51,7 +51,7 @@ std::vector<FollowedFrame> followedFrames(const Clip& clip, const CapturedStandi
     };
     std::vector<FollowedFrame> frames;
     double floor = std::numeric_limits<double>::infinity();
-    for (const FrameOrigin& origin : clip.origins) {
+    for (const FrameProvenance& origin : clip.origins) {
         FollowedFrame& frame = frames.emplace_back();
         frame.standing = common(standing(origin.source), standing(origin.destination));
         frame.lowest = lowest(origin.source);

@@ -202,8 +202,8 @@ PartVariations drawPart(const Movement& movement, std::size_t part, const GpdmSt
     return result;
 }
 
-LatentVariations drawLatents(const LearnedMovement& learned, const VariationSubject& subject, int count,
-                             std::uint64_t seed, const SamplingSettings& settings, const Progress& progress)
+LatentVariations sampleLatents(const LearnedMovement& learned, const VariationSubject& subject, int count,
+                               std::uint64_t seed, const SamplingSettings& settings, const Progress& progress)
 {
     subjectTakes(learned.movement(), subject);
     const std::size_t parts = learned.partCount();
@@ -260,7 +260,7 @@ Clip makeVariation(const LearnedMovement& learned, const VariationSubject& subje
     const TempoPlayback tempo = tempoOf(movement, subject, range, settings);
     warp.playback = tempo.positions;
     clip.positions = played(poses, placements, warp, progress.part(0.9, 1));
-    const std::vector<FrameOrigin> origins = variationOrigins(originTakes(movement, subject, layout));
+    const std::vector<FrameProvenance> origins = variationOrigins(originTakes(movement, subject, layout));
     for (const std::size_t frame : tempo.nearest)
         clip.origins.push_back(origins[frame]);
     if (settings.standing)

@@ -66,9 +66,9 @@ struct LatentVariations
 
 /// Draws latent variations of all parts, independently and in parallel.
 /// \return the same for any number of threads. \throws Error as drawPart.
-LatentVariations drawLatents(const LearnedMovement& learned, const VariationSubject& subject, int count,
-                             std::uint64_t seed, const SamplingSettings& settings = {},
-                             const Progress& progress = {});
+LatentVariations sampleLatents(const LearnedMovement& learned, const VariationSubject& subject, int count,
+                               std::uint64_t seed, const SamplingSettings& settings = {},
+                               const Progress& progress = {});
 
 /// What keeps the feet of variations still while they stand.
 struct VariationContacts

@@ -168,14 +168,14 @@ void incremental(benchmark::State& state)
     const WalkMotion motion{.roots = &character->roots, .transition = [&](const FramePair& frames) {
                                 return *warps.of(character->table, frames);
                             }};
-    const WalkStages stages(graph, constraints, 0.1, 0.1);
+    const ConstraintAutomaton automaton(graph, constraints, 0.1, 0.1);
     const PathCourse course(*constraints.path, UpAxis::Y);
     const PathCosts costs(course, constraints.path->spans, graph.nodeCount(), 0.1);
     std::vector<NodeIndex> starts(static_cast<std::size_t>(graph.nodeCount()));
     std::iota(starts.begin(), starts.end(), 0);
     for (auto _ : state) {
         MoveMotions motions(graph, motion, course);
-        PathProblem problem{graph, stages, course, costs, motions, starts, 0.1};
+        PathProblem problem{graph, automaton, course, costs, motions, starts, 0.1};
         const Clock::time_point begin = Clock::now();
         test::BranchAndBound search(
             problem, [&] { return secondsSince(begin) > static_cast<double>(state.range(1)); });

@@ -125,7 +125,7 @@ private slots:
         QTRY_VERIFY(tool().surface().graph() != nullptr);
         QTRY_VERIFY(tool().editor().figure() >= 0);
         QTRY_VERIFY(tool().editor().isActive());
-        m_window->variations().stage().keepCamera();
+        m_window->variations().scene().keepCamera();
         look(0);
         QTRY_VERIFY(viewport().pick(pixel(0.45F, 1.4F, 0.1F)).has_value());
     }

@@ -182,7 +182,7 @@ private slots:
         QVERIFY(varied != parts.end());
         QVERIFY(std::ranges::count(parts, false, &ClipPart::isJunction) > 1);
         for (FrameIndex f = varied->frames.first; f <= varied->frames.last; ++f.value) {
-            FrameOrigin& origin = result.origins[static_cast<std::size_t>(f.value)];
+            FrameProvenance& origin = result.origins[static_cast<std::size_t>(f.value)];
             origin.sourceVariation = origin.destinationVariation = 1;
         }
         const double fps = context().document.project().settings.fps;
@@ -268,7 +268,7 @@ private slots:
     {
         drop("first", 10);
         QVERIFY(test::waitForResult(context(), "pose"));
-        QTRY_VERIFY(m_window->animate().view().stage().frameCount() > 0);
+        QTRY_VERIFY(m_window->animate().view().scene().frameCount() > 0);
         const double fps = context().document.project().settings.fps;
         QVERIFY(timeline().frameCount() >= 10 * fps);
         drop("second", 150);
@@ -291,7 +291,7 @@ private slots:
         drop("first", 10);
         drop("second", 60);
         QVERIFY(test::waitForResult(context(), "pose"));
-        QTRY_VERIFY(m_window->animate().view().stage().frameCount() > 30);
+        QTRY_VERIFY(m_window->animate().view().scene().frameCount() > 30);
         auto* number = m_window->animate().findChild<QSpinBox*>("frameField");
         const auto agree = [&] { return number->value() == timeline().currentFrame(); };
         // Behind the end of the clip, where keys can be put.
@@ -305,7 +305,7 @@ private slots:
         QVERIFY2(agree(),
                  qPrintable(QStringLiteral("%1 %2").arg(number->value()).arg(timeline().currentFrame())));
         context().selection.selectAnimations({"pose"});
-        QTRY_VERIFY(m_window->animate().view().stage().frameCount() > 30);
+        QTRY_VERIFY(m_window->animate().view().scene().frameCount() > 30);
         QVERIFY2(agree(),
                  qPrintable(QStringLiteral("%1 %2").arg(number->value()).arg(timeline().currentFrame())));
     }
@@ -329,7 +329,7 @@ private slots:
     {
         context().actions.action("workspace.sequences")->trigger();
         context().selection.selectSequences({"second"});
-        QTRY_COMPARE(m_window->sequences().stage().frameCount(), 60);
+        QTRY_COMPARE(m_window->sequences().scene().frameCount(), 60);
         m_window->sequences().player().goTo(17);
         QVERIFY(test::activate(*m_window));
         QTest::keyClick(m_window.get(), Qt::Key_K, Qt::ShiftModifier);
@@ -347,7 +347,7 @@ private slots:
         drop("first", 10);
         drop("second", 60);
         QVERIFY(test::waitForResult(context(), "pose"));
-        QTRY_VERIFY(m_window->animate().view().stage().frameCount() > 30);
+        QTRY_VERIFY(m_window->animate().view().scene().frameCount() > 30);
         const Project before = context().document.project();
         QVERIFY(test::activate(*m_window));
         timeline().setFocus();

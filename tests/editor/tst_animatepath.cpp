@@ -162,19 +162,19 @@ private slots:
         const QString name = m_window->animate().animation().name();
         QVERIFY(test::waitForResult(m_window->context(), name));
         const MeshSequence& clip = m_window->animate().animation().result()->sequence;
-        SequenceStage& stage = m_window->animate().stage();
+        ClipScene& scene = m_window->animate().scene();
         m_window->animate().player().goTo(3);
-        QTRY_COMPARE(stage.frame(), FrameIndex(3));
+        QTRY_COMPARE(scene.frame(), FrameIndex(3));
         const Frame wanted = clip.frame(FrameIndex(3));
         const auto isThere = [&] {
-            const auto shape = viewport().figureShape(stage.figureOf(name));
+            const auto shape = viewport().figureShape(scene.figureOf(name));
             const Vec3f& first = wanted.positions()[0];
             return (shape->place(0) - QVector3D(first.x(), first.y(), first.z())).length() < 1e-4F;
         };
         QTRY_VERIFY(isThere());
         // Its body is near the beginning of the path, not beside it.
         Vec3f centre = Vec3f::Zero();
-        const auto shape = viewport().figureShape(stage.figureOf(name));
+        const auto shape = viewport().figureShape(scene.figureOf(name));
         for (std::uint32_t v = 0; v < shape->mesh.vertexCount; ++v)
             centre += Vec3f(shape->place(v).x(), 0, shape->place(v).z());
         centre /= static_cast<float>(shape->mesh.vertexCount);

@@ -185,7 +185,7 @@ private slots:
         useTone(10);
         Player& player = m_window->animate().player();
         const double fps = context().document.project().settings.fps;
-        QTRY_VERIFY(m_window->animate().stage().frameCount() > 10);
+        QTRY_VERIFY(m_window->animate().scene().frameCount() > 10);
         QVERIFY(notes.starts.empty());
         player.pause();
         player.goTo(5);

@@ -125,7 +125,7 @@ private slots:
     void theShownPoseIsTaken()
     {
         m_window->variations().player().goTo(2);
-        QTRY_COMPARE(m_window->variations().stage().frame(), FrameIndex(2));
+        QTRY_COMPARE(m_window->variations().scene().frame(), FrameIndex(2));
         drawOnArm(0.45F);
         const Project before = document().project();
         QTest::mouseClick(test::find<QPushButton>("takePose"), Qt::LeftButton);

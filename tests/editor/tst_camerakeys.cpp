@@ -63,7 +63,7 @@ private slots:
         m_window = test::openAnimated(m_takes->path());
         QVERIFY(m_window);
         QVERIFY(test::waitForResult(context(), "dance"));
-        QTRY_VERIFY(m_window->animate().stage().frameCount() > 20);
+        QTRY_VERIFY(m_window->animate().scene().frameCount() > 20);
     }
     void cleanup()
     {

@@ -251,8 +251,8 @@ private slots:
 
     void aFilmBeginsWhereTheViewLooks()
     {
-        StageView& view = m_window->sequences().view();
-        QTRY_VERIFY(view.stage().figureOf("walk") >= 0);
+        SceneView& view = m_window->sequences().view();
+        QTRY_VERIFY(view.scene().figureOf("walk") >= 0);
         widgets::Turntable camera = view.viewport().camera();
         camera.target = {0.25F, 0.5F, -0.125F};
         camera.yaw = 70;
@@ -260,8 +260,8 @@ private slots:
         camera.distance = 3;
         for (const bool follows : {false, true}) {
             view.player().goTo(3);
-            QTRY_COMPARE(view.stage().frame().value, 3);
-            view.viewport().setFollowed(follows ? std::optional(view.stage().figureOf("walk"))
+            QTRY_COMPARE(view.scene().frame().value, 3);
+            view.viewport().setFollowed(follows ? std::optional(view.scene().figureOf("walk"))
                                                 : std::nullopt);
             view.viewport().setCamera(camera);
             openDialog();
@@ -279,7 +279,7 @@ private slots:
             QCOMPARE(settings.camera, follows ? CameraMode::Follow : CameraMode::Fixed);
             const MeshSequence* clip = m_window->context().media.sequence("walk");
             const Camera written = clipCameras(*clip, settings)[3];
-            const QVector3D shift = view.viewport().figureShape(view.stage().figureOf("walk"))->shift;
+            const QVector3D shift = view.viewport().figureShape(view.scene().figureOf("walk"))->shift;
             const QVector3D eye = camera.position() - shift;
             const QVector3D target = camera.target - shift;
             QVERIFY((written.eye - Vec3d(eye.x(), eye.y(), eye.z())).norm() < 1e-5);

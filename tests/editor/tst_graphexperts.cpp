@@ -156,8 +156,8 @@ private slots:
         const QList<int> sizes = splitter->sizes();
         const FramePair pair = someTransition();
         QTest::mouseMove(&matrix(), placeOf(pair));
-        QTRY_VERIFY(!workspace().stage().shown().isEmpty());
-        QTRY_VERIFY(!workspace().stage().isEmpty());
+        QTRY_VERIFY(!workspace().scene().shown().isEmpty());
+        QTRY_VERIFY(!workspace().scene().isEmpty());
         QCOMPARE(splitter->sizes(), sizes);
         QTest::mouseClick(&matrix(), Qt::LeftButton, {}, placeOf(pair));
         QTRY_VERIFY(workspace().player().isPlaying());

@@ -150,9 +150,9 @@ private slots:
         }));
         QTRY_VERIFY(text("graphReadOut").startsWith(matrix().cellText(*cell)));
         const QStringList both{PairPreview::sourceName(), PairPreview::destinationName()};
-        QCOMPARE(workspace().stage().shown(), both);
-        QTRY_VERIFY(workspace().stage().sequenceOf(both[1]) != nullptr);
-        QCOMPARE(workspace().stage().sequenceOf(both[1])->frameCount(), 1);
+        QCOMPARE(workspace().scene().shown(), both);
+        QTRY_VERIFY(workspace().scene().sequenceOf(both[1]) != nullptr);
+        QCOMPARE(workspace().scene().sequenceOf(both[1])->frameCount(), 1);
     }
 
     void clickingACellPlaysItsTransitionAndSaysWhy()
@@ -165,7 +165,7 @@ private slots:
         QCOMPARE(activated.size(), 1);
         QTRY_VERIFY(workspace().player().isPlaying());
         const QString clip = PairPreview::clipName();
-        QCOMPARE(workspace().stage().shown(), QStringList{clip});
+        QCOMPARE(workspace().scene().shown(), QStringList{clip});
         const int length = graph().costs().length()(pair.source, pair.destination);
         const auto& tracks = workspace().view().timeline().tracks();
         QCOMPARE(tracks.size(), std::size_t{1});
@@ -231,7 +231,7 @@ private slots:
         QTest::keyClick(&matrix(), Qt::Key_Right);
         QCOMPARE(test::find<TransitionPanel>("transitionPanel")->shown(), pair);
         QTest::keyClick(&matrix(), Qt::Key_Return);
-        QTRY_COMPARE(workspace().stage().shown(), QStringList{PairPreview::clipName()});
+        QTRY_COMPARE(workspace().scene().shown(), QStringList{PairPreview::clipName()});
         const double before = projectAlpha();
         QTest::keyClick(m_window.get(), Qt::Key_BracketRight);
         QVERIFY(projectAlpha() > before);

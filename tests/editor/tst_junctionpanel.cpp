@@ -163,16 +163,16 @@ private slots:
         const auto offered = alternativesTo(result(), 0, entry().junctions);
         QVERIFY(std::ranges::is_sorted(offered, {}, &PricedJunction::weight));
         // The one under the keyboard plays in the view.
-        auto& stage = m_window->animate().stage();
+        auto& scene = m_window->animate().scene();
         QTest::keyClick(&others, Qt::Key_Down);
-        QTRY_COMPARE(stage.shown(), QStringList{TransitionPreview::name()});
-        QTRY_VERIFY(stage.frameCount() > 0 && m_window->animate().player().isPlaying());
+        QTRY_COMPARE(scene.shown(), QStringList{TransitionPreview::name()});
+        QTRY_VERIFY(scene.frameCount() > 0 && m_window->animate().player().isPlaying());
         const int place = others.indexOfTopLevelItem(others.currentItem());
         QVERIFY(place >= 0);
         const JunctionEntry chosen = offered[static_cast<std::size_t>(place)].names;
         QTest::keyClick(&others, Qt::Key_Return);
         QCOMPARE(entry().junctions.chosen, std::vector{chosen});
-        QTRY_COMPARE(stage.shown(), QStringList{"dance"});
+        QTRY_COMPARE(scene.shown(), QStringList{"dance"});
         QVERIFY(waitForResult());
         QVERIFY(isInClip(chosen));
         QVERIFY(chosen != before);
@@ -185,11 +185,11 @@ private slots:
     {
         key(Qt::Key_Period);
         key(Qt::Key_E, Qt::ShiftModifier);
-        auto& stage = m_window->animate().stage();
+        auto& scene = m_window->animate().scene();
         QTest::keyClick(&list("alternativeList"), Qt::Key_Down);
-        QTRY_COMPARE(stage.shown(), QStringList{TransitionPreview::name()});
+        QTRY_COMPARE(scene.shown(), QStringList{TransitionPreview::name()});
         test::find<QDockWidget>("reportDock")->raise();
-        QTRY_COMPARE(stage.shown(), QStringList{"dance"});
+        QTRY_COMPARE(scene.shown(), QStringList{"dance"});
         QVERIFY(!context().actions.action("junction.choose")->isChecked());
         QVERIFY(entry().junctions.isEmpty());
     }
@@ -213,7 +213,7 @@ private slots:
         QVERIFY(entry().junctions.locked.size() <= 2);
     }
 
-    void whatIsNotDecidedStaysUntilSomethingElseIsAsked()
+    void whatIsNotDecidedStaysUntilSomethingElseIsRequested()
     {
         const Walk walk = result().walk.solution.walk;
         auto* strip = test::find<widgets::MessageStrip>("junctionMessage");
@@ -270,7 +270,7 @@ private slots:
         for (const ClipJunction& junction : junctionsOf(result())) {
             if (!junction.shown)
                 continue;
-            const FrameOrigin& first = result().origins[static_cast<std::size_t>(junction.shown->first)];
+            const FrameProvenance& first = result().origins[static_cast<std::size_t>(junction.shown->first)];
             QCOMPARE(first.source, junction.transition.frames.source);
         }
         QCOMPARE(list("junctionList").topLevelItemCount(), static_cast<int>(result().plan.junctions.size()));

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "editor/documents/projectpaths.h"
+#include "editor/playback/clipscene.h"
 #include "editor/playback/player.h"
-#include "editor/playback/sequencestage.h"
 #include "editor/welcome/sampleflow.h"
 #include "editor/welcome/welcometile.h"
 #include "editor/workspaces/animate/animateworkspace.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
+#include "model/project/buildstep.h"
 #include "model/project/rebuild.h"
-#include "model/project/stage.h"
 #include "model/sample/sample.h"
 #include "tests/qt/registry.h"
 
@@ -81,7 +81,7 @@ private slots:
         SequencesWorkspace& workspace = m_window->sequences();
         QTRY_VERIFY(workspace.player().isPlaying());
         QTRY_VERIFY(workspace.player().frame() > FrameIndex(3));
-        QTRY_VERIFY(!workspace.stage().textureOf(first).isNull());
+        QTRY_VERIFY(!workspace.scene().textureOf(first).isNull());
     }
 
     void aTileLeadsToTheTransitions()
@@ -98,13 +98,12 @@ private slots:
         const fs::path folder =
             toPath(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/sample");
         const auto isUpToDate = [](const fs::path& project) {
-            const auto stages =
-                rebuild(loadProject(project), project, {.targets = {"graph/Quad"}, .dryRun = true}).stages;
+            const auto steps =
+                rebuild(loadProject(project), project, {.targets = {"graph/Quad"}, .dryRun = true}).steps;
             // The editor has no use for Euclidean distances, nor for tables of edges.
-            return stages.size() > 4 && std::ranges::all_of(stages, [](const StageReport& stage) {
-                       return stage.state == StageState::Fresh ||
-                              stage.stage == "graph/Quad/euclidean-distance" ||
-                              stage.stage == "graph/Quad/edges";
+            return steps.size() > 4 && std::ranges::all_of(steps, [](const StepReport& step) {
+                       return step.state == StepState::Fresh ||
+                              step.step == "graph/Quad/euclidean-distance" || step.step == "graph/Quad/edges";
                    });
         };
         if (!fs::exists(folder))

@@ -86,8 +86,8 @@ private:
         m_window->workspaces().select("animate");
         context().selection.selectAnimations({name});
         QVERIFY(test::waitForResult(context(), name));
-        QTRY_VERIFY(m_window->animate().stage().frameCount() > 0);
-        m_window->animate().player().goTo(m_window->animate().stage().frameCount() / 2);
+        QTRY_VERIFY(m_window->animate().scene().frameCount() > 0);
+        m_window->animate().player().goTo(m_window->animate().scene().frameCount() / 2);
         m_window->animate().viewport().frameAll();
     }
 
@@ -138,9 +138,9 @@ private slots:
         QVERIFY(edge != graph.edges().end());
         workspace.map().matrix().setCurrentCell(widgets::MatrixCell{edge->from, edge->to});
         QTest::keyClick(&workspace.map().matrix(), Qt::Key_Return);
-        QTRY_VERIFY(workspace.stage().frameCount() > 1);
+        QTRY_VERIFY(workspace.scene().frameCount() > 1);
         workspace.player().pause();
-        workspace.player().goTo(workspace.stage().frameCount() / 2);
+        workspace.player().goTo(workspace.scene().frameCount() / 2);
         keep("graph");
     }
 
@@ -172,9 +172,9 @@ private slots:
         QVERIFY(test::waitForVariations(context(), "walking"));
         Workspace::showPanel(test::find<QWidget>("samplesPanel"));
         VariationsWorkspace& workspace = m_window->variations();
-        QTRY_COMPARE(workspace.stage().shown().size(), 5);
+        QTRY_COMPARE(workspace.scene().shown().size(), 5);
         workspace.player().pause();
-        workspace.player().goTo(workspace.stage().frameCount() / 2);
+        workspace.player().goTo(workspace.scene().frameCount() / 2);
         workspace.viewport().frameAll();
         keep("variations");
     }

@@ -3,8 +3,8 @@
 // Opening and saving when something is wrong: files that cannot be read, that others have open or write.
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
+#include "model/project/buildstep.h"
 #include "model/project/resultstore.h"
-#include "model/project/stage.h"
 #include "projectfilesfixture.h"
 #include "tests/qt/registry.h"
 #include "widgets/controls/fieldnote.h"
@@ -30,7 +30,7 @@ public:
         connect(&m_timer, &QTimer::timeout, this, &Answer::look);
         m_timer.start(20);
     }
-    bool wasAsked() const { return m_wasAsked; }
+    bool wasRequested() const { return m_wasRequested; }
 
 private:
     void look()
@@ -39,7 +39,7 @@ private:
         if (box == nullptr || box->objectName() != m_question)
             return;
         m_timer.stop();
-        m_wasAsked = true;
+        m_wasRequested = true;
         if (auto* button = box->findChild<QPushButton*>(m_button))
             button->click();
         else
@@ -49,7 +49,7 @@ private:
     QString m_question;
     QString m_button;
     QTimer m_timer;
-    bool m_wasAsked = false;
+    bool m_wasRequested = false;
 };
 
 } // namespace
@@ -151,7 +151,7 @@ private slots:
         {
             const Answer answer("projectBackup", "backupAccept");
             m_window->open({file()});
-            QVERIFY(answer.wasAsked());
+            QVERIFY(answer.wasRequested());
         }
         QCOMPARE(document().project().sequences.size(), 1U);
         QVERIFY(document().isModified());
@@ -170,7 +170,7 @@ private slots:
         {
             const Answer answer("projectLocked", "cancel");
             m_window->open({file()});
-            QVERIFY(answer.wasAsked());
+            QVERIFY(answer.wasRequested());
         }
         QVERIFY(document().isUntitled() && document().project().sequences.empty());
         ResultStore(cacheFolder(toPath(file()))).save("graph/transitions", "key", Result{});
@@ -193,7 +193,7 @@ private slots:
         {
             const Answer answer("projectUnwritable", "cancel");
             QVERIFY(!files().save());
-            QVERIFY(answer.wasAsked());
+            QVERIFY(answer.wasRequested());
         }
         QCOMPARE(contentOf(file()), before);
         QVERIFY(files().saveTo(toPath(m_folder->filePath("mine.quadrille"))));
@@ -214,7 +214,7 @@ private slots:
         {
             const Answer answer("projectUnwritable", "cancel");
             QVERIFY(!files().save());
-            QVERIFY(answer.wasAsked());
+            QVERIFY(answer.wasRequested());
         }
         QCOMPARE(contentOf(file()), before);
         {
@@ -234,7 +234,7 @@ private slots:
         {
             const Answer answer("projectChanged", "cancel");
             QVERIFY(!files().save());
-            QVERIFY(answer.wasAsked());
+            QVERIFY(answer.wasRequested());
         }
         QCOMPARE(contentOf(file()), theirs);
         {

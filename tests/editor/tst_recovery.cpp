@@ -91,7 +91,7 @@ private slots:
         QCOMPARE(texts.size(), 1);
         QVERIFY2(texts[0]->text().contains("Untitled"), qPrintable(texts[0]->text()));
         QString asked;
-        connect(&notice, &RecoveryNotice::recoverAsked, this,
+        connect(&notice, &RecoveryNotice::recoverRequested, this,
                 [&asked](const Recovery& recovery) { asked = recovery.id; });
         notice.findChild<QPushButton*>("recoveryRecover")->click();
         QCOMPARE(asked, QString("left"));

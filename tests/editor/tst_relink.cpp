@@ -327,7 +327,7 @@ private slots:
         QTRY_COMPARE(context().document.project().sequences.size(), 2U);
         const RebuildReport before =
             rebuild(context().document.snapshot(), context().document.file(), {.targets = {"sequences"}});
-        QVERIFY(before.count(StageState::Computed) > 0);
+        QVERIFY(before.count(StepState::Computed) > 0);
         QDir().mkpath(place("elsewhere"));
         const QString copy = place("elsewhere/q.quadrille");
         QTimer::singleShot(0, this, [&] {
@@ -341,8 +341,8 @@ private slots:
         QTRY_COMPARE(toQString(context().document.file()), copy);
         const RebuildReport after =
             rebuild(context().document.snapshot(), context().document.file(), {.targets = {"sequences"}});
-        QCOMPARE(after.count(StageState::Computed), 0U);
-        QCOMPARE(after.count(StageState::Fresh), before.stages.size());
+        QCOMPARE(after.count(StepState::Computed), 0U);
+        QCOMPARE(after.count(StepState::Fresh), before.steps.size());
     }
 };
 

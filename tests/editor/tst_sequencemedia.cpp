@@ -40,8 +40,8 @@ private:
     void compute() const
     {
         const auto report = rebuild(m_document->project(), m_document->file(), {.targets = {"animations"}});
-        for (const StageReport& stage : report.stages)
-            QVERIFY2(!stage.error, stage.error ? stage.error->what() : "");
+        for (const StepReport& step : report.steps)
+            QVERIFY2(!step.error, step.error ? step.error->what() : "");
     }
     SequenceMedia::State state(const char* name) const { return m_media->medium(QLatin1String(name))->state; }
     std::int64_t frames(const char* name) const

@@ -3,8 +3,8 @@
 // Stories of the Sequences workspace, with a small project and real keys and clicks.
 #include "editor/commands/projectedits.h"
 #include "editor/documents/labelcolors.h"
+#include "editor/playback/clipscene.h"
 #include "editor/playback/player.h"
-#include "editor/playback/sequencestage.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editortest.h"
 #include "tests/qt/registry.h"
@@ -90,14 +90,14 @@ class SequencesTest : public QObject
 
 private:
     EditorContext& context() { return m_window->context(); }
-    SequenceStage& stage() { return m_window->sequences().stage(); }
+    ClipScene& scene() { return m_window->sequences().scene(); }
     widgets::Viewport& viewport() { return m_window->sequences().viewport(); }
     const SequenceEntry& entry(const char* name) { return *context().document.sequence(name); }
     void show(const QString& name)
     {
         context().selection.selectSequences({name});
         QVERIFY(test::waitForSequence(*m_window, name));
-        QTRY_VERIFY(stage().frameCount() > 0);
+        QTRY_VERIFY(scene().frameCount() > 0);
         QVERIFY(test::activate(*m_window));
         viewport().setFocus();
     }
@@ -176,7 +176,7 @@ private slots:
         show("far");
         const auto playhead = [this] { return m_window->sequences().view().timeline().currentFrame(); };
         m_window->sequences().player().goTo(19);
-        QTRY_COMPARE(stage().frame(), FrameIndex(19));
+        QTRY_COMPARE(scene().frame(), FrameIndex(19));
         const std::vector<int> figures = viewport().figures();
         const widgets::Turntable camera = viewport().camera();
         const auto isAsBefore = [&](const QString& name) {
@@ -193,7 +193,7 @@ private slots:
             QCOMPARE(test::find<QSpinBox>("frameField")->value(), 19);
             QCOMPARE(viewport().figureShape(figures.front())->positions[0], 9.5F);
         };
-        QSignalSpy shown(&stage(), &SequenceStage::frameShown);
+        QSignalSpy shown(&scene(), &ClipScene::frameShown);
         const auto settles = [&shown] { return shown.count() > 0 || shown.wait(); };
         QVERIFY(renameEntry(context().document, {Section::Sequences, "far"}, "away"));
         isAsBefore("away");
@@ -223,12 +223,12 @@ private slots:
     {
         show("far");
         Player& player = m_window->sequences().player();
-        QTRY_COMPARE(stage().frame(), player.frame());
+        QTRY_COMPARE(scene().frame(), player.frame());
         int compared = 0;
         int apart = 0;
         QTimer look;
         connect(&look, &QTimer::timeout, this, [&] {
-            const auto shape = viewport().figureShape(stage().figureOf("far"));
+            const auto shape = viewport().figureShape(scene().figureOf("far"));
             const auto seen = static_cast<int>(std::lround(shape->positions[0] / 0.5F));
             ++compared;
             if (m_window->sequences().view().timeline().currentFrame() != seen ||
@@ -239,7 +239,7 @@ private slots:
         look.start(0);
         QTRY_VERIFY(compared > 20 && player.frame().value > 12);
         player.pause();
-        QTRY_COMPARE(stage().frame(), player.frame());
+        QTRY_COMPARE(scene().frame(), player.frame());
         look.stop();
         QVERIFY2(apart <= 1, qPrintable(QString("%1 of %2").arg(apart).arg(compared))); // while it stops
     }
@@ -253,7 +253,7 @@ private slots:
         QVERIFY(viewport().notice().contains("late"));
         writeFarGoing(m_folder.filePath("late"));
         QTest::mouseClick(strip->findChild<QPushButton*>("messageStripAction"), Qt::LeftButton);
-        QTRY_VERIFY(stage().frameCount() == 25);
+        QTRY_VERIFY(scene().frameCount() == 25);
         QVERIFY(!strip->isVisible());
         QCOMPARE(viewport().notice(), QString());
         QVERIFY(QDir(m_folder.filePath("late")).removeRecursively());
@@ -287,7 +287,7 @@ private slots:
         QVERIFY(!overlay->isVisible());
         clickTreeRow(1, Qt::ControlModifier);
         QTRY_COMPARE(viewport().figures().size(), 2U);
-        QTRY_COMPARE(stage().frameCount(), 30);
+        QTRY_COMPARE(scene().frameCount(), 30);
         QVERIFY(viewport().layoutMode() == widgets::Viewport::Layout::SideBySide);
         QTRY_VERIFY(overlay->isVisible());
         QTest::mouseClick(overlay, Qt::LeftButton);
@@ -305,14 +305,14 @@ private slots:
         QVERIFY(!interval->isVisible());
         QTest::keyClick(&viewport(), Qt::Key_H);
         QTRY_VERIFY(interval->isVisible());
-        QCOMPARE(stage().ghosts().interval(), 10);
+        QCOMPARE(scene().ghosts().interval(), 10);
         interval->setFocus();
         interval->selectAll();
         QTest::keyClicks(interval, "5");
         QTest::keyClick(interval, Qt::Key_Return);
-        QCOMPARE(stage().ghosts().interval(), 5);
+        QCOMPARE(scene().ghosts().interval(), 5);
         QTest::mouseClick(test::find<QToolButton>("tool.view.ghosts"), Qt::LeftButton);
-        QCOMPARE(stage().ghosts().interval(), 0);
+        QCOMPARE(scene().ghosts().interval(), 0);
     }
 
     void pinnedGhostsStayWhileOneScrubs()
@@ -327,19 +327,19 @@ private slots:
         player.goTo(12);
         QVERIFY(!pin->isChecked());
         pin->trigger();
-        QVERIFY(stage().ghosts().isPinned("far", FrameIndex(7)));
-        QVERIFY(stage().ghosts().isPinned("far", FrameIndex(12)));
+        QVERIFY(scene().ghosts().isPinned("far", FrameIndex(7)));
+        QVERIFY(scene().ghosts().isPinned("far", FrameIndex(12)));
         QTRY_VERIFY(viewport().findChild<QWidget*>("viewportOverlay")->isVisible()); // the numbers
         // A new name and another clip in between leave them where they are.
         QVERIFY(renameEntry(context().document, {Section::Sequences, "far"}, "away"));
-        QVERIFY(stage().ghosts().isPinned("away", FrameIndex(7)));
+        QVERIFY(scene().ghosts().isPinned("away", FrameIndex(7)));
         context().document.undo();
         show("step");
         show("far");
         player.goTo(7);
         QVERIFY(pin->isChecked());
         pin->trigger();
-        QVERIFY(!stage().ghosts().isPinned("far", FrameIndex(7)));
+        QVERIFY(!scene().ghosts().isPinned("far", FrameIndex(7)));
         QVERIFY(unpin->isEnabled());
         unpin->trigger();
         QVERIFY(!unpin->isEnabled());
@@ -367,8 +367,8 @@ private slots:
     void texturesChangeWhilePlaying()
     {
         show("step");
-        QTRY_VERIFY(!stage().textureOf("step").isNull());
-        const auto red = [this] { return stage().textureOf("step").pixelColor(4, 4).red(); };
+        QTRY_VERIFY(!scene().textureOf("step").isNull());
+        const auto red = [this] { return scene().textureOf("step").pixelColor(4, 4).red(); };
         QCOMPARE(red(), 0);
         QTest::keyClick(m_window.get(), Qt::Key_Space);
         QTRY_VERIFY(red() > 0);

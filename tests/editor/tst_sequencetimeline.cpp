@@ -31,14 +31,14 @@ class SequenceTimelineTest : public QObject
 
 private:
     EditorContext& context() { return m_window->context(); }
-    SequenceStage& stage() { return m_window->sequences().stage(); }
+    ClipScene& scene() { return m_window->sequences().scene(); }
     widgets::Viewport& viewport() { return m_window->sequences().viewport(); }
     widgets::Timeline& timeline() { return m_window->sequences().view().timeline(); }
     const SequenceEntry& entry(const char* name) { return *context().document.sequence(name); }
     void show(const QString& name)
     {
         context().selection.selectSequences({name});
-        QTRY_VERIFY(stage().frameCount() > 0);
+        QTRY_VERIFY(scene().frameCount() > 0);
         QVERIFY(test::activate(*m_window));
         viewport().setFocus();
     }
@@ -157,7 +157,7 @@ private slots:
         QCOMPARE(proposedLabel("12"), QString("12"));
         const Project before = context().document.project();
         context().selection.selectSequences({"far 2", "late", "step_1"});
-        QTRY_VERIFY(stage().isComparing());
+        QTRY_VERIFY(scene().isComparing());
         QVERIFY(test::activate(*m_window));
         bool wasOpen = false;
         QTimer::singleShot(0, [&] {

@@ -6,8 +6,8 @@
 #include "editor/commands/projectedits.h"
 #include "editor/exporting/pictureflow.h"
 #include "editor/jobs/joblistmodel.h"
+#include "editor/playback/clipscene.h"
 #include "editor/playback/player.h"
-#include "editor/playback/sequencestage.h"
 #include "editor/welcome/recentprojects.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editor/workspaces/workspacetabs.h"
@@ -239,7 +239,7 @@ private slots:
     {
         openSaved();
         SequencesWorkspace& before = m_window->sequences();
-        QTRY_COMPARE(before.stage().frame(), before.player().frame());
+        QTRY_COMPARE(before.scene().frame(), before.player().frame());
         before.player().pause();
         before.player().goTo(3);
         auto camera = before.viewport().camera();

@@ -61,7 +61,7 @@ private:
         context().selection.selectSequences({"first", "second"});
         lookAround(m_window->sequences());
         context().selection.selectSequences({"third"});
-        QVERIFY(QTest::qWaitFor([&] { return m_window->sequences().stage().frameCount() > 0; }));
+        QVERIFY(QTest::qWaitFor([&] { return m_window->sequences().scene().frameCount() > 0; }));
         lookAround(m_window->sequences());
     }
 

@@ -255,7 +255,7 @@ private slots:
         QVERIFY(context().animations.medium("dance")->state == AnimationMedia::State::Idle);
         QTRY_VERIFY(context().jobs.jobs().empty());
         QVERIFY(context().animations.result("dance") != nullptr);
-        QVERIFY(m_window->animate().stage().frameCount() > 0);
+        QVERIFY(m_window->animate().scene().frameCount() > 0);
         QCOMPARE(document().project(), before);
         QVERIFY(!document().isModified());
     }

@@ -3,8 +3,8 @@
 // The texture dock, with a small project of sequences that have textures of each kind, or none.
 #include "editor/commands/projectedits.h"
 #include "editor/fields/texturefield.h"
+#include "editor/playback/clipscene.h"
 #include "editor/playback/player.h"
-#include "editor/playback/sequencestage.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editortest.h"
 #include "tests/qt/registry.h"
@@ -174,7 +174,7 @@ private slots:
         auto* dock = test::find<QDockWidget>("textureDock");
         dock->close();
         QTest::keyClick(m_window.get(), Qt::Key_End);
-        QTRY_COMPARE(m_window->sequences().stage().textureOf("changing").pixelColor(4, 4).red(), 220);
+        QTRY_COMPARE(m_window->sequences().scene().textureOf("changing").pixelColor(4, 4).red(), 220);
         QCOMPARE(color(), QColor(0, 0, 0));
         dock->show();
         QTRY_COMPARE(color(), QColor(220, 0, 0));

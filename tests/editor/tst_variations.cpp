@@ -261,7 +261,7 @@ private slots:
         // What was kept is what a rebuild takes: it computes nothing.
         const RebuildReport report = rebuild(document().snapshot(), document().workingFile(),
                                              {.targets = {"variations/sways"}, .dryRun = true});
-        QCOMPARE(report.count(StageState::Stale), 0U);
+        QCOMPARE(report.count(StepState::Stale), 0U);
         // Other settings are drawn anew.
         variation().edit("more", "count", [](VariationEntry& after) { after.samples[0].count = 4; });
         QTRY_VERIFY(wasDrawn && medium().state == State::Ready);

@@ -42,19 +42,19 @@ private slots:
     {
         learn();
         show("samplesPanel");
-        QTRY_COMPARE(stage().size(), 3);
+        QTRY_COMPARE(scene().size(), 3);
         test::find<QSpinBox>("sampleCount")->setValue(5);
         QCOMPARE(entry().samples[0].count, 5);
-        QTRY_COMPARE(stage().size(), 5);
+        QTRY_COMPARE(scene().size(), 5);
         auto* drawn = test::find<QTreeWidget>("drawnVariations");
         QCOMPARE(drawn->topLevelItemCount(), 5);
         drawn->setCurrentItem(drawn->topLevelItem(1));
         QTest::keyClick(drawn, Qt::Key_Delete);
         QCOMPARE(entry().samples[0].discarded, std::vector<int>{2});
-        QTRY_COMPARE(stage().size(), 4);
+        QTRY_COMPARE(scene().size(), 4);
         QCOMPARE(medium().state, State::Ready);
         clickBox("drawnVariations", 0);
-        QTRY_COMPARE(stage().size(), 3);
+        QTRY_COMPARE(scene().size(), 3);
         QTest::keyClick(drawn, Qt::Key_Insert);
         QVERIFY(entry().samples[0].discarded.empty());
         document().undo();
@@ -126,10 +126,10 @@ private slots:
         QTRY_VERIFY(medium().drawn != blended);
         QVERIFY(test::waitForVariations(context(), "sways"));
         action("variations.original")->setChecked(true);
-        QTRY_VERIFY(stage().contains("first") && stage().contains("second"));
+        QTRY_VERIFY(scene().contains("first") && scene().contains("second"));
         for (const char* take : {"first", "second"}) {
-            QTRY_VERIFY(m_window->variations().stage().sequenceOf(take) != nullptr);
-            QCOMPARE(m_window->variations().stage().sequenceOf(take)->frameCount(), 20);
+            QTRY_VERIFY(m_window->variations().scene().sequenceOf(take) != nullptr);
+            QCOMPARE(m_window->variations().scene().sequenceOf(take)->frameCount(), 20);
         }
         action("variations.original")->setChecked(false);
     }

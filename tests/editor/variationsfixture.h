@@ -25,7 +25,7 @@ protected:
     const VariationMedia::Medium& medium() { return *context().variations.medium("sways"); }
     QAction* action(const char* id) { return context().actions.action(QLatin1String(id)); }
     void show(const char* panel) { Workspace::showPanel(test::find<QWidget>(QLatin1String(panel))); }
-    QStringList stage() { return m_window->variations().stage().shown(); }
+    QStringList scene() { return m_window->variations().scene().shown(); }
 
     void open()
     {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "editor/application/editorcontext.h"
+#include "editor/playback/clipscene.h"
 #include "editor/playback/player.h"
-#include "editor/playback/sequencestage.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
@@ -31,7 +31,7 @@ protected:
     {
         m_window->open({m_folder.filePath("walk_1.obj")});
         QVERIFY(waitForSequence(*m_window, "walk"));
-        QTRY_VERIFY(m_window->sequences().stage().frameCount() == 6);
+        QTRY_VERIFY(m_window->sequences().scene().frameCount() == 6);
         QTRY_VERIFY(player().isPlaying());
         player().pause();
     }

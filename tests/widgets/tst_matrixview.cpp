@@ -373,7 +373,7 @@ void TestMatrixView::whatDoesNotCountIsVeiled()
 
 void TestMatrixView::theRightButtonAsksForTheMenu()
 {
-    QSignalSpy asked(m_view.get(), &MatrixView::menuAsked);
+    QSignalSpy asked(m_view.get(), &MatrixView::menuRequested);
     const QPoint place = middleOf(12, 5);
     QContextMenuEvent byMouse(QContextMenuEvent::Mouse, place, m_view->mapToGlobal(place));
     QApplication::sendEvent(m_view.get(), &byMouse);

@@ -49,7 +49,7 @@ void TestPathEditor::init()
                     shape.obstacles[static_cast<std::size_t>(index)] = obstacle;
                 });
             });
-    connect(m_editor.get(), &PathEditor::obstacleDeletionAsked, this, [change](int index) {
+    connect(m_editor.get(), &PathEditor::obstacleDeletionRequested, this, [change](int index) {
         change(true, [&](PathShape& shape) { shape.obstacles.erase(shape.obstacles.begin() + index); });
     });
     m_viewport->setViewTool(m_editor.get());

@@ -220,7 +220,7 @@ void TestPathEditor::endsOfStretchesAreDraggedAlongTheCurve()
     QVERIFY(m_editor->shape().stretches[0].from < m_editor->shape().stretches[0].to);
     key(Qt::Key_Left);
     QVERIFY(std::abs(m_editor->shape().stretches[0].from - 3.05) < 0.05);
-    QSignalSpy deletion(m_editor.get(), &PathEditor::stretchDeletionAsked);
+    QSignalSpy deletion(m_editor.get(), &PathEditor::stretchDeletionRequested);
     key(Qt::Key_Delete);
     QCOMPARE(deletion.size(), 1);
 }

@@ -88,7 +88,7 @@ void TestStoryboard::clickingSelectsAndDoubleClickEdits()
 
 void TestStoryboard::draggingACardAsksToMoveIt()
 {
-    QSignalSpy moved(m_board.get(), &Storyboard::moveAsked);
+    QSignalSpy moved(m_board.get(), &Storyboard::moveRequested);
     const QImage still = m_board->grab().toImage();
     drag(m_board->cardRect(0).center(), before(3));
     QVERIFY(m_board->grab().toImage() != still);
@@ -101,7 +101,7 @@ void TestStoryboard::draggingACardAsksToMoveIt()
 
 void TestStoryboard::draggingWithControlAsksForACopy()
 {
-    QSignalSpy copied(m_board.get(), &Storyboard::copyAsked);
+    QSignalSpy copied(m_board.get(), &Storyboard::copyRequested);
     drag(m_board->cardRect(1).center(), before(4), Qt::ControlModifier);
     QTest::mouseRelease(m_board->viewport(), Qt::LeftButton, Qt::ControlModifier, before(4));
     QCOMPARE(copied.size(), 1);
@@ -111,7 +111,7 @@ void TestStoryboard::draggingWithControlAsksForACopy()
 
 void TestStoryboard::draggingToItsOwnPlaceAsksForNothing()
 {
-    QSignalSpy moved(m_board.get(), &Storyboard::moveAsked);
+    QSignalSpy moved(m_board.get(), &Storyboard::moveRequested);
     drag(m_board->cardRect(1).center(), before(2));
     QTest::mouseRelease(m_board->viewport(), Qt::LeftButton, {}, before(2));
     QVERIFY(moved.isEmpty());
@@ -119,7 +119,7 @@ void TestStoryboard::draggingToItsOwnPlaceAsksForNothing()
 
 void TestStoryboard::escapeLeavesACardWhereItWas()
 {
-    QSignalSpy moved(m_board.get(), &Storyboard::moveAsked);
+    QSignalSpy moved(m_board.get(), &Storyboard::moveRequested);
     drag(m_board->cardRect(0).center(), before(3));
     QTest::keyClick(m_board.get(), Qt::Key_Escape);
     QTest::mouseRelease(m_board->viewport(), Qt::LeftButton, {}, before(3));
@@ -128,9 +128,9 @@ void TestStoryboard::escapeLeavesACardWhereItWas()
 
 void TestStoryboard::everythingIsDoneByKeyboard()
 {
-    QSignalSpy moved(m_board.get(), &Storyboard::moveAsked);
-    QSignalSpy copied(m_board.get(), &Storyboard::copyAsked);
-    QSignalSpy deleted(m_board.get(), &Storyboard::deletionAsked);
+    QSignalSpy moved(m_board.get(), &Storyboard::moveRequested);
+    QSignalSpy copied(m_board.get(), &Storyboard::copyRequested);
+    QSignalSpy deleted(m_board.get(), &Storyboard::deletionRequested);
     QSignalSpy activated(m_board.get(), &Storyboard::activated);
     QTest::keyClick(m_board.get(), Qt::Key_End);
     QCOMPARE(m_board->current(), 3);

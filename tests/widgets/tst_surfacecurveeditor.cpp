@@ -126,7 +126,7 @@ void TestSurfaceCurveEditor::aClickOnTheFirstPointEndsDrawing()
 void TestSurfaceCurveEditor::returnEndsEscapeLeavesBackspaceTakesBack()
 {
     QSignalSpy finished(m_editor.get(), &SurfaceCurveEditor::drawingFinished);
-    QSignalSpy removed(m_editor.get(), &SurfaceCurveEditor::lastPointRemovalAsked);
+    QSignalSpy removed(m_editor.get(), &SurfaceCurveEditor::lastPointRemovalRequested);
     m_editor->setCurves({ringCurve(5)});
     m_editor->setMode(Mode::Draw);
     m_editor->setDrawn(0);

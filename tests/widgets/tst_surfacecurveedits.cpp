@@ -40,8 +40,8 @@ void TestSurfaceCurveEdits::ctrlClickOnACurveInsertsAPoint()
 
 void TestSurfaceCurveEdits::aClickSelectsTheCurveAndDeleteAsks()
 {
-    QSignalSpy curves(m_editor.get(), &SurfaceCurveEditor::curveRemovalAsked);
-    QSignalSpy points(m_editor.get(), &SurfaceCurveEditor::pointRemovalAsked);
+    QSignalSpy curves(m_editor.get(), &SurfaceCurveEditor::curveRemovalRequested);
+    QSignalSpy points(m_editor.get(), &SurfaceCurveEditor::pointRemovalRequested);
     m_editor->setCurves({ringCurve(3), ringCurve(6)});
     click(pixel(vertexAt(6, 3)));
     QCOMPARE(m_editor->selected(), (SurfaceCurvePart{Kind::Curve, 1, 0}));
@@ -102,7 +102,7 @@ void TestSurfaceCurveEdits::aCurveCanBeDrawnByKeyboard()
 void TestSurfaceCurveEdits::theContextMenuIsOfWhatLiesThere()
 {
     std::optional<SurfaceCurvePart> asked;
-    connect(m_editor.get(), &SurfaceCurveEditor::contextMenuAsked, this,
+    connect(m_editor.get(), &SurfaceCurveEditor::contextMenuRequested, this,
             [&](const SurfaceCurvePart& part, const QPoint&) { asked = part; });
     m_editor->setCurves({ringCurve(6)});
     const QPoint at = pixel(vertexAt(6, 3));

@@ -136,7 +136,7 @@ void TestTimeline::escapeTakesADragBack()
 
 void TestTimeline::deleteAsksForTheSelectedSpan()
 {
-    QSignalSpy deletion(m_timeline.get(), &Timeline::spanDeletionAsked);
+    QSignalSpy deletion(m_timeline.get(), &Timeline::spanDeletionRequested);
     m_timeline->setFocus();
     QTest::keyClick(m_timeline.get(), Qt::Key_Delete);
     QVERIFY(deletion.isEmpty());
@@ -231,7 +231,7 @@ void TestTimeline::theEndsOfTheBarZoomAndADoubleClickShowsAll()
 void TestTimeline::aDragOverTheRulerWithShiftMarksALoop()
 {
     QSignalSpy edited(m_timeline.get(), &Timeline::loopEdited);
-    QSignalSpy removed(m_timeline.get(), &Timeline::loopRemovalAsked);
+    QSignalSpy removed(m_timeline.get(), &Timeline::loopRemovalRequested);
     QSignalSpy scrubbed(m_timeline.get(), &Timeline::frameScrubbed);
     const QRect ruler = m_timeline->rulerRect();
     QTest::mousePress(m_timeline.get(), Qt::LeftButton, Qt::ShiftModifier, atFrame(20, ruler));

@@ -151,7 +151,7 @@ void TestTimelineKeys::escapePutsADraggedKeyBack()
 void TestTimelineKeys::keysAreMovedDeletedAndEditedByKeyboard()
 {
     QSignalSpy moved(m_timeline.get(), &Timeline::keyMoved);
-    QSignalSpy deleted(m_timeline.get(), &Timeline::spanDeletionAsked);
+    QSignalSpy deleted(m_timeline.get(), &Timeline::spanDeletionRequested);
     QSignalSpy activated(m_timeline.get(), &Timeline::spanActivated);
     QTest::keyClick(m_timeline.get(), Qt::Key_Down);
     QTest::keyClick(m_timeline.get(), Qt::Key_Down);
@@ -259,7 +259,7 @@ void TestTimelineKeys::junctionsAreFoundByPointerAndByKeyboard()
     QTest::keyClick(m_timeline.get(), Qt::Key_Down);
     QTest::keyClick(m_timeline.get(), Qt::Key_Down);
     QCOMPARE(m_timeline->selectedSpan(), std::optional(SpanRef{QStringLiteral("clip"), 11}));
-    QSignalSpy deleted(m_timeline.get(), &Timeline::spanDeletionAsked);
+    QSignalSpy deleted(m_timeline.get(), &Timeline::spanDeletionRequested);
     QTest::keyClick(m_timeline.get(), Qt::Key_Delete);
     QVERIFY(deleted.isEmpty());
 }

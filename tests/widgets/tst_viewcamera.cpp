@@ -102,7 +102,7 @@ void TestViewCamera::dragsDoWhatThePresetSays()
 
 void TestViewCamera::theRightButtonOpensAMenuUnlessItDrags()
 {
-    QSignalSpy asked(m_viewport.get(), &Viewport::contextMenuAsked);
+    QSignalSpy asked(m_viewport.get(), &Viewport::contextMenuRequested);
     QWidget* view = m_viewport->view();
     const QPoint from = view->rect().center();
     QTest::mousePress(view, Qt::RightButton, {}, from);

@@ -108,7 +108,7 @@ signals:
     /// A click or Return.
     void cellActivated(int row, int column);
     /// The right button or the menu key on a cell, which becomes the current one.
-    void menuAsked(int row, int column, const QPoint& globalPosition);
+    void menuRequested(int row, int column, const QPoint& globalPosition);
 
 protected:
     bool event(QEvent* event) override;

@@ -148,7 +148,7 @@ void MatrixView::contextMenuEvent(QContextMenuEvent* event)
         return;
     choose(*cell);
     const QPoint place = d->rect(*cell).center().toPoint();
-    emit menuAsked(cell->row, cell->column, isByKey ? mapToGlobal(place) : event->globalPos());
+    emit menuRequested(cell->row, cell->column, isByKey ? mapToGlobal(place) : event->globalPos());
 }
 
 void MatrixView::leaveEvent(QEvent* /*event*/)

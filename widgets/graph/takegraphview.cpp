@@ -293,15 +293,15 @@ void TakeGraphView::contextMenuEvent(QContextMenuEvent* event)
 {
     const bool isByKey = event->reason() == QContextMenuEvent::Keyboard;
     if (isByKey && m_current >= 0) {
-        emit menuAsked(m_current, m_current, mapToGlobal(nodeRect(m_current).center().toPoint()));
+        emit menuRequested(m_current, m_current, mapToGlobal(nodeRect(m_current).center().toPoint()));
         return;
     }
     const int node = nodeAt(event->pos());
     const auto link = linkAt(event->pos());
     if (!isByKey && node >= 0)
-        emit menuAsked(node, node, event->globalPos());
+        emit menuRequested(node, node, event->globalPos());
     else if (!isByKey && link)
-        emit menuAsked(link->from, link->to, event->globalPos());
+        emit menuRequested(link->from, link->to, event->globalPos());
     else
         event->ignore();
 }

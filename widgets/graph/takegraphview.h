@@ -68,7 +68,7 @@ signals:
     /// The user chose these nodes; none for all.
     void chosenByUser(const std::vector<int>& nodes);
     /// What can be done with a node, then `from` and `to` are the same, or with a link.
-    void menuAsked(int from, int to, const QPoint& globalPosition);
+    void menuRequested(int from, int to, const QPoint& globalPosition);
 
 protected:
     bool event(QEvent* event) override;

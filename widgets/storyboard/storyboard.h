@@ -63,14 +63,14 @@ signals:
     void currentChanged(int card);
     /// \param before the card that it is to come before, counted with the card where it was; the number of
     /// cards for the end.
-    void moveAsked(int card, int before);
-    void copyAsked(int card, int before);
-    void deletionAsked(int card);
+    void moveRequested(int card, int before);
+    void copyRequested(int card, int before);
+    void deletionRequested(int card);
     /// Double click or Return: to be edited.
     void activated(int card);
     void framesDropped(int before, const std::vector<quadrille::widgets::DraggedFrames>& frames);
     /// \param card −1 when there was none under the pointer.
-    void menuAsked(int card, const QPoint& globalPosition);
+    void menuRequested(int card, const QPoint& globalPosition);
 
 protected:
     bool event(QEvent* event) override;

@@ -71,9 +71,9 @@ void Storyboard::mouseReleaseEvent(QMouseEvent* event)
         return;
     const int before = insertionAt(event->position().toPoint());
     if (event->modifiers().testFlag(Qt::ControlModifier))
-        emit copyAsked(drag.card, before);
+        emit copyRequested(drag.card, before);
     else if (isMove(drag.card, before))
-        emit moveAsked(drag.card, before);
+        emit moveRequested(drag.card, before);
 }
 
 void Storyboard::mouseDoubleClickEvent(QMouseEvent* event)
@@ -100,13 +100,13 @@ void Storyboard::keyPressEvent(QKeyEvent* event)
         m_drag = {};
         setInsertion(-1);
     } else if (key == Qt::Key_Left && control && m_current > 0) {
-        emit moveAsked(m_current, m_current - 1);
+        emit moveRequested(m_current, m_current - 1);
     } else if (key == Qt::Key_Right && control && chosen && m_current + 1 < count()) {
-        emit moveAsked(m_current, m_current + 2);
+        emit moveRequested(m_current, m_current + 2);
     } else if (key == Qt::Key_D && control && chosen) {
-        emit copyAsked(m_current, m_current + 1);
+        emit copyRequested(m_current, m_current + 1);
     } else if ((key == Qt::Key_Delete || key == Qt::Key_Backspace) && chosen) {
-        emit deletionAsked(m_current);
+        emit deletionRequested(m_current);
     } else if ((key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_F2) && chosen) {
         emit activated(m_current);
     } else if (key == Qt::Key_Left && !control && count() > 0) {
@@ -130,7 +130,7 @@ void Storyboard::contextMenuEvent(QContextMenuEvent* event)
         choose(card);
     const QPoint place =
         byKey && card >= 0 ? viewport()->mapToGlobal(cardRect(card).center()) : event->globalPos();
-    emit menuAsked(card, place);
+    emit menuRequested(card, place);
 }
 
 void Storyboard::dragEnterEvent(QDragEnterEvent* event)

@@ -127,7 +127,7 @@ void MomentLane::mouseDoubleClickEvent(QMouseEvent* event)
     if (moment >= 0)
         emit momentActivated(moment);
     else if (area().contains(event->position()))
-        emit additionAsked(std::max(0.0, std::floor(secondsAt(event->position().x()) * fps()) / fps()));
+        emit additionRequested(std::max(0.0, std::floor(secondsAt(event->position().x()) * fps()) / fps()));
 }
 
 void MomentLane::keyPressEvent(QKeyEvent* event)
@@ -143,7 +143,7 @@ void MomentLane::keyPressEvent(QKeyEvent* event)
     } else if (direction != 0 && m_selected >= 0) {
         move(m_moments[static_cast<std::size_t>(m_selected)] + direction / fps(), true);
     } else if (event->key() == Qt::Key_Delete && m_selected >= 0) {
-        emit removalAsked(m_selected);
+        emit removalRequested(m_selected);
     } else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && m_selected >= 0) {
         emit momentActivated(m_selected);
     } else {

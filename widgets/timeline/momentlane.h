@@ -32,8 +32,8 @@ signals:
     void momentSelected(int moment);
     void momentMoved(int moment, double seconds, bool committed);
     void momentActivated(int moment);
-    void removalAsked(int moment);
-    void additionAsked(double seconds);
+    void removalRequested(int moment);
+    void additionRequested(double seconds);
 
 protected:
     void paintContent(QPainter& painter, const QRectF& area) override;

@@ -53,11 +53,11 @@ PlaybackBar::PlaybackBar(QWidget* parent)
     row->addWidget(m_time, 1);
     row->addWidget(m_reached);
 
-    connect(m_first, &QToolButton::clicked, this, &PlaybackBar::firstAsked);
-    connect(m_previous, &QToolButton::clicked, this, [this] { emit stepAsked(-1); });
+    connect(m_first, &QToolButton::clicked, this, &PlaybackBar::firstRequested);
+    connect(m_previous, &QToolButton::clicked, this, [this] { emit stepRequested(-1); });
     connect(m_play, &QToolButton::clicked, this, &PlaybackBar::playToggled);
-    connect(m_next, &QToolButton::clicked, this, [this] { emit stepAsked(1); });
-    connect(m_last, &QToolButton::clicked, this, &PlaybackBar::lastAsked);
+    connect(m_next, &QToolButton::clicked, this, [this] { emit stepRequested(1); });
+    connect(m_last, &QToolButton::clicked, this, &PlaybackBar::lastRequested);
     connect(m_loop, &QToolButton::toggled, this, &PlaybackBar::loopToggled);
     connect(m_frame, &QSpinBox::valueChanged, this, &PlaybackBar::frameEntered);
     setFrameCount(0);

@@ -32,9 +32,9 @@ public:
 signals:
     void playToggled();
     /// A step from the current frame, e.g. −1.
-    void stepAsked(int frames);
-    void firstAsked();
-    void lastAsked();
+    void stepRequested(int frames);
+    void firstRequested();
+    void lastRequested();
     void frameEntered(int frame);
     void loopToggled(bool looping);
 

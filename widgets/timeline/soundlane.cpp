@@ -100,7 +100,7 @@ void SoundLane::edit(double offset, bool committed)
 void SoundLane::mousePressEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton && isEmpty())
-        emit choiceAsked();
+        emit choiceRequested();
     else if (event->button() == Qt::LeftButton && soundRect().contains(event->position()))
         m_drag = Drag{event->position().x(), m_offset};
 }
@@ -138,9 +138,9 @@ void SoundLane::keyPressEvent(QKeyEvent* event)
     } else if (!isEmpty() && direction != 0) {
         edit(std::round((m_offset + direction * step) * 1000) / 1000, true);
     } else if (isEmpty() && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)) {
-        emit choiceAsked();
+        emit choiceRequested();
     } else if (!isEmpty() && event->key() == Qt::Key_Delete) {
-        emit removalAsked();
+        emit removalRequested();
     } else {
         QWidget::keyPressEvent(event);
     }

@@ -35,9 +35,9 @@ public:
 
 signals:
     void offsetEdited(double seconds, bool committed);
-    void removalAsked();
+    void removalRequested();
     /// A click while there is no sound.
-    void choiceAsked();
+    void choiceRequested();
 
 protected:
     void paintContent(QPainter& painter, const QRectF& area) override;

@@ -28,11 +28,11 @@ Timeline::Timeline(QWidget* parent) : QWidget(parent), d(std::make_unique<Privat
     d->font = font();
     d->zoomBar = new TimelineZoomBar(d->scale, this);
     d->zoomBar->setObjectName(QStringLiteral("timelineZoomBar"));
-    connect(d->zoomBar, &TimelineZoomBar::partAsked, this, [this](double first, double frames) {
+    connect(d->zoomBar, &TimelineZoomBar::partRequested, this, [this](double first, double frames) {
         d->scale.show(first, frames);
         scaleChanged();
     });
-    connect(d->zoomBar, &TimelineZoomBar::fitAsked, this, &Timeline::zoomToFit);
+    connect(d->zoomBar, &TimelineZoomBar::fitRequested, this, &Timeline::zoomToFit);
     constexpr int growingMilliseconds = 40;
     d->growing.setInterval(growingMilliseconds);
     connect(&d->growing, &QTimer::timeout, this, [this] { growUnder(d->held); });

@@ -92,7 +92,7 @@ signals:
     void scrubbingChanged(bool scrubbing);
     void rangeEdited(int first, int last, bool committed);
     void loopEdited(int first, int last, bool committed);
-    void loopRemovalAsked();
+    void loopRemovalRequested();
     /// The user sized or folded a row; rows() has it already.
     void rowsEdited();
     /// Of a track of keys (Insert, double click): both frames are one.
@@ -105,10 +105,10 @@ signals:
     void selectionChanged(const std::optional<quadrille::widgets::SpanRef>& span);
     /// Double click or Return: to be renamed.
     void spanActivated(const quadrille::widgets::SpanRef& span);
-    void spanDeletionAsked(const quadrille::widgets::SpanRef& span);
+    void spanDeletionRequested(const quadrille::widgets::SpanRef& span);
     /// \param span  none when there was none under the pointer.
-    void contextMenuAsked(const QString& track, const std::optional<quadrille::widgets::SpanRef>& span,
-                          int frame, const QPoint& globalPosition);
+    void contextMenuRequested(const QString& track, const std::optional<quadrille::widgets::SpanRef>& span,
+                              int frame, const QPoint& globalPosition);
 
 protected:
     bool event(QEvent* event) override;

@@ -179,7 +179,7 @@ void Timeline::finishDrag(bool commit)
     else if (drag.kind == TimelineDrag::Kind::RowSize && drag.moved)
         emit rowsEdited();
     else if (drag.kind == TimelineDrag::Kind::LoopNew && (!drag.moved || !commit))
-        emit loopRemovalAsked();
+        emit loopRemovalRequested();
     else if (drag.kind == TimelineDrag::Kind::Create && !drag.moved && commit)
         scrub(drag.grabbed);
     else if (!drag.moved)
@@ -244,7 +244,7 @@ void Timeline::contextMenuEvent(QContextMenuEvent* event)
         select(span);
     const int frame = byKey ? d->current : d->scale.nearestFrame(event->pos().x() - d->headerWidth);
     const QPoint place = byKey && span ? mapToGlobal(spanRect(*span).center()) : event->globalPos();
-    emit contextMenuAsked(track == nullptr ? QString() : track->id, span, frame, place);
+    emit contextMenuRequested(track == nullptr ? QString() : track->id, span, frame, place);
 }
 
 void Timeline::selectNeighbour(int step)
@@ -281,7 +281,7 @@ bool Timeline::editSelectedByKey(int key, Qt::KeyboardModifiers modifiers)
     if (!d->track(d->selected->track)->editable)
         return false;
     if (key == Qt::Key_Delete || key == Qt::Key_Backspace) {
-        emit spanDeletionAsked(*d->selected);
+        emit spanDeletionRequested(*d->selected);
         return true;
     }
     const int step = key == Qt::Key_Left ? -1 : key == Qt::Key_Right ? 1 : 0;

@@ -97,7 +97,7 @@ void TimelineLane::paintEvent(QPaintEvent*)
 
 void TimelineLane::contextMenuEvent(QContextMenuEvent* event)
 {
-    emit menuAsked(secondsAt(event->pos().x()), event->globalPos());
+    emit menuRequested(secondsAt(event->pos().x()), event->globalPos());
 }
 
 } // namespace quadrille::widgets

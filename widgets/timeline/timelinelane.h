@@ -27,7 +27,7 @@ public:
     QSize minimumSizeHint() const override { return sizeHint(); }
 
 signals:
-    void menuAsked(double seconds, const QPoint& globalPosition);
+    void menuRequested(double seconds, const QPoint& globalPosition);
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -62,7 +62,7 @@ void TimelineZoomBar::mousePressEvent(QMouseEvent* event)
     if (m_grip == Grip::None) {
         m_first = event->position().x() * framesPerPixel() - m_frames / 2;
         m_grip = Grip::Part;
-        emit partAsked(m_first, m_frames);
+        emit partRequested(m_first, m_frames);
         m_first = m_scale.firstVisible();
     }
     update();
@@ -87,12 +87,12 @@ void TimelineZoomBar::mouseMoveEvent(QMouseEvent* event)
         const double way = width() - partRect().width();
         const double hidden = m_scale.frameCount() - m_frames;
         const double pixels = event->position().x() - m_pressedAt;
-        emit partAsked(way > 0 ? m_first + pixels * hidden / way : m_first, m_frames);
+        emit partRequested(way > 0 ? m_first + pixels * hidden / way : m_first, m_frames);
     } else if (m_grip == Grip::Start) {
         const double first = std::clamp(m_first + moved, 0.0, std::max(0.0, end - fewest));
-        emit partAsked(first, end - first);
+        emit partRequested(first, end - first);
     } else {
-        emit partAsked(m_first, std::max(fewest, m_frames + moved));
+        emit partRequested(m_first, std::max(fewest, m_frames + moved));
     }
 }
 
@@ -108,7 +108,7 @@ void TimelineZoomBar::mouseDoubleClickEvent(QMouseEvent* event)
 {
     m_grip = Grip::None;
     if (event->button() == Qt::LeftButton)
-        emit fitAsked();
+        emit fitRequested();
 }
 
 void TimelineZoomBar::leaveEvent(QEvent* event)

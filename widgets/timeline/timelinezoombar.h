@@ -26,8 +26,8 @@ public:
 
 signals:
     /// The frames that are to show from now on.
-    void partAsked(double first, double frames);
-    void fitAsked();
+    void partRequested(double first, double frames);
+    void fitRequested();
 
 protected:
     void paintEvent(QPaintEvent* event) override;

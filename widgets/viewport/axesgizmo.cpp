@@ -133,7 +133,7 @@ void AxesGizmo::mousePressEvent(QMouseEvent* event)
         event->ignore();
         return;
     }
-    emit lookAsked(*view);
+    emit lookRequested(*view);
 }
 
 void AxesGizmo::mouseMoveEvent(QMouseEvent* event)

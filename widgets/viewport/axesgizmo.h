@@ -24,7 +24,7 @@ public:
     std::optional<QPointF> endOf(StandardView view) const;
 
 signals:
-    void lookAsked(quadrille::widgets::StandardView view);
+    void lookRequested(quadrille::widgets::StandardView view);
 
 protected:
     void paintEvent(QPaintEvent* event) override;

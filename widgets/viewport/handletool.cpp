@@ -35,7 +35,7 @@ bool HandleTool::handle(QEvent& event)
         return wantsKey(static_cast<QKeyEvent&>(event)) && pressKey(static_cast<QKeyEvent&>(event));
     case QEvent::Leave:
         leave();
-        emit repaintAsked();
+        emit repaintRequested();
         return false;
     default:
         return false;

@@ -93,9 +93,9 @@ void PathEditor::setMode(Mode mode)
     d->hovered = {};
     if (mode != Mode::Edit)
         setSelected({});
-    emit cursorAsked(Private::cursorFor({}, mode));
+    emit cursorRequested(Private::cursorFor({}, mode));
     emit modeChanged(mode);
-    emit repaintAsked();
+    emit repaintRequested();
 }
 
 PathEditor::Mode PathEditor::mode() const
@@ -109,7 +109,7 @@ void PathEditor::setSelected(const PathPart& part)
         return;
     d->selected = part;
     emit selectionChanged(part);
-    emit repaintAsked();
+    emit repaintRequested();
 }
 
 const PathPart& PathEditor::selected() const

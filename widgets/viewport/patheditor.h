@@ -112,15 +112,15 @@ signals:
     void pointsEdited(const std::vector<QVector3D>& points, quadrille::widgets::PathEdit edit,
                       bool committed);
     void stretchEdited(int stretch, double from, double to, bool committed);
-    void stretchDeletionAsked(int stretch);
+    void stretchDeletionRequested(int stretch);
     void obstacleAdded(const quadrille::widgets::PathObstacle& obstacle);
     void obstacleEdited(int obstacle, const quadrille::widgets::PathObstacle& edited, bool committed);
-    void obstacleDeletionAsked(int obstacle);
+    void obstacleDeletionRequested(int obstacle);
     /// A part was double-clicked, or Return was pressed on it: to be looked at closer.
     void activated(const quadrille::widgets::PathPart& part);
     /// \param length  where on the curve; where there is none under the pointer, 0.
-    void contextMenuAsked(const quadrille::widgets::PathPart& part, double length,
-                          const QPoint& globalPosition);
+    void contextMenuRequested(const quadrille::widgets::PathPart& part, double length,
+                              const QPoint& globalPosition);
 
 protected:
     void viewChanged() override;

@@ -118,11 +118,11 @@ void PathEditor::endDrag(bool commit)
         if (commit)
             finishObstacle();
         d->drag = {};
-        emit repaintAsked();
+        emit repaintRequested();
         return;
     }
     const PathDrag drag = std::exchange(d->drag, {});
-    emit repaintAsked();
+    emit repaintRequested();
     if (!drag.moved)
         return;
     const PathShape shape = commit ? d->shape : drag.before;
@@ -139,7 +139,7 @@ void PathEditor::finishStroke(bool commit)
 {
     const std::vector<QVector3D> pulled = d->preview();
     const PathDrag drag = std::exchange(d->drag, {});
-    emit repaintAsked();
+    emit repaintRequested();
     if (!commit)
         return;
     const bool closes = partAt(drag.pressedAt) == PathPart{PathPart::Kind::Point, 0, 0} &&
@@ -195,7 +195,7 @@ void PathEditor::addPoint(const QVector3D& place)
     constexpr float same = 1e-4F; // metres
     if (points.empty()) {
         d->firstPoint = place;
-        emit repaintAsked();
+        emit repaintRequested();
     } else if ((points.back() - place).length() > d->ruler().of(same)) {
         emit pointsEdited(appendedPoint(d->shape.kind, points, place), PathEdit::Add, true);
     }
@@ -341,13 +341,13 @@ bool PathEditor::deleteSelected()
             setSelected({PathPart::Kind::Point,
                          static_cast<int>(anchorIndex(d->shape.kind, anchor > 0 ? anchor - 1 : 0)), 0});
     } else if (part.kind == PathPart::Kind::StretchStart || part.kind == PathPart::Kind::StretchEnd) {
-        emit stretchDeletionAsked(part.index);
+        emit stretchDeletionRequested(part.index);
     } else if (part.kind == PathPart::Kind::ObstacleCorner && d->shape.obstacles[index].corners.size() > 3) {
         PathObstacle obstacle = d->shape.obstacles[index];
         obstacle.corners.erase(obstacle.corners.begin() + part.corner);
         emit obstacleEdited(part.index, obstacle, true);
     } else {
-        emit obstacleDeletionAsked(part.index);
+        emit obstacleDeletionRequested(part.index);
     }
     return true;
 }

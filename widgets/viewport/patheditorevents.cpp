@@ -86,7 +86,7 @@ bool PathEditor::press(const QMouseEvent& event)
                                                           : part);
         if (part.kind == PathPart::Kind::ObstacleRadius)
             setSelected({PathPart::Kind::Obstacle, part.index, 0});
-        emit repaintAsked();
+        emit repaintRequested();
         return true;
     }
     const auto place = d->newPlace(event.position(), event.modifiers());
@@ -101,7 +101,7 @@ bool PathEditor::press(const QMouseEvent& event)
             return true;
         }
         d->corners.push_back(*place);
-        emit repaintAsked();
+        emit repaintRequested();
         return true;
     }
     d->drag = {};
@@ -133,7 +133,7 @@ bool PathEditor::move(const QMouseEvent& event)
         d->pointer = place;
         d->drag.stroke.push_back(*place);
     }
-    emit repaintAsked();
+    emit repaintRequested();
     return true;
 }
 
@@ -141,15 +141,15 @@ void PathEditor::hover(const QMouseEvent& event)
 {
     if (d->mode != Mode::Edit) {
         d->pointer = d->newPlace(event.position(), event.modifiers());
-        emit repaintAsked();
+        emit repaintRequested();
         return;
     }
     const PathPart part = partAt(event.position());
     if (part == d->hovered)
         return;
     d->hovered = part;
-    emit cursorAsked(Private::cursorFor(part, d->mode));
-    emit repaintAsked();
+    emit cursorRequested(Private::cursorFor(part, d->mode));
+    emit repaintRequested();
 }
 
 bool PathEditor::release(const QMouseEvent& event)
@@ -200,7 +200,7 @@ void PathEditor::askMenu(const PathPart& part, const QPointF& position, const QP
     double distance = 0.0;
     if (part.kind != PathPart::Kind::Curve)
         setSelected(part);
-    emit contextMenuAsked(part, d->lengthAt(position, &distance).value_or(0.0), globalPosition);
+    emit contextMenuRequested(part, d->lengthAt(position, &distance).value_or(0.0), globalPosition);
 }
 
 bool PathEditor::wantsKey(const QKeyEvent& event) const
@@ -262,7 +262,7 @@ bool PathEditor::removeByKey()
     d->firstPoint.reset();
     if (anchors > 0)
         emit pointsEdited(removedAnchor(d->shape.kind, d->shape.points, anchors - 1), PathEdit::Delete, true);
-    emit repaintAsked();
+    emit repaintRequested();
     return true;
 }
 

@@ -127,7 +127,7 @@ void PathEditor::refreshMarks()
         }
     }
     d->viewport.setMarks(QStringLiteral("path"), marks);
-    emit repaintAsked();
+    emit repaintRequested();
 }
 
 void PathEditor::Private::paintSpace(QPainter& painter) const

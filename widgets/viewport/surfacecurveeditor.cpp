@@ -15,12 +15,12 @@ namespace quadrille::widgets {
 SurfaceCurveEditor::SurfaceCurveEditor(Viewport& viewport, QObject* parent)
     : HandleTool(parent), d(std::make_unique<Private>(*this, viewport))
 {
-    connect(&Theme::instance(), &Theme::changed, this, &SurfaceCurveEditor::repaintAsked);
+    connect(&Theme::instance(), &Theme::changed, this, &SurfaceCurveEditor::repaintRequested);
     connect(&viewport, &Viewport::figureChanged, this, [this](int figure) {
         if (figure != d->figure)
             return;
         d->seenCache.reset();
-        emit repaintAsked();
+        emit repaintRequested();
     });
 }
 
@@ -36,7 +36,7 @@ void SurfaceCurveEditor::setFigure(int figure)
     d->pointer.reset();
     d->cursor.reset();
     d->drag.reset();
-    emit repaintAsked();
+    emit repaintRequested();
 }
 
 int SurfaceCurveEditor::figure() const
@@ -56,7 +56,7 @@ void SurfaceCurveEditor::setCurves(std::vector<ShownCurve> curves)
     d->hovered = {};
     if (!d->isThere(d->selected))
         setSelected({});
-    emit repaintAsked();
+    emit repaintRequested();
 }
 
 const std::vector<ShownCurve>& SurfaceCurveEditor::curves() const
@@ -67,7 +67,7 @@ const std::vector<ShownCurve>& SurfaceCurveEditor::curves() const
 void SurfaceCurveEditor::setDrawn(int curve)
 {
     d->drawn = curve;
-    emit repaintAsked();
+    emit repaintRequested();
 }
 
 int SurfaceCurveEditor::drawn() const
@@ -78,13 +78,13 @@ int SurfaceCurveEditor::drawn() const
 void SurfaceCurveEditor::setPreview(std::vector<std::uint32_t> vertices)
 {
     d->preview = std::move(vertices);
-    emit repaintAsked();
+    emit repaintRequested();
 }
 
 void SurfaceCurveEditor::setRefusal(const QString& text)
 {
     d->refusal = text;
-    emit repaintAsked();
+    emit repaintRequested();
 }
 
 const QString& SurfaceCurveEditor::refusal() const
@@ -102,7 +102,7 @@ void SurfaceCurveEditor::setActive(bool active)
         setSelected({});
     }
     d->active = active;
-    emit repaintAsked();
+    emit repaintRequested();
 }
 
 bool SurfaceCurveEditor::isActive() const
@@ -122,9 +122,9 @@ void SurfaceCurveEditor::setMode(Mode mode)
     d->hovered = {};
     if (mode == Mode::Draw)
         setSelected({});
-    emit cursorAsked(mode == Mode::Draw ? Qt::CrossCursor : Qt::ArrowCursor);
+    emit cursorRequested(mode == Mode::Draw ? Qt::CrossCursor : Qt::ArrowCursor);
     emit modeChanged(mode);
-    emit repaintAsked();
+    emit repaintRequested();
 }
 
 SurfaceCurveEditor::Mode SurfaceCurveEditor::mode() const
@@ -138,7 +138,7 @@ void SurfaceCurveEditor::setSelected(const SurfaceCurvePart& part)
         return;
     d->selected = part;
     emit selectionChanged(part);
-    emit repaintAsked();
+    emit repaintRequested();
 }
 
 const SurfaceCurvePart& SurfaceCurveEditor::selected() const

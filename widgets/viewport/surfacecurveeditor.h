@@ -76,7 +76,7 @@ signals:
     /// While drawing: the pointer is over the figure, or over nothing.
     void pointerMoved(const std::optional<quadrille::widgets::SurfacePlace>& place);
     void pointAdded(const quadrille::widgets::SurfacePlace& place);
-    void lastPointRemovalAsked();
+    void lastPointRemovalRequested();
     /// The curve that is drawn is complete; comes before the mode changes.
     void drawingFinished();
     /// \param committed  false while it is dragged, at the end once true.
@@ -85,11 +85,11 @@ signals:
     void moveCancelled(int curve);
     /// \param after  the point that it comes after.
     void pointInserted(int curve, int after, const quadrille::widgets::SurfacePlace& place);
-    void pointRemovalAsked(int curve, int point);
-    void curveRemovalAsked(int curve);
+    void pointRemovalRequested(int curve, int point);
+    void curveRemovalRequested(int curve);
     /// Return was pressed on it: to be looked at closer.
     void activated(int curve);
-    void contextMenuAsked(const quadrille::widgets::SurfaceCurvePart& part, const QPoint& globalPosition);
+    void contextMenuRequested(const quadrille::widgets::SurfaceCurvePart& part, const QPoint& globalPosition);
 
 protected:
     void viewChanged() override;

@@ -87,8 +87,8 @@ bool SurfaceCurveEditor::press(const QMouseEvent& event)
     drag.grabbed = pixelOf(part).value_or(event.position()) - event.position();
     d->drag = drag;
     setSelected(part);
-    emit cursorAsked(Qt::ClosedHandCursor);
-    emit repaintAsked();
+    emit cursorRequested(Qt::ClosedHandCursor);
+    emit repaintRequested();
     return true;
 }
 
@@ -113,20 +113,21 @@ void SurfaceCurveEditor::hover(const QMouseEvent& event)
         const auto before = d->hovered;
         d->hovered = d->closesAt(event.position()) ? Part{Part::Kind::Point, d->drawn, 0} : Part{};
         if (before != d->hovered)
-            emit cursorAsked(d->hovered.kind == Part::Kind::Point ? Qt::PointingHandCursor : Qt::CrossCursor);
+            emit cursorRequested(d->hovered.kind == Part::Kind::Point ? Qt::PointingHandCursor
+                                                                      : Qt::CrossCursor);
         d->pointer = d->placeAt(event.position(), event.modifiers());
         emit pointerMoved(d->pointer);
-        emit repaintAsked();
+        emit repaintRequested();
         return;
     }
     const Part part = partAt(event.position());
     if (part == d->hovered)
         return;
     d->hovered = part;
-    emit cursorAsked(part.kind == Part::Kind::Point   ? Qt::OpenHandCursor
-                     : part.kind == Part::Kind::Curve ? Qt::PointingHandCursor
-                                                      : Qt::ArrowCursor);
-    emit repaintAsked();
+    emit cursorRequested(part.kind == Part::Kind::Point   ? Qt::OpenHandCursor
+                         : part.kind == Part::Kind::Curve ? Qt::PointingHandCursor
+                                                          : Qt::ArrowCursor);
+    emit repaintRequested();
 }
 
 void SurfaceCurveEditor::dragTo(const QMouseEvent& event)
@@ -144,7 +145,7 @@ bool SurfaceCurveEditor::release(const QMouseEvent& event)
     if (event.button() == Qt::RightButton && std::exchange(d->isMenuPress, false)) {
         if (const Part part = partAt(event.position()); part.kind != Part::Kind::None) {
             setSelected(part);
-            emit contextMenuAsked(part, event.globalPosition().toPoint());
+            emit contextMenuRequested(part, event.globalPosition().toPoint());
         }
         return true;
     }
@@ -192,8 +193,8 @@ void SurfaceCurveEditor::endDrag(bool commit)
     if (!d->drag)
         return;
     const SurfaceDrag drag = *std::exchange(d->drag, std::nullopt);
-    emit cursorAsked(Qt::ArrowCursor);
-    emit repaintAsked();
+    emit cursorRequested(Qt::ArrowCursor);
+    emit repaintRequested();
     if (!drag.last)
         return;
     if (commit)
@@ -262,7 +263,7 @@ void SurfaceCurveEditor::moveCursor(int key, Qt::KeyboardModifiers modifiers)
         d->cursor = d->firstCursor();
     d->pointer = d->cursor ? d->placeAt(*d->cursor, modifiers) : std::nullopt;
     emit pointerMoved(d->pointer);
-    emit repaintAsked();
+    emit repaintRequested();
 }
 
 void SurfaceCurveEditor::removeSelected()
@@ -271,9 +272,9 @@ void SurfaceCurveEditor::removeSelected()
     if (!d->isThere(part))
         return;
     if (part.kind == Part::Kind::Curve)
-        emit curveRemovalAsked(part.curve);
+        emit curveRemovalRequested(part.curve);
     else
-        emit pointRemovalAsked(part.curve, part.point);
+        emit pointRemovalRequested(part.curve, part.point);
 }
 
 bool SurfaceCurveEditor::wantsKey(const QKeyEvent& event) const
@@ -321,13 +322,13 @@ void SurfaceCurveEditor::confirm()
 void SurfaceCurveEditor::askMenuByKey()
 {
     if (const auto pixel = pixelOf(d->selected))
-        emit contextMenuAsked(d->selected, d->viewport.mapToGlobal(pixel->toPoint()));
+        emit contextMenuRequested(d->selected, d->viewport.mapToGlobal(pixel->toPoint()));
 }
 
 bool SurfaceCurveEditor::removeByKey()
 {
     if (isDrawing())
-        emit lastPointRemovalAsked();
+        emit lastPointRemovalRequested();
     else
         removeSelected();
     return true;

@@ -125,7 +125,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), d(std::make_unique<Privat
     d->overlay = new ViewportOverlay(this);
     d->axes = new AxesGizmo(this);
     d->axes->setVisible(isWorking());
-    connect(d->axes, &AxesGizmo::lookAsked, this, &Viewport::lookFrom);
+    connect(d->axes, &AxesGizmo::lookRequested, this, &Viewport::lookFrom);
     connect(d->gestures, &ViewGestures::cameraChanged, this, [this] {
         d->scene.setCamera(d->gestures->camera());
         redraw();

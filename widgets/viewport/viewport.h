@@ -178,7 +178,7 @@ signals:
     void cameraChanged();
     void groundHeightChanged(float height);
     /// A click with the right button, or the key for menus. Drags with that button move the camera.
-    void contextMenuAsked(const QPoint& globalPosition);
+    void contextMenuRequested(const QPoint& globalPosition);
     /// A picture was drawn. \param milliseconds  what drawing took.
     void rendered(double milliseconds);
 

@@ -61,8 +61,8 @@ void Viewport::setViewTool(ViewTool* tool)
     if (d->tool == Tool::Navigate)
         d->surface->unsetCursor();
     if (tool != nullptr) {
-        connect(tool, &ViewTool::repaintAsked, d->overlay, qOverload<>(&QWidget::update));
-        connect(tool, &ViewTool::cursorAsked, this, [this](Qt::CursorShape shape) {
+        connect(tool, &ViewTool::repaintRequested, d->overlay, qOverload<>(&QWidget::update));
+        connect(tool, &ViewTool::cursorRequested, this, [this](Qt::CursorShape shape) {
             if (d->tool == Tool::Navigate)
                 d->surface->setCursor(shape);
         });
@@ -153,7 +153,7 @@ std::optional<Pick> Viewport::pick(const QPointF& position) const
 void Viewport::click(const QPointF& position, Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
 {
     if (button == Qt::RightButton) {
-        emit contextMenuAsked(d->surface->mapToGlobal(position).toPoint());
+        emit contextMenuRequested(d->surface->mapToGlobal(position).toPoint());
         return;
     }
     const auto hit = pick(position);
@@ -232,7 +232,7 @@ void Viewport::contextMenuEvent(QContextMenuEvent* event)
 {
     // That of the mouse comes when the button goes down: whether it is a drag is only known later.
     if (event->reason() == QContextMenuEvent::Keyboard)
-        emit contextMenuAsked(mapToGlobal(rect().center()));
+        emit contextMenuRequested(mapToGlobal(rect().center()));
     event->accept();
 }
 

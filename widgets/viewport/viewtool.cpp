@@ -11,7 +11,7 @@ void ViewTool::setView(const Turntable& camera, const QSizeF& size)
     m_camera = camera;
     m_size = size;
     viewChanged();
-    emit repaintAsked();
+    emit repaintRequested();
 }
 
 } // namespace quadrille::widgets

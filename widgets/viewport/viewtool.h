@@ -37,8 +37,8 @@ public:
 
 signals:
     /// What paint() draws is out of date.
-    void repaintAsked();
-    void cursorAsked(Qt::CursorShape shape);
+    void repaintRequested();
+    void cursorRequested(Qt::CursorShape shape);
 
 protected:
     virtual void viewChanged() {}

@@ -32,7 +32,7 @@ namespace quadrille {
 
 namespace {
 
-SequenceStage::Source sourceOf(const EditorContext& context, JunctionPanel* const& junctions)
+ClipScene::Source sourceOf(const EditorContext& context, JunctionPanel* const& junctions)
 {
     return {.clip = [&context, &junctions](const QString& name, bool) -> const MeshSequence* {
                 if (name == TransitionPreview::name())
@@ -58,7 +58,7 @@ SequenceStage::Source sourceOf(const EditorContext& context, JunctionPanel* cons
 AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
     : Workspace(parent)
     , m_context(context)
-    , m_view(new StageView(context, sourceOf(context, m_junctions), QStringLiteral("animate")))
+    , m_view(new SceneView(context, sourceOf(context, m_junctions), QStringLiteral("animate")))
     , m_animation(new CurrentAnimation(context, *m_view, this))
     , m_keysAndStoryboard(new KeysAndStoryboard(*m_animation, this))
     , m_path(new PathTool(*m_animation, this))
@@ -83,7 +83,7 @@ AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
     new PathResult(*m_animation, this);
     m_panels.push_back({"pathDock", [] { return tr("Path"); }, new PathPanel(*m_path)});
     connect(&m_path->editor(), &widgets::PathEditor::modeChanged, this, &AnimateWorkspace::showState);
-    m_comparison = new PoseComparison(context, m_view->viewport(), m_view->stage(), this);
+    m_comparison = new PoseComparison(context, m_view->viewport(), m_view->scene(), this);
     connect(m_comparison, &PoseComparison::changed, this, &AnimateWorkspace::showState);
     m_junctions = new JunctionPanel(*m_animation);
     connect(&m_junctions->preview(), &TransitionPreview::changed, this, &AnimateWorkspace::followPreview);
@@ -165,7 +165,7 @@ void AnimateWorkspace::frameOther()
 void AnimateWorkspace::followPreview()
 {
     const bool isPreviewing = m_junctions->preview().clip() != nullptr;
-    stage().update(TransitionPreview::name());
+    scene().update(TransitionPreview::name());
     followAnimations();
     if (!isPreviewing) {
         player().pause();
@@ -179,7 +179,7 @@ void AnimateWorkspace::followPreview()
 
 void AnimateWorkspace::followResult(const QString& name)
 {
-    stage().update(name);
+    scene().update(name);
     if (name == m_animation->name())
         showState();
 }

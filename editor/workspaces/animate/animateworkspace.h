@@ -22,7 +22,7 @@ class AnimateWorkspace : public Workspace
 public:
     explicit AnimateWorkspace(EditorContext& context, QWidget* parent = nullptr);
 
-    StageView& view() override { return *m_view; }
+    SceneView& view() override { return *m_view; }
     std::vector<Panel> panels() override;
     std::optional<NamedFrame> shownPose() override;
     void setActive(bool active) override;
@@ -43,7 +43,7 @@ private:
     EditorContext& m_context;
     JunctionPanel* m_junctions = nullptr;
     PoseComparison* m_comparison = nullptr;
-    StageView* m_view;
+    SceneView* m_view;
     CurrentAnimation* m_animation;
     KeysAndStoryboard* m_keysAndStoryboard;
     PathTool* m_path;

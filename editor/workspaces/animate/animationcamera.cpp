@@ -5,7 +5,7 @@
 #include "editor/application/editorcontext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "widgets/timeline/momentlane.h"
 
 #include <QMenu>
@@ -68,9 +68,9 @@ AnimationCamera::AnimationCamera(CurrentAnimation& animation, QObject* parent)
         moveKey(key, seconds, committed ? EditPhase::Final : EditPhase::Dragging);
     });
     connect(m_lane, &MomentLane::momentActivated, this, &AnimationCamera::goToKey);
-    connect(m_lane, &MomentLane::removalAsked, this, &AnimationCamera::removeKey);
-    connect(m_lane, &MomentLane::additionAsked, this, &AnimationCamera::addKeyAt);
-    connect(m_lane, &MomentLane::menuAsked, this, [this](double, const QPoint& position) {
+    connect(m_lane, &MomentLane::removalRequested, this, &AnimationCamera::removeKey);
+    connect(m_lane, &MomentLane::additionRequested, this, &AnimationCamera::addKeyAt);
+    connect(m_lane, &MomentLane::menuRequested, this, [this](double, const QPoint& position) {
         QMenu menu;
         for (const char* id :
              {"animate.camera.add", "animate.camera.replace", "animate.camera.remove", "animate.camera.look"})

@@ -8,7 +8,7 @@
 #include "editor/language/retranslate.h"
 #include "editor/playback/deviceoutput.h"
 #include "editor/workspaces/animate/currentanimation.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "widgets/timeline/soundlane.h"
 
 #include <QFileDialog>
@@ -44,9 +44,9 @@ AnimationSound::AnimationSound(CurrentAnimation& animation, QObject* parent)
     animation.view().addBelowTimeline(m_lane);
     makeActions();
     connect(m_lane, &widgets::SoundLane::offsetEdited, this, &AnimationSound::setOffset);
-    connect(m_lane, &widgets::SoundLane::removalAsked, this, &AnimationSound::remove);
-    connect(m_lane, &widgets::SoundLane::choiceAsked, this, &AnimationSound::choose);
-    connect(m_lane, &widgets::SoundLane::menuAsked, this, [this](double, const QPoint& position) {
+    connect(m_lane, &widgets::SoundLane::removalRequested, this, &AnimationSound::remove);
+    connect(m_lane, &widgets::SoundLane::choiceRequested, this, &AnimationSound::choose);
+    connect(m_lane, &widgets::SoundLane::menuRequested, this, [this](double, const QPoint& position) {
         QMenu menu;
         for (const char* id : {"animate.sound.choose", "animate.sound.mute", "animate.sound.remove"})
             menu.addAction(m_animation.context().actions.action(QLatin1String(id)));

@@ -8,7 +8,7 @@
 #include "editor/workspaces/animate/constraintedits.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/view/framenotes.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "editor/workspaces/view/timelineactions.h"
 #include "widgets/theme/theme.h"
 
@@ -53,7 +53,7 @@ AnimationTimeline::AnimationTimeline(CurrentAnimation& animation, FramePictures&
     m_timeline.setGrowing(true);
     connect(&animation, &CurrentAnimation::changed, this, &AnimationTimeline::refresh);
     connect(&animation, &CurrentAnimation::resultChanged, this, &AnimationTimeline::followResult);
-    connect(&animation.view(), &StageView::stageChanged, this, &AnimationTimeline::followResult);
+    connect(&animation.view(), &SceneView::sceneChanged, this, &AnimationTimeline::followResult);
     connect(&pictures, &FramePictures::drawn, this, &AnimationTimeline::refreshTracks);
     connect(&Theme::instance(), &Theme::changed, this, &AnimationTimeline::refreshTracks);
     connect(&animation.context().languages, &LanguageManager::changed, this,
@@ -70,7 +70,7 @@ AnimationTimeline::AnimationTimeline(CurrentAnimation& animation, FramePictures&
         if (track == keyTrackId)
             createKeyHere(frame);
     });
-    connect(&m_timeline, &Timeline::spanDeletionAsked, this, [this](const SpanRef& span) {
+    connect(&m_timeline, &Timeline::spanDeletionRequested, this, [this](const SpanRef& span) {
         if (const auto key = keyOf(span))
             removeKey(*key);
     });
@@ -83,7 +83,7 @@ AnimationTimeline::AnimationTimeline(CurrentAnimation& animation, FramePictures&
     connect(&m_timeline, &Timeline::selectionChanged, this, &AnimationTimeline::take);
     connect(&m_timeline, &Timeline::spanHovered, this,
             [this](const std::optional<SpanRef>& span) { emit junctionHovered(junctionOf(span)); });
-    connect(&m_timeline, &Timeline::contextMenuAsked, this,
+    connect(&m_timeline, &Timeline::contextMenuRequested, this,
             [this](const QString& track, const std::optional<SpanRef>& span, int frame,
                    const QPoint& position) { showMenu(track, span, frame, position); });
     refresh();

@@ -63,7 +63,7 @@ TimelineTrack AnimationTracks::keys(const std::vector<int>& ids, FramePictures& 
 QString AnimationTracks::variationText(const ClipPart& part) const
 {
     for (FrameIndex f = part.frames.first; f <= part.frames.last; ++f.value) {
-        const FrameOrigin& origin = result->origins[static_cast<std::size_t>(f.value)];
+        const FrameProvenance& origin = result->origins[static_cast<std::size_t>(f.value)];
         if (!part.isJunction && origin.destinationVariation != 0)
             return QString::fromStdString(result->variationName(origin.destinationVariation));
     }

@@ -12,7 +12,7 @@ namespace {
 
 using OriginKey = std::tuple<NodeIndex, NodeIndex, double, std::int32_t, std::int32_t>;
 
-OriginKey originKeyOf(const FrameOrigin& origin)
+OriginKey originKeyOf(const FrameProvenance& origin)
 {
     return {origin.source, origin.destination, origin.lambda, origin.sourceVariation,
             origin.destinationVariation};
@@ -46,7 +46,7 @@ std::vector<std::int64_t> plannedFrames(const AnimationResult& result)
     // A frame that the walk comes to several times is the next of them after what was shown before.
     std::int64_t last = 0;
     bool isFirst = true;
-    for (const FrameOrigin& origin : result.origins) {
+    for (const FrameProvenance& origin : result.origins) {
         const auto found = places.find(originKeyOf(origin));
         if (found == places.end()) {
             planned.push_back(-1);

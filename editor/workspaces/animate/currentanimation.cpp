@@ -7,7 +7,7 @@
 
 namespace quadrille {
 
-CurrentAnimation::CurrentAnimation(EditorContext& context, StageView& view, QObject* parent)
+CurrentAnimation::CurrentAnimation(EditorContext& context, SceneView& view, QObject* parent)
     : QObject(parent), m_context(context), m_view(view)
 {
     connect(&context.document, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {

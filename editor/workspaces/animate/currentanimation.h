@@ -10,7 +10,7 @@
 
 namespace quadrille {
 
-class StageView;
+class SceneView;
 struct EditorContext;
 
 /// The animation that the Animate workspace works on: all that its tools and panels know of the program.
@@ -21,10 +21,10 @@ class CurrentAnimation : public QObject
 public:
     using Edit = std::function<void(AnimationEntry&)>;
 
-    CurrentAnimation(EditorContext& context, StageView& view, QObject* parent = nullptr);
+    CurrentAnimation(EditorContext& context, SceneView& view, QObject* parent = nullptr);
 
     EditorContext& context() const { return m_context; }
-    StageView& view() const { return m_view; }
+    SceneView& view() const { return m_view; }
     const QString& name() const;
     /// Null without an animation.
     const AnimationEntry* entry() const;
@@ -48,7 +48,7 @@ signals:
 
 private:
     EditorContext& m_context;
-    StageView& m_view;
+    SceneView& m_view;
 };
 
 } // namespace quadrille

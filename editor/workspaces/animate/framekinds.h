@@ -8,7 +8,7 @@
 namespace quadrille {
 
 /// What a frame of a clip is, as it is coloured everywhere.
-inline widgets::FrameKind frameKindOf(const FrameOrigin& origin)
+inline widgets::FrameKind frameKindOf(const FrameProvenance& origin)
 {
     return origin.isCaptured() ? widgets::FrameKind::Captured
            : origin.isSingle() ? widgets::FrameKind::Varied

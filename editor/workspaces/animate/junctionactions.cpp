@@ -7,7 +7,7 @@
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/junctionpanel.h"
 #include "editor/workspaces/animate/transitionpreview.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "widgets/controls/messagestrip.h"
 
 #include <QHBoxLayout>
@@ -218,7 +218,7 @@ void JunctionPanel::playAround(int junction)
     const ClipFrames frames = *m_junctions[static_cast<std::size_t>(junction)].shown;
     const double fps = m_animation.context().document.project().settings.fps;
     const auto around = static_cast<std::int64_t>(std::lround(aroundSeconds * fps));
-    const std::int64_t end = m_animation.view().stage().frameCount() - 1;
+    const std::int64_t end = m_animation.view().scene().frameCount() - 1;
     Player& player = m_animation.view().player();
     player.pause();
     const std::int64_t first = std::max<std::int64_t>(frames.first - around, 0);

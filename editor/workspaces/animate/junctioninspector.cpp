@@ -12,7 +12,7 @@ JunctionInspector::JunctionInspector(JobRunner& jobs, QObject* parent) : QObject
 
 JunctionInspector::~JunctionInspector() = default;
 
-JunctionInspector::Inspected JunctionInspector::measure(const Asked& asked,
+JunctionInspector::Inspected JunctionInspector::measure(const Request& asked,
                                                         std::shared_ptr<const FrameMeasures> frames,
                                                         const Progress& progress)
 {
@@ -34,7 +34,7 @@ JunctionInspector::Inspected JunctionInspector::measure(const Asked& asked,
 void JunctionInspector::inspect(const std::shared_ptr<const OpenedCharacter>& character,
                                 const FramePair& transition, const AnimationEntry& entry)
 {
-    const Asked asked{character, transition, entry.gentleBlend, entry.interpolation};
+    const Request asked{character, transition, entry.gentleBlend, entry.interpolation};
     if (m_asked == asked)
         return;
     clear();

@@ -36,25 +36,25 @@ signals:
 
 private:
     using FrameMeasures = std::vector<FrameMeasure>;
-    struct Asked
+    struct Request
     {
         std::shared_ptr<const OpenedCharacter> character;
         FramePair transition;
         bool isGentle = false;
         InterpolationMethod interpolation = InterpolationMethod::Poisson;
-        bool operator==(const Asked&) const = default;
+        bool operator==(const Request&) const = default;
     };
     struct Inspected
     {
         std::shared_ptr<const FrameMeasures> frames;
         JunctionMeasures measures;
     };
-    static Inspected measure(const Asked& asked, std::shared_ptr<const FrameMeasures> frames,
+    static Inspected measure(const Request& asked, std::shared_ptr<const FrameMeasures> frames,
                              const Progress& progress);
 
     JobRunner& m_jobs;
     QPointer<Job> m_job;
-    std::optional<Asked> m_asked;
+    std::optional<Request> m_asked;
     std::optional<JunctionMeasures> m_measures;
     std::shared_ptr<const OpenedCharacter> m_character; ///< that the measures of frames are of
     std::shared_ptr<const FrameMeasures> m_frames;

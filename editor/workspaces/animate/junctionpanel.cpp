@@ -8,7 +8,7 @@
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/junctioninspector.h"
 #include "editor/workspaces/animate/transitionpreview.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "widgets/controls/elidedpair.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/icons.h"

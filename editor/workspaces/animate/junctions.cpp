@@ -39,11 +39,11 @@ std::optional<std::int64_t> shownFrame(const AnimationResult& result, std::int64
     const PostProcessing& post = result.entry.post.steps;
     if (!post.loop && !post.retime)
         return planned;
-    const FrameOrigin& wanted = result.plan.frames[static_cast<std::size_t>(planned)].origin;
+    const FrameProvenance& wanted = result.plan.frames[static_cast<std::size_t>(planned)].origin;
     std::optional<std::int64_t> nearest;
     double least = 2;
     for (std::size_t f = 0; f < result.origins.size(); ++f) {
-        const FrameOrigin& origin = result.origins[f];
+        const FrameProvenance& origin = result.origins[f];
         if (origin.source != wanted.source || origin.destination != wanted.destination)
             continue;
         if (const double distance = std::abs(origin.lambda - wanted.lambda); distance < least) {

@@ -41,7 +41,7 @@ KeysAndStoryboard::KeysAndStoryboard(CurrentAnimation& animation, QObject* paren
     });
     connect(m_keys, &KeysPanel::keySelected, this, &KeysAndStoryboard::selectKey);
     connect(m_keys, &KeysPanel::keyChosen, m_timeline, &AnimationTimeline::goToKey);
-    connect(m_keys, &KeysPanel::removalAsked, m_timeline, &AnimationTimeline::removeKey);
+    connect(m_keys, &KeysPanel::removalRequested, m_timeline, &AnimationTimeline::removeKey);
     connect(m_storyboard, &StoryboardPanel::actionChosen, m_timeline, &AnimationTimeline::goToPlanned);
     connect(&animation, &CurrentAnimation::changed, this, &KeysAndStoryboard::updateActions);
     connect(

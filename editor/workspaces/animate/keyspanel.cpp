@@ -124,7 +124,7 @@ KeysPanel::KeysPanel(CurrentAnimation& animation, FramePictures& pictures, QWidg
     });
     connect(m_table, &QTableView::doubleClicked, this,
             [this](const QModelIndex& index) { emit keyChosen(index.row()); });
-    connect(m_remove, &QToolButton::clicked, this, [this] { emit removalAsked(selected()); });
+    connect(m_remove, &QToolButton::clicked, this, [this] { emit removalRequested(selected()); });
     connect(m_global, &QCheckBox::clicked, this, [this](bool checked) {
         m_animation.edit(tr("Change how keys are sought"), QStringLiteral("search"),
                          [&](AnimationEntry& entry) { entry.search.globalKeys = checked; });
@@ -229,7 +229,7 @@ void KeysPanel::showMenu(const QPoint& position)
         menu.addAction(tr("Go to key"), this, [&] { emit keyChosen(key); });
         menu.addAction(tr("Edit the time"), this, [&] { editCell(key, KeysModel::Wanted); });
         menu.addAction(tr("Edit the tolerance"), this, [&] { editCell(key, KeysModel::Tolerance); });
-        menu.addAction(tr("Remove key"), this, [&] { emit removalAsked(key); });
+        menu.addAction(tr("Remove key"), this, [&] { emit removalRequested(key); });
         menu.addSeparator();
     }
     menu.addAction(actions.action(QStringLiteral("animate.addKey")));
@@ -279,7 +279,7 @@ bool KeysPanel::eventFilter(QObject* watched, QEvent* event)
             return takesOwnKeys(*event, {Qt::Key_Delete, Qt::Key_Backspace, Qt::Key_F2});
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Delete || key == Qt::Key_Backspace) {
-            emit removalAsked(selected());
+            emit removalRequested(selected());
             return true;
         }
         if (key == Qt::Key_Return || key == Qt::Key_Enter) {

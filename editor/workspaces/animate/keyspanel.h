@@ -34,7 +34,7 @@ signals:
     void keySelected(int key);
     /// Double click: to be shown.
     void keyChosen(int key);
-    void removalAsked(int key);
+    void removalRequested(int key);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -4,7 +4,7 @@
 #include "editor/application/editorcontext.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathtool.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 
 #include <QAction>
 #include <QMenu>

@@ -161,9 +161,10 @@ void PathPanel::connectLists()
         if (row >= 0)
             m_tool.editor().setSelected({PathPart::Kind::Obstacle, row, 0});
     });
-    connect(m_spans, &PartList::deletionAsked, &m_tool.editor(), &widgets::PathEditor::stretchDeletionAsked);
-    connect(m_obstacles, &PartList::deletionAsked, &m_tool.editor(),
-            &widgets::PathEditor::obstacleDeletionAsked);
+    connect(m_spans, &PartList::deletionRequested, &m_tool.editor(),
+            &widgets::PathEditor::stretchDeletionRequested);
+    connect(m_obstacles, &PartList::deletionRequested, &m_tool.editor(),
+            &widgets::PathEditor::obstacleDeletionRequested);
 }
 
 void PathPanel::retranslate()

@@ -7,7 +7,7 @@
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/framekinds.h"
 #include "editor/workspaces/animate/pathentries.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "model/synthesis/pathfollowing.h"
 #include "widgets/theme/theme.h"
 
@@ -52,7 +52,7 @@ PathResult::PathResult(CurrentAnimation& animation, QObject* parent) : QObject(p
             &PathResult::refresh);
     connect(&Theme::instance(), &Theme::changed, this, &PathResult::refresh);
     connect(actions.action(QStringLiteral("view.trajectory")), &QAction::toggled, this, &PathResult::refresh);
-    connect(&animation.view().stage(), &SequenceStage::frameShown, this, &PathResult::showFrame);
+    connect(&animation.view().scene(), &ClipScene::frameShown, this, &PathResult::showFrame);
     connect(&animation.view().player(), &Player::playingChanged, this, &PathResult::showFrame);
     refresh();
 }
@@ -83,7 +83,7 @@ void PathResult::refresh()
 void PathResult::showFrame()
 {
     const auto result = m_animation.result();
-    const auto frame = static_cast<std::size_t>(m_animation.view().stage().frame().value);
+    const auto frame = static_cast<std::size_t>(m_animation.view().scene().frame().value);
     SceneMarks marks;
     // Clips that were cut, repeated or retimed have other frames than the walk.
     if (m_isDeviationShown && result && frame < m_followed.size() &&

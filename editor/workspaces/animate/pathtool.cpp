@@ -6,7 +6,7 @@
 #include "editor/documents/animationresult.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "widgets/viewport/pathgeometry.h"
 #include "widgets/viewport/vtkview.h"
 
@@ -90,7 +90,7 @@ void PathTool::connectEditor()
                     },
                     phaseOf(committed));
             });
-    connect(m_editor, &PathEditor::stretchDeletionAsked, this, [this](int span) {
+    connect(m_editor, &PathEditor::stretchDeletionRequested, this, [this](int span) {
         edit(tr("Delete a span of the path"), QStringLiteral("path spans"),
              [&](PathEntry& path) { path.spans.erase(path.spans.begin() + span); });
     });
@@ -111,13 +111,13 @@ void PathTool::connectEditor()
                     },
                     phaseOf(committed));
             });
-    connect(m_editor, &PathEditor::obstacleDeletionAsked, this, [this](int obstacle) {
+    connect(m_editor, &PathEditor::obstacleDeletionRequested, this, [this](int obstacle) {
         edit(tr("Delete an obstacle"), QStringLiteral("path obstacles"),
              [&](PathEntry& path) { path.obstacles.erase(path.obstacles.begin() + obstacle); });
     });
     connect(m_editor, &PathEditor::modeChanged, this, &PathTool::refreshActions);
     connect(m_editor, &PathEditor::selectionChanged, this, &PathTool::describeSelection);
-    connect(m_editor, &PathEditor::contextMenuAsked, this, &PathTool::showMenu);
+    connect(m_editor, &PathEditor::contextMenuRequested, this, &PathTool::showMenu);
 }
 
 void PathTool::takePoints(const std::vector<QVector3D>& points, PathEdit edit, bool committed)
@@ -137,7 +137,7 @@ void PathTool::takePoints(const std::vector<QVector3D>& points, PathEdit edit, b
         }
         return tr("Move a point of the path");
     };
-    m_animation.view().stage().keepCamera(); // who draws has chosen the view
+    m_animation.view().scene().keepCamera(); // who draws has chosen the view
     m_animation.edit(
         textOf(), QStringLiteral("path points"),
         [&](AnimationEntry& animation) {

@@ -190,7 +190,7 @@ QString framesCsv(const AnimationResult& result, double fps)
     QString csv = line({"frame", "time_s", "sequence", "source_frame", "to_sequence", "to_frame", "lambda",
                         "deviation_m", "variation", "to_variation"});
     for (std::size_t f = 0; f < result.origins.size(); ++f) {
-        const FrameOrigin& origin = result.origins[f];
+        const FrameProvenance& origin = result.origins[f];
         const NamedFrame from = graph.nameOf(origin.source);
         const NamedFrame to = graph.nameOf(origin.destination);
         const auto name = [](const NamedFrame& frame) {

@@ -10,7 +10,7 @@
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/junctions.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "model/core/stagedfiles.h"
 #include "model/project/projectguard.h"
 #include "widgets/controls/messagestrip.h"

@@ -106,11 +106,11 @@ void StoryboardPanel::connectBoard()
 {
     connect(m_board, &Storyboard::currentChanged, this, &StoryboardPanel::showAction);
     connect(m_board, &Storyboard::framesDropped, this, &StoryboardPanel::insert);
-    connect(m_board, &Storyboard::moveAsked, this, &StoryboardPanel::move);
-    connect(m_board, &Storyboard::copyAsked, this, &StoryboardPanel::copy);
-    connect(m_board, &Storyboard::deletionAsked, this, &StoryboardPanel::remove);
+    connect(m_board, &Storyboard::moveRequested, this, &StoryboardPanel::move);
+    connect(m_board, &Storyboard::copyRequested, this, &StoryboardPanel::copy);
+    connect(m_board, &Storyboard::deletionRequested, this, &StoryboardPanel::remove);
     connect(m_board, &Storyboard::activated, m_form, &ActionForm::edit);
-    connect(m_board, &Storyboard::menuAsked, this, &StoryboardPanel::showMenu);
+    connect(m_board, &Storyboard::menuRequested, this, &StoryboardPanel::showMenu);
 }
 
 std::vector<ActionEntry> StoryboardPanel::actions() const

@@ -27,7 +27,7 @@ public:
     void show(const std::shared_ptr<const OpenedCharacter>& character, const FramePair& transition,
               const AnimationEntry& entry);
     void end();
-    /// What a stage calls it; no animation has this name.
+    /// What a scene calls it; no animation has this name.
     static QString name() { return QStringLiteral("/preview"); }
     /// Null while there is none.
     const MeshSequence* clip() const { return m_clip ? &*m_clip : nullptr; }

@@ -187,8 +187,8 @@ void GraphMap::connectViews()
     connect(m_matrix, &MatrixView::cellActivated, this, [this](int row, int column) {
         emit activated(FramePair{row, column});
     });
-    connect(m_matrix, &MatrixView::menuAsked, this, [this](int row, int column, const QPoint& place) {
-        emit menuAsked(FramePair{row, column}, place);
+    connect(m_matrix, &MatrixView::menuRequested, this, [this](int row, int column, const QPoint& place) {
+        emit menuRequested(FramePair{row, column}, place);
     });
     connect(m_arcs, &ArcView::arcHovered, this, [this](int from, int to) {
         emit hovered(FramePair{from, to});

@@ -67,9 +67,9 @@ signals:
     /// The keyboard moved to a cell.
     void moved(const quadrille::FramePair& pair);
     /// What can be done with a cell is asked for.
-    void menuAsked(const quadrille::FramePair& pair, const QPoint& globalPosition);
+    void menuRequested(const quadrille::FramePair& pair, const QPoint& globalPosition);
     /// What can be done with a take, or with the transitions from one to another, is asked for.
-    void takesMenuAsked(int from, int to, const QPoint& globalPosition);
+    void takesMenuRequested(int from, int to, const QPoint& globalPosition);
     /// All takes are to be looked at again.
     void filterDropped();
 

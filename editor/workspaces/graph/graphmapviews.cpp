@@ -82,7 +82,7 @@ void GraphMap::makeTakeFilter()
     connect(m_takeFilter, &QToolButton::clicked, this, &GraphMap::filterDropped);
     connect(m_takes, &TakeGraphView::chosenByUser, this,
             [this](const std::vector<int>& takes) { m_explorer.setFilter({takes}); });
-    connect(m_takes, &TakeGraphView::menuAsked, this, &GraphMap::takesMenuAsked);
+    connect(m_takes, &TakeGraphView::menuRequested, this, &GraphMap::takesMenuRequested);
 }
 
 void GraphMap::setMode(Mode mode)

@@ -40,7 +40,7 @@ void GraphWorkspace::hover(const std::optional<FramePair>& pair)
 {
     m_hovered = pair;
     showReadOut();
-    const bool isClip = stage().shown() == QStringList{PairPreview::clipName()};
+    const bool isClip = scene().shown() == QStringList{PairPreview::clipName()};
     if (!pair) {
         m_dwell.stop();
         if (m_preview->clip() != nullptr && !isClip && m_preview->clip()->frames == m_chosen)
@@ -82,7 +82,7 @@ void GraphWorkspace::showClip()
     const QString name = PairPreview::clipName();
     showStrip(spansOf(*clip, *m_explorer));
     m_view->show({name});
-    stage().update(name);
+    scene().update(name);
     player().goToStart();
     player().play();
     showState();

@@ -52,7 +52,7 @@ QScrollArea* scrolled(QWidget* content)
 GraphWorkspace::GraphWorkspace(EditorContext& context, QWidget* parent)
     : Workspace(parent)
     , m_context(context)
-    , m_view(new StageView(context,
+    , m_view(new SceneView(context,
                            {.clip = [this](const QString& name, bool) { return m_preview->sequence(name); },
                             .upAxis = [&context] { return context.media.upAxis(); }},
                            QStringLiteral("graph")))
@@ -175,8 +175,8 @@ void GraphWorkspace::connectParts()
         showFrames(pair);
     });
     connect(m_map, &GraphMap::activated, this, &GraphWorkspace::activate);
-    connect(m_map, &GraphMap::menuAsked, this, &GraphWorkspace::askWhatToDo);
-    connect(m_map, &GraphMap::takesMenuAsked, this, &GraphWorkspace::askAboutTakes);
+    connect(m_map, &GraphMap::menuRequested, this, &GraphWorkspace::askWhatToDo);
+    connect(m_map, &GraphMap::takesMenuRequested, this, &GraphWorkspace::askAboutTakes);
     connect(m_map, &GraphMap::filterDropped, this, [this] { m_explorer->setFilter({}); });
     connect(&m_context.selection, &Selection::changed, this, &GraphWorkspace::followSelection);
     connect(m_transition, &TransitionPanel::chosen, this, &GraphWorkspace::activate);
@@ -191,8 +191,8 @@ void GraphWorkspace::connectParts()
     });
     connect(m_charts, &GraphChartsPanel::alphaEdited, m_bar, &GraphBar::editAlpha);
     connect(m_preview, &PairPreview::framesChanged, this, [this] {
-        stage().update(PairPreview::sourceName());
-        stage().update(PairPreview::destinationName());
+        scene().update(PairPreview::sourceName());
+        scene().update(PairPreview::destinationName());
     });
     connect(m_preview, &PairPreview::clipChanged, this, &GraphWorkspace::showClip);
     connect(m_preview, &PairPreview::clipFailed, this, [this](const Error& error) {
@@ -208,8 +208,8 @@ void GraphWorkspace::connectParts()
         if (m_hovered)
             showFrames(*m_hovered);
     });
-    connect(m_view, &StageView::stageChanged, this,
-            [this] { m_view->timeline().setFrameCount(static_cast<int>(stage().frameCount())); });
+    connect(m_view, &SceneView::sceneChanged, this,
+            [this] { m_view->timeline().setFrameCount(static_cast<int>(scene().frameCount())); });
 }
 
 void GraphWorkspace::setActive(bool active)
@@ -242,7 +242,7 @@ void GraphWorkspace::showState()
     const bool isThere = m_explorer->character() != nullptr;
     m_pages->setCurrentIndex(isThere ? 1 : 0);
     m_readOut->setVisible(isThere);
-    viewport().setNotice(!isThere || !stage().shown().isEmpty()
+    viewport().setNotice(!isThere || !scene().shown().isEmpty()
                              ? QString()
                              : tr("Point at the map to see two frames; click to play the transition."));
     const auto* medium = isThere ? m_context.graphs.medium(m_bar->character()) : nullptr;

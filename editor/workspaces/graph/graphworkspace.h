@@ -42,7 +42,7 @@ class GraphWorkspace : public Workspace
 public:
     explicit GraphWorkspace(EditorContext& context, QWidget* parent = nullptr);
 
-    StageView& view() override { return *m_view; }
+    SceneView& view() override { return *m_view; }
     std::vector<Panel> panels() override { return m_panels; }
     void setActive(bool active) override;
 
@@ -81,7 +81,7 @@ private:
     void showReadOut();
 
     EditorContext& m_context;
-    StageView* m_view;
+    SceneView* m_view;
     GraphExplorer* m_explorer;
     PairPreview* m_preview;
     TransitionSpeeds* m_speeds;

@@ -33,7 +33,7 @@ class PairPreview : public QObject
     Q_OBJECT
 
 public:
-    /// Names of the clips, for SequenceStage.
+    /// Names of the clips, for ClipScene.
     static QString sourceName();
     static QString destinationName();
     static QString clipName();

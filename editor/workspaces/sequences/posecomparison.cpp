@@ -12,13 +12,13 @@ namespace quadrille {
 
 using widgets::Shading;
 
-PoseComparison::PoseComparison(EditorContext& context, widgets::Viewport& viewport, SequenceStage& stage,
+PoseComparison::PoseComparison(EditorContext& context, widgets::Viewport& viewport, ClipScene& scene,
                                QObject* parent)
     : QObject(parent)
     , m_context(context)
     , m_viewport(viewport)
-    , m_stage(stage)
-    , m_heatMap(new PoseHeatMap(viewport, stage, context.jobs, this))
+    , m_scene(scene)
+    , m_heatMap(new PoseHeatMap(viewport, scene, context.jobs, this))
 {
     m_action = context.actions.action(QStringLiteral("view.heatMap"));
     connect(m_action, &QAction::toggled, this, &PoseComparison::setOn);
@@ -28,8 +28,8 @@ PoseComparison::PoseComparison(EditorContext& context, widgets::Viewport& viewpo
             goBack();
     });
     connect(m_heatMap, &PoseHeatMap::changed, this, &PoseComparison::changed);
-    connect(&stage, &SequenceStage::changed, this, [this] {
-        if (m_action->isChecked() && m_viewport.isVisible() && !m_stage.isComparing())
+    connect(&scene, &ClipScene::changed, this, [this] {
+        if (m_action->isChecked() && m_viewport.isVisible() && !m_scene.isComparing())
             goBack();
     });
 }
@@ -58,7 +58,7 @@ QString PoseComparison::problem() const
     case PoseHeatMap::State::NotTwo:
         return tr("The pose distance is shown between two sequences.");
     case PoseHeatMap::State::DifferentMesh:
-        return tr("“%1” and “%2” have different meshes.").arg(m_stage.shown()[0], m_stage.shown()[1]);
+        return tr("“%1” and “%2” have different meshes.").arg(m_scene.shown()[0], m_scene.shown()[1]);
     default:
         return {};
     }

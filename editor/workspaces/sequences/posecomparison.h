@@ -11,7 +11,7 @@ class QAction;
 namespace quadrille {
 
 class PoseHeatMap;
-class SequenceStage;
+class ClipScene;
 struct EditorContext;
 
 namespace widgets {
@@ -26,7 +26,7 @@ class PoseComparison : public QObject
 
 public:
     /// \pre The action "view.heatMap" is registered, as one of the ways of shading.
-    PoseComparison(EditorContext& context, widgets::Viewport& viewport, SequenceStage& stage,
+    PoseComparison(EditorContext& context, widgets::Viewport& viewport, ClipScene& scene,
                    QObject* parent = nullptr);
 
     const PoseHeatMap& heatMap() const { return *m_heatMap; }
@@ -43,7 +43,7 @@ private:
 
     EditorContext& m_context;
     widgets::Viewport& m_viewport;
-    SequenceStage& m_stage;
+    ClipScene& m_scene;
     PoseHeatMap* m_heatMap;
     QAction* m_action = nullptr;
     bool m_isNew = false;                                   ///< switched on by the trigger that is under way

@@ -22,7 +22,7 @@ namespace quadrille {
 namespace {
 
 /// One sequence alone is shown untrimmed, several as the project uses them.
-SequenceStage::Source sourceOf(const SequenceMedia& media)
+ClipScene::Source sourceOf(const SequenceMedia& media)
 {
     return {.clip =
                 [&media](const QString& name, bool isComparing) {
@@ -36,10 +36,10 @@ SequenceStage::Source sourceOf(const SequenceMedia& media)
 SequencesWorkspace::SequencesWorkspace(EditorContext& context, QWidget* parent)
     : Workspace(parent)
     , m_context(context)
-    , m_view(new StageView(context, sourceOf(context.media), QString()))
+    , m_view(new SceneView(context, sourceOf(context.media), QString()))
     , m_sequenceTimeline(new SequenceTimeline(m_view->timeline(), context.document, context.media, this))
     , m_contacts(new ContactProposal(context, this))
-    , m_comparison(new PoseComparison(context, m_view->viewport(), m_view->stage(), this))
+    , m_comparison(new PoseComparison(context, m_view->viewport(), m_view->scene(), this))
 {
     setObjectName(QStringLiteral("sequencesWorkspace"));
     makeNotes();
@@ -57,10 +57,10 @@ SequencesWorkspace::SequencesWorkspace(EditorContext& context, QWidget* parent)
             [this] { m_context.media.retry(m_context.selection.shownSequence()); });
     connect(m_comparison, &PoseComparison::changed, this, &SequencesWorkspace::showState);
     connect(&context.media, &SequenceMedia::changed, m_view,
-            [this](const QString& name) { stage().update(name); });
+            [this](const QString& name) { scene().update(name); });
     connect(&context.selection, &Selection::changed, this, &SequencesWorkspace::followSelection);
-    connect(m_view, &StageView::stageChanged, this, &SequencesWorkspace::followStage);
-    connect(m_sequenceTimeline, &SequenceTimeline::rangeChanged, m_view, &StageView::updateRange);
+    connect(m_view, &SceneView::sceneChanged, this, &SequencesWorkspace::followScene);
+    connect(m_sequenceTimeline, &SequenceTimeline::rangeChanged, m_view, &SceneView::updateRange);
     connect(m_sequenceTimeline, &SequenceTimeline::menuOpened, this,
             [this](QMenu* menu, const QString& track, int frame) {
                 addTimelineMenu(*menu, *m_view, m_context, track, frame);
@@ -140,7 +140,7 @@ std::optional<NamedFrame> SequencesWorkspace::shownPose()
     if (sequence == nullptr)
         return std::nullopt;
     // One sequence alone is shown with all frames of its source.
-    const std::int64_t first = stage().isComparing() ? 0 : m_context.media.usedFrames(name).first.value;
+    const std::int64_t first = scene().isComparing() ? 0 : m_context.media.usedFrames(name).first.value;
     const std::int64_t frame = player().frame().value - first;
     return NamedFrame{name.toStdString(),
                       FrameIndex(std::clamp<std::int64_t>(frame, 0, sequence->frameCount() - 1))};
@@ -155,10 +155,10 @@ void SequencesWorkspace::followSelection()
     m_view->setCurrent(m_context.selection.shownSequence());
 }
 
-void SequencesWorkspace::followStage()
+void SequencesWorkspace::followScene()
 {
-    const std::int64_t frames = stage().frameCount();
-    m_sequenceTimeline->show(m_context.selection.shownSequence(), stage().isComparing() ? frames : 0);
+    const std::int64_t frames = scene().frameCount();
+    m_sequenceTimeline->show(m_context.selection.shownSequence(), scene().isComparing() ? frames : 0);
     showState();
 }
 
@@ -171,9 +171,9 @@ void SequencesWorkspace::showState()
     QString notice;
     if (medium == nullptr)
         notice = tr("No sequences yet. Drop files here, or import them from the File menu.");
-    else if (medium->state == SequenceMedia::State::Loading && stage().isEmpty())
+    else if (medium->state == SequenceMedia::State::Loading && scene().isEmpty())
         notice = tr("Opening “%1”…").arg(name);
-    else if (medium->state == SequenceMedia::State::Failed && stage().isEmpty())
+    else if (medium->state == SequenceMedia::State::Failed && scene().isEmpty())
         notice = tr("“%1” cannot be shown.").arg(name);
     viewport().setNotice(notice);
     if (medium != nullptr && medium->error) {

@@ -20,7 +20,7 @@ class SequencesWorkspace : public Workspace
 public:
     explicit SequencesWorkspace(EditorContext& context, QWidget* parent = nullptr);
 
-    StageView& view() override { return *m_view; }
+    SceneView& view() override { return *m_view; }
     std::vector<Panel> panels() override;
     std::optional<NamedFrame> shownPose() override;
     void setActive(bool active) override;
@@ -30,11 +30,11 @@ private:
     void makeEditActions();
     void makeNotes();
     void followSelection();
-    void followStage();
+    void followScene();
     void showState();
 
     EditorContext& m_context;
-    StageView* m_view;
+    SceneView* m_view;
     SequenceTimeline* m_sequenceTimeline;
     ContactProposal* m_contacts;
     PoseComparison* m_comparison;

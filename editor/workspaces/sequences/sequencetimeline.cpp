@@ -68,8 +68,8 @@ SequenceTimeline::SequenceTimeline(Timeline& timeline, ProjectDocument& document
     connect(&timeline, &Timeline::spanCreated, this, &SequenceTimeline::createSpan);
     connect(&timeline, &Timeline::spanEdited, this, &SequenceTimeline::editSpan);
     connect(&timeline, &Timeline::spanActivated, this, [this](const SpanRef& span) { nameSpan(span); });
-    connect(&timeline, &Timeline::spanDeletionAsked, this, &SequenceTimeline::deleteSpan);
-    connect(&timeline, &Timeline::contextMenuAsked, this, &SequenceTimeline::showMenu);
+    connect(&timeline, &Timeline::spanDeletionRequested, this, &SequenceTimeline::deleteSpan);
+    connect(&timeline, &Timeline::contextMenuRequested, this, &SequenceTimeline::showMenu);
 }
 
 SequenceTimeline::~SequenceTimeline() = default;
@@ -304,7 +304,7 @@ void SequenceTimeline::showMenu(const QString& track, const std::optional<SpanRe
         if (isLabel || span->track == FrameNotes::trackId)
             menu.addAction(isLabel ? tr("Rename label") : tr("Edit note"), this,
                            [&] { emit m_timeline.spanActivated(*span); });
-        menu.addAction(tr("Remove"), this, [&] { emit m_timeline.spanDeletionAsked(*span); });
+        menu.addAction(tr("Remove"), this, [&] { emit m_timeline.spanDeletionRequested(*span); });
         menu.addSeparator();
     } else if (!track.isEmpty() && track != FrameNotes::trackId) {
         const int last = std::min(frame + newSpanFrames - 1, m_timeline.frameCount() - 1);

@@ -191,7 +191,7 @@ void BodyPartsPanel::connectTool()
     connect(&m_tool, &PartCurveTool::changed, this, &BodyPartsPanel::refresh);
     connect(&m_tool, &PartCurveTool::selectionChanged, this, &BodyPartsPanel::refreshProblem);
     connect(&m_tool, &PartCurveTool::told, this, qOverload<const PartNotice&>(&BodyPartsPanel::show));
-    connect(&m_tool, &PartCurveTool::panelAsked, this, [this] { Workspace::showPanel(this); });
+    connect(&m_tool, &PartCurveTool::panelRequested, this, [this] { Workspace::showPanel(this); });
     connect(m_offer, &MessageStrip::actionTriggered, actionOf(m_tool, "variations.parts.add"),
             &QAction::trigger);
 }
@@ -250,7 +250,7 @@ void BodyPartsPanel::refresh()
     m_pose->setText(
         pose ? tr("%1, frame %2").arg(QString::fromStdString(pose->sequence)).arg(pose->frame.value)
              : QStringLiteral("–"));
-    m_takePose->setEnabled(!m_tool.variation().view().stage().isEmpty());
+    m_takePose->setEnabled(!m_tool.variation().view().scene().isEmpty());
     refreshProblem();
     refreshOffer();
 }

@@ -4,7 +4,7 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/commands/variationedits.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "model/core/error.h"
 #include "model/variation/subject.h"
 #include "widgets/theme/theme.h"
@@ -14,7 +14,7 @@
 
 namespace quadrille {
 
-CurrentVariation::CurrentVariation(EditorContext& context, StageView& view, QObject* parent)
+CurrentVariation::CurrentVariation(EditorContext& context, SceneView& view, QObject* parent)
     : QObject(parent), m_context(context), m_view(view)
 {
     connect(&context.document, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {

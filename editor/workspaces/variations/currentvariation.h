@@ -13,7 +13,7 @@
 
 namespace quadrille {
 
-class StageView;
+class SceneView;
 struct EditorContext;
 
 /// The variations that the Variations workspace works on: all that its tools and panels know of the program.
@@ -25,10 +25,10 @@ public:
     using Edit = std::function<void(VariationEntry&)>;
     using BodyEdit = std::function<void(BodyPartsEntry&)>;
 
-    CurrentVariation(EditorContext& context, StageView& view, QObject* parent = nullptr);
+    CurrentVariation(EditorContext& context, SceneView& view, QObject* parent = nullptr);
 
     EditorContext& context() const { return m_context; }
-    StageView& view() const { return m_view; }
+    SceneView& view() const { return m_view; }
     const QString& name() const;
     /// Null without any.
     const VariationEntry* entry() const;
@@ -94,7 +94,7 @@ private:
     std::optional<TakeWarp> shownWarp() const;
 
     EditorContext& m_context;
-    StageView& m_view;
+    SceneView& m_view;
     int m_set = 0;
     QSet<int> m_hidden; ///< of the set
     bool m_isOriginalShown = false;

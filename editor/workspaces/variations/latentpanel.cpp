@@ -7,7 +7,7 @@
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/latentconfidence.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "model/variation/movement.h"
 #include "widgets/latent/latentview.h"
 #include "widgets/theme/theme.h"

@@ -11,7 +11,7 @@
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/takelist.h"
 #include "editor/workspaces/variations/takeuse.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "model/variation/movement.h"
 #include "widgets/controls/elidedbutton.h"
 #include "widgets/theme/theme.h"
@@ -307,7 +307,7 @@ void MovementPanel::addTakes(const QStringList& takes)
 
 void MovementPanel::takeTemplate()
 {
-    const QString shown = m_variation.view().stage().shown().value(0);
+    const QString shown = m_variation.view().scene().shown().value(0);
     if (!isLearnedFrom(m_variation.entry(), shown.toStdString()))
         return;
     m_variation.edit(tr("Change the template"), QStringLiteral("template"), [&](VariationEntry& entry) {

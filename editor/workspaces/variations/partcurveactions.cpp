@@ -5,7 +5,7 @@
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/partcurvetool.h"
 #include "editor/workspaces/variations/partedits.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 
 #include <QAction>
 #include <QMenu>
@@ -74,7 +74,7 @@ void PartCurveTool::makeActions()
                        [] { return tr("Colour the parts of the body and show their curves in the view"); },
                        "visible",
                        {}},
-                      true, [this](bool) { emit visibilityAsked(); });
+                      true, [this](bool) { emit visibilityRequested(); });
 }
 
 void PartCurveTool::showMenu(const widgets::SurfaceCurvePart& part, const QPoint& globalPosition)

@@ -5,7 +5,7 @@
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/partcurveroute.h"
 #include "editor/workspaces/variations/partedits.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "model/geometry/curveedits.h"
 
 #include <algorithm>
@@ -19,13 +19,13 @@ using widgets::SurfacePlace;
 void PartCurveTool::connectEditor()
 {
     connect(m_editor, &SurfaceCurveEditor::pointAdded, this, &PartCurveTool::addPoint);
-    connect(m_editor, &SurfaceCurveEditor::lastPointRemovalAsked, this, &PartCurveTool::removeLastPoint);
+    connect(m_editor, &SurfaceCurveEditor::lastPointRemovalRequested, this, &PartCurveTool::removeLastPoint);
     connect(m_editor, &SurfaceCurveEditor::pointerMoved, this, &PartCurveTool::preview);
     connect(m_editor, &SurfaceCurveEditor::pointMoved, this, &PartCurveTool::movePoint);
     connect(m_editor, &SurfaceCurveEditor::moveCancelled, this, &PartCurveTool::cancelMove);
     connect(m_editor, &SurfaceCurveEditor::pointInserted, this, &PartCurveTool::insertPoint);
-    connect(m_editor, &SurfaceCurveEditor::pointRemovalAsked, this, &PartCurveTool::removePoint);
-    connect(m_editor, &SurfaceCurveEditor::curveRemovalAsked, this, [this](int curve) {
+    connect(m_editor, &SurfaceCurveEditor::pointRemovalRequested, this, &PartCurveTool::removePoint);
+    connect(m_editor, &SurfaceCurveEditor::curveRemovalRequested, this, [this](int curve) {
         if (const PartCurveEntry* entry = curveAt(curve)) {
             select({PartSelection::Kind::Curve, entry->curve.name});
             removeSelected();
@@ -38,7 +38,7 @@ void PartCurveTool::connectEditor()
         emit changed();
     });
     connect(m_editor, &SurfaceCurveEditor::selectionChanged, this, &PartCurveTool::followSelection);
-    connect(m_editor, &SurfaceCurveEditor::contextMenuAsked, this, &PartCurveTool::showMenu);
+    connect(m_editor, &SurfaceCurveEditor::contextMenuRequested, this, &PartCurveTool::showMenu);
 }
 
 void PartCurveTool::refuse(const Error& error)

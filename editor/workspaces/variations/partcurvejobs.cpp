@@ -8,7 +8,7 @@
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/partcurvetool.h"
 #include "editor/workspaces/variations/partedits.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "model/geometry/curveedits.h"
 #include "model/variation/proposedparts.h"
 
@@ -125,7 +125,7 @@ void PartCurveTool::propose()
         pose ? context.media.sequence(QString::fromStdString(pose->sequence)) : nullptr;
     if (sequence == nullptr || !m_shownGraph)
         return;
-    emit panelAsked();
+    emit panelRequested();
     ProposalSettings settings;
     settings.up = context.document.project().settings.axes.up;
     if (const double height = heightOf(m_shownGraph->pose(), settings.up); height > 0)
@@ -151,7 +151,7 @@ void PartCurveTool::draw()
     EditorContext& context = m_variation.context();
     context.actions.action(QStringLiteral("workspace.variations"))->trigger();
     context.actions.action(QStringLiteral("variations.parts.show"))->setChecked(true);
-    emit panelAsked();
+    emit panelRequested();
     m_variation.view().player().pause(); // what is clicked on is to stand still
     m_editor->setMode(m_editor->mode() == Mode::Draw ? Mode::Edit : Mode::Draw);
     m_variation.view().viewport().setTool(widgets::Viewport::Tool::Navigate);
@@ -344,10 +344,10 @@ bool PartCurveTool::rename(const PartSelection& which, const QString& name)
 
 void PartCurveTool::takeShownPose()
 {
-    const SequenceStage& stage = m_variation.view().stage();
-    if (stage.shown().isEmpty())
+    const ClipScene& scene = m_variation.view().scene();
+    if (scene.shown().isEmpty())
         return;
-    const NamedFrame pose{.sequence = stage.shown().back().toStdString(), .frame = stage.frame()};
+    const NamedFrame pose{.sequence = scene.shown().back().toStdString(), .frame = scene.frame()};
     edit(tr("Choose the pose that curves are drawn in"), QStringLiteral("pose"),
          [&pose](BodyPartsEntry& body) { body.pose = pose; });
 }

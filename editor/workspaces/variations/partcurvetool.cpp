@@ -9,7 +9,7 @@
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/partcurveroute.h"
 #include "editor/workspaces/variations/partedits.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "model/geometry/curveedits.h"
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/vtkview.h"
@@ -62,7 +62,7 @@ PartCurveTool::PartCurveTool(CurrentVariation& variation, QObject* parent)
     connectEditor();
     connect(&variation, &CurrentVariation::bodyChanged, this, &PartCurveTool::refresh);
     connect(m_surface, &BodySurface::changed, this, &PartCurveTool::refresh);
-    connect(&variation.view().stage(), &SequenceStage::changed, this, [this] {
+    connect(&variation.view().scene(), &ClipScene::changed, this, [this] {
         refreshFigure();
         refreshColors();
     });
@@ -122,7 +122,7 @@ void PartCurveTool::keepDrawing()
 void PartCurveTool::edit(const QString& text, const QString& property, const Edit& edit, EditPhase phase)
 {
     emit told({});
-    m_variation.view().stage().keepCamera(); // who draws has chosen the view
+    m_variation.view().scene().keepCamera(); // who draws has chosen the view
     m_variation.editBody(text, property, edit, phase);
 }
 
@@ -172,13 +172,13 @@ void PartCurveTool::refresh()
 void PartCurveTool::refreshFigure()
 {
     const widgets::Viewport& viewport = m_variation.view().viewport();
-    const SequenceStage& stage = m_variation.view().stage();
+    const ClipScene& scene = m_variation.view().scene();
     int figure = -1;
-    for (const QString& name : stage.shown()) {
-        const auto shape = viewport.figureShape(stage.figureOf(name));
+    for (const QString& name : scene.shown()) {
+        const auto shape = viewport.figureShape(scene.figureOf(name));
         if (figure < 0 && shape && m_shownGraph && shape->mesh.vertexCount == m_shownGraph->vertexCount() &&
             shape->mesh.triangles.size() == m_shownGraph->topology().triangles().size())
-            figure = stage.figureOf(name);
+            figure = scene.figureOf(name);
     }
     m_editor->setFigure(figure);
     frameFigure();
@@ -203,7 +203,7 @@ void PartCurveTool::frameFigure()
     if (lower == upper) // nothing was loaded yet
         return;
     m_framed = m_editor->figure();
-    m_variation.view().stage().keepCamera();
+    m_variation.view().scene().keepCamera();
     widgets::Turntable camera = viewport.camera();
     camera.frame(lower, upper, viewport.size());
     viewport.setCamera(camera);

@@ -111,9 +111,9 @@ signals:
     /// Something could not be done, or had consequences; an empty sentence takes the last one back.
     void told(const quadrille::PartNotice& notice);
     /// "variations.parts.show" was switched.
-    void visibilityAsked();
+    void visibilityRequested();
     /// What is done now is to be seen: the panel is to come to the front.
-    void panelAsked();
+    void panelRequested();
 
 private:
     struct Route; ///< a curve while its points are edited

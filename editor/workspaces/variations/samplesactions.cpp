@@ -134,7 +134,7 @@ void SamplesPanel::makeActions()
                  [] { return tr("Writes the variations that are kept, with where they come from"); },
                  "export",
                  {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)}},
-                [this] { emit exportAsked(); });
+                [this] { emit exportRequested(); });
 }
 
 void SamplesPanel::refresh()
@@ -366,9 +366,9 @@ void SamplesPanel::makeClips(std::vector<std::string> clips)
         [project = context.document.snapshot(), file = context.document.workingFile(),
          clips = std::move(clips)](const Progress& progress) {
             const RebuildReport report = rebuild(project, file, {.targets = clips}, progress);
-            for (const StageReport& stage : report.stages) {
-                if (stage.error)
-                    throw Error(*stage.error);
+            for (const StepReport& step : report.steps) {
+                if (step.error)
+                    throw Error(*step.error);
             }
         },
         [&context] {

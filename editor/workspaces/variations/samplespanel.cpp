@@ -233,7 +233,7 @@ void SamplesPanel::connectFields()
         if (!m_isShowing && row >= 0)
             m_variation.setSet(row);
     });
-    connect(m_sets, &PartList::deletionAsked, this, [this] { removeSet(); });
+    connect(m_sets, &PartList::deletionRequested, this, [this] { removeSet(); });
     connect(m_of, &QComboBox::textActivated, this, [this](const QString& take) {
         editSet(tr("Vary another take"), "of", [&](SamplesEntry& set) {
             set.of = take.toStdString();

@@ -39,7 +39,7 @@ public:
 
 signals:
     /// The user wants the variations as a data set.
-    void exportAsked();
+    void exportRequested();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -64,7 +64,7 @@ std::optional<FrameRange> framesLearned(const CurrentVariation& variation, const
 VariationsWorkspace::VariationsWorkspace(EditorContext& context, QWidget* parent)
     : Workspace(parent)
     , m_context(context)
-    , m_view(new StageView(context, source(), QStringLiteral("variations")))
+    , m_view(new SceneView(context, source(), QStringLiteral("variations")))
     , m_variation(new CurrentVariation(context, *m_view, this))
     , m_parts(new PartCurveTool(*m_variation, this))
 {
@@ -86,20 +86,20 @@ VariationsWorkspace::VariationsWorkspace(EditorContext& context, QWidget* parent
             m_context.variations.retry(m_variation->name());
     });
     connect(&context.media, &SequenceMedia::changed, this,
-            [this](const QString& name) { stage().update(name); });
+            [this](const QString& name) { scene().update(name); });
     connect(&m_view->viewport(), &widgets::Viewport::picked, this,
             [this](const widgets::Pick& pick, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
                 for (const DrawnVariation& drawn : m_variation->drawn()) {
-                    if (button == Qt::LeftButton && stage().figureOf(nameOf(drawn)) == pick.figure)
+                    if (button == Qt::LeftButton && scene().figureOf(nameOf(drawn)) == pick.figure)
                         emit m_variation->picked(drawn.inSet, modifiers.testFlag(Qt::ControlModifier));
                 }
             });
-    connect(m_view, &StageView::stageChanged, this,
-            [this] { m_view->timeline().setFrameCount(static_cast<int>(stage().frameCount())); });
+    connect(m_view, &SceneView::sceneChanged, this,
+            [this] { m_view->timeline().setFrameCount(static_cast<int>(scene().frameCount())); });
     retranslates(this, [this] { followResult(); });
 }
 
-SequenceStage::Source VariationsWorkspace::source()
+ClipScene::Source VariationsWorkspace::source()
 {
     return {.clip = [this](const QString& name, bool) { return clip(name); },
             .upAxis = [this] { return m_context.media.upAxis(); },
@@ -133,8 +133,8 @@ void VariationsWorkspace::makePanels()
     m_panels.push_back({"learningDock", [] { return tr("Learning"); }, new LearningPanel(*m_variation)});
     auto* samples = new SamplesPanel(*m_variation);
     m_panels.push_back({"samplesDock", [] { return tr("Samples"); }, samples});
-    connect(samples, &SamplesPanel::exportAsked, this,
-            [this] { emit exportAsked(QStringLiteral("variations/") + m_variation->name()); });
+    connect(samples, &SamplesPanel::exportRequested, this,
+            [this] { emit exportRequested(QStringLiteral("variations/") + m_variation->name()); });
     m_latent = new LatentPanel(*m_variation);
     Panel latent{"latentDock", [] { return tr("Latent space"); }, m_latent};
     latent.isLower = true;
@@ -152,13 +152,13 @@ void VariationsWorkspace::followPanels()
     connect(m_bodyPartsFront, &PanelFront::changed, this, &VariationsWorkspace::setCutting);
     connect(m_samplesFront, &PanelFront::changed, this,
             [this](bool isInFront) { setCutting(m_bodyPartsFront->isInFront() && !isInFront); });
-    connect(m_parts, &PartCurveTool::panelAsked, this, [this] { setCutting(true); });
+    connect(m_parts, &PartCurveTool::panelRequested, this, [this] { setCutting(true); });
     connect(&m_context.selection, &Selection::changed, this, [this] {
         const EntryRef& current = m_context.selection.current();
         if (m_isActive && current.section == Section::BodyParts && !current.name.isEmpty())
             showPanel(qobject_cast<QWidget*>(m_bodyPartsFront->parent()));
     });
-    connect(m_parts, &PartCurveTool::visibilityAsked, this, &VariationsWorkspace::showParts);
+    connect(m_parts, &PartCurveTool::visibilityRequested, this, &VariationsWorkspace::showParts);
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget* /*before*/, QWidget* now) {
         for (const PanelFront* front : {m_bodyPartsFront.data(), m_samplesFront.data()}) {
             if (front == nullptr)
@@ -256,9 +256,9 @@ void VariationsWorkspace::followResult()
     if (names.isEmpty() && (set != nullptr || !m_context.selection.shownSequence().isEmpty()))
         names += set == nullptr ? m_context.selection.shownSequence() : take;
     if (m_isActive) {
-        if (names == stage().shown()) {
+        if (names == scene().shown()) {
             for (const QString& name : std::as_const(names))
-                stage().update(name);
+                scene().update(name);
         } else {
             m_view->show(names);
         }

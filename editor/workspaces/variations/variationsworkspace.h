@@ -22,7 +22,7 @@ class VariationsWorkspace : public Workspace
 public:
     explicit VariationsWorkspace(EditorContext& context, QWidget* parent = nullptr);
 
-    StageView& view() override { return *m_view; }
+    SceneView& view() override { return *m_view; }
     std::vector<Panel> panels() override { return m_panels; }
     std::optional<NamedFrame> shownPose() override;
     void setActive(bool active) override;
@@ -32,10 +32,10 @@ public:
 
 signals:
     /// The user wants the variations "variations/NAME" as a data set.
-    void exportAsked(const QString& clip);
+    void exportRequested(const QString& clip);
 
 private:
-    SequenceStage::Source source();
+    ClipScene::Source source();
     void makePanels();
     void makeActions();
     /// A variation by the name that the view gives it, a take, or its used frames; null until it is there.
@@ -50,7 +50,7 @@ private:
     void showState();
 
     EditorContext& m_context;
-    StageView* m_view;
+    SceneView* m_view;
     CurrentVariation* m_variation;
     PartCurveTool* m_parts;
     QPointer<PanelFront> m_bodyPartsFront;

@@ -7,7 +7,7 @@
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/takeuse.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "model/variation/movement.h"
 #include "widgets/graph/linechart.h"
 #include "widgets/theme/theme.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/view/framenotes.h"
 
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "widgets/controls/inplaceedit.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ using widgets::SpanRef;
 using widgets::Timeline;
 using widgets::TimelineTrack;
 
-FrameNotes::FrameNotes(StageView& view, Keeper keeper, QObject* parent)
+FrameNotes::FrameNotes(SceneView& view, Keeper keeper, QObject* parent)
     : QObject(parent), m_view(view), m_keeper(std::move(keeper))
 {
     const Timeline& timeline = view.timeline();
@@ -39,7 +39,7 @@ FrameNotes::FrameNotes(StageView& view, Keeper keeper, QObject* parent)
         if (isOurs(span))
             edit(span.span);
     });
-    connect(&timeline, &Timeline::spanDeletionAsked, this, [this, isOurs](const SpanRef& span) {
+    connect(&timeline, &Timeline::spanDeletionRequested, this, [this, isOurs](const SpanRef& span) {
         if (isOurs(span))
             remove(span.span);
     });

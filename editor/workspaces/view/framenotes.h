@@ -12,7 +12,7 @@
 
 namespace quadrille {
 
-class StageView;
+class SceneView;
 
 namespace widgets {
 class InPlaceEdit;
@@ -33,7 +33,7 @@ public:
         std::function<int()> firstFrame; ///< the frame of the timeline at which the notes' frame 0 is
     };
 
-    FrameNotes(StageView& view, Keeper keeper, QObject* parent = nullptr);
+    FrameNotes(SceneView& view, Keeper keeper, QObject* parent = nullptr);
 
     static constexpr auto trackId = QLatin1String("notes");
     /// The row of the timeline; \pre there is something to write notes on.
@@ -55,7 +55,7 @@ public:
 private:
     void openField(const QString& text, const QRect& place, const std::function<void(const QString&)>& take);
 
-    StageView& m_view;
+    SceneView& m_view;
     Keeper m_keeper;
     QPointer<widgets::InPlaceEdit> m_field;
 };

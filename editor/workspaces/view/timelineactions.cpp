@@ -4,7 +4,7 @@
 
 #include "editor/application/editorcontext.h"
 #include "editor/workspaces/view/framenotes.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "editor/workspaces/view/timelinesettings.h"
 
 #include <QMenu>
@@ -13,45 +13,45 @@ namespace quadrille {
 
 using widgets::Timeline;
 
-TimelineActions::TimelineActions(EditorContext& context, std::function<StageView*()> view, QObject* parent)
+TimelineActions::TimelineActions(EditorContext& context, std::function<SceneView*()> view, QObject* parent)
     : QObject(parent), m_context(context), m_view(std::move(view))
 {
     add(
         "play.andReturn", [] { return tr("Play from here and &return"); },
         [] { return tr("Plays from the playhead, which goes back there when it stops"); }, "play", Qt::Key_R,
-        [](StageView& front) { front.player().playAndReturn(); });
+        [](SceneView& front) { front.player().playAndReturn(); });
     add(
         "play.loopStart", [] { return tr("Loop from &here"); },
         [] { return tr("Lets the part that plays again and again begin at the playhead"); }, "loop",
         Qt::CTRL | Qt::ALT | Qt::Key_I,
-        [](StageView& front) { front.setLoopStart(front.timeline().currentFrame()); });
+        [](SceneView& front) { front.setLoopStart(front.timeline().currentFrame()); });
     add(
         "play.loopEnd", [] { return tr("Loop &up to here"); },
         [] { return tr("Lets the part that plays again and again end at the playhead"); }, "loop",
         Qt::CTRL | Qt::ALT | Qt::Key_O,
-        [](StageView& front) { front.setLoopEnd(front.timeline().currentFrame()); });
+        [](SceneView& front) { front.setLoopEnd(front.timeline().currentFrame()); });
     add(
         "play.loopAll", [] { return tr("Play &everything again"); },
         [] { return tr("Takes the loop off the ruler"); }, "cancel", {},
-        [](StageView& front) { front.setLoop(std::nullopt); });
+        [](SceneView& front) { front.setLoop(std::nullopt); });
     add(
         "note.write", [] { return tr("&Write a note"); },
         [] { return tr("Writes something about the frame that is shown"); }, "label", Qt::SHIFT | Qt::Key_N,
-        [](StageView& front) {
+        [](SceneView& front) {
             if (front.notes() != nullptr)
                 front.notes()->write(front.timeline().currentFrame());
         });
     add(
         "note.previous", [] { return tr("Previous n&ote"); },
         [] { return tr("Goes to the note before the playhead"); }, "stepback", Qt::ALT | Qt::Key_PageUp,
-        [](StageView& front) {
+        [](SceneView& front) {
             if (front.notes() != nullptr)
                 front.notes()->goToNeighbour(-1);
         });
     add(
         "note.next", [] { return tr("Next no&te"); },
         [] { return tr("Goes to the note behind the playhead"); }, "step", Qt::ALT | Qt::Key_PageDown,
-        [](StageView& front) {
+        [](SceneView& front) {
             if (front.notes() != nullptr)
                 front.notes()->goToNeighbour(1);
         });
@@ -74,26 +74,26 @@ TimelineActions::TimelineActions(EditorContext& context, std::function<StageView
                        "measure",
                        {}},
                       false, [this](bool on) {
-                          if (StageView* front = m_view())
+                          if (SceneView* front = m_view())
                               front->setRulerUnit(on ? Timeline::Unit::Seconds : Timeline::Unit::Frames);
                       });
 }
 
 void TimelineActions::add(const char* id, const std::function<QString()>& text,
                           const std::function<QString()>& tip, const char* icon, const QKeySequence& key,
-                          std::function<void(StageView&)> run)
+                          std::function<void(SceneView&)> run)
 {
     m_context.actions.add({QLatin1String(id), [] { return tr("Playback"); }, text, tip, QLatin1String(icon),
                            key.isEmpty() ? QList<QKeySequence>() : QList{key}},
                           [this, run = std::move(run)] {
-                              if (StageView* front = m_view())
+                              if (SceneView* front = m_view())
                                   run(*front);
                           });
 }
 
 void TimelineActions::follow()
 {
-    StageView* front = m_view();
+    SceneView* front = m_view();
     if (front == nullptr)
         return;
     front->player().setBackAndForth(m_context.actions.action("play.backAndForth")->isChecked());
@@ -102,7 +102,7 @@ void TimelineActions::follow()
         m_context.actions.action(QLatin1String(id))->setEnabled(front->notes() != nullptr);
 }
 
-void addTimelineMenu(QMenu& menu, StageView& view, const EditorContext& context, const QString& track,
+void addTimelineMenu(QMenu& menu, SceneView& view, const EditorContext& context, const QString& track,
                      int frame)
 {
     const auto action = [&](const char* id) { menu.addAction(context.actions.action(QLatin1String(id))); };

@@ -10,7 +10,7 @@ class QMenu;
 
 namespace quadrille {
 
-class StageView;
+class SceneView;
 struct EditorContext;
 
 /// The actions of the menu Playback that are about a part of the frames, and about the ruler. They act on the
@@ -21,22 +21,22 @@ class TimelineActions : public QObject
 
 public:
     /// \param view  the one in front; null for none.
-    TimelineActions(EditorContext& context, std::function<StageView*()> view, QObject* parent = nullptr);
+    TimelineActions(EditorContext& context, std::function<SceneView*()> view, QObject* parent = nullptr);
 
     /// Another view came to the front, and takes what is on.
     void follow();
 
 private:
     void add(const char* id, const std::function<QString()>& text, const std::function<QString()>& tip,
-             const char* icon, const QKeySequence& key, std::function<void(StageView&)> run);
+             const char* icon, const QKeySequence& key, std::function<void(SceneView&)> run);
 
     EditorContext& m_context;
-    std::function<StageView*()> m_view;
+    std::function<SceneView*()> m_view;
 };
 
 /// What a right click on a timeline offers besides what its workspace does. \param track  the row's; may be
 /// empty.
-void addTimelineMenu(QMenu& menu, StageView& view, const EditorContext& context, const QString& track,
+void addTimelineMenu(QMenu& menu, SceneView& view, const EditorContext& context, const QString& track,
                      int frame);
 
 } // namespace quadrille

@@ -3,7 +3,7 @@
 #include "editor/workspaces/view/viewactions.h"
 
 #include "editor/application/editorcontext.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "editor/workspaces/view/timelineactions.h"
 #include "editor/workspaces/view/viewtools.h"
 
@@ -39,7 +39,7 @@ ViewActions::ViewActions(EditorContext& context, QObject* parent)
     makeGhostActions();
 }
 
-void ViewActions::setView(StageView* view)
+void ViewActions::setView(SceneView* view)
 {
     if (view == m_view)
         return;
@@ -47,7 +47,7 @@ void ViewActions::setView(StageView* view)
         m_view->player().pause();
         m_view->disconnect(this);
         m_view->player().disconnect(this);
-        m_view->stage().ghosts().disconnect(this);
+        m_view->scene().ghosts().disconnect(this);
         m_view->viewport().disconnect(this);
     }
     m_view = view;
@@ -55,14 +55,15 @@ void ViewActions::setView(StageView* view)
         return;
     apply();
     followPins();
-    connect(&view->stage().ghosts(), &StageGhosts::pinnedChanged, this, &ViewActions::followPins);
+    connect(&view->scene().ghosts(), &SceneGhosts::pinnedChanged, this, &ViewActions::followPins);
     connect(&view->player(), &Player::frameChanged, this, &ViewActions::followPins);
-    connect(view, &StageView::coloredByToolChanged, this, &ViewActions::followColors);
+    connect(view, &SceneView::coloredByToolChanged, this, &ViewActions::followColors);
     connect(&view->viewport(), &widgets::Viewport::toolChanged, this, [this](Tool tool) {
         m_context.actions.action("view.measure")->setChecked(tool == Tool::Measure);
     });
-    connect(view, &StageView::stageChanged, this, &ViewActions::applyComparing);
-    connect(view, &StageView::clayAsked, this, [this] { m_context.actions.action("view.clay")->trigger(); });
+    connect(view, &SceneView::sceneChanged, this, &ViewActions::applyComparing);
+    connect(view, &SceneView::clayRequested, this,
+            [this] { m_context.actions.action("view.clay")->trigger(); });
 }
 
 bool ViewActions::isOn(const char* id) const
@@ -89,7 +90,7 @@ void ViewActions::apply()
 /// Tools for several clips are there where several are shown.
 void ViewActions::applyComparing()
 {
-    m_view->tools().setComparing(m_view->stage().isComparing());
+    m_view->tools().setComparing(m_view->scene().isComparing());
 }
 
 void ViewActions::applyShading()
@@ -193,7 +194,7 @@ void ViewActions::makeToggles()
     ActionRegistry& actions = m_context.actions;
     const auto add = [this, &actions](const char* id, ActionRegistry::Text text, const char* icon,
                                       QList<QKeySequence> keys, bool on,
-                                      std::function<void(StageView&, bool)> run) {
+                                      std::function<void(SceneView&, bool)> run) {
         actions.addToggle({QLatin1String(id),
                            [] { return tr("View"); },
                            std::move(text),
@@ -207,25 +208,25 @@ void ViewActions::makeToggles()
     };
     add(
         "view.grid", [] { return tr("&Grid"); }, "grid", {Qt::Key_G}, true,
-        [](StageView& view, bool on) { view.viewport().setGridVisible(on); });
+        [](SceneView& view, bool on) { view.viewport().setGridVisible(on); });
     add(
         "view.shadow", [] { return tr("Sha&dow"); }, "shadow", {}, true,
-        [](StageView& view, bool on) { view.viewport().setShadowsVisible(on); });
+        [](SceneView& view, bool on) { view.viewport().setShadowsVisible(on); });
     add(
         "view.trajectory", [] { return tr("Trajector&y"); }, "trajectory", {}, true,
-        [](StageView& view, bool on) { view.viewport().setTrajectoriesVisible(on); });
+        [](SceneView& view, bool on) { view.viewport().setTrajectoriesVisible(on); });
     add(
         "view.names", [] { return tr("&Names"); }, "names", {}, true,
-        [](StageView& view, bool on) { view.setNamesShown(on); });
+        [](SceneView& view, bool on) { view.setNamesShown(on); });
     add(
         "view.ghosts", [] { return tr("G&hosts"); }, "ghost", {Qt::Key_H}, false,
-        [](StageView& view, bool on) { view.setGhostsShown(on); });
+        [](SceneView& view, bool on) { view.setGhostsShown(on); });
     add(
         "view.measure", [] { return tr("&Measure"); }, "measure", {}, false,
-        [](StageView& view, bool on) { view.viewport().setTool(on ? Tool::Measure : Tool::Navigate); });
+        [](SceneView& view, bool on) { view.viewport().setTool(on ? Tool::Measure : Tool::Navigate); });
     add(
         "view.follow", [] { return tr("&Follow the character"); }, "follow", {}, false,
-        [](StageView& view, bool on) { view.setFollowing(on); });
+        [](SceneView& view, bool on) { view.setFollowing(on); });
 }
 
 void ViewActions::makeGhostActions()
@@ -240,7 +241,7 @@ void ViewActions::makeGhostActions()
                        {Qt::CTRL | Qt::Key_H}},
                       false, [this](bool on) {
                           if (m_view != nullptr)
-                              m_view->stage().setPinned(on);
+                              m_view->scene().setPinned(on);
                       });
     actions
         .add({"view.unpinGhosts",
@@ -251,7 +252,7 @@ void ViewActions::makeGhostActions()
               {Qt::CTRL | Qt::SHIFT | Qt::Key_H}},
              [this] {
                  if (m_view != nullptr)
-                     m_view->stage().ghosts().unpinAll();
+                     m_view->scene().ghosts().unpinAll();
              })
         ->setEnabled(false);
 }
@@ -259,7 +260,7 @@ void ViewActions::makeGhostActions()
 /// Whether the frame that is shown is pinned, and whether any is.
 void ViewActions::followPins()
 {
-    const bool isPinned = m_view->stage().isPinned();
+    const bool isPinned = m_view->scene().isPinned();
     QAction* pin = m_context.actions.action(QStringLiteral("view.pinGhost"));
     if (pin->isChecked() != isPinned) {
         // It is another frame, not another wish.
@@ -267,14 +268,14 @@ void ViewActions::followPins()
         pin->setChecked(isPinned);
     }
     m_context.actions.action(QStringLiteral("view.unpinGhosts"))
-        ->setEnabled(m_view->stage().ghosts().hasPinned());
+        ->setEnabled(m_view->scene().ghosts().hasPinned());
 }
 
 void ViewActions::makeCameraActions()
 {
     ActionRegistry& actions = m_context.actions;
     const auto add = [this, &actions](const char* id, ActionRegistry::Text text, const char* icon,
-                                      const QKeySequence& key, std::function<void(StageView&)> run) {
+                                      const QKeySequence& key, std::function<void(SceneView&)> run) {
         actions.add(
             {QLatin1String(id), [] { return tr("View"); }, std::move(text), {}, QLatin1String(icon), {key}},
             [this, run = std::move(run)] {
@@ -283,14 +284,14 @@ void ViewActions::makeCameraActions()
             });
     };
     const auto look = [](widgets::StandardView side) {
-        return [side](StageView& view) { view.viewport().lookFrom(side); };
+        return [side](SceneView& view) { view.viewport().lookFrom(side); };
     };
     add(
         "view.frame", [] { return tr("Fra&me the selection"); }, "frame", Qt::Key_F,
-        [](StageView& view) { view.frameCurrent(); });
+        [](SceneView& view) { view.frameCurrent(); });
     add(
         "view.frameAll", [] { return tr("Frame &all"); }, "frameall", Qt::SHIFT | Qt::Key_F,
-        [](StageView& view) { view.viewport().frameAll(); });
+        [](SceneView& view) { view.viewport().frameAll(); });
     add(
         "view.front", [] { return tr("From the f&ront"); }, "viewfront", Qt::Key_1,
         look(widgets::StandardView::Front));

@@ -10,7 +10,7 @@ class QActionGroup;
 
 namespace quadrille {
 
-class StageView;
+class SceneView;
 class TimelineActions;
 struct EditorContext;
 
@@ -24,8 +24,8 @@ public:
     explicit ViewActions(EditorContext& context, QObject* parent = nullptr);
 
     /// The view that the actions act on from now on; it takes their states. Null: none.
-    void setView(StageView* view);
-    StageView* view() const { return m_view; }
+    void setView(SceneView* view);
+    SceneView* view() const { return m_view; }
 
 private:
     void makePlaybackActions();
@@ -42,7 +42,7 @@ private:
     void followColors();
 
     EditorContext& m_context;
-    QPointer<StageView> m_view;
+    QPointer<SceneView> m_view;
     QActionGroup* m_shading = nullptr;
     QPointer<QAction> m_shadingBefore; ///< a tool coloured the view
     TimelineActions* m_timeline;

@@ -3,16 +3,16 @@
 #include "editor/workspaces/view/viewmenu.h"
 
 #include "editor/application/editorcontext.h"
-#include "editor/workspaces/view/stageview.h"
+#include "editor/workspaces/view/sceneview.h"
 #include "widgets/theme/icons.h"
 
 #include <QMenu>
 
 namespace quadrille {
 
-ViewMenu::ViewMenu(EditorContext& context, StageView& view) : QObject(&view), m_context(context), m_view(view)
+ViewMenu::ViewMenu(EditorContext& context, SceneView& view) : QObject(&view), m_context(context), m_view(view)
 {
-    connect(&view.viewport(), &widgets::Viewport::contextMenuAsked, this, &ViewMenu::show);
+    connect(&view.viewport(), &widgets::Viewport::contextMenuRequested, this, &ViewMenu::show);
 }
 
 void ViewMenu::addActions(QMenu& menu, const QStringList& ids)
@@ -35,7 +35,7 @@ void ViewMenu::show(const QPoint& globalPosition)
     addActions(*menu->addMenu(tr("&Shading")), {"view.textured", "view.clay", "view.wire", "view.heatMap"});
     addActions(*menu, {"", "view.grid", "view.shadow", "view.trajectory", "view.names"});
     addActions(*menu, {"", "view.ghosts", "view.pinGhost", "view.unpinGhosts"});
-    if (m_view.stage().isComparing())
+    if (m_view.scene().isComparing())
         addActions(*menu, {"", "view.sideBySide", "view.overlay"});
     addActions(*menu, {"", "view.measure", "view.copy", "view.savePicture", ""});
     menu->addAction(widgets::icons::icon(QStringLiteral("help")), tr("&Help on the view"), this, [this] {

@@ -8,7 +8,7 @@ class QMenu;
 
 namespace quadrille {
 
-class StageView;
+class SceneView;
 struct EditorContext;
 
 /// The menu of the right mouse button in a view: what the menu View has for it, where the pointer is.
@@ -17,14 +17,14 @@ class ViewMenu : public QObject
     Q_OBJECT
 
 public:
-    ViewMenu(EditorContext& context, StageView& view);
+    ViewMenu(EditorContext& context, SceneView& view);
 
 private:
     void show(const QPoint& globalPosition);
     void addActions(QMenu& menu, const QStringList& ids);
 
     EditorContext& m_context;
-    StageView& m_view;
+    SceneView& m_view;
 };
 
 } // namespace quadrille

@@ -27,10 +27,10 @@ Vec3f toVector(const aiVector3D& v)
     return {v.x, v.y, v.z};
 }
 
-int metadata(const aiScene& source, const char* key, int otherwise)
+int metadata(const aiScene& source, const char* key, int fallback)
 {
-    int value = otherwise;
-    return source.mMetaData && source.mMetaData->Get(key, value) ? value : otherwise;
+    int value = fallback;
+    return source.mMetaData && source.mMetaData->Get(key, value) ? value : fallback;
 }
 
 /// Turns the axes that an FBX file names to x right, y up, z to the viewer. Assimp only reports them; other

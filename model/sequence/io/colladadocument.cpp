@@ -115,11 +115,11 @@ std::vector<std::int64_t> ColladaDocument::integers(pugi::xml_node element) cons
 }
 
 std::int64_t ColladaDocument::count(pugi::xml_node element, const char* attribute,
-                                    std::int64_t otherwise) const
+                                    std::int64_t fallback) const
 {
     const std::string_view text = element.attribute(attribute).value();
     if (text.empty() && !element.attribute(attribute))
-        return otherwise;
+        return fallback;
     std::int64_t value = 0;
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
     if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size() || value < 0)

@@ -37,7 +37,7 @@ public:
     std::vector<std::int64_t> integers(pugi::xml_node element) const;
     /// An attribute that is a whole number from zero.
     /// \throws Error FileSyntax.
-    std::int64_t count(pugi::xml_node element, const char* attribute, std::int64_t otherwise) const;
+    std::int64_t count(pugi::xml_node element, const char* attribute, std::int64_t fallback) const;
 
     [[noreturn]] void fail(pugi::xml_node at, const std::string& reason) const;
     ErrorContext contextOf(pugi::xml_node at, std::vector<std::pair<std::string, std::string>> values) const;

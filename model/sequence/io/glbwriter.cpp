@@ -50,10 +50,10 @@ std::vector<std::uint32_t> movedIn(const std::vector<Vec3f>& offsets)
 
 /// A sparse accessor has at least one value: that of the first vertex, which is not changed by it.
 template <typename T>
-std::vector<T> orOne(std::vector<T> values, const T& otherwise)
+std::vector<T> orOne(std::vector<T> values, const T& fallback)
 {
     if (values.empty())
-        values.push_back(otherwise);
+        values.push_back(fallback);
     return values;
 }
 
@@ -342,7 +342,7 @@ private:
     const ExportOptions& m_options;
     std::filesystem::path m_out;
     CornerSplit m_split;
-    VertexTriangles m_neighbours;
+    IncidentTriangles m_neighbours;
     std::array<std::vector<Vec3f>, 2> m_first; ///< by attribute: what the first frame has
     GlbParts m_parts;
     OrderedJson m_attributes;

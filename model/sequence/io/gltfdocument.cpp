@@ -203,11 +203,11 @@ const GltfDocument::Json& GltfDocument::at(const char* name, std::int64_t index)
     return entry;
 }
 
-std::int64_t GltfDocument::checkedInteger(const Json& object, const char* key, std::int64_t otherwise) const
+std::int64_t GltfDocument::checkedInteger(const Json& object, const char* key, std::int64_t fallback) const
 {
     const auto found = object.find(key);
     if (found == object.end())
-        return otherwise;
+        return fallback;
     const std::int64_t value = found->is_number_integer() ? found->get<std::int64_t>() : -1;
     if (value < 0)
         fail(std::string("“") + key + "” is not a whole number from zero");

@@ -67,7 +67,7 @@ private:
     template <typename Value, typename Decode>
     std::vector<Value> read(std::int64_t accessor, std::size_t components, std::int64_t expectedCount,
                             Decode&& decode) const;
-    std::int64_t checkedInteger(const Json& object, const char* key, std::int64_t otherwise) const;
+    std::int64_t checkedInteger(const Json& object, const char* key, std::int64_t fallback) const;
 
     std::filesystem::path m_path;
     FileContent m_content;

@@ -109,13 +109,13 @@ private:
         }
     }
 
-    float takeNumber(const char* otherwise)
+    float takeNumber(const char* fallback)
     {
         skip();
         float value = 0;
         m_at = scanNumber(m_at, m_end, value);
         if (!m_at || !(atLineEnd() || isBlank(*m_at) || *m_at == '\\'))
-            fail(otherwise);
+            fail(fallback);
         return value;
     }
 

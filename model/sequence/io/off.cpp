@@ -82,13 +82,13 @@ private:
     }
 
     template <typename Number>
-    Number takeNumber(std::string_view& line, const char* otherwise) const
+    Number takeNumber(std::string_view& line, const char* fallback) const
     {
         const auto word = takeWord(line);
         Number number{};
         const char* const end = word.data() + word.size();
         if (word.empty() || scanNumber(word.data(), end, number) != end)
-            fail(otherwise);
+            fail(fallback);
         return number;
     }
 

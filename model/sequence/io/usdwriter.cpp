@@ -58,13 +58,13 @@ void appendList(std::string& text, const Range& values)
 }
 
 /// A name as USD allows it: letters, digits and underscores, not beginning with a digit.
-std::string primName(const std::string& name, const std::string& otherwise)
+std::string primName(const std::string& name, const std::string& fallback)
 {
     std::string result;
     for (const char c : name)
         result += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
     if (result.empty())
-        return otherwise;
+        return fallback;
     return std::isdigit(static_cast<unsigned char>(result.front())) != 0 ? "_" + result : result;
 }
 

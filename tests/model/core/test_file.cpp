@@ -31,10 +31,10 @@ std::string whatOfReading(const std::filesystem::path& file)
     return "it was read";
 }
 
-std::string whatOfSystem(int number, ErrorCode otherwise)
+std::string whatOfSystem(int number, ErrorCode fallback)
 {
     try {
-        throwSystemError("/place/take.pc2", number, otherwise);
+        throwSystemError("/place/take.pc2", number, fallback);
     } catch (const Error& error) {
         return error.what();
     }

@@ -91,7 +91,7 @@ TEST(WalkMeasures, TakeTheFootThatSlipsLeastForTheOneThatStands)
     Clip clip{.topology = std::make_shared<const Topology>(std::move(six)),
               .fps = 20,
               .positions = {},
-              .origins = std::vector<FrameOrigin>(10)};
+              .origins = std::vector<FrameProvenance>(10)};
     for (int f = 0; f < 10; ++f)
         for (const float x : {0.0F, 0.1F, 0.2F}) {
             clip.positions.emplace_back(x + 0.005F * static_cast<float>(f), 0.03F, 0.0F);

@@ -33,7 +33,7 @@ inline std::string bentStrip(double angle, double x = 0)
     return text;
 }
 
-/// A project of two short sequences of the strip, and what its stages computed.
+/// A project of two short sequences of the strip, and what its steps computed.
 class StripProject : public ::testing::Test
 {
 protected:
@@ -80,10 +80,10 @@ protected:
     std::vector<std::string> computed(const RebuildReport& report)
     {
         std::vector<std::string> names;
-        for (const StageReport& stage : report.stages) {
-            EXPECT_NE(stage.state, StageState::Failed) << stage.error->what();
-            if (stage.state == StageState::Computed)
-                names.push_back(stage.stage);
+        for (const StepReport& step : report.steps) {
+            EXPECT_NE(step.state, StepState::Failed) << step.error->what();
+            if (step.state == StepState::Computed)
+                names.push_back(step.step);
         }
         return names;
     }

@@ -19,19 +19,19 @@ using ::testing::HasSubstr;
 namespace {
 
 /// A chain a → b → c and a lone d, each counting its runs. `a` and `d` read files.
-class Stages
+class Steps
 {
 public:
-    explicit Stages(const TemporaryFolder& folder) : m_folder(folder)
+    explicit Steps(const TemporaryFolder& folder) : m_folder(folder)
     {
         folder.write("a.txt", "a");
         folder.write("d.txt", "d");
     }
 
-    std::vector<ResultStage> make()
+    std::vector<BuildStep> make()
     {
-        return {stage("a", "a.txt", {}), stage("b/one", "", {"a"}), stage("b/two", "", {"b/one"}),
-                stage("d", "d.txt", {})};
+        return {step("a", "a.txt", {}), step("b/one", "", {"a"}), step("b/two", "", {"b/one"}),
+                step("d", "d.txt", {})};
     }
     std::vector<int> takeRuns()
     {
@@ -46,18 +46,17 @@ public:
     std::string failing;
 
 private:
-    ResultStage stage(const std::string& name, const std::string& file, std::vector<std::string> inputs)
+    BuildStep step(const std::string& name, const std::string& file, std::vector<std::string> inputs)
     {
-        ResultStage stage;
-        stage.name = name;
-        stage.version = version;
-        stage.settings = name == "b/one" ? settings : "";
+        BuildStep step;
+        step.name = name;
+        step.version = version;
+        step.settings = name == "b/one" ? settings : "";
         if (!file.empty())
-            stage.files = [path = m_folder / file](const Progress&) { return std::vector{path}; };
-        stage.inputs = std::move(inputs);
+            step.files = [path = m_folder / file](const Progress&) { return std::vector{path}; };
+        step.inputs = std::move(inputs);
         const std::size_t index = name == "a" ? 0 : name == "b/one" ? 1 : name == "b/two" ? 2 : 3;
-        stage.compute = [this, index, name, from = stage.inputs](const StageContext& context,
-                                                                 const Progress&) {
+        step.compute = [this, index, name, from = step.inputs](const StepContext& context, const Progress&) {
             ++m_runs.at(index);
             if (name == failing)
                 throw Error(ErrorCode::BadArgument, {{}, {}, {{"reason", "It failed"}, {"remedy", ""}}});
@@ -71,7 +70,7 @@ private:
             result.arrays = {columnOf("words", "", std::move(words))};
             return result;
         };
-        return stage;
+        return step;
     }
 
     const TemporaryFolder& m_folder;
@@ -83,58 +82,58 @@ class Rebuild : public ::testing::Test
 protected:
     RebuildReport run(RebuildOptions options = {})
     {
-        return rebuild(stages.make(), folder / "p.quadrille", options, {}, {});
+        return rebuild(steps.make(), folder / "p.quadrille", options, {}, {});
     }
-    std::filesystem::path resultOf(const std::string& stage) const
+    std::filesystem::path resultOf(const std::string& step) const
     {
-        return ResultStore(cacheFolder(folder / "p.quadrille")).fileOf(stage);
+        return ResultStore(cacheFolder(folder / "p.quadrille")).fileOf(step);
     }
 
     TemporaryFolder folder;
-    Stages stages{folder};
+    Steps steps{folder};
 };
 
 } // namespace
 
 TEST_F(Rebuild, ComputesEverythingOnceAndNothingTwice)
 {
-    EXPECT_EQ(run().count(StageState::Computed), 4U);
-    EXPECT_THAT(stages.takeRuns(), ElementsAre(1, 1, 1, 1));
+    EXPECT_EQ(run().count(StepState::Computed), 4U);
+    EXPECT_THAT(steps.takeRuns(), ElementsAre(1, 1, 1, 1));
     const Result last = readResultFile(resultOf("b/two"));
     EXPECT_THAT(std::get<std::vector<std::string>>(last.arrays[0].values),
                 ElementsAre("b/two", "b/one", "a"));
-    EXPECT_EQ(run().count(StageState::Fresh), 4U);
-    EXPECT_THAT(stages.takeRuns(), ElementsAre(0, 0, 0, 0));
+    EXPECT_EQ(run().count(StepState::Fresh), 4U);
+    EXPECT_THAT(steps.takeRuns(), ElementsAre(0, 0, 0, 0));
 }
 
 TEST_F(Rebuild, ChangedContentReachesWhatUsesIt)
 {
     run();
-    stages.takeRuns();
+    steps.takeRuns();
     folder.write("a.txt", "other");
     run();
-    EXPECT_THAT(stages.takeRuns(), ElementsAre(1, 1, 1, 0));
+    EXPECT_THAT(steps.takeRuns(), ElementsAre(1, 1, 1, 0));
 }
 
 TEST_F(Rebuild, ATouchedFileOfTheSameContentIsNoChange)
 {
     run();
-    stages.takeRuns();
+    steps.takeRuns();
     folder.write("a.txt", "a");
     run();
-    EXPECT_THAT(stages.takeRuns(), ElementsAre(0, 0, 0, 0));
+    EXPECT_THAT(steps.takeRuns(), ElementsAre(0, 0, 0, 0));
 }
 
 TEST_F(Rebuild, ChangedSettingsAndVersionsAreStale)
 {
     run();
-    stages.takeRuns();
-    stages.settings = "alpha 3";
+    steps.takeRuns();
+    steps.settings = "alpha 3";
     run();
-    EXPECT_THAT(stages.takeRuns(), ElementsAre(0, 1, 1, 0));
-    stages.version = 2;
+    EXPECT_THAT(steps.takeRuns(), ElementsAre(0, 1, 1, 0));
+    steps.version = 2;
     run();
-    EXPECT_THAT(stages.takeRuns(), ElementsAre(1, 1, 1, 1));
+    EXPECT_THAT(steps.takeRuns(), ElementsAre(1, 1, 1, 1));
 }
 
 TEST_F(Rebuild, TargetsBringTheirInputs)
@@ -142,10 +141,10 @@ TEST_F(Rebuild, TargetsBringTheirInputs)
     RebuildOptions options;
     options.targets = {"b/one"};
     run(options);
-    EXPECT_THAT(stages.takeRuns(), ElementsAre(1, 1, 0, 0));
+    EXPECT_THAT(steps.takeRuns(), ElementsAre(1, 1, 0, 0));
     options.targets = {"b"};
     run(options);
-    EXPECT_THAT(stages.takeRuns(), ElementsAre(0, 0, 1, 0));
+    EXPECT_THAT(steps.takeRuns(), ElementsAre(0, 0, 1, 0));
     options.targets = {"nothing"};
     try {
         run(options);
@@ -161,79 +160,79 @@ TEST_F(Rebuild, ADryRunOnlySaysWhatItWouldDo)
     RebuildOptions options;
     options.dryRun = true;
     const RebuildReport report = run(options);
-    EXPECT_EQ(report.count(StageState::Stale), 4U);
-    EXPECT_EQ(report.stages[0].reason, "there is no result yet");
-    EXPECT_THAT(stages.takeRuns(), ElementsAre(0, 0, 0, 0));
+    EXPECT_EQ(report.count(StepState::Stale), 4U);
+    EXPECT_EQ(report.steps[0].reason, "there is no result yet");
+    EXPECT_THAT(steps.takeRuns(), ElementsAre(0, 0, 0, 0));
     EXPECT_FALSE(std::filesystem::exists(cacheFolder(folder / "p.quadrille")));
 }
 
 TEST_F(Rebuild, ForceComputesWhatIsFresh)
 {
     run();
-    stages.takeRuns();
+    steps.takeRuns();
     RebuildOptions options;
     options.force = true;
     options.targets = {"d"};
     run(options);
-    EXPECT_THAT(stages.takeRuns(), ElementsAre(0, 0, 0, 1));
+    EXPECT_THAT(steps.takeRuns(), ElementsAre(0, 0, 0, 1));
 }
 
 TEST_F(Rebuild, ADamagedResultIsComputedAgainWithAWarning)
 {
     run();
-    stages.takeRuns();
+    steps.takeRuns();
     const std::string before = textOf(resultOf("b/one"));
     folder.write("p.quadrille.cache/b/one.h5", before.substr(0, before.size() / 2));
     const RebuildReport report = run();
-    EXPECT_THAT(stages.takeRuns(), ElementsAre(0, 1, 0, 0));
-    ASSERT_EQ(report.stages[1].issues.size(), 1U);
-    EXPECT_THAT(report.stages[1].issues[0].toString(), HasSubstr("damaged"));
+    EXPECT_THAT(steps.takeRuns(), ElementsAre(0, 1, 0, 0));
+    ASSERT_EQ(report.steps[1].issues.size(), 1U);
+    EXPECT_THAT(report.steps[1].issues[0].toString(), HasSubstr("damaged"));
     EXPECT_EQ(textOf(resultOf("b/one")), before);
 }
 
 TEST_F(Rebuild, AFailureStopsOnlyWhatNeedsIt)
 {
-    stages.failing = "b/one";
+    steps.failing = "b/one";
     const RebuildReport report = run();
-    EXPECT_EQ(report.stages[0].state, StageState::Computed);
-    EXPECT_EQ(report.stages[1].state, StageState::Failed);
-    EXPECT_EQ(report.stages[2].state, StageState::Skipped);
-    EXPECT_EQ(report.stages[3].state, StageState::Computed);
+    EXPECT_EQ(report.steps[0].state, StepState::Computed);
+    EXPECT_EQ(report.steps[1].state, StepState::Failed);
+    EXPECT_EQ(report.steps[2].state, StepState::Skipped);
+    EXPECT_EQ(report.steps[3].state, StepState::Computed);
     EXPECT_TRUE(report.hasFailures());
     EXPECT_THAT(toJson(report)["stages"][1]["error"].get<std::string>(), HasSubstr("It failed"));
-    stages.failing.clear();
-    stages.takeRuns();
-    EXPECT_EQ(run().count(StageState::Computed), 2U);
-    EXPECT_THAT(stages.takeRuns(), ElementsAre(0, 1, 1, 0));
+    steps.failing.clear();
+    steps.takeRuns();
+    EXPECT_EQ(run().count(StepState::Computed), 2U);
+    EXPECT_THAT(steps.takeRuns(), ElementsAre(0, 1, 1, 0));
 }
 
 TEST_F(Rebuild, AMissingInputFailsWithItsName)
 {
     std::filesystem::remove(folder / "a.txt");
     const RebuildReport report = run();
-    EXPECT_EQ(report.stages[0].state, StageState::Failed);
-    EXPECT_THAT(report.stages[0].error->what(), HasSubstr("a.txt"));
-    EXPECT_EQ(report.stages[2].state, StageState::Skipped);
-    EXPECT_EQ(report.stages[3].state, StageState::Computed);
+    EXPECT_EQ(report.steps[0].state, StepState::Failed);
+    EXPECT_THAT(report.steps[0].error->what(), HasSubstr("a.txt"));
+    EXPECT_EQ(report.steps[2].state, StepState::Skipped);
+    EXPECT_EQ(report.steps[3].state, StepState::Computed);
 }
 
 TEST_F(Rebuild, AChangedOutputFileIsWrittenAgain)
 {
     int runs = 0;
-    ResultStage stage;
-    stage.name = "exports/e";
-    stage.compute = [&](const StageContext&, const Progress&) {
+    BuildStep step;
+    step.name = "exports/e";
+    step.compute = [&](const StepContext&, const Progress&) {
         ++runs;
         folder.write("out.txt", "content");
         Result result;
         result.files = {{"out.txt", hashFile(folder / "out.txt")}};
         return result;
     };
-    const auto again = [&] { return rebuild(std::vector{stage}, folder / "p.quadrille", {}, {}, {}); };
+    const auto again = [&] { return rebuild(std::vector{step}, folder / "p.quadrille", {}, {}, {}); };
     again();
-    EXPECT_EQ(again().count(StageState::Fresh), 1U);
+    EXPECT_EQ(again().count(StepState::Fresh), 1U);
     folder.write("out.txt", "meddled");
-    EXPECT_THAT(again().stages[0].reason, HasSubstr("out.txt"));
+    EXPECT_THAT(again().steps[0].reason, HasSubstr("out.txt"));
     std::filesystem::remove(folder / "out.txt");
     again();
     EXPECT_EQ(runs, 3);
@@ -243,15 +242,15 @@ TEST_F(Rebuild, AChangedOutputFileIsWrittenAgain)
 TEST_F(Rebuild, CancellingLeavesNothingHalfWritten)
 {
     CancelToken token;
-    ResultStage stage;
-    stage.name = "slow";
-    stage.compute = [&](const StageContext&, const Progress& progress) {
+    BuildStep step;
+    step.name = "slow";
+    step.compute = [&](const StepContext&, const Progress& progress) {
         token.cancel();
         progress.report(0.5);
         return Result{};
     };
     try {
-        rebuild(std::vector{stage}, folder / "p.quadrille", {}, Progress(token), {});
+        rebuild(std::vector{step}, folder / "p.quadrille", {}, Progress(token), {});
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::Cancelled);
@@ -271,15 +270,15 @@ TEST_F(Rebuild, KeepsToTheMemoryOfTheSettings)
     EXPECT_EQ(budget(), MediaCache::defaultBudget);
 }
 
-TEST_F(Rebuild, ManyStagesGiveTheSameBytesForAnyNumberOfThreads)
+TEST_F(Rebuild, ManyStepsGiveTheSameBytesForAnyNumberOfThreads)
 {
-    std::vector<ResultStage> many;
+    std::vector<BuildStep> many;
     for (int i = 0; i < 40; ++i) {
-        ResultStage stage;
-        stage.name = "many/" + std::to_string(i);
+        BuildStep step;
+        step.name = "many/" + std::to_string(i);
         if (i >= 10)
-            stage.inputs = {"many/" + std::to_string(i - 10)};
-        stage.compute = [i, inputs = stage.inputs](const StageContext& context, const Progress&) {
+            step.inputs = {"many/" + std::to_string(i - 10)};
+        step.compute = [i, inputs = step.inputs](const StepContext& context, const Progress&) {
             double sum = i;
             for (const std::string& input : inputs)
                 sum += std::get<std::vector<double>>(context.resultOf(input).arrays[0].values)[0];
@@ -287,15 +286,15 @@ TEST_F(Rebuild, ManyStagesGiveTheSameBytesForAnyNumberOfThreads)
             result.arrays = {columnOf("sum", "", std::vector<double>{sum})};
             return result;
         };
-        many.push_back(std::move(stage));
+        many.push_back(std::move(step));
     }
     RebuildOptions one;
     one.jobs = 1;
-    EXPECT_EQ(rebuild(many, folder / "one.quadrille", one, {}, {}).count(StageState::Computed), 40U);
-    EXPECT_EQ(rebuild(many, folder / "all.quadrille", {}, {}, {}).count(StageState::Computed), 40U);
-    for (const ResultStage& stage : many) {
-        EXPECT_EQ(textOf(ResultStore(cacheFolder(folder / "one.quadrille")).fileOf(stage.name)),
-                  textOf(ResultStore(cacheFolder(folder / "all.quadrille")).fileOf(stage.name)));
+    EXPECT_EQ(rebuild(many, folder / "one.quadrille", one, {}, {}).count(StepState::Computed), 40U);
+    EXPECT_EQ(rebuild(many, folder / "all.quadrille", {}, {}, {}).count(StepState::Computed), 40U);
+    for (const BuildStep& step : many) {
+        EXPECT_EQ(textOf(ResultStore(cacheFolder(folder / "one.quadrille")).fileOf(step.name)),
+                  textOf(ResultStore(cacheFolder(folder / "all.quadrille")).fileOf(step.name)));
     }
 }
 

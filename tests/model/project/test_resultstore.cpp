@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/buildstep.h"
 #include "model/project/carryresults.h"
 #include "model/project/resultplaces.h"
 #include "model/project/resultstore.h"
-#include "model/project/stage.h"
 #include "tests/model/project/testproject.h"
 
 #include <cmath>
@@ -57,7 +57,7 @@ TEST(ResultFile, GivesBackWhatWasWritten)
     writeResultFile(folder / "r.h5", {"stage", "key"}, fullResult());
     EXPECT_EQ(readResultFile(folder / "r.h5"), fullResult());
     const ResultHeader header = readResultHeader(folder / "r.h5");
-    EXPECT_EQ(header.stage, "stage");
+    EXPECT_EQ(header.step, "stage");
     EXPECT_EQ(header.key, "key");
 }
 
@@ -223,8 +223,8 @@ TEST_F(ResultPlacesOf, AProjectThatCannotBeStoredAnywhereStayInMemoryUntilTheyCa
 
 TEST_F(ResultPlacesOf, AProjectAreGivenToItsCopyWhole)
 {
-    for (const char* stage : {"graph/edges", "animations/a/clip", "contact-sheet"})
-        EXPECT_TRUE(store().save(stage, "k", fullResult()));
+    for (const char* step : {"graph/edges", "animations/a/clip", "contact-sheet"})
+        EXPECT_TRUE(store().save(step, "k", fullResult()));
     folder.write("p.quadrille.cache/media.json", "{}");
     const auto names = [](const std::filesystem::path& place) {
         std::set<std::string> found;

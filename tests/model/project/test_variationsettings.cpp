@@ -31,7 +31,7 @@ constexpr auto clip = "variations/sway/1/clip";
 class VariationSettings : public TubeProject
 {
 protected:
-    /// Stages that are to be computed again after a change.
+    /// Steps that are to be computed again after a change.
     std::vector<std::string> stale(const std::function<void()>& change)
     {
         const Project before = project;
@@ -40,9 +40,9 @@ protected:
             rebuild(project, folder / "p.quadrille", {.targets = {"variations"}, .dryRun = true});
         project = before;
         std::vector<std::string> names;
-        for (const StageReport& stage : report.stages) {
-            if (stage.state == StageState::Stale)
-                names.push_back(stage.stage);
+        for (const StepReport& step : report.steps) {
+            if (step.state == StepState::Stale)
+                names.push_back(step.step);
         }
         return names;
     }
@@ -132,8 +132,8 @@ TEST_F(VariationSettings, NameTheTakeWhoseTimingCountsAndThePoseToLieOn)
     EXPECT_NE(doubles("variations/sway/tip/mean"), mean);
     sway().templatePose->frame = FrameIndex(15);
     const RebuildReport report = run(alignment);
-    ASSERT_FALSE(report.stages.empty());
-    EXPECT_THAT(report.stages.back().error->what(), ::testing::HasSubstr("“wild” has no frame 15"));
+    ASSERT_FALSE(report.steps.empty());
+    EXPECT_THAT(report.steps.back().error->what(), ::testing::HasSubstr("“wild” has no frame 15"));
 }
 
 TEST_F(VariationSettings, MeasureInMetresWhateverTheUnit)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/clipparts.h"
+#include "model/project/clipdependencies.h"
 #include "model/project/jsontext.h"
 #include "model/project/madeclips.h"
 #include "model/project/opencharacter.h"
@@ -25,10 +25,10 @@ using ::testing::Not;
 namespace {
 
 /// An animation that shows frames of the calm take three times, drawn from the variations of it.
-class VariedRepeatsStages : public TubeProject
+class VariedRepeatsSteps : public TubeProject
 {
 protected:
-    VariedRepeatsStages()
+    VariedRepeatsSteps()
     {
         project.graphs = {GraphEntry::paper()}; // windows that its short takes have room for
         AnimationEntry animation;
@@ -51,11 +51,11 @@ protected:
     std::string told()
     {
         std::string texts;
-        for (const StageReport& stage : run("animations").stages) {
-            for (const Issue& issue : stage.issues)
+        for (const StepReport& step : run("animations").steps) {
+            for (const Issue& issue : step.issues)
                 texts += issue.toString() + "\n";
-            if (stage.error)
-                texts += std::string(stage.error->what()) + "\n";
+            if (step.error)
+                texts += std::string(step.error->what()) + "\n";
         }
         return texts;
     }
@@ -70,7 +70,7 @@ protected:
 
 } // namespace
 
-TEST_F(VariedRepeatsStages, AreDrawnFromOneVariationAfterTheOther)
+TEST_F(VariedRepeatsSteps, AreDrawnFromOneVariationAfterTheOther)
 {
     animation().post.variations.reset();
     computed(run("animations"));
@@ -116,7 +116,7 @@ TEST_F(VariedRepeatsStages, AreDrawnFromOneVariationAfterTheOther)
     EXPECT_GT(fromTake, 1e-5);
 }
 
-TEST_F(VariedRepeatsStages, MakePlayingsOfALoopDiffer)
+TEST_F(VariedRepeatsSteps, MakePlayingsOfALoopDiffer)
 {
     animation().walk->spans = {{"calm", range(0, 17)}};
     animation().post.steps.loop = LoopSettings();
@@ -149,7 +149,7 @@ TEST_F(VariedRepeatsStages, MakePlayingsOfALoopDiffer)
     EXPECT_THAT(told(), HasSubstr("No captured frames are shown twice"));
 }
 
-TEST_F(VariedRepeatsStages, AreTheSameAgain)
+TEST_F(VariedRepeatsSteps, AreTheSameAgain)
 {
     computed(run("animations"));
     const std::vector<Vec3f> before = frames("animations/again");
@@ -158,7 +158,7 @@ TEST_F(VariedRepeatsStages, AreTheSameAgain)
     EXPECT_TRUE(computed(run("animations")).empty());
 }
 
-TEST_F(VariedRepeatsStages, FollowTheSamples)
+TEST_F(VariedRepeatsSteps, FollowTheSamples)
 {
     computed(run("animations"));
     sway().samples.front().discarded = {1};
@@ -170,7 +170,7 @@ TEST_F(VariedRepeatsStages, FollowTheSamples)
     EXPECT_THAT(computed(run("animations")), ElementsAre("animations/again/clip"));
 }
 
-TEST_F(VariedRepeatsStages, NeedNoVariationsWithoutTheOption)
+TEST_F(VariedRepeatsSteps, NeedNoVariationsWithoutTheOption)
 {
     animation().post.variations.reset();
     EXPECT_THAT(computed(run("animations")), Each(Not(HasSubstr("variations/"))));
@@ -179,7 +179,7 @@ TEST_F(VariedRepeatsStages, NeedNoVariationsWithoutTheOption)
     EXPECT_EQ(partsOfClip(project, "animations/again").variations.size(), 1U);
 }
 
-TEST_F(VariedRepeatsStages, AreExportedAndShown)
+TEST_F(VariedRepeatsSteps, AreExportedAndShown)
 {
     project.sequences.push_back(sequenceOf("shown", "clip:animations/again"));
     ExportEntry entry;
@@ -193,7 +193,7 @@ TEST_F(VariedRepeatsStages, AreExportedAndShown)
     EXPECT_TRUE(std::filesystem::exists(folder / "out.pc2"));
 }
 
-TEST_F(VariedRepeatsStages, SayWhenThereIsNothingToDraw)
+TEST_F(VariedRepeatsSteps, SayWhenThereIsNothingToDraw)
 {
     EXPECT_EQ(told(), "");
     sway().samples.front().of = "wild";
@@ -207,7 +207,7 @@ TEST_F(VariedRepeatsStages, SayWhenThereIsNothingToDraw)
     EXPECT_THAT(told(), HasSubstr("No captured frames are shown twice"));
 }
 
-TEST_F(VariedRepeatsStages, DoWithoutVariationsThatAreMissing)
+TEST_F(VariedRepeatsSteps, DoWithoutVariationsThatAreMissing)
 {
     sway().limits.poseDistance = 1e-9;
     const std::string words = told();
@@ -216,7 +216,7 @@ TEST_F(VariedRepeatsStages, DoWithoutVariationsThatAreMissing)
     EXPECT_THAT(drawn(), Each(IsEmpty()));
 }
 
-TEST_F(VariedRepeatsStages, SayWhenAnotherRebuildReplacesThem)
+TEST_F(VariedRepeatsSteps, SayWhenAnotherRebuildReplacesThem)
 {
     told();
     const std::filesystem::path file = folder / "p.quadrille";
@@ -226,16 +226,16 @@ TEST_F(VariedRepeatsStages, SayWhenAnotherRebuildReplacesThem)
         return openTakeVariations(project, file, animation(), character->graph, progress);
     };
     EXPECT_FALSE(open({}).empty());
-    const std::string stage = clipStageOf(clipsDrawnFrom(project, animation()).back());
+    const std::string step = clipStepOf(clipsDrawnFrom(project, animation()).back());
     const ResultStore store(cacheFolder(file));
     const Progress replacing({}, [&](double fraction) {
         if (fraction >= 0.9)
-            store.save(stage, "another key", {});
+            store.save(step, "another key", {});
     });
     EXPECT_EQ(codeOf([&] { open(replacing); }), ErrorCode::ResultReplaced);
 }
 
-TEST_F(VariedRepeatsStages, AreRefusedWhereTheyCannotBe)
+TEST_F(VariedRepeatsSteps, AreRefusedWhereTheyCannotBe)
 {
     animation().post.variations->from = "swey";
     animation().post.variations->ease = -1;
@@ -244,7 +244,7 @@ TEST_F(VariedRepeatsStages, AreRefusedWhereTheyCannotBe)
     EXPECT_THAT(problems(), HasSubstr("/animations/0/post/variations/ease: "));
 }
 
-TEST_F(VariedRepeatsStages, GoRoundInNoCircle)
+TEST_F(VariedRepeatsSteps, GoRoundInNoCircle)
 {
     // Variations that are learned from what is drawn from them.
     project.sequences.push_back(sequenceOf("shown", "clip:animations/again"));
@@ -257,7 +257,7 @@ TEST_F(VariedRepeatsStages, GoRoundInNoCircle)
     EXPECT_THAT(problems(), HasSubstr("The sequence is its own source: shown → again → sway/"));
 }
 
-TEST_F(VariedRepeatsStages, FollowTheNameOfTheirVariations)
+TEST_F(VariedRepeatsSteps, FollowTheNameOfTheirVariations)
 {
     animation().post.variations->from = "sway";
     renameEntry(project, NamedKind::Variation, "sway", "swing");
@@ -267,7 +267,7 @@ TEST_F(VariedRepeatsStages, FollowTheNameOfTheirVariations)
     EXPECT_FALSE(animation().post.variations.has_value());
 }
 
-TEST_F(VariedRepeatsStages, AreLoopedAndRetimed)
+TEST_F(VariedRepeatsSteps, AreLoopedAndRetimed)
 {
     animation().post.steps.retime = RetimeSettings{RetimeFactor{2}};
     computed(run("animations"));

@@ -28,7 +28,7 @@ struct Standing
         for (int f = 0; f < frames; ++f)
             clip.origins.push_back({0, 1, f / (frames - 1.0)});
         clip.origins.push_back({1, 1});
-        for (const FrameOrigin& origin : clip.origins) {
+        for (const FrameProvenance& origin : clip.origins) {
             const auto along = static_cast<float>(origin.isSingle() ? origin.source : origin.lambda);
             clip.positions.insert(clip.positions.end(), {{0, 0, 2},
                                                          Vec3f(0, 0.1F, 0) + along * carriedLeft,
@@ -95,7 +95,7 @@ TEST(BlendSteps, FeetThatLandInABlendOrLeaveTheGroundStepWhileTheyStand)
 TEST(BlendSteps, CapturedFramesAndFeetThatNobodyFoundStayAsTheyAre)
 {
     Standing captured(10, far, little);
-    for (FrameOrigin& origin : captured.clip.origins)
+    for (FrameProvenance& origin : captured.clip.origins)
         origin.destination = origin.source;
     EXPECT_EQ(captured.standing(), "BBBBBBBBBBBB");
     const Vec3f veryFar(1, 0, 0); // with it goes the middle of the whole body

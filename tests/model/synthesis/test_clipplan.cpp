@@ -16,9 +16,9 @@ const TubeTakes& planTakes()
     return only;
 }
 
-std::vector<FrameOrigin> originsOf(const ClipPlan& plan)
+std::vector<FrameProvenance> originsOf(const ClipPlan& plan)
 {
-    std::vector<FrameOrigin> origins;
+    std::vector<FrameProvenance> origins;
     for (const PlannedFrame& frame : plan.frames)
         origins.push_back(frame.origin);
     return origins;
@@ -41,8 +41,8 @@ TEST(ClipPlan, ShowsTheEndsOfATransitionOnce)
     const Walk walk{{{3, 5}, {27, 28}}};
     const std::vector<Transition> transitions{advancingTogether(5, 27, 4)};
     const ClipPlan plan = planClip(planTakes().roots, walk, transitions);
-    const std::vector<FrameOrigin> expected{{3, 3},           {4, 4},   {5, 5},  {6, 25, 1.0 / 3},
-                                            {7, 26, 2.0 / 3}, {27, 27}, {28, 28}};
+    const std::vector<FrameProvenance> expected{{3, 3},           {4, 4},   {5, 5},  {6, 25, 1.0 / 3},
+                                                {7, 26, 2.0 / 3}, {27, 27}, {28, 28}};
     EXPECT_EQ(originsOf(plan), expected);
     ASSERT_EQ(plan.junctions.size(), 1U);
     EXPECT_EQ(plan.junctions[0].frames, (FramePair{5, 27}));
@@ -58,8 +58,8 @@ TEST(ClipPlan, SpansOfOneFrameJoinTransitions)
     const Walk walk{{{0, 0}, {27, 27}, {44, 44}}};
     const ClipPlan plan = planClip(planTakes().roots, walk,
                                    std::vector{advancingTogether(0, 27, 4), advancingTogether(27, 44, 3)});
-    const std::vector<FrameOrigin> expected{{0, 0},   {1, 25, 1.0 / 3}, {2, 26, 2.0 / 3},
-                                            {27, 27}, {28, 43, 0.5},    {44, 44}};
+    const std::vector<FrameProvenance> expected{{0, 0},   {1, 25, 1.0 / 3}, {2, 26, 2.0 / 3},
+                                                {27, 27}, {28, 43, 0.5},    {44, 44}};
     EXPECT_EQ(originsOf(plan), expected);
     EXPECT_EQ(plan.junctions[0].last, plan.junctions[1].first);
     EXPECT_EQ(plan.spanStarts, (std::vector<std::int64_t>{0, 3, 5}));
@@ -70,7 +70,7 @@ TEST(ClipPlan, TransitionsOfOneFrameShowThePoseThatTheyLeave)
     const Walk walk{{{2, 3}, {27, 28}, {44, 44}}};
     const ClipPlan plan = planClip(planTakes().roots, walk,
                                    std::vector{advancingTogether(3, 27, 1), advancingTogether(28, 44, 1)});
-    EXPECT_EQ(originsOf(plan), (std::vector<FrameOrigin>{{2, 2}, {3, 3}, {28, 28}}));
+    EXPECT_EQ(originsOf(plan), (std::vector<FrameProvenance>{{2, 2}, {3, 3}, {28, 28}}));
     EXPECT_EQ(plan.spanStarts, (std::vector<std::int64_t>{0, 1, 2}));
     EXPECT_EQ(plan.junctions[0].first, plan.junctions[0].last);
     // The next frame goes on from the pose that is not shown.
@@ -96,8 +96,9 @@ TEST(ClipPlan, LastsAsLongAsItsParts)
             return plan.frames[static_cast<std::size_t>(frame)].origin;
         };
         EXPECT_EQ(junction.last - junction.first + 1, planTakes().paths.get(walk.transition(t)).length());
-        EXPECT_EQ(originAt(junction.first), (FrameOrigin{walk.spans[t].last, walk.spans[t].last}));
-        EXPECT_EQ(originAt(junction.last), (FrameOrigin{walk.spans[t + 1].first, walk.spans[t + 1].first}));
+        EXPECT_EQ(originAt(junction.first), (FrameProvenance{walk.spans[t].last, walk.spans[t].last}));
+        EXPECT_EQ(originAt(junction.last),
+                  (FrameProvenance{walk.spans[t + 1].first, walk.spans[t + 1].first}));
         EXPECT_EQ(junction.last, plan.spanStarts[t + 1]);
         EXPECT_EQ(junction.cost, planTakes().paths.get(walk.transition(t)).cost);
     }
@@ -108,7 +109,7 @@ TEST(ClipPlan, BlendsOfAFrameWithItselfAreCaptured)
     Transition transition = advancingTogether(5, 8, 4);
     transition.path = {{5, 5}, {6, 6}, {7, 7}, {8, 8}};
     const ClipPlan plan = planClip(planTakes().roots, {{{5, 5}, {8, 8}}}, std::vector{transition});
-    EXPECT_EQ(originsOf(plan), (std::vector<FrameOrigin>{{5, 5}, {6, 6}, {7, 7}, {8, 8}}));
+    EXPECT_EQ(originsOf(plan), (std::vector<FrameProvenance>{{5, 5}, {6, 6}, {7, 7}, {8, 8}}));
 }
 
 TEST(ClipPlan, RefusesWhatCannotBePlayed)

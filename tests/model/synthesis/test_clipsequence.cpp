@@ -22,7 +22,7 @@ std::vector<MeshSequence> twoTakes()
     return takes;
 }
 
-Clip clipOf(const std::vector<MeshSequence>& takes, const std::vector<FrameOrigin>& origins)
+Clip clipOf(const std::vector<MeshSequence>& takes, const std::vector<FrameProvenance>& origins)
 {
     return {.topology = takes[0].topology,
             .fps = 25,
@@ -31,7 +31,7 @@ Clip clipOf(const std::vector<MeshSequence>& takes, const std::vector<FrameOrigi
             .origins = origins};
 }
 
-const std::vector<FrameOrigin> someOrigins{{1, 1}, {2, 2}, {3, 23, 0.4}, {4, 24, 0.5}, {25, 25}, {1, 1}};
+const std::vector<FrameProvenance> someOrigins{{1, 1}, {2, 2}, {3, 23, 0.4}, {4, 24, 0.5}, {25, 25}, {1, 1}};
 
 std::vector<std::string> filesOf(const TextureSet& set)
 {
@@ -85,7 +85,7 @@ TEST(ClipSequence, StandsAsTheFrameThatCountsMore)
     EXPECT_EQ(
         toSequence("mix", clip, CharacterFrames(takes)).contacts,
         (std::vector<ContactSpan>{{"left", frames(0, 3)}, {"toe", frames(3, 4)}, {"left", frames(5, 5)}}));
-    for (FrameOrigin& origin : clip.origins)
+    for (FrameProvenance& origin : clip.origins)
         origin.mirrored = true;
     EXPECT_EQ(
         toSequence("mix", clip, CharacterFrames(takes)).contacts,

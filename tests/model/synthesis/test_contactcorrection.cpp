@@ -92,7 +92,7 @@ TEST(FootPath, TakesOutASlipByHand)
         TopologyData{.vertexCount = 4,
                      .triangles = {{VertexIndex(0), VertexIndex(1), VertexIndex(2)},
                                    {VertexIndex(0), VertexIndex(2), VertexIndex(3)}}});
-    Clip clip{.topology = topology, .fps = 25, .positions = {}, .origins = std::vector<FrameOrigin>(5)};
+    Clip clip{.topology = topology, .fps = 25, .positions = {}, .origins = std::vector<FrameProvenance>(5)};
     for (int f = 0; f < 5; ++f) {
         const float x = 0.01F * static_cast<float>(f);
         clip.positions.insert(clip.positions.end(),

@@ -64,7 +64,7 @@ TEST(Loop, NamesTheOriginsOfItsFrames)
     EXPECT_EQ(loop.cycle.origins.front(), clip.origins[static_cast<std::size_t>(first)]);
     EXPECT_EQ(loop.cycle.frameCount(), last - first + loop.closure.length() - 1);
     for (int t = 1; t + 1 < loop.closure.length(); ++t) {
-        const FrameOrigin& origin = loop.cycle.origins[static_cast<std::size_t>(last - first + t)];
+        const FrameProvenance& origin = loop.cycle.origins[static_cast<std::size_t>(last - first + t)];
         EXPECT_EQ(origin.source, loop.closure.path[static_cast<std::size_t>(t)].source);
         EXPECT_EQ(origin.destination, loop.closure.path[static_cast<std::size_t>(t)].destination);
         EXPECT_DOUBLE_EQ(origin.lambda, t / (loop.closure.length() - 1.0));

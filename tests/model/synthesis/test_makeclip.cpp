@@ -41,7 +41,7 @@ TEST(MakeClip, PlaysCapturedFramesAsTheyAre)
     EXPECT_EQ(clip.fps, 25);
     for (int f = 0; f < 9; ++f) {
         EXPECT_TRUE(std::ranges::equal(clip.frame(f), clipTakes().character.frame(22 + f).positions()));
-        EXPECT_EQ(clip.origins[static_cast<std::size_t>(f)], (FrameOrigin{22 + f, 22 + f}));
+        EXPECT_EQ(clip.origins[static_cast<std::size_t>(f)], (FrameProvenance{22 + f, 22 + f}));
     }
 }
 

@@ -118,14 +118,14 @@ TEST(PathWalk, IsAsGoodAsBranchAndBoundOnSmallCases)
         const WalkWorld world({.seed = seed, .counts = {9, 8, 9}, .missing = 0.6, .shortest = 4});
         const PathConstraint path = curve(0.9);
         const WalkGraph graph(world.graph, world.costs, WalkWorld::alpha, {});
-        const WalkStages stages(graph, {.path = path}, 0.1, 0.1);
+        const ConstraintAutomaton automaton(graph, {.path = path}, 0.1, 0.1);
         const PathCourse course(path, UpAxis::Z);
         const PathCosts costs(course, {}, graph.nodeCount(), 0.1);
         const WalkMaterial material = world.material();
         MoveMotions motions(graph, material.motion, course);
         std::vector<NodeIndex> starts(static_cast<std::size_t>(graph.nodeCount()));
         std::iota(starts.begin(), starts.end(), 0);
-        PathProblem problem{graph, stages, course, costs, motions, starts, 0.1};
+        PathProblem problem{graph, automaton, course, costs, motions, starts, 0.1};
         BranchAndBound reference(problem, [] { return false; });
         const double expected = reference.exact();
         if (expected == unreachable)

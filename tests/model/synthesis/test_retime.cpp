@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/geometry/procrustes.h"
-#include "model/synthesis/frameorigins.h"
+#include "model/synthesis/frameprovenance.h"
 #include "model/synthesis/monotonecurve.h"
 #include "model/synthesis/retime.h"
 #include "model/transition/poseinterpolation.h"
@@ -86,7 +86,7 @@ TEST(Retime, ByTwoShowsEachFrameAndOneBetween)
                                                InterpolationMethod::Poisson);
         EXPECT_LT(largestDistance(slow.frame(2 * f + 1), expected), 1e-6);
         EXPECT_EQ(slow.origins[static_cast<std::size_t>(2 * f + 1)],
-                  (FrameOrigin{static_cast<NodeIndex>(f), static_cast<NodeIndex>(f + 1), 0.5, false}));
+                  (FrameProvenance{static_cast<NodeIndex>(f), static_cast<NodeIndex>(f + 1), 0.5, false}));
     }
 }
 
@@ -227,18 +227,18 @@ TEST(Retime, StopsWhenCancelled)
 
 TEST(FrameOrigins, NameWhatLiesBetween)
 {
-    const FrameOrigin captured{3, 3, 0, false};
-    const FrameOrigin other{7, 7, 0, false};
-    const FrameOrigin blend{3, 7, 0.4, false};
-    EXPECT_EQ(originBetween(captured, other, 0.25), (FrameOrigin{3, 7, 0.25, false}));
+    const FrameProvenance captured{3, 3, 0, false};
+    const FrameProvenance other{7, 7, 0, false};
+    const FrameProvenance blend{3, 7, 0.4, false};
+    EXPECT_EQ(originBetween(captured, other, 0.25), (FrameProvenance{3, 7, 0.25, false}));
     EXPECT_EQ(originBetween(captured, captured, 0.25), captured);
     EXPECT_EQ(originBetween(captured, other, 1), other);
-    EXPECT_EQ(originBetween(captured, blend, 0.5), (FrameOrigin{3, 7, 0.2, false}));
-    EXPECT_EQ(originBetween(blend, other, 0.5), (FrameOrigin{3, 7, 0.7, false}));
-    EXPECT_EQ(originBetween(blend, {3, 7, 0.8, false}, 0.25), (FrameOrigin{3, 7, 0.5, false}));
+    EXPECT_EQ(originBetween(captured, blend, 0.5), (FrameProvenance{3, 7, 0.2, false}));
+    EXPECT_EQ(originBetween(blend, other, 0.5), (FrameProvenance{3, 7, 0.7, false}));
+    EXPECT_EQ(originBetween(blend, {3, 7, 0.8, false}, 0.25), (FrameProvenance{3, 7, 0.5, false}));
     EXPECT_EQ(originBetween(blend, {4, 8, 0.6, false}, 0.25), blend);
-    EXPECT_EQ(originBetween(blend, {4, 8, 0.6, false}, 0.5), (FrameOrigin{4, 8, 0.6, false}));
-    EXPECT_EQ(originBetween(captured, {7, 7, 0, true}, 0.75), (FrameOrigin{7, 7, 0, true}));
+    EXPECT_EQ(originBetween(blend, {4, 8, 0.6, false}, 0.5), (FrameProvenance{4, 8, 0.6, false}));
+    EXPECT_EQ(originBetween(captured, {7, 7, 0, true}, 0.75), (FrameProvenance{7, 7, 0, true}));
 }
 
 } // namespace

@@ -26,7 +26,7 @@ Stances takesOnOneFootEach()
 }
 
 /// Of whose poses nothing is asked.
-Clip clipOfOrigins(const std::vector<FrameOrigin>& origins, double fps)
+Clip clipOfOrigins(const std::vector<FrameProvenance>& origins, double fps)
 {
     return {.topology = {}, .fps = fps, .positions = {}, .origins = origins};
 }
@@ -50,11 +50,11 @@ TEST(Stances, FlightsAreLongerThanAMissedContact)
 
 TEST(Stances, AreThoseOfTheFrameThatCountsMore)
 {
-    const std::vector<FrameOrigin> blend{{3, 3}, {4, 12, 0.2}, {5, 13, 0.49}, {6, 14, 0.5}, {15, 15}};
+    const std::vector<FrameProvenance> blend{{3, 3}, {4, 12, 0.2}, {5, 13, 0.49}, {6, 14, 0.5}, {15, 15}};
     EXPECT_EQ(stancesOf(clipOfOrigins(blend, 25), takesOnOneFootEach()),
               (std::vector<std::uint32_t>{left, left, left, right, right}));
-    std::vector<FrameOrigin> mirrored = blend;
-    for (FrameOrigin& origin : mirrored)
+    std::vector<FrameProvenance> mirrored = blend;
+    for (FrameProvenance& origin : mirrored)
         origin.mirrored = true;
     EXPECT_EQ(stancesOf(clipOfOrigins(mirrored, 25), takesOnOneFootEach()),
               (std::vector<std::uint32_t>{right, right, right, left, left}));
@@ -63,14 +63,14 @@ TEST(Stances, AreThoseOfTheFrameThatCountsMore)
 TEST(Stances, GoOnThroughABlendThatLeavesTheGroundForAMoment)
 {
     // The source flies in the second half of its window, the destination stands from the middle on.
-    const std::vector<FrameOrigin> blend{{0, 0},       {1, 2, 0.1},  {21, 3, 0.3}, {22, 4, 0.4},
-                                         {23, 5, 0.6}, {24, 6, 0.8}, {7, 7}};
+    const std::vector<FrameProvenance> blend{{0, 0},       {1, 2, 0.1},  {21, 3, 0.3}, {22, 4, 0.4},
+                                             {23, 5, 0.6}, {24, 6, 0.8}, {7, 7}};
     EXPECT_EQ(stancesOf(clipOfOrigins(blend, 25), takesOnOneFootEach()), std::vector<std::uint32_t>(7, left));
     // For longer than a fifth of a second it is a step of its own.
     EXPECT_EQ(stancesOf(clipOfOrigins(blend, 5), takesOnOneFootEach()),
               (std::vector<std::uint32_t>{left, left, 0, 0, left, left, left}));
     // What was captured stays as it was.
-    const std::vector<FrameOrigin> captured{{9, 9}, {20, 20}, {0, 0}};
+    const std::vector<FrameProvenance> captured{{9, 9}, {20, 20}, {0, 0}};
     EXPECT_EQ(stancesOf(clipOfOrigins(captured, 25), takesOnOneFootEach()),
               (std::vector<std::uint32_t>{left, 0, left}));
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/geometry/procrustes.h"
-#include "model/synthesis/frameorigins.h"
+#include "model/synthesis/frameprovenance.h"
 #include "model/synthesis/loop.h"
 #include "model/synthesis/variedplan.h"
 #include "tests/model/synthesis/cliptest.h"
@@ -118,7 +118,7 @@ TEST(VariedPlan, ShowsVariationsFrameByFrame)
     const Clip clip = clipOf(made);
     ASSERT_EQ(clip.frameCount(), plain.frameCount());
     for (std::int64_t f = 0; f < clip.frameCount(); ++f) {
-        const FrameOrigin& origin = clip.origins[static_cast<std::size_t>(f)];
+        const FrameProvenance& origin = clip.origins[static_cast<std::size_t>(f)];
         const double moved = largestDistance(clip.frame(f), plain.frame(f));
         EXPECT_EQ(origin.source, plain.origins[static_cast<std::size_t>(f)].source);
         const std::size_t span = spanAt(before, f);
@@ -137,7 +137,7 @@ TEST(VariedPlan, ShowsVariationsFrameByFrame)
             EXPECT_TRUE(origin.lambda > 0.5 && origin.lambda < 1);
         }
         if (span == 1 && origin.source == 12) {
-            EXPECT_EQ(origin, (FrameOrigin{12, 12, 0, false, 1, 1}));
+            EXPECT_EQ(origin, (FrameProvenance{12, 12, 0, false, 1, 1}));
         }
     }
 }
@@ -239,13 +239,14 @@ TEST(VariedPlan, RefusesVariationsOfOtherMeshes)
 
 TEST(FrameOrigins, NameWhatLiesBetweenAFrameAndItsVariation)
 {
-    const FrameOrigin frame{3, 3};
-    const FrameOrigin drawn{3, 3, 0, false, 2, 2};
-    const FrameOrigin other{7, 7, 0, false, 1, 1};
+    const FrameProvenance frame{3, 3};
+    const FrameProvenance drawn{3, 3, 0, false, 2, 2};
+    const FrameProvenance other{7, 7, 0, false, 1, 1};
     EXPECT_TRUE(frame.isCaptured() && !drawn.isCaptured() && drawn.isSingle());
-    EXPECT_EQ(originBetween(frame, drawn, 0.25), (FrameOrigin{3, 3, 0.25, false, 0, 2}));
-    EXPECT_EQ(originBetween(drawn, other, 0.75), (FrameOrigin{3, 7, 0.75, false, 2, 1}));
-    EXPECT_EQ(originBetween(drawn, {3, 7, 0.8, false, 2, 1}, 0.25), (FrameOrigin{3, 7, 0.2, false, 2, 1}));
+    EXPECT_EQ(originBetween(frame, drawn, 0.25), (FrameProvenance{3, 3, 0.25, false, 0, 2}));
+    EXPECT_EQ(originBetween(drawn, other, 0.75), (FrameProvenance{3, 7, 0.75, false, 2, 1}));
+    EXPECT_EQ(originBetween(drawn, {3, 7, 0.8, false, 2, 1}, 0.25),
+              (FrameProvenance{3, 7, 0.2, false, 2, 1}));
     // A blend of the frame itself is no blend of its variation.
     EXPECT_EQ(originBetween(drawn, {3, 7, 0.8, false, 0, 1}, 0.25), drawn);
 }

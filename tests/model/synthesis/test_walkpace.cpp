@@ -82,7 +82,7 @@ TEST(WalkPace, FramesThatAreNoLocomotionWeighAsFarAsTheyShow)
         const ClipPlan plan = planClip(world.roots, walk, transitions);
         double sum = 0;
         for (std::size_t f = 0; f + 1 < plan.frames.size(); ++f) {
-            const FrameOrigin& origin = plan.frames[f].origin;
+            const FrameProvenance& origin = plan.frames[f].origin;
             sum += (1 - origin.lambda) * (layout.sequenceOf(origin.source) == stray ? 1 : 0) +
                    origin.lambda * (layout.sequenceOf(origin.destination) == stray ? 1 : 0);
         }

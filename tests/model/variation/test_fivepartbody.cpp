@@ -30,7 +30,7 @@ public:
         : movement(made())
         , character(sequences(*movement))
         , learned(movement, learnedStates(*movement))
-        , drawn(drawLatents(learned, {}, count, 1))
+        , drawn(sampleLatents(learned, {}, count, 1))
         , standing{character, findSupports(character, UpAxis::Y)}
         , contacts{character, legsOf(character, UpAxis::Y)}
     {

@@ -147,22 +147,22 @@ TEST(VariationOrigins, NameTheCapturedFramesOfTheSamePhase)
     const TakeWarp a{.frames = {FrameIndex(2), FrameIndex(4)}, .positions = {2, 3, 4}, .playback = {0, 1, 2}};
     const TakeWarp b{
         .frames = FrameRange::all(5), .positions = {0, 1, 4}, .playback = {0, 1, 4. / 3, 5. / 3, 2}};
-    const std::vector<FrameOrigin> own = variationOrigins(a, 100);
-    EXPECT_EQ(own,
-              (std::vector<FrameOrigin>{{102, 102, 0, false}, {103, 103, 0, false}, {104, 104, 0, false}}));
+    const std::vector<FrameProvenance> own = variationOrigins(a, 100);
+    EXPECT_EQ(own, (std::vector<FrameProvenance>{
+                       {102, 102, 0, false}, {103, 103, 0, false}, {104, 104, 0, false}}));
     EXPECT_EQ(variationOrigins(std::array{OriginTake{{&a, 1}, 100}}), own);
-    const std::vector<FrameOrigin> half =
+    const std::vector<FrameProvenance> half =
         variationOrigins(std::array{OriginTake{{&a, 0.5}, 100}, OriginTake{{&b, 0.5}, 200}});
     ASSERT_EQ(half.size(), 4U);
-    EXPECT_EQ(half.front(), (FrameOrigin{102, 200, 0.5, false}));
-    EXPECT_EQ(half[1], (FrameOrigin{103, 201, 0.5, false}));
-    EXPECT_EQ(half.back(), (FrameOrigin{104, 204, 0.5, false}));
+    EXPECT_EQ(half.front(), (FrameProvenance{102, 200, 0.5, false}));
+    EXPECT_EQ(half[1], (FrameProvenance{103, 201, 0.5, false}));
+    EXPECT_EQ(half.back(), (FrameProvenance{104, 204, 0.5, false}));
 }
 
 TEST(VariationOrigins, NameTheTwoTakesWithTheLargestShares)
 {
     const TakeWarp a{.frames = FrameRange::all(3), .positions = {0, 1, 2}, .playback = {0, 1, 2}};
-    const std::vector<FrameOrigin> origins =
+    const std::vector<FrameProvenance> origins =
         variationOrigins(std::array{OriginTake{{&a, 0.1}, 100}, OriginTake{{&a, 0.3}, 200},
                                     OriginTake{{&a, 0.1}, 300}, OriginTake{{&a, 0.5}, 400}});
     ASSERT_EQ(origins.size(), 3U);

@@ -124,7 +124,7 @@ TEST(GlbWriter, NormalsTurnWithTheSurfaceInEveryFrame)
     ASSERT_TRUE(scene) << importer.GetErrorString();
     const aiMesh& upper = *scene->mMeshes[0];
     ASSERT_TRUE(upper.HasNormals());
-    const VertexTriangles neighbours =
+    const IncidentTriangles neighbours =
         trianglesOfVertices(sequence.topology->triangles(), sequence.topology->vertexCount());
     for (int f = 0; f < 5; ++f) {
         // The tip is the first vertex of the first part.

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/playback/clipscene.h"
+#include "editor/playback/player.h"
+#include "widgets/timeline/timeline.h"
+#include "widgets/viewport/viewport.h"
+
+#include <QWidget>
+
+class QVBoxLayout;
+
+namespace quadrille {
+
+class FrameNotes;
+class ViewTools;
+struct EditorContext;
+
+namespace widgets {
+class MessageStrip;
+class PlaybackBar;
+} // namespace widgets
+
+/// A viewport with its tools above a timeline with its buttons: where a workspace shows clips and plays them.
+/// The actions of the menus View and Playback act on the one that is in front (see ViewActions).
+class SceneView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// \param name  what the object names of its parts begin with; may be empty.
+    SceneView(EditorContext& context, ClipScene::Source source, const QString& name,
+              QWidget* parent = nullptr);
+
+    widgets::Viewport& viewport() { return *m_viewport; }
+    widgets::Timeline& timeline() { return *m_timeline; }
+    ClipScene& scene() { return *m_scene; }
+    Player& player() { return *m_player; }
+    widgets::MessageStrip& message() { return *m_message; }
+    ViewTools& tools() { return *m_tools; }
+    /// Puts a widget below the timeline.
+    void addBelowTimeline(QWidget* widget);
+
+    /// Shows these clips; the last is what following and framing are about unless setCurrent says another.
+    void show(const QStringList& names);
+    using QWidget::show;
+    void setCurrent(const QString& name);
+    /// Takes the frames that play from the timeline.
+    void updateRange();
+    /// The part of the frames that plays again and again; none: all that plays.
+    void setLoop(std::optional<std::pair<int, int>> loop);
+    void setLoopStart(int frame);
+    void setLoopEnd(int frame);
+    /// What the ruler counts as long as the user has not chosen.
+    void setUsualUnit(widgets::Timeline::Unit unit);
+    void setRulerUnit(widgets::Timeline::Unit unit);
+    /// Puts the playhead, and the number beside the buttons, where no clip needs to be.
+    void setPlayhead(int frame);
+    /// What is written about the frames that are shown; null where nothing can be.
+    void setNotes(FrameNotes* notes) { m_notes = notes; }
+    FrameNotes* notes() const { return m_notes; }
+    /// Plays the next clip that is shown as soon as it is ready.
+    void playWhenReady() { m_playsWhenReady = true; }
+
+    void setNamesShown(bool shown);
+    void setFollowing(bool follows);
+    void setGhostsShown(bool shown);
+    void setLayoutMode(widgets::Viewport::Layout layout);
+    void frameCurrent();
+    /// A tool colours figures, whatever the menu says; or does so no longer.
+    void setColoredByTool(bool colored);
+    bool isColoredByTool() const { return m_isColoredByTool; }
+
+signals:
+    /// Clips came, went or changed their length; the timeline has not followed yet.
+    void sceneChanged();
+    /// Textures would look alike where figures stand in one place: clay has a colour for each.
+    void clayRequested();
+    void coloredByToolChanged();
+
+private:
+    void arrangeWidgets();
+    void connectPlayback();
+    void followName(const ChangeEvent& event);
+    void connectTimeline();
+    void followDocument();
+    void followSettings();
+    void showPlayhead();
+    void followScene();
+    void followCharacter();
+    void updateNames();
+
+    EditorContext& m_context;
+    widgets::Viewport* m_viewport;
+    widgets::Timeline* m_timeline;
+    widgets::PlaybackBar* m_bar;
+    ClipScene* m_scene;
+    Player* m_player;
+    widgets::MessageStrip* m_message;
+    ViewTools* m_tools;
+    QVBoxLayout* m_lower = nullptr;
+    QString m_current;
+    bool m_namesShown = true;
+    bool m_follows = false;
+    bool m_ghostsShown = false;
+    bool m_playsWhenReady = false;
+    bool m_isColoredByTool = false;
+    QStringList m_names; ///< of the clips that are shown
+    FrameNotes* m_notes = nullptr;
+};
+
+} // namespace quadrille
