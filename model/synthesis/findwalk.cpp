@@ -177,7 +177,7 @@ bool keepsRuns(const Walk& walk, int leastRun)
            });
 }
 
-/// Keys alone are met exactly; where that leaves a take too soon, the stages weigh one against the other.
+/// Keys alone are met exactly; where that leaves a take too soon, the automaton weighs one against the other.
 WalkSolution findCalmKeys(const Search& search)
 {
     WalkSolution exact = findKeys(search);
