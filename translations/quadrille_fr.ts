@@ -8557,6 +8557,23 @@ maximal %2</translation>
         <comment>metres</comment>
         <translation>usuel (%L1 m)</translation>
     </message>
+    <message>
+        <source>Steering</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>How far a calm walk turns towards its path at most, beyond what was captured; 0: not at all</source>
+        <translation>De combien un parcours calme tourne au plus vers son trajet, au-delà de ce qui a été capté ; 0 : pas du tout</translation>
+    </message>
+    <message>
+        <source>°/m</source>
+        <translation>°/m</translation>
+    </message>
+    <message>
+        <source>usual (%L1°/m)</source>
+        <comment>degrees a metre</comment>
+        <translation>usuel (%L1°/m)</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::PreferencesDialog</name>

@@ -60,7 +60,7 @@ Variations openVariations(const Project& project, const std::filesystem::path& f
                           const AnimationEntry& entry, const CharacterGraph& graph, const AnimationWalk& walk,
                           const Progress& progress)
 {
-    const ClipPlan plan = animationPlan(entry, graph, walk.solution);
+    const ClipPlan plan = animationPlan(entry, graph, walk.solution, pathOf(entry, graph));
     if (!entry.post.variations ||
         std::ranges::none_of(drawRepeats(plan, graph.layout(), {}, playingsOf(entry)), &SpanDraw::isRepeat))
         return nullptr;
@@ -73,9 +73,9 @@ ResultPointer makeResult(const AnimationEntry& entry, std::shared_ptr<const Open
 {
     auto result = std::make_shared<AnimationResult>();
     const CharacterGraph& graph = character->graph;
-    AnimationClip made =
-        animationClip(entry, graph, character->frames, animationPlan(entry, graph, walk.solution),
-                      variations ? std::span(*variations) : std::span<const TakeVariation>(), progress);
+    AnimationClip made = animationClip(
+        entry, graph, character->frames, animationPlan(entry, graph, walk.solution, pathOf(entry, graph)),
+        variations ? std::span(*variations) : std::span<const TakeVariation>(), progress);
     PostProcessed& processed = made.processed;
     result->plan = std::move(made.plan);
     result->spans = std::move(made.spans);

@@ -7,6 +7,7 @@
 #include "model/project/walkrequest.h"
 #include "model/synthesis/contactcorrection.h"
 #include "model/synthesis/makeclip.h"
+#include "model/synthesis/steeredplan.h"
 #include "model/synthesis/variedplan.h"
 
 #include <map>
@@ -82,12 +83,16 @@ AnimationWalk animationWalk(const AnimationEntry& animation, const CharacterGrap
 }
 
 ClipPlan animationPlan(const AnimationEntry& animation, const CharacterGraph& graph,
-                       const WalkSolution& solution)
+                       const WalkSolution& solution, const std::optional<PathConstraint>& path)
 {
     ClipPlan plan = planClip(graph.roots(), graph.layout(), graph.paths(), solution.walk,
                              {.start = solution.start, .blend = blendSettings(animation)});
     plan.asked = solution.asked();
-    return plan;
+    if (!path)
+        return plan;
+    return steeredPlan(std::move(plan), graph.roots(), graph.layout(),
+                       PathCourse(*path, graph.roots().up, graph.metresPerUnit()),
+                       searchSettings(animation.search, graph.fps()).steering);
 }
 
 int playingsOf(const AnimationEntry& animation)

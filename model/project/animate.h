@@ -29,9 +29,9 @@ bool hasLoopEnds(const AnimationEntry& animation);
 AnimationWalk animationWalk(const AnimationEntry& animation, const CharacterGraph& graph,
                             const Progress& progress = {}, const SolutionCallback& found = {});
 
-/// Its frames before any post-processing. \throws Error as planClip.
+/// Its frames before any post-processing, turned towards a path. \throws Error as planClip.
 ClipPlan animationPlan(const AnimationEntry& animation, const CharacterGraph& graph,
-                       const WalkSolution& solution);
+                       const WalkSolution& solution, const std::optional<PathConstraint>& path);
 
 /// The clip of an animation and what it was made of.
 struct AnimationClip

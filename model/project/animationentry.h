@@ -24,6 +24,7 @@ struct SearchEntry
     bool isPaper = false;
     std::optional<double> dwell;    ///< least time between two transitions, seconds
     std::optional<double> deadZone; ///< metres off a path that cost nothing
+    std::optional<double> steering; ///< how far the way turns towards a path at most, degrees a metre
     UnknownKeys unknown;
 
     bool operator==(const SearchEntry&) const = default;

@@ -17,8 +17,4 @@ std::string animationSettings(const AnimationEntry& animation, UpAxis up);
 AudioEntry readAudio(const ObjectReader& reader);
 CameraKeyEntry readCameraKey(const ObjectReader& reader);
 
-/// A point of the ground as the file has it, in the two axes of the project that are not up, in their order.
-Vec3d pointOnGround(const Vec2d& point, UpAxis up);
-Vec2d pointOfFile(const Vec3d& point, UpAxis up);
-
 } // namespace quadrille

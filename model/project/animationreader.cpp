@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/animationjson.h"
 #include "model/project/framenote.h"
+#include "model/project/groundpoint.h"
 #include "model/project/projectkeys.h"
 
 #include <algorithm>
@@ -185,6 +186,7 @@ SearchEntry readSearch(const ObjectReader& reader)
     reader.word("style", search.isPaper, {{"calm", false}, {"paper", true}});
     search.dwell = reader.number("dwell");
     search.deadZone = reader.number("dead_zone");
+    search.steering = reader.number("steering");
     search.unknown = reader.unknown(projectkeys::search);
     return search;
 }
@@ -336,32 +338,6 @@ PostProcessingEntry readPost(const ObjectReader& reader)
 }
 
 } // namespace
-
-Vec3d pointOnGround(const Vec2d& point, UpAxis up)
-{
-    switch (up) {
-    case UpAxis::X:
-        return {0, point.x(), point.y()};
-    case UpAxis::Y:
-        return {point.x(), 0, point.y()};
-    case UpAxis::Z:
-        break;
-    }
-    return {point.x(), point.y(), 0};
-}
-
-Vec2d pointOfFile(const Vec3d& point, UpAxis up)
-{
-    switch (up) {
-    case UpAxis::X:
-        return {point.y(), point.z()};
-    case UpAxis::Y:
-        return {point.x(), point.z()};
-    case UpAxis::Z:
-        break;
-    }
-    return {point.x(), point.y()};
-}
 
 AnimationEntry readAnimation(const ObjectReader& reader, UpAxis up)
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/animationjson.h"
 #include "model/project/framenote.h"
+#include "model/project/groundpoint.h"
 #include "model/project/jsonmembers.h"
 
 namespace quadrille {
@@ -107,6 +108,7 @@ Json toJson(const SearchEntry& search)
         json["style"] = "paper";
     addOptional(json, "dwell", search.dwell);
     addOptional(json, "dead_zone", search.deadZone);
+    addOptional(json, "steering", search.steering);
     addUnknown(json, search.unknown);
     return json;
 }

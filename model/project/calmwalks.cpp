@@ -41,7 +41,7 @@ BuildStep walksStep(const CharacterInputs& work, const EvaluationEntry& evaluati
     AnimationEntry animation;
     animation.character = work.character;
     BuildStep step = evaluationStep(work, evaluation);
-    step.version = 14;
+    step.version = 15;
     step.settings = work.settings + nlohmann::json({project.fps, metres, work.sequences}).dump() +
                     walkSettings(animation, work);
     step.files = [work](const Progress& progress) { return work.files(progress); };
@@ -64,7 +64,7 @@ BuildStep walksStep(const CharacterInputs& work, const EvaluationEntry& evaluati
             const WalkSolution solution =
                 findWalk(material, constraints, searchSettings(animation.search, project.fps),
                          progress.part(part(0), part(0.7)));
-            const ClipPlan plan = animationPlan(animation, graph, solution);
+            const ClipPlan plan = animationPlan(animation, graph, solution, constraints.path);
             const WalkCalmness calm = calmnessOf(plan, solution.walk, material.locomotion, project.fps);
             const AnimationClip made =
                 animationClip(animation, graph, character, plan, {}, progress.part(part(0.7), part(0.9)));

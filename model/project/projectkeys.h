@@ -38,8 +38,8 @@ inline constexpr std::array<std::string_view, 3> obstacle{"centre", "radius", "p
 inline constexpr std::array<std::string_view, 7> action{"kind",   "label",    "sequence",   "range",
                                                         "repeat", "duration", "least_share"};
 inline constexpr std::array<std::string_view, 3> frameChoice{"label", "sequence", "range"};
-inline constexpr std::array<std::string_view, 7> search{"budget", "beta",  "mu",       "global",
-                                                        "style",  "dwell", "dead_zone"};
+inline constexpr std::array<std::string_view, 8> search{"budget", "beta",  "mu",        "global",
+                                                        "style",  "dwell", "dead_zone", "steering"};
 inline constexpr std::array<std::string_view, 4> junctions{"banned", "locked", "chosen", "walk"};
 inline constexpr std::array<std::string_view, 3> walk{"spans", "turn", "at"};
 inline constexpr std::array<std::string_view, 7> post{

@@ -34,12 +34,16 @@ public:
                    "The budget of the search", "expansions");
         constexpr double longestDwell = 60;
         constexpr double widestZone = 100;
+        constexpr double mostSteering = 360;
         if (animation.search.dwell)
             atMost(*animation.search.dwell, longestDwell, place + "/search/dwell", "The time in a take",
                    "seconds");
         if (animation.search.deadZone)
             atMost(*animation.search.deadZone, widestZone, place + "/search/dead_zone", "The dead zone",
                    "metres");
+        if (animation.search.steering)
+            atMost(*animation.search.steering, mostSteering, place + "/search/steering", "The steering",
+                   "degrees a metre");
         constexpr double mostRepeats = 1000;
         atMost(animation.post.steps.repeats, mostRepeats, place + "/post/repeats", "A loop", "repeats");
         if (animation.post.steps.retime)

@@ -194,6 +194,8 @@ private:
             invalid("/search/dwell", "The least time in a take is below zero");
         if (search.deadZone && !(*search.deadZone >= 0))
             invalid("/search/dead_zone", "The dead zone is below zero");
+        if (search.steering && !(*search.steering >= 0))
+            invalid("/search/steering", "The steering is below zero");
     }
 
     void checkJunctions(const std::vector<JunctionEntry>& junctions, const std::string& place)

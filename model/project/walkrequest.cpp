@@ -5,6 +5,7 @@
 #include "model/core/message.h"
 #include "model/project/animate.h"
 #include "model/project/animationjson.h"
+#include "model/project/groundpoint.h"
 #include "model/project/pathcurve.h"
 
 #include <algorithm>
@@ -13,6 +14,14 @@
 namespace quadrille {
 
 namespace {
+
+PathConstraint curveInMetres(const PathEntry& path, double metresPerUnit)
+{
+    PathConstraint constraint{.points = curveOf(path, metresPerUnit), .inSpace = path.inSpace};
+    for (Vec3d& point : constraint.points)
+        point *= metresPerUnit;
+    return constraint;
+}
 
 /// Turns the constraints of one animation into frames, one by one.
 class Request
@@ -87,9 +96,7 @@ private:
     void add(const PathEntry& path)
     {
         const double metres = m_graph.metresPerUnit();
-        PathConstraint constraint{.points = curveOf(path, metres), .inSpace = path.inSpace};
-        for (Vec3d& point : constraint.points)
-            point *= metres;
+        PathConstraint constraint = curveInMetres(path, metres);
         for (const PathSpanEntry& span : path.spans) {
             PathSpan& own = constraint.spans.emplace_back();
             own.from = span.from * metres;
@@ -134,6 +141,14 @@ WalkConstraints walkConstraints(const AnimationEntry& animation, const Character
     return Request(animation, graph).constraints();
 }
 
+std::optional<PathConstraint> pathOf(const AnimationEntry& animation, const CharacterGraph& graph)
+{
+    for (const ConstraintEntry& constraint : animation.constraints)
+        if (const auto* path = std::get_if<PathEntry>(&constraint))
+            return curveInMetres(*path, graph.metresPerUnit());
+    return std::nullopt;
+}
+
 SearchSettings searchSettings(const SearchEntry& entry, double fps)
 {
     SearchSettings settings;
@@ -141,6 +156,10 @@ SearchSettings searchSettings(const SearchEntry& entry, double fps)
         settings = SearchSettings::calm();
         settings.leastRun = static_cast<int>(std::lround(entry.dwell.value_or(usualDwell) * fps));
         settings.charging.deadZone = entry.deadZone.value_or(settings.charging.deadZone);
+        // As much in a second as in a metre and a half, which a brisk walker goes in it.
+        constexpr double briskWalk = 1.5;
+        settings.steering.perMetre = entry.steering.value_or(usualSteering) * std::numbers::pi / 180;
+        settings.steering.perFrame = briskWalk * settings.steering.perMetre / fps;
     }
     settings.beta = entry.beta;
     settings.mu = entry.mu.value_or(settings.mu);

@@ -4,14 +4,19 @@
 
 #include "model/project/charactergraph.h"
 #include "model/synthesis/constraints.h"
+#include "model/synthesis/searchsettings.h"
 
 namespace quadrille {
 
 /// What an animation asks of a walk: its names and seconds turned into frames, its lengths into metres.
 /// \throws Error ProjectInvalid (frames that a sequence does not have, a label that no sequence has).
 WalkConstraints walkConstraints(const AnimationEntry& animation, const CharacterGraph& graph);
+/// The curve of its path alone; nothing where it has none.
+std::optional<PathConstraint> pathOf(const AnimationEntry& animation, const CharacterGraph& graph);
 /// Between two transitions, seconds.
 inline constexpr double usualDwell = 0.5;
+/// Degrees a metre.
+inline constexpr double usualSteering = 30;
 SearchSettings searchSettings(const SearchEntry& entry, double fps);
 
 /// What costs of a walk are counted by.

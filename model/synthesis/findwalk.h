@@ -5,6 +5,7 @@
 #include "model/core/progress.h"
 #include "model/graph/transitioncosts.h"
 #include "model/synthesis/movemotions.h"
+#include "model/synthesis/searchsettings.h"
 #include "model/synthesis/walksolution.h"
 
 #include <functional>

@@ -3,16 +3,13 @@
 #include "model/synthesis/movemotions.h"
 
 #include "model/synthesis/transitionmotion.h"
+#include "model/synthesis/travel.h"
 
 #include <algorithm>
 #include <cmath>
 #include <tbb/parallel_for.h>
 
 namespace quadrille {
-
-namespace {
-constexpr double leastTravel = 0.1; ///< metres that tell a direction
-} // namespace
 
 MoveMotions::MoveMotions(const WalkGraph& graph, const WalkMotion& motion, const PathCourse& course,
                          ShownCharges charges)
@@ -27,6 +24,8 @@ MoveMotions::MoveMotions(const WalkGraph& graph, const WalkMotion& motion, const
         m_arcLengths.push_back(m_points.empty() ? 0 : m_arcLengths.back() + (point - m_points.back()).norm());
         m_points.push_back(point);
     }
+    for (NodeIndex node = 0; node < graph.nodeCount(); ++node)
+        m_headings.push_back(quadrille::headingAt(m_points, graph.layout(), node));
     m_walkable.assign(m_points.size(), 0);
     for (MoveIndex index = 0; index < static_cast<MoveIndex>(graph.moves().size()); ++index) {
         if (graph.move(index).kind == EdgeKind::Original)
@@ -77,6 +76,8 @@ void MoveMotions::compute(MoveIndex index, Motion& motion) const
                                 .destination = frames.destination});
     };
     const Vec3d& begin = point(move.from);
+    motion.begin = begin.head<2>();
+    motion.heading = headingAt(move.to);
     if (move.kind == EdgeKind::Original) {
         append(point(move.to), begin, {move.to, move.to});
         return;
@@ -85,6 +86,7 @@ void MoveMotions::compute(MoveIndex index, Motion& motion) const
     const TransitionMotion moved = transitionMotion(*m_motion.roots, transition, m_motion.blend);
     motion.exit = moved.exit();
     motion.exit.shift *= m_course.metresPerUnit();
+    motion.heading += motion.exit.turn;
     Vec3d before = begin;
     for (std::size_t t = 1; t < moved.steps.size(); ++t) {
         const Vec3d here = m_course.pointOf(moved.steps[t].centre);
@@ -139,30 +141,10 @@ double MoveMotions::unevennessOf(const WalkMove& move, const Motion& motion) con
     return sum;
 }
 
-Vec2d MoveMotions::travelAt(NodeIndex node) const
-{
-    // Half a metre tells a direction; what was captured may have less to show.
-    constexpr double enough = 0.5;
-    const FrameLayout& layout = m_graph.layout();
-    const int sequence = layout.sequenceOf(node);
-    const auto wayTo = [&](NodeIndex step, NodeIndex end) {
-        Vec2d way = Vec2d::Zero();
-        for (NodeIndex other = node; other != end && way.norm() < enough; other += step)
-            way = (point(other + step) - point(node)).head<2>();
-        return way;
-    };
-    Vec2d way = wayTo(1, layout.lastOf(sequence));
-    if (way.norm() >= leastTravel)
-        return way;
-    Vec2d back = -wayTo(-1, layout.firstOf(sequence));
-    return back.norm() > way.norm() ? back : way;
-}
-
 GroundMotion MoveMotions::placedOnStart(NodeIndex node) const
 {
-    const Vec2d way = travelAt(node);
-    const double turn =
-        m_course.directionFrom(0, std::max(way.norm(), leastTravel)) - std::atan2(way.y(), way.x());
+    const double way = travelAt(m_points, m_graph.layout(), node).norm();
+    const double turn = m_course.directionFrom(0, std::max(way, leastTravel)) - headingAt(node);
     return GroundMotion::taking(point(node).head<2>(), m_course.at(0).head<2>(), wrappedAngle(turn));
 }
 

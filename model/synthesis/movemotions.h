@@ -44,9 +44,11 @@ public:
     };
     struct Motion
     {
-        std::vector<Step> steps; ///< as many as frames go by, without the frame that it leaves
-        GroundMotion exit;       ///< places the frame that it comes to as captured
-        double weight = 0;       ///< of a transition beyond that of its move (ShownCharges)
+        std::vector<Step> steps;     ///< as many as frames go by, without the frame that it leaves
+        GroundMotion exit;           ///< places the frame that it comes to as captured
+        double weight = 0;           ///< of a transition beyond that of its move (ShownCharges)
+        Vec2d begin = Vec2d::Zero(); ///< of the frame that it leaves
+        double heading = 0;          ///< of the way at its end, in the coordinates of the steps, radians
         bool isKnown = false;
     };
 
@@ -68,9 +70,8 @@ public:
     /// Metres that can still be walked from a frame: without bounds where a transition leaves it or one
     /// behind it, otherwise to the end of its sequence.
     double walkableFrom(NodeIndex node) const { return m_walkable[static_cast<std::size_t>(node)]; }
-    /// Over the ground from a captured frame to where it leads soon, or from where it came; half a metre
-    /// where there is as much.
-    Vec2d travelAt(NodeIndex node) const;
+    /// See quadrille::headingAt.
+    double headingAt(NodeIndex node) const { return m_headings[static_cast<std::size_t>(node)]; }
     /// Turns and places a frame so that it stands on the beginning of the course and what was captured around
     /// it goes along.
     GroundMotion placedOnStart(NodeIndex node) const;
@@ -87,6 +88,7 @@ private:
     std::vector<Vec3d> m_points;
     std::vector<double> m_arcLengths; ///< from the first frame on
     std::vector<double> m_walkable;
+    std::vector<double> m_headings;
     std::vector<Motion> m_motions;
 };
 

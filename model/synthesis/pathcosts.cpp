@@ -8,8 +8,8 @@
 namespace quadrille {
 
 PathCosts::PathCosts(const PathCourse& course, const std::vector<PathSpan>& spans, NodeIndex nodes,
-                     double beta, const PathCharging& charging)
-    : m_course(course), m_beta(beta), m_charging(charging)
+                     double beta, const PathCharging& charging, const SteeringLimits& steering)
+    : m_course(course), m_beta(beta), m_charging(charging), m_steering(course, steering)
 {
     for (std::size_t i = 0; i < spans.size(); ++i) {
         const PathSpan& span = spans[i];
@@ -73,21 +73,44 @@ bool PathCosts::begin(const MoveMotions& motions, NodeIndex node, PathPlace& pla
     return admit(first, place, charge, failure);
 }
 
+double PathCosts::turnOf(const MoveMotions::Motion& motion, const Eigen::Matrix2d& rotation,
+                         const PathPlace& place) const
+{
+    if (!m_steering.doesTurn())
+        return 0;
+    const MoveMotions::Step& last = motion.steps.back();
+    const auto length = static_cast<double>(last.arcLength);
+    return m_steering.turnOf({.end = rotation * last.point.head<2>().cast<double>() + place.placement.shift,
+                              .heading = place.placement.turn + motion.heading,
+                              .walked = place.walked + length,
+                              .length = length,
+                              .frames = static_cast<double>(motion.steps.size())});
+}
+
 bool PathCosts::follow(const MoveMotions::Motion& motion, const Eigen::Matrix2d& rotation, PathPlace& place,
-                       PathCharge& charge, PathFailure& failure) const
+                       PathCharge& charge, PathFailure& failure, std::vector<Vec3d>* points) const
 {
     const double begun = place.walked;
-    const Vec2d& shift = place.placement.shift;
+    const auto length = static_cast<double>(motion.steps.back().arcLength);
+    const double turn = turnOf(motion, rotation, place);
+    Eigen::Matrix2d turned = rotation;
+    Vec2d shift = place.placement.shift;
+    Vec2d here = turned * motion.begin + shift;
     double before = 0;
     for (const MoveMotions::Step& step : motion.steps) {
-        const auto x = static_cast<double>(step.point.x());
-        const auto y = static_cast<double>(step.point.y());
-        const Vec3d point(rotation(0, 0) * x + rotation(0, 1) * y + shift.x(),
-                          rotation(1, 0) * x + rotation(1, 1) * y + shift.y(),
-                          static_cast<double>(step.point.z()));
+        const auto along = static_cast<double>(step.arcLength);
+        if (turn != 0) {
+            const Eigen::Matrix2d part =
+                Eigen::Rotation2Dd(turn * (along - before) / length).toRotationMatrix();
+            turned = part * turned;
+            shift = here + part * (shift - here);
+        }
+        here = turned * step.point.head<2>().cast<double>() + shift;
+        const Vec3d point(here.x(), here.y(), static_cast<double>(step.point.z()));
+        if (points != nullptr)
+            points->push_back(point);
         // The last frame of a transition is captured, too: only what it shows counts.
         const NodeIndex source = &step == &motion.steps.back() ? step.destination : step.source;
-        const auto along = static_cast<double>(step.arcLength);
         if (!admit({.point = point,
                     .walked = begun + along,
                     .step = along - before,
@@ -98,8 +121,8 @@ bool PathCosts::follow(const MoveMotions::Motion& motion, const Eigen::Matrix2d&
         before = along;
     }
     charge.edges += motion.weight;
-    place.walked = begun + static_cast<double>(motion.steps.back().arcLength);
-    place.placement = {place.placement.turn + motion.exit.turn, rotation * motion.exit.shift + shift};
+    place.walked = begun + length;
+    place.placement = {place.placement.turn + turn + motion.exit.turn, turned * motion.exit.shift + shift};
     return true;
 }
 

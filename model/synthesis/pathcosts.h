@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/synthesis/movemotions.h"
+#include "model/synthesis/pathsteering.h"
 
 #include <optional>
 #include <vector>
@@ -42,14 +43,16 @@ class PathCosts
 {
 public:
     PathCosts(const PathCourse& course, const std::vector<PathSpan>& spans, NodeIndex nodes, double beta,
-              const PathCharging& charging = {});
+              const PathCharging& charging = {}, const SteeringLimits& steering = {});
 
     /// The first frame of a walk. \return whether it may be there.
     bool begin(const MoveMotions& motions, NodeIndex node, PathPlace& place, PathCharge& charge) const;
-    /// Goes on by the frames of a move. \param failure  of the walk that came farthest.
-    /// \param rotation  that of the placement. \return whether all of them may be there.
+    /// Goes on by the frames of a move, turned towards the path (PathSteering).
+    /// \param rotation  that of the placement. \param failure  of the walk that came farthest.
+    /// \param points  receives where its frames are, where somebody asks.
+    /// \return whether all of them may be there.
     bool follow(const MoveMotions::Motion& motion, const Eigen::Matrix2d& rotation, PathPlace& place,
-                PathCharge& charge, PathFailure& failure) const;
+                PathCharge& charge, PathFailure& failure, std::vector<Vec3d>* points = nullptr) const;
     /// What timed spans that the walk has not left cost in the end.
     double timingAtEnd(const PathPlace& place) const;
     double distance(const Vec3d& point, double walked) const { return (point - m_course.at(walked)).norm(); }
@@ -81,6 +84,7 @@ public:
     {
         return static_cast<std::size_t>(place.timed) < m_timed.size();
     }
+    const PathSteering& steering() const { return m_steering; }
     /// Frames that the walk is late in its timed span, if it goes on evenly.
     double lateness(const PathPlace& place) const;
 
@@ -108,11 +112,15 @@ private:
     };
     bool admit(const Shown& frame, PathPlace& place, PathCharge& charge, PathFailure& failure) const;
 
+    double turnOf(const MoveMotions::Motion& motion, const Eigen::Matrix2d& rotation,
+                  const PathPlace& place) const;
+
     const PathCourse& m_course;
     std::vector<Demand> m_demands;
     std::vector<Timed> m_timed; ///< by their beginnings
     double m_beta;
     PathCharging m_charging;
+    PathSteering m_steering;
 };
 
 } // namespace quadrille

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <tbb/parallel_for.h>
 
 namespace quadrille {
@@ -60,10 +62,8 @@ PathOutlook::PathOutlook(const WalkGraph& graph, const PathCourse& course, const
         const double from = std::max(0.0, walked - around);
         m_directions.push_back(course.directionFrom(from, walked + around - from));
     }
-    for (std::size_t frame = 0; frame < m_grid.count(); ++frame) {
-        const Vec2d travel = motions.travelAt(m_grid.frame(frame));
-        m_headings.push_back(std::atan2(travel.y(), travel.x()));
-    }
+    for (std::size_t frame = 0; frame < m_grid.count(); ++frame)
+        m_headings.push_back(motions.headingAt(m_grid.frame(frame)));
     const std::vector<std::vector<Stretch>> stretches = stretchesOf(material);
     m_costsToGo.assign(m_layers * m_grid.count(), Cells::Constant(lost));
     for (std::size_t layer = m_layers; layer-- > 0;) {
@@ -188,13 +188,15 @@ PathOutlook::Passage PathOutlook::passageOf(const Stretch& stretch, const Bend& 
     return passage;
 }
 
-/// \param turn  of the path during the passage. \param toGo  from its end.
-void PathOutlook::keepLeast(const Passage& passage, double turn, const Cells& toGo, Cells& best)
+/// \param turn  of the path during the passage. \param shift  to the left at its end, metres.
+/// \param toGo  from its end.
+void PathOutlook::keepLeast(const Passage& passage, double turn, double shift, const Cells& toGo, Cells& best)
 {
     const auto c = static_cast<float>(std::cos(turn));
     const auto s = static_cast<float>(std::sin(turn));
     for (int side = 0; side < sideCount; ++side) {
-        const Headings sides = c * (passage.left + static_cast<float>(sideOf(side))) - s * passage.along;
+        const Headings sides =
+            c * (passage.left + static_cast<float>(sideOf(side) + shift)) - s * passage.along;
         const Headings parts = (sides.abs() * static_cast<float>(1 / farthest)).min(1.0F).sqrt();
         const Headings positions = static_cast<float>(sidesEach) * (1 + parts * sides.sign());
         for (int heading = 0; heading < headingCount; ++heading) {
@@ -209,6 +211,16 @@ void PathOutlook::keepLeast(const Passage& passage, double turn, const Cells& to
     }
 }
 
+/// By how much a stretch is turned towards the path: not at all, or as far as may be to either side.
+PathOutlook::Turns PathOutlook::turnsOf(const Stretch& stretch) const
+{
+    double frames = 0;
+    for (const Stretch::Sample& sample : stretch.samples)
+        frames += sample.frames;
+    const double most = m_costs.steering().most(stretch.samples.back().walked, frames);
+    return {.angles = {0, -most, most}, .count = most > 0 ? std::size_t{3} : std::size_t{1}};
+}
+
 void PathOutlook::fill(std::size_t layer, std::size_t frame, const std::vector<Stretch>& stretches)
 {
     Cells& best = m_costsToGo[layer * m_grid.count() + frame];
@@ -220,9 +232,17 @@ void PathOutlook::fill(std::size_t layer, std::size_t frame, const std::vector<S
             continue;
         const Bend bend = bendAlong(stretch, walked);
         const double turn = m_headings[stretch.to] + stretch.turn - m_headings[frame] - bend.turn;
-        const Cells toGo = end < m_course.length() ? after(stretch, end, turn) : Cells::Zero();
-        if (static_cast<float>(m_mu * stretch.weight) + toGo.minCoeff() < best.maxCoeff())
-            keepLeast(passageOf(stretch, bend, walked, facing), bend.turn, toGo, best);
+        const Turns turns = turnsOf(stretch);
+        std::optional<Passage> passage;
+        for (const double steered : std::span(turns.angles).first(turns.count)) {
+            const Cells toGo = end < m_course.length() ? after(stretch, end, turn + steered) : Cells::Zero();
+            if (static_cast<float>(m_mu * stretch.weight) + toGo.minCoeff() >= best.maxCoeff())
+                continue;
+            if (!passage)
+                passage = passageOf(stretch, bend, walked, facing);
+            const double shift = steered / 2 * stretch.samples.back().walked;
+            keepLeast(*passage, bend.turn, shift, toGo, best);
+        }
     }
 }
 

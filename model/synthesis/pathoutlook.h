@@ -7,15 +7,16 @@
 #include "model/synthesis/pathstretches.h"
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 namespace quadrille {
 
 /// About what a walk along a path still costs, from anywhere near it: the least cost to the end between
 /// states on a coarse grid of captured frame, way walked, distance to the left of the path and heading
-/// against it, backwards along the path (Bellman's recursion). It knows how each take can turn back, and what
-/// leads into a bend before it comes. Keys, actions and timed spans do not count. It says where to look
-/// first; it is no bound.
+/// against it, backwards along the path (Bellman's recursion). It knows how each take can turn back, how far
+/// the walk may be steered, and what leads into a bend before it comes. Keys, actions and timed spans do not
+/// count. It says where to look first; it is no bound.
 class PathOutlook
 {
 public:
@@ -57,12 +58,20 @@ private:
         double turn = 0;         ///< of the path, radians
     };
 
+    /// Radians, to the left.
+    struct Turns
+    {
+        std::array<double, 3> angles;
+        std::size_t count = 0;
+    };
+
     void fill(std::size_t layer, std::size_t frame, const std::vector<Stretch>& stretches);
+    Turns turnsOf(const Stretch& stretch) const;
     Bend bendAlong(const Stretch& stretch, double walked) const;
     Facing facingAt(std::size_t frame) const;
     Passage passageOf(const Stretch& stretch, const Bend& bend, double walked, const Facing& facing) const;
     void addObstructions(const Stretch& stretch, double walked, double facing, Cells& costs) const;
-    static void keepLeast(const Passage& passage, double turn, const Cells& toGo, Cells& best);
+    static void keepLeast(const Passage& passage, double turn, double shift, const Cells& toGo, Cells& best);
     Cells after(const Stretch& stretch, double end, double turn) const;
     Cells cellsAt(std::size_t frame, double walked) const;
     double directionAt(double walked) const;

@@ -79,14 +79,12 @@ public:
     {
         const MoveMotions::Motion& motion = m_path.motions.of(index);
         const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(m_place.placement.turn).toRotationMatrix();
-        for (const MoveMotions::Step& step : motion.steps) {
-            const Vec3d point = step.point.cast<double>();
-            const Vec2d ground = rotation * point.head<2>() + m_place.placement.shift;
-            add({ground.x(), ground.y(), point.z()}, m_place.walked + static_cast<double>(step.arcLength),
-                ++time);
-        }
+        const double begun = m_place.walked;
         PathFailure failure;
-        m_path.costs.follow(motion, rotation, m_place, m_charge, failure);
+        std::vector<Vec3d> points;
+        m_path.costs.follow(motion, rotation, m_place, m_charge, failure, &points);
+        for (std::size_t s = 0; s < points.size(); ++s)
+            add(points[s], begun + static_cast<double>(motion.steps[s].arcLength), ++time);
     }
 
     void end()

@@ -69,7 +69,8 @@ WalkTask::WalkTask(const WalkMaterial& walkMaterial, const WalkConstraints& aske
 
 WalkCourse::Along::Along(const WalkTask& task, const ConstraintAutomaton& automaton)
     : course(*task.constraints.path, task.material.motion.roots->up, task.material.motion.metresPerUnit)
-    , costs(course, task.constraints.path->spans, task.graph.nodeCount(), task.beta, task.settings.charging)
+    , costs(course, task.constraints.path->spans, task.graph.nodeCount(), task.beta, task.settings.charging,
+            task.settings.steering)
     , motions(task.graph, task.material.motion, course,
               {.uneven = task.settings.unevenWeight * task.material.alpha, .frames = task.frameWeights})
     , problem{.graph = task.graph,

@@ -8,6 +8,7 @@
 
 #include <benchmark/benchmark.h>
 #include <chrono>
+#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -91,6 +92,7 @@ WalkMaterial materialOf(const RealCharacter& character, const WarpPaths& warps)
 }
 
 /// The product's search: when its first walk was there, and what it had after two seconds and in the end.
+/// The last argument is how far walks are steered, degrees a metre.
 void path(benchmark::State& state)
 {
     const RealCharacter* character = test::realCharacter();
@@ -102,21 +104,24 @@ void path(benchmark::State& state)
     const WalkMaterial material = materialOf(*character, warps);
     const auto& [label, from, to] = demands[static_cast<std::size_t>(state.range(0))];
     const WalkConstraints constraints = sCurve(*character, label, from, to);
+    const double perMetre = static_cast<double>(state.range(2)) * std::numbers::pi / 180;
+    const SearchSettings settings{.budget = state.range(1),
+                                  .steering = {.perMetre = perMetre, .perFrame = 0.05 * perMetre}};
     for (auto _ : state) {
         const Clock::time_point begin = Clock::now();
         double first = 0;
         double firstCost = 0;
         double soon = 0;
-        const WalkSolution best = findWalk(material, constraints, {.budget = state.range(1)}, {},
-                                           [&](const WalkSolution& solution) {
-                                               const double seconds = secondsSince(begin);
-                                               if (first == 0) {
-                                                   first = seconds;
-                                                   firstCost = solution.totalCost;
-                                               }
-                                               if (seconds < 2)
-                                                   soon = solution.totalCost;
-                                           });
+        const WalkSolution best =
+            findWalk(material, constraints, settings, {}, [&](const WalkSolution& solution) {
+                const double seconds = secondsSince(begin);
+                if (first == 0) {
+                    first = seconds;
+                    firstCost = solution.totalCost;
+                }
+                if (seconds < 2)
+                    soon = solution.totalCost;
+            });
         state.counters["first_s"] = first;
         state.counters["first_cost"] = firstCost;
         state.counters["cost_at_2s"] = soon;
@@ -186,7 +191,10 @@ void incremental(benchmark::State& state)
 
 } // namespace
 
-BENCHMARK(path)->ArgsProduct({{0, 1, 2}, {60'000, 400'000}})->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(path)
+    ->ArgsProduct({{0, 1, 2}, {60'000, 400'000}, {0, 30}})
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(ban)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(incremental)->ArgsProduct({{0, 1, 2}, {2, 20}})->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(keys)->ArgsProduct({{1, 2}, {0, 1}, {1, 3, 10}})->Unit(benchmark::kMillisecond);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/pathentries.h"
 
-#include "model/project/animationjson.h"
+#include "model/project/groundpoint.h"
 #include "model/project/pathcurve.h"
 #include "model/synthesis/pathcourse.h"
 #include "widgets/viewport/pathgeometry.h"

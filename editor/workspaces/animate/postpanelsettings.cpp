@@ -4,7 +4,7 @@
 #include "editor/fields/settingform.h"
 #include "editor/workspaces/animate/postpanel.h"
 #include "model/project/walkrequest.h"
-#include "model/synthesis/constraints.h"
+#include "model/synthesis/searchsettings.h"
 
 namespace quadrille {
 
@@ -61,6 +61,18 @@ void PostPanel::addSearch()
          .decimals = 2,
          .unit = [] { return tr(" m"); },
          .automatic = [zone = usual.charging.deadZone] { return tr("usual (%L1 m)", "metres").arg(zone); }});
+    addNumber({"searchSteering", [] { return tr("Steering"); },
+               [] {
+                   return tr("How far a calm walk turns towards its path at most, beyond what was captured; "
+                             "0: not at all");
+               },
+               [](const AnimationEntry& entry) { return entry.search.steering; },
+               [](AnimationEntry& entry, std::optional<double> value) { entry.search.steering = value; }},
+              {.highest = 360,
+               .step = 5,
+               .decimals = 1,
+               .unit = [] { return tr("°/m"); },
+               .automatic = [] { return tr("usual (%L1°/m)", "degrees a metre").arg(usualSteering); }});
     addNumber(
         {"searchBudget", [] { return tr("Budget"); },
          [] {

@@ -26,7 +26,7 @@ MeshSequence blend(const OpenedCharacter& character, const FramePair& transition
     const NodeIndex last =
         std::min(transition.destination + around, layout.lastOf(layout.sequenceOf(transition.destination)));
     const Walk walk{{{first, transition.source}, {transition.destination, last}}};
-    const ClipPlan plan = animationPlan(entry, character.graph, {.walk = walk});
+    const ClipPlan plan = animationPlan(entry, character.graph, {.walk = walk}, {});
     return toSequence({}, makeClip(character.frames, plan, entry.interpolation, progress), character.frames);
 }
 

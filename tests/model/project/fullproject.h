@@ -44,7 +44,8 @@ inline AnimationEntry fullAnimation()
                         .globalKeys = true,
                         .isPaper = true,
                         .dwell = 0.7,
-                        .deadZone = 0.02};
+                        .deadZone = 0.02,
+                        .steering = 12};
     const NamedFrame from{"talk", FrameIndex(4)};
     const NamedFrame to{"talk", FrameIndex(30)};
     animation.junctions = {.banned = {{from, to}},

@@ -118,6 +118,7 @@ Project effective(const Json& document)
         search.mu = settings.mu;
         search.dwell = settings.leastRun / fps;
         search.deadZone = settings.charging.deadZone;
+        search.steering = std::round(settings.steering.perMetre * 180 / std::numbers::pi * 1e9) / 1e9;
     }
     for (ExportEntry& entry : project.exports)
         entry.picture = pictureToJson(pictureFromJson(entry.picture, "", problems));

@@ -41,10 +41,11 @@ struct Seen
     MoveMotions motions;
     PathOutlook outlook;
 
-    Seen(const WalkWorld& world, const PathConstraint& path, const Junctions& junctions = {})
+    Seen(const WalkWorld& world, const PathConstraint& path, const Junctions& junctions = {},
+         const SteeringLimits& steering = {})
         : graph(world.graph, world.costs, WalkWorld::alpha, junctions)
         , course(path, UpAxis::Z)
-        , costs(course, path.spans, graph.nodeCount(), 0.1)
+        , costs(course, path.spans, graph.nodeCount(), 0.1, {}, steering)
         , motion(world.material().motion)
         , motions(graph, motion, course)
         , outlook(graph, course, costs, motions, mu, 0)
@@ -108,6 +109,22 @@ TEST(PathOutlook, KnowsWhatLeadsIntoABend)
     // Where nothing bends the take that does is no help.
     const double forth = Seen(world, straight(5)).costFrom(first);
     EXPECT_NEAR(forth, Seen(world, straight(5), without).costFrom(first), 0.1 * forth);
+}
+
+TEST(PathOutlook, KnowsHowFarAWalkIsSteered)
+{
+    // Only a take that goes straight on, and a path that bends by 0.57 radians a metre.
+    const WalkWorld world({.seed = 1, .counts = {20, 20, 200}, .missing = 1, .shortest = 4});
+    const NodeIndex first = world.costs.layout().firstOf(2);
+    const auto costWith = [&](double perMetre) {
+        return Seen(world, bending(5), {}, {.perMetre = perMetre, .perFrame = 1}).costFrom(first);
+    };
+    EXPECT_LT(costWith(0.7), 0.2 * costWith(0));
+    EXPECT_LT(costWith(0.3), costWith(0));
+    EXPECT_NEAR(costWith(0), Seen(world, bending(5)).costFrom(first), 1e-9);
+    const double straightOn = Seen(world, straight(5)).costFrom(first);
+    EXPECT_NEAR(Seen(world, straight(5), {}, {.perMetre = 0.7, .perFrame = 1}).costFrom(first), straightOn,
+                0.1 * straightOn);
 }
 
 TEST(PathOutlook, SeesWhatIsInTheWay)
