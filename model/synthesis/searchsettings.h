@@ -56,7 +56,7 @@ struct SearchSettings
     /// Captured frames of locomotion cost nothing along a path, and others `strayWeight` times α each, in
     /// transitions as far as they show; otherwise each costs α, as in the paper, and in transitions nothing.
     bool prefersLocomotion = false;
-    double strayWeight = 1000;
+    double strayWeight = 3000;
     /// What a transition costs more, times α, that goes from the ground into flight or out of flight onto the
     /// ground, where keys alone are asked for; 0 as in the paper. So a jump begins with its take-off and ends
     /// with its landing.
