@@ -77,7 +77,7 @@ ClipPlan steeredPlan(ClipPlan plan, const RootPoses& roots, const FrameLayout& l
                      const PathCourse& course, const SteeringLimits& limits)
 {
     assert(!plan.frames.empty());
-    if (!PathSteering(course, limits).doesTurn())
+    if (course.length() <= 0 || !PathSteering(course, limits).doesTurn())
         return plan;
     std::vector<Vec3d> points;
     points.reserve(roots.centres.size());

@@ -131,4 +131,11 @@ TEST(PathSteering, LeavesAPlanAloneWithoutLimits)
     EXPECT_NEAR(meanDeviation(same, course), solution.meanDeviation, 1e-5);
     for (std::size_t f = 0; f < plain.frames.size(); ++f)
         EXPECT_EQ(same.frames[f].placeDestination, plain.frames[f].placeDestination);
+    // A path of which a walk that is given has none or one of the points.
+    for (const std::vector<Vec3d>& points : {std::vector<Vec3d>(), {{1, 1, 0}}, {{1, 1, 0}, {1, 1, 0}}}) {
+        const PathCourse none({.points = points}, UpAxis::Z);
+        const ClipPlan left = steeredPlan(plain, world.roots, world.costs.layout(), none,
+                                          {.perMetre = 0.5, .perFrame = unbounded});
+        EXPECT_EQ(left.frames.back().placeSource, plain.frames.back().placeSource) << points.size();
+    }
 }
