@@ -179,30 +179,16 @@ Walk walkOf(const Result& result, const CharacterGraph& graph)
     return walk;
 }
 
-/// All of an animation that its clip depends on beside its walk, as text: its path steers it.
-std::string clipSettings(const AnimationEntry& animation, UpAxis up)
-{
-    AnimationEntry made{.interpolation = animation.interpolation,
-                        .gentleBlend = animation.gentleBlend,
-                        .post = animation.post};
-    for (const ConstraintEntry& constraint : animation.constraints) {
-        const auto* path = std::get_if<PathEntry>(&constraint);
-        if (path == nullptr || animation.search.isPaper)
-            continue;
-        made.constraints.emplace_back(
-            PathEntry{.curve = path->curve, .inSpace = path->inSpace, .points = path->points});
-        made.search.steering = animation.search.steering;
-    }
-    return animationSettings(made, up);
-}
-
 BuildStep clipStep(const CharacterInputs& work, const AnimationEntry& animation, const BuildStep& walk)
 {
     BuildStep step;
     step.name = clipStepOf("animations/" + animation.name);
     step.version = 8;
     step.dataPrefix = walk.dataPrefix;
-    step.settings = work.settings + clipSettings(animation, work.opener->project().settings.axes.up);
+    const AnimationEntry made{.interpolation = animation.interpolation,
+                              .gentleBlend = animation.gentleBlend,
+                              .post = animation.post};
+    step.settings = work.settings + animationSettings(made, work.opener->project().settings.axes.up);
     step.inputs = CharacterGraph::inputs(work);
     step.inputs.push_back(walk.name);
     const std::vector<std::string> drawn = clipsDrawnFrom(work.opener->project(), animation);
