@@ -4,6 +4,7 @@
 
 #include "editor/commands/entryaccess.h"
 #include "editor/commands/projectcommand.h"
+#include "model/project/fields/entrymemory.h"
 
 #include <utility>
 

@@ -3,29 +3,9 @@
 #include "editor/commands/changeproject.h"
 
 #include "editor/commands/entryaccess.h"
+#include "model/project/fields/entrymemory.h"
 
 namespace quadrille {
-
-namespace {
-
-std::size_t memoryOfAll(const Project& project)
-{
-    std::size_t bytes = memoryOf(project.graphs) + memoryOf(project.bodyParts);
-    const auto add = [&](const auto& entries) {
-        for (const auto& entry : entries)
-            bytes += memoryOf(entry);
-    };
-    add(project.characters);
-    add(project.sequences);
-    add(project.animations);
-    add(project.variations);
-    add(project.exports);
-    if (!project.unknown.is_null())
-        bytes += project.unknown.dump(-1, ' ', false, UnknownKeys::error_handler_t::replace).size() * 2;
-    return bytes + project.evaluations.size() * sizeof(EvaluationEntry);
-}
-
-} // namespace
 
 ChangeProject::ChangeProject(ProjectDocument& document, const QString& text, Project after,
                              std::optional<std::pair<EntryRef, QString>> renamed)
@@ -58,7 +38,7 @@ void ChangeProject::undo()
 
 std::size_t ChangeProject::bytes() const
 {
-    return sizeof(*this) + memoryOfAll(m_before) + memoryOfAll(m_after);
+    return sizeof(*this) + memoryOf(m_before) + memoryOf(m_after);
 }
 
 void ChangeProject::show(const Project& project, std::vector<ChangeEvent> events)

@@ -67,14 +67,4 @@ auto& entryOf(ProjectType& project, const QString& name)
     }
 }
 
-/// Rough memory of an entry, for the budget of the history.
-std::size_t memoryOf(const ProjectSettings& settings);
-std::size_t memoryOf(const CharacterEntry& character);
-std::size_t memoryOf(const SequenceEntry& sequence);
-std::size_t memoryOf(const std::vector<GraphEntry>& graphs);
-std::size_t memoryOf(const AnimationEntry& animation);
-std::size_t memoryOf(const std::vector<BodyPartsEntry>& bodies);
-std::size_t memoryOf(const VariationEntry& variation);
-std::size_t memoryOf(const ExportEntry& entry);
-
 } // namespace quadrille

@@ -3,6 +3,7 @@
 #include "editor/commands/insertpart.h"
 
 #include "editor/commands/entryaccess.h"
+#include "model/project/fields/entrymemory.h"
 
 namespace quadrille {
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/commands/relinkmedia.h"
 
-#include "editor/commands/entryaccess.h"
+#include "model/project/fields/entrymemory.h"
+#include "model/project/fields/entrypaths.h"
 
 #include <algorithm>
 
@@ -12,26 +13,15 @@ RelinkMedia::RelinkMedia(ProjectDocument& document, const QString& text,
                          const std::vector<std::pair<std::string, std::string>>& newPaths)
     : ProjectCommand(document, text)
     , m_before{document.project().characters, document.project().sequences, document.project().animations}
-    , m_after(m_before)
 {
-    const auto replace = [&](std::string& path) {
-        const auto found = std::ranges::find(newPaths, path, &std::pair<std::string, std::string>::first);
-        if (found != newPaths.end())
-            path = found->second;
-    };
-    for (CharacterEntry& character : m_after.characters) {
-        replace(character.mesh);
-        std::ranges::for_each(character.texture.paths, replace);
-    }
-    for (SequenceEntry& sequence : m_after.sequences) {
-        replace(sequence.source);
-        replace(sequence.jointAngles);
-        std::ranges::for_each(sequence.texture.paths, replace);
-    }
-    for (AnimationEntry& animation : m_after.animations) {
-        if (animation.audio)
-            replace(animation.audio->file);
-    }
+    Project project = document.project();
+    forEachPath(project, [&](const StoredPath& stored) {
+        const auto found =
+            std::ranges::find(newPaths, stored.path, &std::pair<std::string, std::string>::first);
+        if (found != newPaths.end() && !stored.isOutput)
+            stored.path = found->second;
+    });
+    m_after = {std::move(project.characters), std::move(project.sequences), std::move(project.animations)};
 }
 
 void RelinkMedia::undo()
@@ -45,14 +35,8 @@ void RelinkMedia::undo()
 std::size_t RelinkMedia::bytes() const
 {
     std::size_t sum = sizeof(*this);
-    for (const Entries* entries : {&m_before, &m_after}) {
-        for (const CharacterEntry& character : entries->characters)
-            sum += memoryOf(character);
-        for (const SequenceEntry& sequence : entries->sequences)
-            sum += memoryOf(sequence);
-        for (const AnimationEntry& animation : entries->animations)
-            sum += memoryOf(animation);
-    }
+    for (const Entries* entries : {&m_before, &m_after})
+        sum += memoryOf(entries->characters) + memoryOf(entries->sequences) + memoryOf(entries->animations);
     return sum;
 }
 

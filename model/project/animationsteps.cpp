@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/animate.h"
-#include "model/project/animationjson.h"
 #include "model/project/clippost.h"
 #include "model/project/clipresult.h"
+#include "model/project/fields/writefields.h"
 #include "model/project/lengthunit.h"
 #include "model/project/madeclips.h"
 #include "model/project/tablebuilder.h"

@@ -7,14 +7,6 @@
 
 namespace quadrille {
 
-namespace {
-
-/// In Project::unknown; no key of a file, which has no such character.
-constexpr auto brokenKey = "\x01"
-                           "broken";
-
-} // namespace
-
 std::string BrokenEntry::name() const
 {
     for (const char* key : {"name", "character", "table"}) {
@@ -36,9 +28,9 @@ std::string BrokenEntry::title() const
 std::vector<BrokenEntry> brokenEntries(const Project& project)
 {
     std::vector<BrokenEntry> entries;
-    if (!project.unknown.is_object() || !project.unknown.contains(brokenKey))
+    if (!project.unknown.is_object() || !project.unknown.contains(brokenEntriesKey))
         return entries;
-    for (const UnknownKeys& kept : project.unknown[brokenKey]) {
+    for (const UnknownKeys& kept : project.unknown[brokenEntriesKey]) {
         BrokenEntry entry{kept["section"].get<std::string>(), {}, kept["json"], {}};
         if (kept.contains("place"))
             entry.place = kept["place"].get<std::size_t>();
@@ -76,7 +68,7 @@ void setBrokenEntries(Project& project, const std::vector<BrokenEntry>& entries)
         UnknownKeys kept{{"section", entry.section}, {"json", entry.json}, {"problem", std::move(problem)}};
         if (entry.place)
             kept["place"] = *entry.place;
-        project.unknown[brokenKey].push_back(std::move(kept));
+        project.unknown[brokenEntriesKey].push_back(std::move(kept));
     }
 }
 
@@ -84,7 +76,7 @@ UnknownKeys unknownKeys(const Project& project)
 {
     UnknownKeys keys = project.unknown;
     if (keys.is_object())
-        keys.erase(brokenKey);
+        keys.erase(brokenEntriesKey);
     return keys.empty() ? UnknownKeys() : keys;
 }
 

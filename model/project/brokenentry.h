@@ -11,6 +11,10 @@
 
 namespace quadrille {
 
+/// Where they are kept in Project::unknown; no key of a file, which has no such character.
+inline constexpr auto brokenEntriesKey = "\x01"
+                                         "broken";
+
 /// A part of a project file that cannot be used, kept as it stands in the file and written back unchanged.
 struct BrokenEntry
 {

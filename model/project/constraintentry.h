@@ -22,6 +22,7 @@ struct FrameChoice
     std::string sequence;
     std::optional<FrameRange> range; ///< of the sequence
 
+    bool saysNothing() const { return *this == FrameChoice(); }
     bool operator==(const FrameChoice&) const = default;
 };
 
@@ -46,6 +47,7 @@ struct PathSpanEntry
     std::optional<double> duration;    ///< seconds
     UnknownKeys unknown;
 
+    bool saysNothing() const { return !frames && !duration; }
     bool operator==(const PathSpanEntry&) const = default;
 };
 

@@ -27,6 +27,8 @@ struct EvaluationEntry
     std::int64_t seed = 1; ///< of what is drawn
     nlohmann::ordered_json unknown;
 
+    /// Whether it is of two sequences, of which neither serves without the other.
+    bool needsAllSequences() const { return table != "table2"; }
     bool operator==(const EvaluationEntry&) const = default;
 };
 

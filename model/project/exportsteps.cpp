@@ -3,10 +3,10 @@
 #include "model/project/exportsteps.h"
 
 #include "model/core/contenthash.h"
-#include "model/project/animationjson.h"
 #include "model/project/buildstep.h"
 #include "model/project/exportclaims.h"
 #include "model/project/exportentry.h"
+#include "model/project/fields/writefields.h"
 #include "model/project/paths.h"
 #include "model/project/projectguard.h"
 #include "model/project/projectjson.h"
@@ -53,7 +53,7 @@ void addSoundAndCamera(BuildStep& step, const SequenceOpener& opener, const Expo
         return; // of a format that is not known: the step says so when it computes
     }
     if (beside != AnimationEntry())
-        step.settings += animationToJson(beside, project.settings.axes.up).dump();
+        step.settings += writeFields(beside, project.settings.axes.up).dump();
 }
 
 BuildStep exportStep(const std::shared_ptr<SequenceOpener>& opener, const ExportEntry& entry,

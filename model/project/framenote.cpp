@@ -3,7 +3,6 @@
 #include "model/project/framenote.h"
 
 #include "model/project/jsonmembers.h"
-#include "model/project/projectkeys.h"
 
 #include <algorithm>
 
@@ -63,7 +62,7 @@ void readNotes(const ObjectReader& reader, UnknownKeys& entry)
         note.frame = FrameIndex(own.wholeNumber("frame").value_or(0));
         if (note.frame.value < 0)
             own.invalid(own.pointer("frame"), "The frame of a note is below zero", "Count frames from 0.");
-        note.unknown = own.unknown(projectkeys::note);
+        note.unknown = own.unknown({"frame", "text"});
         notes.push_back(std::move(note));
     });
     setNotes(entry, std::move(notes));

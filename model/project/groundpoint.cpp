@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/groundpoint.h"
 
+#include <algorithm>
+
 namespace quadrille {
 
 Vec3d pointOnGround(const Vec2d& point, UpAxis up)
@@ -28,6 +30,13 @@ Vec2d pointOfFile(const Vec3d& point, UpAxis up)
         break;
     }
     return {point.x(), point.y()};
+}
+
+double farthestPlace(double metresPerUnit)
+{
+    constexpr double metres = 10'000;
+    constexpr double units = 1e7; // 10 km in millimetres
+    return std::min(metres / metresPerUnit, units);
 }
 
 } // namespace quadrille

@@ -11,4 +11,8 @@ namespace quadrille {
 Vec3d pointOnGround(const Vec2d& point, UpAxis up);
 Vec2d pointOfFile(const Vec3d& point, UpAxis up);
 
+/// The greatest coordinate or length of a path, in the project's unit: 10 km, and no more than what the
+/// schema, which knows no unit, allows.
+double farthestPlace(double metresPerUnit);
+
 } // namespace quadrille

@@ -14,16 +14,10 @@ void addUnknown(Json& json, const UnknownKeys& unknown)
     }
 }
 
-void addText(Json& json, const char* key, const std::string& text)
+void addText(Json& json, const std::string& key, const std::string& text)
 {
     if (!text.empty())
         json[key] = text;
-}
-
-void addFilled(Json& json, const char* key, Json member)
-{
-    if (!member.empty())
-        json[key] = std::move(member);
 }
 
 Json rangeToJson(FrameRange range)
@@ -31,7 +25,7 @@ Json rangeToJson(FrameRange range)
     return Json::array({range.first.value, range.last.value});
 }
 
-void addRange(Json& json, const char* key, const std::optional<FrameRange>& range)
+void addRange(Json& json, const std::string& key, const std::optional<FrameRange>& range)
 {
     if (range)
         json[key] = rangeToJson(*range);

@@ -14,25 +14,25 @@ namespace quadrille {
 /// Adds members that an object does not have yet.
 void addUnknown(Json& json, const UnknownKeys& unknown);
 /// Adds a text unless it is empty.
-void addText(Json& json, const char* key, const std::string& text);
+void addText(Json& json, const std::string& key, const std::string& text);
 /// Adds a member unless it is as usual.
 template <typename Value>
-void addUnless(Json& json, const char* key, const Value& value, const std::type_identity_t<Value>& usual)
+void addUnless(Json& json, const std::string& key, const Value& value,
+               const std::type_identity_t<Value>& usual)
 {
     if (value != usual)
         json[key] = value;
 }
 /// Adds a member where there is one.
 template <typename Value>
-void addOptional(Json& json, const char* key, const std::optional<Value>& value)
+void addOptional(Json& json, const std::string& key, const std::optional<Value>& value)
 {
     if (value)
         json[key] = *value;
 }
-/// Adds an object or a list unless it is empty.
-void addFilled(Json& json, const char* key, Json member);
+
 /// [first, last]
 Json rangeToJson(FrameRange range);
-void addRange(Json& json, const char* key, const std::optional<FrameRange>& range);
+void addRange(Json& json, const std::string& key, const std::optional<FrameRange>& range);
 
 } // namespace quadrille

@@ -4,8 +4,10 @@
 
 #include "model/core/error.h"
 #include "model/project/buildstep.h"
+#include "model/project/fields/entrypaths.h"
 #include "model/project/paths.h"
 
+#include <functional>
 #include <map>
 #include <set>
 
@@ -15,36 +17,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Calls `visit(path, owner, pointer)` with every media path of a project; paths may be changed.
-template <typename ProjectType, typename Visit>
-void visitMedia(ProjectType& project, const Visit& visit)
+/// Calls a function with every media path of a project; paths may be changed.
+void forEachMedium(Project& project, const std::function<void(const StoredPath&)>& visit)
 {
-    const auto visitTexture = [&](auto& texture, const std::string& owner, const std::string& pointer) {
-        for (auto& path : texture.paths)
-            visit(path, owner, pointer + "/texture");
-    };
-    for (std::size_t i = 0; i < project.characters.size(); ++i) {
-        auto& character = project.characters[i];
-        const std::string owner = "characters/" + character.name;
-        const std::string pointer = "/characters/" + std::to_string(i);
-        visit(character.mesh, owner, pointer + "/mesh");
-        visitTexture(character.texture, owner, pointer);
-    }
-    for (std::size_t i = 0; i < project.sequences.size(); ++i) {
-        auto& sequence = project.sequences[i];
-        const std::string owner = "sequences/" + sequence.name;
-        const std::string pointer = "/sequences/" + std::to_string(i);
-        if (!clipOfSource(sequence.source))
-            visit(sequence.source, owner, pointer + "/source");
-        visitTexture(sequence.texture, owner, pointer);
-        visit(sequence.jointAngles, owner, pointer + "/joint_angles");
-    }
-    for (std::size_t i = 0; i < project.animations.size(); ++i) {
-        auto& animation = project.animations[i];
-        if (animation.audio)
-            visit(animation.audio->file, "animations/" + animation.name,
-                  "/animations/" + std::to_string(i) + "/audio/file");
-    }
+    forEachPath(project, [&](const StoredPath& stored) {
+        if (!stored.isOutput)
+            visit(stored);
+    });
 }
 
 } // namespace
@@ -52,11 +31,12 @@ void visitMedia(ProjectType& project, const Visit& visit)
 std::vector<MediaUse> mediaOf(const Project& project, const fs::path& folder)
 {
     std::vector<MediaUse> media;
-    visitMedia(project, [&](const std::string& path, const std::string& owner, const std::string& pointer) {
-        if (path.empty())
+    Project named = project;
+    forEachMedium(named, [&](const StoredPath& stored) {
+        if (stored.path.empty())
             return;
-        const fs::path file = resolvePath(path, folder);
-        media.push_back({owner, pointer, path, file, mediumExists(file)});
+        const fs::path file = resolvePath(stored.path, folder);
+        media.push_back({stored.owner, stored.pointer, stored.path, file, mediumExists(file)});
     });
     return media;
 }
@@ -117,9 +97,9 @@ RelinkReport relinkMedia(Project& project, const fs::path& projectFolder, const 
         if (found.isAmbiguous)
             report.ambiguous.push_back(found.path);
     }
-    visitMedia(project, [&](std::string& path, const std::string&, const std::string&) {
-        if (const auto move = moves.find(path); move != moves.end())
-            path = move->second;
+    forEachMedium(project, [&](const StoredPath& stored) {
+        if (const auto move = moves.find(stored.path); move != moves.end())
+            stored.path = move->second;
     });
     return report;
 }

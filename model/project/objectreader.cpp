@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/objectreader.h"
 
-#include "model/project/lengthunit.h"
-#include "model/project/projectkeys.h"
+#include "model/project/validationtexts.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace quadrille {
 
@@ -125,39 +125,59 @@ std::optional<std::vector<double>> ObjectReader::numbers(std::string_view key, s
     return std::nullopt;
 }
 
-std::optional<UpAxis> ObjectReader::upAxis(std::string_view key) const
+std::vector<int> ObjectReader::wholeNumbers(std::string_view key) const
 {
-    if (find(key) == nullptr)
-        return std::nullopt;
-    const auto axis = upAxisFromString(text(key));
-    if (!axis && find(key)->is_string())
-        wrongType(key, "\"x\", \"y\" or \"z\"");
-    return axis;
-}
-
-std::optional<double> ObjectReader::unit(std::string_view key) const
-{
-    const Json* value = find(key);
-    if (value == nullptr)
-        return std::nullopt;
-    if (value->is_number() && value->get<double>() > 0 && std::isfinite(value->get<double>()))
-        return value->get<double>();
-    if (value->is_string()) {
-        if (const auto metres = metresPerUnit(value->get<std::string>()))
-            return metres;
+    constexpr auto expected = "a list of whole numbers from zero";
+    std::vector<int> whole;
+    for (const double number : numbers(key, 0, expected).value_or(std::vector<double>{})) {
+        if (number < 0 || number != std::floor(number) || number > std::numeric_limits<int>::max()) {
+            wrongType(key, expected);
+            return {};
+        }
+        whole.push_back(static_cast<int>(number));
     }
-    wrongType(key, "\"m\", \"cm\", \"mm\", \"km\", \"in\", \"ft\" or the metres that one unit has");
-    return std::nullopt;
+    return whole;
 }
 
-std::optional<CoordinateSystem> ObjectReader::axes(std::string_view upKey, std::string_view unitKey,
-                                                   const CoordinateSystem& fallback) const
+std::vector<std::string> ObjectReader::texts(std::string_view key, const char* expected) const
 {
-    const auto up = upAxis(upKey);
-    const auto metres = unit(unitKey);
-    if (!up && !metres)
-        return std::nullopt;
-    return CoordinateSystem{up.value_or(fallback.up), metres.value_or(fallback.metresPerUnit)};
+    std::vector<std::string> all;
+    each(key, [&](const Json& text, const std::string& pointer) {
+        if (text.is_string())
+            all.push_back(text.get<std::string>());
+        else
+            invalid(pointer, expected);
+    });
+    return all;
+}
+
+std::optional<FrameChoice> ObjectReader::choice() const
+{
+    FrameChoice choice{.label = text("label"), .sequence = text("sequence"), .range = range("range")};
+    if (!choice.label.empty() && !choice.sequence.empty())
+        invalid(pointer("sequence"), "“label” and “sequence” stand together here", "Keep one of them.");
+    if (choice.range && choice.sequence.empty())
+        invalid(pointer("range"), "The range belongs to no sequence", "Name the “sequence”.");
+    return choice.saysNothing() ? std::nullopt : std::optional(choice);
+}
+
+std::vector<JunctionEntry> ObjectReader::junctions(std::string_view key) const
+{
+    const auto isFrame = [](const Json& json) {
+        return json.is_array() && json.size() == 2 && json[0].is_string() && json[1].is_number_integer();
+    };
+    const auto frameOf = [](const Json& json) {
+        return NamedFrame{json[0].get<std::string>(), FrameIndex(json[1].get<std::int64_t>())};
+    };
+    std::vector<JunctionEntry> junctions;
+    each(key, [&](const Json& json, const std::string& pointer) {
+        if (json.is_array() && json.size() == 2 && isFrame(json[0]) && isFrame(json[1]))
+            junctions.push_back({frameOf(json[0]), frameOf(json[1])});
+        else
+            invalid(pointer, "A junction is expected here",
+                    "Write [[\"SEQUENCE\", FRAME], [\"SEQUENCE\", FRAME]].");
+    });
+    return junctions;
 }
 
 UnknownKeys ObjectReader::unknown(Keys known) const
@@ -180,7 +200,7 @@ std::optional<ProjectProblem> warningOfUnknown(const Json& json, const std::stri
 {
     if (key.starts_with('_'))
         return std::nullopt;
-    const auto meant = projectkeys::closestWord(key, known);
+    const auto meant = closestWord(key, known);
     const bool isMisspelt = meant && !json.contains(*meant);
     auto warning =
         warningAt(std::move(pointer), "The key “" + key + "” is not known here and has no effect",

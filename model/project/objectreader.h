@@ -21,6 +21,7 @@ public:
 
     ObjectReader(const Json& json, std::string pointer, ProjectProblems& problems);
 
+    bool isObject() const { return m_json.is_object(); }
     /// A member; null where there is none.
     const Json* find(std::string_view key) const;
     const std::string& pointer() const { return m_pointer; }
@@ -41,11 +42,14 @@ public:
     /// As many numbers as `count`; any number of them where it is zero. \param expected  for the problem.
     std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count,
                                                const std::string& expected) const;
-    std::optional<UpAxis> upAxis(std::string_view key) const;
-    std::optional<double> unit(std::string_view key) const;
-    /// Both keys are optional; what is not given is as in `otherwise`.
-    std::optional<CoordinateSystem> axes(std::string_view upKey, std::string_view unitKey,
-                                         const CoordinateSystem& fallback) const;
+    /// A list of whole numbers from zero; empty where one is none.
+    std::vector<int> wholeNumbers(std::string_view key) const;
+    /// \param expected  what an item must be, a sentence.
+    std::vector<std::string> texts(std::string_view key, const char* expected) const;
+    /// “label”, or “sequence” with or without “range”; nothing where neither is there.
+    std::optional<FrameChoice> choice() const;
+    /// [[["walk", 12], ["kick", 40]], …]
+    std::vector<JunctionEntry> junctions(std::string_view key) const;
 
     /// Calls `read(item, pointer)` for each item of an array member.
     template <typename Read>
@@ -63,9 +67,9 @@ public:
     }
 
     /// One of some words; what is given otherwise is a problem and leaves the value as it is.
-    template <typename Value>
-    void word(std::string_view key, Value& value,
-              std::initializer_list<std::pair<const char*, Value>> words) const
+    /// \param words  pairs of a word and its value.
+    template <typename Value, typename Words = std::initializer_list<std::pair<const char*, Value>>>
+    void word(std::string_view key, Value& value, const Words& words) const
     {
         if (find(key) == nullptr)
             return;
@@ -85,6 +89,10 @@ public:
     /// The members that are not among the known keys; null when there are none. Each is reported as a
     /// warning, but for those that begin with “_”, which are the user's own notes.
     UnknownKeys unknown(Keys known) const;
+    UnknownKeys unknown(std::initializer_list<std::string_view> known) const
+    {
+        return unknown(Keys(known.begin(), known.size()));
+    }
 
 private:
     const Json& m_json;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/file.h"
 #include "model/project/brokenentry.h"
+#include "model/project/fields/readfields.h"
 #include "model/project/migration.h"
 #include "model/project/project.h"
 #include "model/project/projectjson.h"
@@ -13,6 +14,26 @@
 namespace quadrille {
 
 namespace {
+
+/// A section that others speak of must be there, if only to say that it is empty: one that is misspelt would
+/// otherwise leave them without what they name.
+void requireSequences(const ObjectReader& reader)
+{
+    if (reader.find("sequences") != nullptr)
+        return;
+    for (const char* section : {"animations", "variations"}) {
+        const Json* entries = reader.find(section);
+        if (entries == nullptr || entries->empty())
+            continue;
+        auto problem =
+            invalidAt(reader.pointer(section),
+                      "The section “sequences” is missing, which “" + std::string(section) + "” needs",
+                      "Write \"sequences\": […] with one entry for each take.");
+        problem.atKey = true;
+        reader.problems().push_back(std::move(problem));
+        return;
+    }
+}
 
 /// An entry whose type is wrong was left at its default; what validate() finds there says nothing new.
 bool isInside(const std::string& pointer, const std::set<std::string>& pointers)
@@ -32,6 +53,13 @@ void sortByPlace(ProjectProblems& problems)
         };
         return place(a) < place(b);
     });
+}
+
+Project projectFromJson(const Json& document, ProjectProblems& problems)
+{
+    const ObjectReader reader(document, "", problems);
+    requireSequences(reader);
+    return readFields(reader);
 }
 
 Project readDocument(const Json& document, ProjectProblems& problems)

@@ -2,211 +2,233 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/references.h"
 
+#include "model/core/contains.h"
+#include "model/project/fields/walker.h"
 #include "model/project/paths.h"
 
 #include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
 
 namespace quadrille {
 
 namespace {
 
-/// One walk over a project. The `keeps…` functions rename in place and are false where what they look at has
-/// to go.
-class ReferenceChanger
+/// Of which kind the entries of a section are, where others speak of them.
+template <typename Entry>
+constexpr std::optional<NamedKind> kindOf()
 {
-public:
-    ReferenceChanger(Project& project, NamedKind kind, const NameChange& change)
-        : m_project(project), m_kind(kind), m_change(change)
-    {
-        if (project.characters.size() == 1)
-            m_onlyCharacter = project.characters.front().name;
-    }
+    if constexpr (std::is_same_v<Entry, SequenceEntry>)
+        return NamedKind::Sequence;
+    else if constexpr (std::is_same_v<Entry, AnimationEntry>)
+        return NamedKind::Animation;
+    else if constexpr (std::is_same_v<Entry, VariationEntry>)
+        return NamedKind::Variation;
+    else
+        return std::nullopt;
+}
 
-    LostEntries run()
-    {
-        LostEntries lost;
-        std::erase_if(m_project.sequences, [&](SequenceEntry& entry) {
-            return !(keepsCharacter(entry.character) && keepsSource(entry.source)) &&
-                   (lost.sequences.push_back(entry.name), true);
-        });
-        std::erase_if(m_project.graphs, [&](GraphEntry& graph) { return !keepsCharacter(graph.character); });
-        std::erase_if(m_project.animations, [&](AnimationEntry& entry) {
-            return !keepsCharacter(entry.character) && (lost.animations.push_back(entry.name), true);
-        });
-        std::erase_if(m_project.bodyParts, [&](BodyPartsEntry& entry) {
-            if (m_kind == NamedKind::Sequence && entry.pose && !keeps(entry.pose->sequence))
-                entry.pose.reset();
-            return !keepsCharacter(entry.character);
-        });
-        std::erase_if(m_project.variations, [&](VariationEntry& entry) {
-            return !(keepsCharacter(entry.character) && keepsTakes(entry)) &&
-                   (lost.variations.push_back(entry.name), true);
-        });
-        // An evaluation without a character is of all of them.
-        std::erase_if(m_project.evaluations, [&](EvaluationEntry& entry) {
-            return !entry.character.empty() && !keepsCharacter(entry.character);
-        });
-        if (m_kind == NamedKind::Variation) {
-            for (AnimationEntry& animation : m_project.animations)
-                changeVariations(animation.post.variations);
-        }
-        std::erase_if(m_project.exports, [&](ExportEntry& entry) { return !keepsClip(entry.what); });
-        if (m_kind == NamedKind::Sequence) {
-            for (AnimationEntry& animation : m_project.animations)
-                changeSequences(animation);
-            for (EvaluationEntry& evaluation : m_project.evaluations)
-                changeSequences(evaluation);
-        }
-        return lost;
-    }
+/// The new name of an entry that is spoken of; nothing where it is gone.
+using NameChange = std::function<std::optional<std::string>(const std::string& name)>;
 
-private:
+/// Names of entries that cannot be without others.
+using LostEntries = std::map<NamedKind, std::vector<std::string>>;
+
+struct ReferenceChange
+{
+    NamedKind kind;
+    const NameChange& rename;
+    std::optional<std::string> onlyCharacter;
+    LostEntries lost;
+
+    /// Renames in place. \return false where the name is gone.
     bool keeps(std::string& name) const
     {
         if (name.empty())
             return true;
-        auto changed = m_change(name);
+        auto changed = rename(name);
         if (changed)
             name = std::move(*changed);
         return changed.has_value();
     }
 
-    bool keepsBoth(std::string& first, std::string& second) const
-    {
-        const bool keepsFirst = keeps(first);
-        return keeps(second) && keepsFirst;
-    }
-
-    /// No name stands for the only character.
-    bool keepsCharacter(std::string& name) const
-    {
-        if (m_kind != NamedKind::Character)
-            return true;
-        return name.empty() ? !m_onlyCharacter || m_change(*m_onlyCharacter) : keeps(name);
-    }
-
     bool keepsClip(std::string& clip) const
     {
-        if (m_kind == NamedKind::Character)
-            return true;
-        const std::string section = sectionOf(m_kind);
+        const std::string section = kind == NamedKind::Sequence    ? "sequences"
+                                    : kind == NamedKind::Animation ? "animations"
+                                    : kind == NamedKind::Variation ? "variations"
+                                                                   : "characters";
         auto name = nameOfClip(clip, section);
         if (!name)
             return true;
         // Clips of variations have a number behind the name.
-        std::string number;
-        if (m_kind == NamedKind::Variation)
-            number = cutNumber(*name);
+        const auto slash = std::min(name->find('/'), name->size());
+        const std::string number = name->substr(slash);
+        if (kind == NamedKind::Variation)
+            name->resize(slash);
         if (!keeps(*name))
             return false;
-        clip = section + "/" + *name + number;
+        clip = section + "/" + *name + (kind == NamedKind::Variation ? number : "");
         return true;
     }
+};
 
-    static std::string sectionOf(NamedKind kind)
+/// Changes the names in an entry, and finds out whether it can stay.
+template <typename Entry>
+class ReferenceChanger : public FieldVisitor<ReferenceChanger<Entry>>
+{
+public:
+    ReferenceChanger(Entry& entry, ReferenceChange& change) : m_entry(entry), m_change(change) {}
+
+    bool isLost() const { return m_isLost; }
+
+    template <typename Member>
+    void field(const char*, Member member, const FieldInfo& info = {})
     {
-        return kind == NamedKind::Sequence    ? "sequences"
-               : kind == NamedKind::Animation ? "animations"
-                                              : "variations";
+        auto& value = valueOf(m_entry, member);
+        using Value = std::remove_cvref_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, std::string>)
+            changeText(value, info);
+        else if constexpr (std::is_same_v<Value, std::vector<std::string>>)
+            changeNames(value, info);
+        else if constexpr (std::is_same_v<Value, std::vector<JunctionEntry>>)
+            changeJunctions(value);
     }
-
-    /// Takes "/3" off a name.
-    static std::string cutNumber(std::string& name)
+    template <typename Member>
+    void choice(Member member, [[maybe_unused]] const FieldInfo& info = {})
     {
-        const auto slash = std::min(name.find('/'), name.size());
-        std::string number = name.substr(slash);
-        name.resize(slash);
-        return number;
+        auto& value = valueOf(m_entry, member);
+        FrameChoice* choice = nullptr;
+        if constexpr (IsOptional<std::remove_cvref_t<decltype(value)>>::value)
+            choice = value ? &*value : nullptr;
+        else
+            choice = &value;
+        if (choice == nullptr || m_change.kind != NamedKind::Sequence || m_change.keeps(choice->sequence))
+            return;
+        if constexpr (IsOptional<std::remove_cvref_t<decltype(value)>>::value)
+            value.reset();
+        else
+            m_isLost = true;
     }
-
-    /// The takes, blends and samples of a variation; without a take left it goes.
-    bool keepsTakes(VariationEntry& entry) const
+    template <typename Member, typename Unknown = std::nullptr_t>
+    void object(const char*, Member member, [[maybe_unused]] const FieldInfo& info = {}, Unknown = nullptr)
     {
-        if (m_kind != NamedKind::Sequence)
-            return true;
-        const bool hadTakes = !entry.training.empty();
-        std::erase_if(entry.training, [&](TrainingEntry& take) { return !keeps(take.sequence); });
-        std::erase_if(entry.blends, [&](BlendEntry& blend) {
-            const bool keepsAcross = !blend.across || keepsBoth(blend.across->from, blend.across->to);
-            return !keepsBoth(blend.from, blend.to) || !keepsAcross;
+        auto& value = valueOf(m_entry, member);
+        if constexpr (IsOptional<std::remove_cvref_t<decltype(value)>>::value) {
+            if (!value || keepsEntry(*value))
+                return;
+            if (info.loss == Loss::OfOwner)
+                m_isLost = true;
+            else
+                value.reset();
+        } else {
+            m_isLost |= !keepsEntry(value);
+        }
+    }
+    template <typename Member>
+    void list(const char*, Member member, const FieldInfo& info = {})
+    {
+        auto& items = valueOf(m_entry, member);
+        const std::size_t before = items.size();
+        std::erase_if(items, [&](auto& item) {
+            const bool isGone = !keepsEntry(item);
+            if constexpr (constexpr auto kind = kindOf<std::remove_cvref_t<decltype(item)>>(); kind) {
+                if (isGone)
+                    m_change.lost[*kind].push_back(item.name);
+            }
+            return isGone;
         });
-        std::erase_if(entry.samples, [&](SamplesEntry& samples) {
-            const bool keepsAcross = !samples.across || keepsBoth(samples.across->of, samples.across->to);
-            return !keepsBoth(samples.of, samples.to) || !keepsAcross;
+        if (info.loss == Loss::OfWhole && items.size() != before)
+            items.clear();
+        const bool needsItems = info.loss == Loss::OfOwner || info.leastItems > 0;
+        m_isLost |= needsItems && before != 0 && items.empty();
+    }
+    template <typename Member>
+    void variants(const char*, Member member)
+    {
+        std::erase_if(valueOf(m_entry, member), [&](auto& item) {
+            return !std::visit([&](auto& entry) { return keepsEntry(entry); }, item);
         });
-        if (!keeps(entry.reference))
-            entry.reference.clear();
-        if (entry.templatePose && !keeps(entry.templatePose->sequence))
-            entry.templatePose.reset();
-        return !hadTakes || !entry.training.empty();
     }
 
-    bool keepsSource(std::string& source) const
+private:
+    void changeText(std::string& text, const FieldInfo& info)
     {
-        auto clip = clipOfSource(source);
-        if (!clip)
-            return true;
-        if (!keepsClip(*clip))
-            return false;
-        source = "clip:" + *clip;
-        return true;
+        if (info.role == Role::Clip) {
+            m_isLost |= !m_change.keepsClip(text);
+        } else if (auto clip = clipOfSource(text); clip && info.role == Role::Source) {
+            m_isLost |= !m_change.keepsClip(*clip);
+            text = "clip:" + *clip;
+        } else if (info.role == Role::Character && m_change.kind == NamedKind::Character) {
+            // No name stands for the only character.
+            const bool isMeant = text.empty() && m_change.onlyCharacter;
+            m_isLost |= isMeant ? !m_change.rename(*m_change.onlyCharacter) : !m_change.keeps(text);
+        } else if (info.role == Role::Reference && m_change.kind == info.kind && !m_change.keeps(text)) {
+            if (info.need == Need::Required || info.loss == Loss::OfOwner)
+                m_isLost = true;
+            else
+                text.clear();
+        }
     }
 
-    bool keepsConstraint(ConstraintEntry& constraint) const
+    void changeNames(std::vector<std::string>& names, const FieldInfo& info)
     {
-        if (auto* key = std::get_if<KeyEntry>(&constraint))
-            return keeps(key->sequence);
-        if (auto* action = std::get_if<ActionEntry>(&constraint))
-            return keeps(action->frames.sequence);
-        std::erase_if(std::get<PathEntry>(constraint).spans, [&](PathSpanEntry& span) {
-            if (span.frames && !keeps(span.frames->sequence))
-                span.frames.reset();
-            return !span.frames && !span.duration;
+        if (info.role != Role::Reference || m_change.kind != info.kind)
+            return;
+        const bool isAnyLost =
+            std::erase_if(names, [&](std::string& name) { return !m_change.keeps(name); }) > 0;
+        if constexpr (requires { m_entry.needsAllSequences(); }) {
+            if (isAnyLost && m_entry.needsAllSequences())
+                names.clear();
+        }
+    }
+
+    void changeJunctions(std::vector<JunctionEntry>& junctions)
+    {
+        if (m_change.kind != NamedKind::Sequence)
+            return;
+        std::erase_if(junctions, [&](JunctionEntry& junction) {
+            const bool keepsFrom = m_change.keeps(junction.from.sequence);
+            return !m_change.keeps(junction.to.sequence) || !keepsFrom;
         });
-        return true;
     }
 
-    void changeVariations(std::optional<VariedRepeats>& repeats) const
+    template <typename Child>
+    bool keepsEntry(Child& entry)
     {
-        if (repeats && !keeps(repeats->from))
-            repeats.reset();
+        ReferenceChanger<Child> changer(entry, m_change);
+        if constexpr (requires { entry.saysNothing(); }) {
+            const bool saidNothing = entry.saysNothing();
+            describe(changer, Type<Child>());
+            return !changer.isLost() && (saidNothing || !entry.saysNothing());
+        } else {
+            describe(changer, Type<Child>());
+            return !changer.isLost();
+        }
     }
 
-    void changeSequences(AnimationEntry& animation) const
+    Entry& m_entry;
+    ReferenceChange& m_change;
+    bool m_isLost = false;
+};
+
+/// Gives every entry that names no character the name of one.
+template <typename Entry>
+class CharacterNamer : public EntryWalker<CharacterNamer, Entry, const std::string>
+{
+public:
+    using EntryWalker<CharacterNamer, Entry, const std::string>::EntryWalker;
+
+    template <typename Member>
+    void field(const char*, Member member, const FieldInfo& info = {})
     {
-        if (animation.start && !keeps(animation.start->sequence))
-            animation.start.reset();
-        std::erase_if(animation.constraints, [&](ConstraintEntry& each) { return !keepsConstraint(each); });
-        for (auto* junctions :
-             {&animation.junctions.banned, &animation.junctions.locked, &animation.junctions.chosen})
-            std::erase_if(*junctions, [&](JunctionEntry& junction) {
-                const bool keepsFrom = keeps(junction.from.sequence);
-                return !keeps(junction.to.sequence) || !keepsFrom;
-            });
-        // A walk with a part missing is none.
-        const auto keepsWalk = [&](std::vector<WalkSpanEntry>& spans) {
-            return std::all_of(spans.begin(), spans.end(),
-                               [&](WalkSpanEntry& span) { return keeps(span.sequence); });
-        };
-        if (animation.walk && !keepsWalk(animation.walk->spans))
-            animation.walk.reset();
-        if (!keepsWalk(animation.junctions.walk))
-            animation.junctions.walk.clear();
+        auto& value = valueOf(this->entry(), member);
+        if constexpr (std::is_same_v<decltype(value), std::string&>) {
+            if (info.role == Role::Character && value.empty())
+                value = this->state();
+        }
     }
-
-    void changeSequences(EvaluationEntry& evaluation) const
-    {
-        const auto before = evaluation.sequences.size();
-        std::erase_if(evaluation.sequences, [&](std::string& name) { return !keeps(name); });
-        // The other tables are of two sequences.
-        if (evaluation.table != "table2" && evaluation.sequences.size() != before)
-            evaluation.sequences.clear();
-    }
-
-    Project& m_project;
-    NamedKind m_kind;
-    const NameChange& m_change;
-    std::optional<std::string> m_onlyCharacter;
 };
 
 /// Calls a function with the entries of a kind.
@@ -229,12 +251,19 @@ void withEntries(Project& project, NamedKind kind, const Function& function)
     }
 }
 
-} // namespace
-
-LostEntries changeReferences(Project& project, NamedKind kind, const NameChange& change)
+/// Changes all references to entries of a kind, and removes what speaks of those that are gone.
+/// \return what went; references to that are still there.
+LostEntries changeReferences(Project& project, NamedKind kind, const NameChange& rename)
 {
-    return ReferenceChanger(project, kind, change).run();
+    ReferenceChange change{kind, rename, {}, {}};
+    if (project.characters.size() == 1)
+        change.onlyCharacter = project.characters.front().name;
+    ReferenceChanger<Project> changer(project, change);
+    describe(changer, Type<Project>());
+    return std::move(change.lost);
 }
+
+} // namespace
 
 void renameEntry(Project& project, NamedKind kind, const std::string& before, const std::string& after)
 {
@@ -249,35 +278,24 @@ void renameEntry(Project& project, NamedKind kind, const std::string& before, co
 
 void nameOnlyCharacter(Project& project)
 {
-    const auto nameIn = [name = project.characters.front().name](auto& entries) {
-        for (auto& entry : entries) {
-            if (entry.character.empty())
-                entry.character = name;
-        }
-    };
-    nameIn(project.sequences);
-    nameIn(project.bodyParts);
-    nameIn(project.graphs);
-    nameIn(project.animations);
-    nameIn(project.variations);
+    const std::string name = project.characters.front().name;
+    CharacterNamer<Project> namer(project, "", name);
+    describe(namer, Type<Project>());
 }
 
 void removeEntries(Project& project, NamedKind kind, const std::vector<std::string>& names)
 {
     if (names.empty())
         return;
-    const auto isGone = [&](const std::string& name) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
+    const auto isGone = [&](const std::string& name) { return contains(names, name); };
     const LostEntries lost = changeReferences(project, kind, [&](const std::string& name) {
         return isGone(name) ? std::nullopt : std::optional(name);
     });
     withEntries(project, kind, [&](auto& entries) {
         std::erase_if(entries, [&](const auto& entry) { return isGone(entry.name); });
     });
-    removeEntries(project, NamedKind::Sequence, lost.sequences);
-    removeEntries(project, NamedKind::Animation, lost.animations);
-    removeEntries(project, NamedKind::Variation, lost.variations);
+    for (const auto& [lostKind, lostNames] : lost)
+        removeEntries(project, lostKind, lostNames);
 }
 
 } // namespace quadrille

@@ -3,9 +3,9 @@
 #include "model/project/usableproject.h"
 
 #include "model/core/utf8.h"
+#include "model/project/fields/readfields.h"
 #include "model/project/migration.h"
 #include "model/project/projectjson.h"
-#include "model/project/projectkeys.h"
 
 #include <algorithm>
 #include <charconv>
@@ -91,7 +91,7 @@ private:
 void sortByPlace(std::vector<BrokenEntry>& entries)
 {
     std::ranges::stable_sort(entries, {}, [](const BrokenEntry& entry) {
-        const auto& known = projectkeys::document;
+        const auto known = documentKeys();
         return std::pair(std::ranges::find(known, entry.section) - known.begin(), entry.place);
     });
 }

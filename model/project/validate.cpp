@@ -3,10 +3,10 @@
 #include "model/project/validate.h"
 
 #include "model/project/clipdependencies.h"
+#include "model/project/fields/checkfields.h"
 #include "model/project/madeclips.h"
 #include "model/project/opensequence.h"
 #include "model/project/paths.h"
-#include "model/project/validateamounts.h"
 #include "model/project/validateanimations.h"
 #include "model/project/validateevaluations.h"
 #include "model/project/validatevariations.h"
@@ -20,9 +20,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr double lowestFps = 0.001;
-constexpr double highestFps = 10000;
-constexpr std::size_t longestFileName = 255; ///< bytes, of Linux's file systems
+constexpr double longestTransition = 60; ///< seconds
 
 class Validator
 {
@@ -31,24 +29,18 @@ public:
 
     ProjectProblems run()
     {
-        checkFps(m_project.settings.fps, "/settings/fps");
-        checkNames(m_project.characters, "/characters");
-        checkNames(m_project.sequences, "/sequences");
-        checkNames(m_project.animations, "/animations");
-        checkNames(m_project.variations, "/variations");
-        checkNames(m_project.exports, "/exports");
-        for (std::size_t i = 0; i < m_project.characters.size(); ++i)
-            checkCharacter(m_project.characters[i], "/characters/" + std::to_string(i));
+        checkFields(m_project, m_problems);
         for (std::size_t i = 0; i < m_project.sequences.size(); ++i)
-            checkSequence(m_project.sequences[i], "/sequences/" + std::to_string(i));
+            checkSource(m_project.sequences[i], "/sequences/" + std::to_string(i));
         checkCycles();
         checkGraphs();
         validateAnimations(m_project, m_problems);
-        validateAmounts(m_project, m_problems);
         validateVariations(m_project, m_problems);
         validateEvaluations(m_project, m_problems);
-        for (std::size_t i = 0; i < m_project.exports.size(); ++i)
-            checkExport(m_project.exports[i], "/exports/" + std::to_string(i));
+        for (std::size_t i = 0; i < m_project.exports.size(); ++i) {
+            if (const std::string& what = m_project.exports[i].what; !what.empty())
+                checkClip(what, "/exports/" + std::to_string(i) + "/what");
+        }
         return std::move(m_problems);
     }
 
@@ -58,137 +50,21 @@ private:
         m_problems.push_back(invalidAt(std::move(pointer), std::move(reason), std::move(remedy)));
     }
 
-    void checkFps(double fps, const std::string& pointer)
-    {
-        if (!(fps >= lowestFps) || fps > highestFps)
-            invalid(pointer, "A frame rate must be from 0.001 to 10000 frames a second");
-    }
-
-    template <typename Entry>
-    void checkNames(const std::vector<Entry>& entries, const std::string& section)
-    {
-        std::set<std::string> seen;
-        for (std::size_t i = 0; i < entries.size(); ++i) {
-            const std::string pointer = section + "/" + std::to_string(i) + "/name";
-            if (const auto reason = problemWithName(entries[i].name))
-                invalid(pointer, *reason);
-            else if (!seen.insert(entries[i].name).second)
-                invalid(pointer, "There are two entries with the name " + quoted(entries[i].name) + " here",
-                        "Give one of them another name.");
-        }
-    }
-
-    void checkPath(const std::string& path, const std::string& pointer)
-    {
-        for (const auto& part : std::filesystem::path(path)) {
-            if (part.native().size() > longestFileName)
-                invalid(pointer,
-                        "The path has a file name of more than " + std::to_string(longestFileName) +
-                            " bytes, which no disk can hold",
-                        "Choose a shorter name.");
-        }
-        if (path.find('\\') != std::string::npos) {
-            m_problems.push_back(warningAt(pointer, "The path " + quoted(path) + " has backslashes",
-                                           "Write forward slashes, on every system."));
-        } else if (!path.empty() && std::filesystem::path(path).is_absolute()) {
-            m_problems.push_back(warningAt(pointer,
-                                           "The path " + quoted(path) + " holds for this machine only",
-                                           "Write it relative to the project file."));
-        }
-    }
-
-    void checkTexture(const TextureReference& texture, const std::string& pointer)
-    {
-        for (const std::string& path : texture.paths)
-            checkPath(path, pointer + "/texture");
-    }
-
-    void checkRange(const std::optional<FrameRange>& range, const std::string& pointer)
-    {
-        if (range && range->count() == 0)
-            invalid(pointer, "The range ends before it begins",
-                    "Write [first, last], zero-based, both included.");
-    }
-
-    void checkCharacter(const CharacterEntry& character, const std::string& pointer)
-    {
-        checkPath(character.mesh, pointer + "/mesh");
-        checkTexture(character.texture, pointer);
-    }
-
-    void checkGraph(const GraphEntry& graph, const std::string& pointer)
-    {
-        const auto known = namesOf(m_project.characters);
-        if (graph.character.empty() && known.size() > 1)
-            invalid(pointer, "“character” is missing here", "The project has several characters.");
-        else if (!graph.character.empty() &&
-                 std::find(known.begin(), known.end(), graph.character) == known.end())
-            invalid(pointer + "/character", "There is no character " + quoted(graph.character),
-                    meantOr(graph.character, known, "Add it under “characters”."));
-        if (!(graph.pose.stretchWeight >= 0))
-            invalid(pointer + "/stretch_weight", "The weight of the stretch is below zero");
-        if (!(graph.steps.contacts >= 0))
-            invalid(pointer + "/contact_weight", "The weight of contacts is below zero");
-        if (!(graph.steps.velocity >= 0))
-            invalid(pointer + "/velocity_weight", "The weight of velocities is below zero");
-        if (graph.slope < TransitionSettings::leastSlope || graph.slope > TransitionSettings::greatestSlope)
-            invalid(pointer + "/slope", "The slope must be 2, 3, 4 or 5");
-        if (graph.durations &&
-            (!(graph.durations->first > 0) || !(graph.durations->second >= graph.durations->first)))
-            invalid(pointer + "/durations", "Durations must be [shortest, longest] in seconds, above zero");
-        if (!(graph.alpha >= 0))
-            invalid(pointer + "/alpha", "Alpha is below zero", "Write 0.01, or more to favour short walks.");
-        if (graph.greatestDistance && !(*graph.greatestDistance > 0))
-            invalid(pointer + "/d_max", "The largest pose distance must be above zero",
-                    "Leave it out to take the largest of the character.");
-    }
-
     void checkGraphs()
     {
         std::set<std::string> seen;
         for (std::size_t i = 0; i < m_project.graphs.size(); ++i) {
             const GraphEntry& graph = m_project.graphs[i];
-            const std::string pointer = "/graph/" + std::to_string(i);
-            checkGraph(graph, m_project.graphs.size() == 1 && graph.character.empty() ? "/graph" : pointer);
+            const bool isAlone = m_project.graphs.size() == 1 && graph.character.empty();
+            const std::string pointer = isAlone ? "/graph" : "/graph/" + std::to_string(i);
+            if (graph.durations &&
+                (!(graph.durations->first > 0) || !(graph.durations->second >= graph.durations->first)))
+                invalid(pointer + "/durations",
+                        "Durations must be [shortest, longest] in seconds, above zero");
+            else if (graph.durations && !(graph.durations->second <= longestTransition))
+                invalid(pointer + "/durations", "A transition has at most 60 seconds", "Write less.");
             if (!seen.insert(graph.character).second)
                 invalid(pointer, "There are two graphs of one character here", "Leave one of them out.");
-        }
-    }
-
-    void checkSequence(const SequenceEntry& sequence, const std::string& pointer)
-    {
-        checkCharacterOf(sequence, pointer);
-        checkRange(sequence.range, pointer + "/range");
-        if (sequence.sourceFps)
-            checkFps(*sequence.sourceFps, pointer + "/source_fps");
-        checkSource(sequence, pointer);
-        checkTexture(sequence.texture, pointer);
-        checkPath(sequence.jointAngles, pointer + "/joint_angles");
-        checkSpans(sequence.labels, &LabelSpan::label, pointer + "/labels/", "label");
-        checkSpans(sequence.contacts, &ContactSpan::foot, pointer + "/contacts/", "foot");
-    }
-
-    void checkCharacterOf(const SequenceEntry& sequence, const std::string& pointer)
-    {
-        const auto known = namesOf(m_project.characters);
-        if (sequence.character.empty()) {
-            if (known.size() > 1)
-                invalid(pointer, "“character” is missing here", "The project has several characters.");
-        } else if (std::find(known.begin(), known.end(), sequence.character) == known.end()) {
-            invalid(pointer + "/character", "There is no character " + quoted(sequence.character),
-                    meantOr(sequence.character, known, "Add it under “characters”."));
-        }
-    }
-
-    template <typename Span>
-    void checkSpans(const std::vector<Span>& spans, std::string Span::*text, const std::string& pointer,
-                    const std::string& textKey)
-    {
-        for (std::size_t i = 0; i < spans.size(); ++i) {
-            const std::string place = pointer + std::to_string(i) + "/";
-            if ((spans[i].*text).empty())
-                invalid(place + textKey, quoted(textKey).append(" is empty here"));
-            checkRange(spans[i].frames, place + "frames");
         }
     }
 
@@ -200,10 +76,6 @@ private:
                     "Name one of them, as in “" + *clip + "/1”.");
         else if (clip)
             checkClip(*clip, pointer + "/source");
-        else if (sequence.source.empty())
-            invalid(pointer + "/source", "The source is empty", "Name a file, a series or a clip.");
-        else
-            checkPath(sequence.source, pointer + "/source");
     }
 
     /// A clip "SECTION/NAME" must exist; sections of later capabilities are not looked into.
@@ -283,18 +155,6 @@ private:
                 invalid("/sequences/" + std::to_string(i) + "/source",
                         "The sequence is its own source: " + way, "Break the circle.");
         }
-    }
-
-    void checkExport(const ExportEntry& entry, const std::string& pointer)
-    {
-        if (!entry.what.empty())
-            checkClip(entry.what, pointer + "/what");
-        if (entry.path.empty())
-            invalid(pointer + "/path", "The path is empty", "Name the file to write.");
-        checkPath(entry.path, pointer + "/path");
-        checkRange(entry.range, pointer + "/range");
-        if (entry.fps)
-            checkFps(*entry.fps, pointer + "/fps");
     }
 
     const Project& m_project;

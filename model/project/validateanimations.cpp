@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/validateanimations.h"
 
+#include "model/core/contains.h"
+#include "model/project/groundpoint.h"
 #include "model/project/madeclips.h"
 #include "model/project/opensequence.h"
 #include "model/project/validationtexts.h"
@@ -13,6 +15,8 @@
 namespace quadrille {
 
 namespace {
+
+constexpr double greatestFactor = 1000; ///< of a retiming
 
 /// Checks one animation.
 class AnimationValidator
@@ -30,7 +34,8 @@ public:
 
     void run()
     {
-        if (!checkCharacter())
+        const auto known = namesOf(m_project.characters);
+        if (m_animation.character.empty() ? known.size() > 1 : !contains(known, m_animation.character))
             return;
         if (m_animation.constraints.empty() && !m_animation.walk)
             m_problems.push_back(warningAt(m_pointer, "The animation asks for nothing",
@@ -41,7 +46,6 @@ public:
             std::visit(
                 [&](const auto& constraint) { check(constraint, "/constraints/" + std::to_string(i)); },
                 m_animation.constraints[i]);
-        checkSearch();
         checkJunctions(m_animation.junctions.banned, "/junctions/banned/");
         checkJunctions(m_animation.junctions.locked, "/junctions/locked/");
         checkJunctions(m_animation.junctions.chosen, "/junctions/chosen/");
@@ -51,8 +55,6 @@ public:
         if (m_animation.post.variations)
             checkRepeats(*m_animation.post.variations);
         checkPost(m_animation.post.steps);
-        if (m_animation.audio)
-            checkAudio(*m_animation.audio);
         checkCamera();
     }
 
@@ -60,22 +62,6 @@ private:
     void invalid(const std::string& place, std::string reason, std::string remedy = {})
     {
         m_problems.push_back(invalidAt(m_pointer + place, std::move(reason), std::move(remedy)));
-    }
-
-    bool checkCharacter()
-    {
-        const auto known = namesOf(m_project.characters);
-        if (m_animation.character.empty() && known.size() > 1) {
-            invalid("", "“character” is missing here", "The project has several characters.");
-            return false;
-        }
-        if (!m_animation.character.empty() &&
-            std::find(known.begin(), known.end(), m_animation.character) == known.end()) {
-            invalid("/character", "There is no character " + quoted(m_animation.character),
-                    meantOr(m_animation.character, known, "Add it under “characters”."));
-            return false;
-        }
-        return true;
     }
 
     void checkSequence(const std::string& name, const std::string& place)
@@ -90,18 +76,10 @@ private:
                     meantOr(name, m_sequences, "Correct the name."));
     }
 
-    void checkRange(const std::optional<FrameRange>& range, const std::string& place)
-    {
-        if (range && range->count() == 0)
-            invalid(place, "The range ends before it begins",
-                    "Write [first, last], zero-based, both included.");
-    }
-
     void checkChoice(const FrameChoice& choice, const std::string& place)
     {
         if (!choice.sequence.empty())
             checkSequence(choice.sequence, place + "/sequence");
-        checkRange(choice.range, place + "/range");
         if (choice.label.empty())
             return;
         std::vector<std::string> labels;
@@ -124,15 +102,9 @@ private:
     void check(const KeyEntry& key, const std::string& place)
     {
         checkSequence(key.sequence, place + "/sequence");
-        if (key.frame.value < 0)
-            invalid(place + "/frame", "Frames are counted from 0");
-        if (!(key.time >= 0) || !std::isfinite(key.time))
-            invalid(place + "/time", "The time of a key is below zero", "Write seconds from the start.");
-        else if (m_lastKey && key.time <= *m_lastKey)
+        if (m_lastKey && key.time >= 0 && key.time <= *m_lastKey)
             invalid(place + "/time", "The keys are out of order: this one is not later than the one before",
                     "Sort the keys by their times.");
-        if (key.tolerance && !(*key.tolerance >= 0))
-            invalid(place + "/tolerance", "The tolerance is below zero");
         m_lastKey = std::max(m_lastKey.value_or(0), key.time);
     }
 
@@ -157,7 +129,6 @@ private:
                 invalid(own, "The span must go from a length, in the project's unit, to a greater one");
             if (span.frames)
                 checkChoice(*span.frames, own);
-            checkPositive(span.duration, own + "/duration", "A duration");
         }
         for (std::size_t i = 0; i < path.obstacles.size(); ++i) {
             const ObstacleEntry& obstacle = path.obstacles[i];
@@ -167,36 +138,37 @@ private:
             else if (obstacle.corners.size() < 3)
                 invalid(own + "/polygon", "A polygon needs three corners at least");
         }
-        if (!(path.clearance >= 0))
-            invalid(place + "/clearance", "The clearance is below zero");
+        checkPlaces(path, place);
     }
 
-    void check(const ActionEntry& action, const std::string& place)
+    /// Places that are far off, which a slip of the keyboard makes.
+    void checkPlaces(const PathEntry& path, const std::string& place)
     {
-        checkChoice(action.frames, place);
-        if (action.repeat < 1)
-            invalid(place + "/repeat", "An action is performed once at least");
-        checkPositive(action.duration, place + "/duration", "A duration");
-        if (action.leastShare && !(*action.leastShare > 0 && *action.leastShare <= 1))
-            invalid(place + "/least_share", "The share must be above 0 and at most 1");
+        const double farthest = farthestPlace(m_project.settings.axes.metresPerUnit);
+        const auto isFar = [&](const auto& point) {
+            return point.allFinite() && point.template lpNorm<Eigen::Infinity>() > farthest;
+        };
+        const auto far = [&](const std::string& own) {
+            invalid(own, "Places lie at most 10 km from the origin",
+                    "Write lengths in the project's unit, and mind the decimal point.");
+        };
+        for (std::size_t i = 0; i < path.points.size(); ++i) {
+            if (isFar(path.points[i]))
+                far(place + "/points/" + std::to_string(i));
+        }
+        for (std::size_t i = 0; i < path.obstacles.size(); ++i) {
+            const ObstacleEntry& obstacle = path.obstacles[i];
+            const std::string own = place + "/obstacles/" + std::to_string(i);
+            if (obstacle.radius > farthest)
+                far(own + "/radius");
+            if (std::ranges::any_of(obstacle.corners, isFar))
+                far(own);
+        }
+        if (path.clearance > farthest)
+            far(place + "/clearance");
     }
 
-    void checkSearch()
-    {
-        const SearchEntry& search = m_animation.search;
-        if (search.budget && *search.budget < 1)
-            invalid("/search/budget", "The budget must be one expansion at least");
-        if (search.beta && !(*search.beta >= 0))
-            invalid("/search/beta", "Beta is below zero");
-        if (search.mu && !(*search.mu >= 0))
-            invalid("/search/mu", "Mu is below zero");
-        if (search.dwell && !(*search.dwell >= 0))
-            invalid("/search/dwell", "The least time in a take is below zero");
-        if (search.deadZone && !(*search.deadZone >= 0))
-            invalid("/search/dead_zone", "The dead zone is below zero");
-        if (search.steering && !(*search.steering >= 0))
-            invalid("/search/steering", "The steering is below zero");
-    }
+    void check(const ActionEntry& action, const std::string& place) { checkChoice(action.frames, place); }
 
     void checkJunctions(const std::vector<JunctionEntry>& junctions, const std::string& place)
     {
@@ -218,14 +190,11 @@ private:
     {
         for (std::size_t i = 0; i < spans.size(); ++i) {
             checkSequence(spans[i].sequence, place + std::to_string(i) + "/sequence");
-            checkRange(spans[i].frames, place + std::to_string(i) + "/frames");
         }
     }
 
     void checkRepeats(const VariedRepeats& repeats)
     {
-        if (!(repeats.ease >= 0) || !std::isfinite(repeats.ease))
-            invalid("/post/variations/ease", "The time of the ease is below zero", "Write seconds.");
         std::vector<std::string> known;
         for (const VariationEntry& entry : m_project.variations) {
             if (characterNameOf(m_project, entry) == characterNameOf(m_project, m_animation))
@@ -243,25 +212,36 @@ private:
 
     void checkPost(const PostProcessing& post)
     {
-        if (post.repeats < 1)
-            invalid("/post/repeats", "A loop is shown once at least");
-        else if (post.repeats > 1 && !post.loop)
+        if (post.repeats > 1 && !post.loop)
             invalid("/post/repeats", "Only a loop can be repeated", "Add “loop”: true.");
         if (!post.retime)
             return;
         if (const auto* factor = std::get_if<RetimeFactor>(&post.retime->time)) {
             checkPositive(factor->value, "/post/retime/factor", "The factor");
+            if (factor->value > greatestFactor)
+                invalid("/post/retime/factor", "A clip is slowed to at most 1000 times its length",
+                        "Write 2 for half the speed.");
         } else if (const auto* duration = std::get_if<Seconds>(&post.retime->time)) {
             checkPositive(duration->value, "/post/retime/duration", "The duration");
+            checkWithinAnHour(*duration, "/post/retime/duration");
         } else {
             checkCurve(std::get<RetimeSettings::Curve>(post.retime->time), "/post/retime/curve");
         }
+    }
+
+    void checkWithinAnHour(Seconds time, const std::string& place)
+    {
+        if (std::abs(time.value) > 3600)
+            invalid(place, "An animation lasts at most an hour, 3600 seconds",
+                    "Write an earlier time, in seconds.");
     }
 
     void checkCurve(const RetimeSettings::Curve& curve, const std::string& place)
     {
         if (curve.size() < 2)
             invalid(place, "A curve of times needs two points at least");
+        for (std::size_t i = 0; i < curve.size(); ++i)
+            checkWithinAnHour(curve[i].output, place + "/" + std::to_string(i));
         for (std::size_t i = 1; i < curve.size(); ++i) {
             if (!(curve[i].output.value > curve[i - 1].output.value) ||
                 !(curve[i].clip.value >= curve[i - 1].clip.value))
@@ -270,33 +250,14 @@ private:
         }
     }
 
-    void checkAudio(const AudioEntry& audio)
-    {
-        if (!std::isfinite(audio.offset))
-            invalid("/audio/offset", "The offset of the sound is not a finite number");
-        if (!(audio.gain >= -100 && audio.gain <= 40))
-            invalid("/audio/gain", "The gain must be from -100 to 40 decibels");
-    }
-
     void checkCamera()
     {
-        for (std::size_t i = 0; i < m_animation.camera.size(); ++i) {
-            const CameraKey& key = m_animation.camera[i].key;
-            const std::string place = "/camera/" + std::to_string(i);
-            if (!(key.time >= 0) || !std::isfinite(key.time))
-                invalid(place + "/time", "The time of a camera key is below zero",
-                        "Write seconds from the start.");
-            else if (i > 0 && key.time <= m_animation.camera[i - 1].key.time)
-                invalid(place + "/time",
+        for (std::size_t i = 1; i < m_animation.camera.size(); ++i) {
+            const double time = m_animation.camera[i].key.time;
+            if (time >= 0 && time <= m_animation.camera[i - 1].key.time)
+                invalid("/camera/" + std::to_string(i) + "/time",
                         "The camera keys are out of order: this one is not later than the one before",
                         "Sort the keys by their times.");
-            checkPositive(key.distance, place + "/distance", "The distance of a camera");
-            if (!(std::abs(key.elevation) <= 90))
-                invalid(place + "/elevation", "The elevation must be from -90 to 90 degrees");
-            if (!std::isfinite(key.azimuth))
-                invalid(place + "/azimuth", "The azimuth is not a finite number");
-            if (!(key.fieldOfView >= 1 && key.fieldOfView <= 170))
-                invalid(place + "/fov", "The field of view must be from 1 to 170 degrees");
         }
     }
 

@@ -14,8 +14,6 @@ namespace quadrille {
 
 namespace {
 
-constexpr std::int64_t greatestRepeats = 100'000;
-
 std::string listed(const std::vector<std::string>& names)
 {
     std::string list;
@@ -47,10 +45,6 @@ void validateEvaluation(const Project& project, const EvaluationEntry& evaluatio
     if (!contains(tables, evaluation.table))
         invalid("/table", "There is no table " + quoted(evaluation.table),
                 meantOr(evaluation.table, tables, "Write one of " + listed(tables) + "."));
-    const auto characters = namesOf(project.characters);
-    if (!evaluation.character.empty() && !contains(characters, evaluation.character))
-        invalid("/character", "There is no character " + quoted(evaluation.character),
-                meantOr(evaluation.character, characters, "Add it under “characters”."));
     const auto known = sequencesOf(project, evaluation);
     if (evaluation.table == "table1" &&
         std::all_of(known.begin(), known.end(), [&](const std::string& sequence) {
@@ -68,16 +62,9 @@ void validateEvaluation(const Project& project, const EvaluationEntry& evaluatio
                     "There is no sequence " + quoted(evaluation.sequences[i]) + " of the character",
                     meantOr(evaluation.sequences[i], known, "Correct the name."));
     }
-    if (evaluation.table != "table2" && !evaluation.sequences.empty() && evaluation.sequences.size() != 2)
+    if (evaluation.needsAllSequences() && !evaluation.sequences.empty() && evaluation.sequences.size() != 2)
         invalid("/sequences", "Two sequences are needed here",
                 "Name the one that is blended and the one that it is blended into.");
-    if (std::any_of(evaluation.alphas.begin(), evaluation.alphas.end(),
-                    [](double alpha) { return !(alpha >= 0); }))
-        invalid("/alphas", "Alpha is below zero", "Write 0.01, or more to favour short walks.");
-    if (evaluation.count && (*evaluation.count < 1 || *evaluation.count > greatestRepeats))
-        invalid("/count", "The count must be from 1 to 100000", "");
-    if (evaluation.seed < 0)
-        invalid("/seed", "The seed is below zero", "Write a whole number from 0.");
 }
 
 } // namespace

@@ -17,10 +17,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr int greatestDimensions = 10;
-constexpr double greatestSpread = 3;
-constexpr int greatestRestarts = 100;
-constexpr int greatestCount = 10'000;
+constexpr std::size_t mostBlends = 100; ///< takes that are made by one blend
 
 /// What both sections have in common.
 class SectionValidator
@@ -41,36 +38,12 @@ protected:
         m_problems.push_back(warningAt(m_pointer + key, std::move(reason), std::move(remedy)));
     }
 
-    void checkCharacter(const std::string& character)
-    {
-        const auto known = namesOf(m_project.characters);
-        if (character.empty() && known.size() > 1)
-            invalid("", "“character” is missing here", "The project has several characters.");
-        else if (!character.empty() && !contains(known, character))
-            invalid("/character", "There is no character " + quoted(character),
-                    meantOr(character, known, "Add it under “characters”."));
-    }
-
     void checkFrame(const std::optional<NamedFrame>& frame, const std::string& key)
     {
         const auto known = namesOf(m_project.sequences);
         if (frame && !contains(known, frame->sequence))
             invalid(key + "/sequence", "There is no sequence " + quoted(frame->sequence),
                     meantOr(frame->sequence, known, "Correct the name."));
-    }
-
-    /// Names that must differ and be usable.
-    void checkNames(const std::vector<std::string>& names, const std::string& list)
-    {
-        std::set<std::string> seen;
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            const std::string key = list + std::to_string(i) + "/name";
-            if (const auto reason = problemWithName(names[i]))
-                invalid(key, *reason);
-            else if (!seen.insert(names[i]).second)
-                invalid(key, "There are two entries with the name " + quoted(names[i]) + " here",
-                        "Give one of them another name.");
-        }
     }
 
     const Project& project() const { return m_project; }
@@ -88,7 +61,6 @@ public:
 
     void run(const BodyPartsEntry& entry)
     {
-        checkCharacter(entry.character);
         checkFrame(entry.pose, "/pose");
         std::vector<std::string> curves;
         for (const PartCurveEntry& curve : entry.curves)
@@ -96,8 +68,6 @@ public:
         std::vector<std::string> parts;
         for (const PartEntry& part : entry.parts)
             parts.push_back(part.part.name);
-        checkNames(curves, "/curves/");
-        checkNames(parts, "/parts/");
         for (std::size_t i = 0; i < entry.parts.size(); ++i)
             checkPart(entry.parts[i].part, parts, curves, "/parts/" + std::to_string(i));
     }
@@ -133,7 +103,6 @@ public:
 
     void run(const VariationEntry& entry)
     {
-        checkCharacter(entry.character);
         checkTraining(entry);
         if (!entry.reference.empty())
             checkTake(entry.reference, "/reference");
@@ -141,11 +110,13 @@ public:
         for (std::size_t i = 0; i < entry.blends.size(); ++i)
             checkBlend(entry.blends[i], "/blends/" + std::to_string(i));
         checkBlendsDiffer(entry.blends);
-        if (!(entry.displacementShare > 0))
-            invalid("/displacement_share", "The share of the displacements is not above zero");
-        checkLearning(entry.learning);
-        checkSampling(entry.chain);
-        checkExtent(entry.extent);
+        const HmcSettings& chain = entry.chain;
+        if (!(chain.leastAcceptance > 0 && chain.leastAcceptance < chain.greatestAcceptance &&
+              chain.greatestAcceptance < 1))
+            invalid("/sampling/acceptance", "Shares that are accepted must lie between 0 and 1, ascending",
+                    "Write [0.6, 0.9], as usual.");
+        if (!(entry.extent.spread >= 0 && entry.extent.spread <= greatestSpread))
+            invalid("/sampling/spread", "The spread must be from 0 to 3", "Write 0.7, as usual.");
         const VariationLimits& limits = entry.limits;
         if (!(limits.poseDistance.value_or(1) > 0 && limits.skate > 0 && limits.intersections >= 0 &&
               limits.volumeChange > 0 && limits.collapse >= 0 && limits.sink >= 0))
@@ -177,9 +148,6 @@ private:
                 invalid(key, "The take " + quoted(take.sequence) + " is here twice",
                         "Leave one of them out.");
             m_takes.push_back(take.sequence);
-            if (take.range && take.range->count() == 0)
-                invalid(key + "/range", "The range ends before it begins",
-                        "Write [first, last], zero-based, both included.");
         }
     }
 
@@ -227,6 +195,10 @@ private:
         checkTake(blend.to, key + "/to");
         checkPair(blend.from, blend.to, key + "/to");
         checkWeights(blend.weights, key);
+        const std::size_t nodes =
+            (blend.weights.size() + 2) * (blend.across ? blend.across->weights.size() + 2 : 1);
+        if (nodes > mostBlends)
+            invalid(key, "A blend has at most 100 blended takes");
         if (!blend.across)
             return;
         checkAcross({blend.from, blend.to}, {blend.across->from, blend.across->to}, {"/from", "/to"},
@@ -256,41 +228,6 @@ private:
         }
     }
 
-    void checkLearning(const GpdmSettings& learning)
-    {
-        if (learning.dimensions < 1 || learning.dimensions > greatestDimensions)
-            invalid("/learning/dimensions", "The dimensions must be from 1 to 10", "Write 3, as usual.");
-        if (learning.restarts > greatestRestarts)
-            invalid("/learning/restarts", "There are more than 100 restarts");
-        if (!(learning.tolerance > 0))
-            invalid("/learning/tolerance", "The tolerance is not above zero", "Write 1e-6, as usual.");
-        if (learning.window < 1)
-            invalid("/learning/window", "The window is below one iteration", "Write 10, as usual.");
-        if (learning.greatestIterations < 1)
-            invalid("/learning/iterations", "There is no iteration to learn in");
-    }
-
-    void checkSampling(const HmcSettings& chain)
-    {
-        if (chain.leapfrogSteps < 1)
-            invalid("/sampling/leapfrog_steps", "A trajectory has at least one step");
-        if (chain.thinning < 1)
-            invalid("/sampling/thinning", "Samples are at least one trajectory apart");
-        if (!(chain.leastAcceptance > 0 && chain.leastAcceptance < chain.greatestAcceptance &&
-              chain.greatestAcceptance < 1))
-            invalid("/sampling/acceptance", "Shares that are accepted must lie between 0 and 1, ascending",
-                    "Write [0.6, 0.9], as usual.");
-    }
-
-    void checkExtent(const TrajectoryLimits& extent)
-    {
-        if (!(extent.spread >= 0 && extent.spread <= greatestSpread))
-            invalid("/sampling/spread", "The spread must be from 0 to 3", "Write 0.7, as usual.");
-        if (!(extent.uncertainty > 0 && extent.uncertainty <= 1))
-            invalid("/sampling/uncertainty", "The uncertainty must be above 0, and 1 at most",
-                    "Write 0.25, as usual.");
-    }
-
     void checkSamples(const SamplesEntry& samples, const std::string& key)
     {
         checkTake(samples.of, key + "/of");
@@ -300,23 +237,15 @@ private:
         } else if (samples.weight != 0) {
             invalid(key + "/weight", "The weight belongs to no second take", "Name it as “to”.");
         }
-        checkWeight(samples.weight, key);
+        if (!(samples.weight >= 0 && samples.weight <= 1))
+            invalid(key + "/weight", "The weight of a blend must be from 0 to 1",
+                    "Write 0.5 for half of both.");
         if (samples.across && samples.to.empty()) {
             invalid(key + "/across", "Two takes lie across from one alone", "Name its second as “to”.");
         } else if (samples.across) {
             checkAcross({samples.of, samples.to}, {samples.across->of, samples.across->to}, {"/of", "/to"},
                         key + "/across");
-            checkWeight(samples.across->weight, key + "/across");
         }
-        if (samples.count > greatestCount)
-            invalid(key + "/count", "There are more than 10000 variations");
-    }
-
-    void checkWeight(double weight, const std::string& key)
-    {
-        if (!(weight >= 0 && weight <= 1))
-            invalid(key + "/weight", "The weight of a blend must be from 0 to 1",
-                    "Write 0.5 for half of both.");
     }
 
     std::vector<std::string> m_takes;

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace quadrille {
@@ -12,6 +15,10 @@ namespace quadrille {
 std::string quoted(const std::string& text);
 /// "Did you mean …?" where a name is nearly one that exists, else the remedy.
 std::string meantOr(const std::string& name, const std::vector<std::string>& known, std::string remedy);
+
+/// The known word that a misspelt one probably stands for: at most two letters wrong, and fewer than half of
+/// them.
+std::optional<std::string> closestWord(std::string_view word, std::span<const std::string_view> known);
 
 template <typename Entry>
 std::vector<std::string> namesOf(const std::vector<Entry>& entries)

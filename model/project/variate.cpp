@@ -4,9 +4,9 @@
 
 #include "model/core/error.h"
 #include "model/project/buildstep.h"
+#include "model/project/fields/writefields.h"
 #include "model/project/madeclips.h"
 #include "model/project/sequencesettings.h"
-#include "model/project/variationjson.h"
 #include "model/synthesis/contactcorrection.h"
 #include "model/variation/posereach.h"
 
@@ -256,7 +256,7 @@ std::string VariationWork::movementSettings() const
     const auto textOf = [](const Json& json) {
         return json.dump(-1, ' ', true, Json::error_handler_t::replace);
     };
-    std::string settings = textOf(variationToJson(learned)) + textOf(bodyPartsToJson(parts));
+    std::string settings = textOf(writeFields(learned)) + textOf(writeFields(parts));
     for (const std::string& name : sequences()) {
         if (const SequenceEntry* sequence = findSequence(project(), name))
             settings += sequenceSettings(project(), *sequence) + contactSettings(*sequence);

@@ -5,11 +5,11 @@
 #include "model/core/random.h"
 #include "model/project/buildstep.h"
 #include "model/project/clipresult.h"
+#include "model/project/fields/writefields.h"
 #include "model/project/lengthunit.h"
 #include "model/project/madeclips.h"
 #include "model/project/selectionnote.h"
 #include "model/project/variate.h"
-#include "model/project/variationjson.h"
 #include "model/project/variationresults.h"
 #include "model/variation/selectionspread.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 std::string settingsText(const VariationEntry& entry)
 {
-    return variationToJson(entry).dump(-1, ' ', true, Json::error_handler_t::replace);
+    return writeFields(entry).dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
 /// All samples of an entry with the settings of their chains.

@@ -4,7 +4,7 @@
 
 #include "model/core/message.h"
 #include "model/project/animate.h"
-#include "model/project/animationjson.h"
+#include "model/project/fields/writefields.h"
 #include "model/project/groundpoint.h"
 #include "model/project/pathcurve.h"
 

@@ -12,6 +12,8 @@ enum class TrajectoryDraw
 };
 
 /// How different variations are.
+inline constexpr double greatestSpread = 3; ///< of TrajectoryLimits
+
 struct TrajectoryLimits
 {
     TrajectoryDraw draw = TrajectoryDraw::Smooth;

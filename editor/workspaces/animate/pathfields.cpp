@@ -5,8 +5,8 @@
 #include "editor/application/editorcontext.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathtool.h"
+#include "model/project/groundpoint.h"
 #include "model/project/lengthunit.h"
-#include "model/project/validateamounts.h"
 #include "widgets/viewport/ruler.h"
 
 #include <QDoubleSpinBox>

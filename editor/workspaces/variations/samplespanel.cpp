@@ -36,7 +36,6 @@ constexpr int samplesMargin = 12;    // pixels
 constexpr int leastListHeight = 130; // of the variations, pixels: a few of them and the header
 constexpr int mostVariations = 10'000;
 constexpr int greatestSeed = 999'999;
-constexpr double greatestSpread = 3;
 
 } // namespace
 

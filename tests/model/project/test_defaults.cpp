@@ -51,6 +51,7 @@ const std::map<std::string, Place> places{
     {"named_frame", {"/variations/0/template", "template"}},
     {"export", {"/exports/0", "exports"}},
     {"picture", {"/exports/0/picture", "exports.picture"}},
+    {"view", {"/exports/0/picture/view", "exports.picture.view"}},
 };
 
 /// Defaults by entry and key.

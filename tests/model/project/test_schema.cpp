@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/fields/schema.h"
 #include "model/project/jsontext.h"
 #include "model/project/projectjson.h"
-#include "model/project/projectkeys.h"
 #include "tests/model/project/fullproject.h"
 
+#include <cstdlib>
 #include <gmock/gmock.h>
-#include <set>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -16,8 +16,6 @@ using namespace quadrille;
 using namespace quadrille::test;
 
 namespace {
-
-using Keys = std::set<std::string>;
 
 nlohmann::json schemaJson()
 {
@@ -35,30 +33,13 @@ bool isValid(const std::string& text)
     return validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(document), nullptr);
 }
 
-Keys propertiesOf(const nlohmann::json& definition)
-{
-    Keys keys;
-    for (const auto& [key, value] : definition["properties"].items())
-        keys.insert(key);
-    return keys;
-}
-
-Keys keysOf(std::span<const std::string_view> keys)
-{
-    return {keys.begin(), keys.end()};
-}
-
-std::vector<std::string> written(const Json& object)
+/// The keys of an object in their order.
+std::vector<std::string> keysOf(const Json& object)
 {
     std::vector<std::string> keys;
     for (const auto& [key, value] : object.items())
         keys.push_back(key);
     return keys;
-}
-
-std::vector<std::string> listOf(std::span<const std::string_view> keys)
-{
-    return {keys.begin(), keys.end()};
 }
 
 std::string withRest(const std::string& rest)
@@ -89,98 +70,94 @@ std::string walkAnd(const std::string& members)
 
 } // namespace
 
-TEST(Schema, KnowsTheKeysThatTheCodeKnows)
+/// Where objects of each kind stand in the full project, with all their keys.
+const std::pair<const char*, const char*> fullObjects[] = {
+    {"settings", "/settings"},
+    {"character", "/characters/0"},
+    {"sequence", "/sequences/0"},
+    {"label", "/sequences/0/labels/0"},
+    {"contact", "/sequences/0/contacts/0"},
+    {"graph", "/graph/0"},
+    {"evaluation", "/evaluations/0"},
+    {"animation", "/animations/0"},
+    {"path", "/animations/0/constraints/0"},
+    {"key", "/animations/0/constraints/1"},
+    {"search", "/animations/0/search"},
+    {"junctions", "/animations/0/junctions"},
+    {"walk", "/animations/0/walk"},
+    {"post", "/animations/0/post"},
+    {"varied_repeats", "/animations/0/post/variations"},
+    {"loop", "/animations/0/post/loop"},
+    {"contact_correction", "/animations/0/post/contact_correction"},
+    {"audio", "/animations/0/audio"},
+    {"camera_key", "/animations/0/camera/0"},
+    {"note", "/animations/0/notes/0"},
+    {"body_parts", "/body_parts/0"},
+    {"part_curve", "/body_parts/0/curves/0"},
+    {"part", "/body_parts/0/parts/1"},
+    {"variation", "/variations/0"},
+    {"training", "/variations/0/sequences/0"},
+    {"named_frame", "/variations/0/template"},
+    {"blend", "/variations/0/blends/0"},
+    {"across_blend", "/variations/0/blends/0/across"},
+    {"learning", "/variations/0/learning"},
+    {"sampling", "/variations/0/sampling"},
+    {"variation_limits", "/variations/0/limits"},
+    {"samples", "/variations/0/samples/0"},
+    {"across_samples", "/variations/0/samples/0/across"},
+    {"export", "/exports/0"},
+    {"picture", "/exports/0/picture"},
+    {"view", "/exports/0/picture/view"},
+};
+
+TEST(Schema, IsInTheFileAsTheFieldsAreDescribed)
 {
-    const auto schema = schemaJson();
-    const auto& definitions = schema["definitions"];
-    EXPECT_EQ(propertiesOf(schema), keysOf(projectkeys::document));
-    EXPECT_EQ(propertiesOf(definitions["settings"]), keysOf(projectkeys::settings));
-    EXPECT_EQ(propertiesOf(definitions["character"]), keysOf(projectkeys::character));
-    EXPECT_EQ(propertiesOf(definitions["sequence"]), keysOf(projectkeys::sequence));
-    EXPECT_EQ(propertiesOf(definitions["graph"]), keysOf(projectkeys::graph));
-    EXPECT_EQ(propertiesOf(definitions["evaluation"]), keysOf(projectkeys::evaluation));
-    EXPECT_EQ(propertiesOf(definitions["animation"]), keysOf(projectkeys::animation));
-    EXPECT_EQ(propertiesOf(definitions["frame_choice"]), keysOf(projectkeys::frameChoice));
-    EXPECT_EQ(propertiesOf(definitions["key"]), keysOf(projectkeys::key));
-    EXPECT_EQ(propertiesOf(definitions["path"]), keysOf(projectkeys::path));
-    EXPECT_EQ(propertiesOf(definitions["path_span"]), keysOf(projectkeys::pathSpan));
-    EXPECT_EQ(propertiesOf(definitions["obstacle"]), keysOf(projectkeys::obstacle));
-    EXPECT_EQ(propertiesOf(definitions["action"]), keysOf(projectkeys::action));
-    EXPECT_EQ(propertiesOf(definitions["search"]), keysOf(projectkeys::search));
-    EXPECT_EQ(propertiesOf(definitions["junctions"]), keysOf(projectkeys::junctions));
-    EXPECT_EQ(propertiesOf(definitions["walk"]), keysOf(projectkeys::walk));
-    EXPECT_EQ(propertiesOf(definitions["post"]), keysOf(projectkeys::post));
-    EXPECT_EQ(propertiesOf(definitions["varied_repeats"]), keysOf(projectkeys::variedRepeats));
-    EXPECT_EQ(propertiesOf(definitions["loop"]), keysOf(projectkeys::loop));
-    EXPECT_EQ(propertiesOf(definitions["contact_correction"]), keysOf(projectkeys::contactCorrection));
-    EXPECT_EQ(propertiesOf(definitions["retime"]), keysOf(projectkeys::retime));
-    EXPECT_EQ(propertiesOf(definitions["audio"]), keysOf(projectkeys::audio));
-    EXPECT_EQ(propertiesOf(definitions["camera_key"]), keysOf(projectkeys::cameraKey));
-    EXPECT_EQ(propertiesOf(definitions["note"]), keysOf(projectkeys::note));
-    EXPECT_EQ(propertiesOf(definitions["body_parts"]), keysOf(projectkeys::bodyParts));
-    EXPECT_EQ(propertiesOf(definitions["part_curve"]), keysOf(projectkeys::partCurve));
-    EXPECT_EQ(propertiesOf(definitions["part"]), keysOf(projectkeys::part));
-    EXPECT_EQ(propertiesOf(definitions["named_frame"]), keysOf(projectkeys::namedFrame));
-    EXPECT_EQ(propertiesOf(definitions["variation"]), keysOf(projectkeys::variation));
-    EXPECT_EQ(propertiesOf(definitions["training"]), keysOf(projectkeys::training));
-    EXPECT_EQ(propertiesOf(definitions["blend"]), keysOf(projectkeys::blend));
-    EXPECT_EQ(propertiesOf(definitions["across_blend"]), keysOf(projectkeys::acrossBlend));
-    EXPECT_EQ(propertiesOf(definitions["learning"]), keysOf(projectkeys::learning));
-    EXPECT_EQ(propertiesOf(definitions["sampling"]), keysOf(projectkeys::sampling));
-    EXPECT_EQ(propertiesOf(definitions["variation_limits"]), keysOf(projectkeys::variationLimits));
-    EXPECT_EQ(propertiesOf(definitions["samples"]), keysOf(projectkeys::samples));
-    EXPECT_EQ(propertiesOf(definitions["across_samples"]), keysOf(projectkeys::acrossSamples));
-    EXPECT_EQ(propertiesOf(definitions["export"]), keysOf(projectkeys::exportEntry));
-    EXPECT_EQ(propertiesOf(definitions["picture"]), keysOf(projectkeys::picture));
-    EXPECT_EQ(propertiesOf(definitions["view"]), keysOf(projectkeys::view));
-    EXPECT_EQ(propertiesOf(definitions["texture_files"]), keysOf(projectkeys::texture));
-    EXPECT_EQ(propertiesOf(definitions["label"]), keysOf(projectkeys::label));
-    EXPECT_EQ(propertiesOf(definitions["contact"]), keysOf(projectkeys::contact));
+    const std::string made = writeJson(projectSchema());
+    if (std::getenv("QUADRILLE_UPDATE_SCHEMA") != nullptr)
+        std::ofstream(QUADRILLE_SCHEMA_FILE) << made;
+    EXPECT_EQ(textOf(QUADRILLE_SCHEMA_FILE), made)
+        << "Run this test with QUADRILLE_UPDATE_SCHEMA=1 to write the file anew.";
 }
 
-TEST(Schema, TheCodeWritesItsKeysInTheirOrder)
+TEST(Schema, KeysAreWrittenInTheirOrder)
 {
     const Json json = projectToJson(fullProject());
-    EXPECT_EQ(written(json), listOf(projectkeys::document));
-    EXPECT_EQ(written(json["settings"]), listOf(projectkeys::settings));
-    EXPECT_EQ(written(json["characters"][0]), listOf(projectkeys::character));
-    EXPECT_EQ(written(json["sequences"][0]), listOf(projectkeys::sequence));
-    EXPECT_EQ(written(json["sequences"][0]["labels"][0]), listOf(projectkeys::label));
-    EXPECT_EQ(written(json["sequences"][0]["contacts"][0]), listOf(projectkeys::contact));
-    EXPECT_EQ(written(json["graph"][0]), listOf(projectkeys::graph));
-    EXPECT_EQ(written(json["evaluations"][0]), listOf(projectkeys::evaluation));
-    const Json& animation = json["animations"][0];
-    EXPECT_EQ(written(animation), listOf(projectkeys::animation));
-    EXPECT_EQ(written(animation["constraints"][0]), listOf(projectkeys::path));
-    EXPECT_EQ(written(animation["constraints"][1]), listOf(projectkeys::key));
-    EXPECT_EQ(written(animation["search"]), listOf(projectkeys::search));
-    EXPECT_EQ(written(animation["junctions"]), listOf(projectkeys::junctions));
-    EXPECT_EQ(written(animation["walk"]), listOf(projectkeys::walk));
-    EXPECT_EQ(written(animation["post"]), listOf(projectkeys::post));
-    EXPECT_EQ(written(animation["post"]["variations"]), listOf(projectkeys::variedRepeats));
-    EXPECT_EQ(written(animation["post"]["loop"]), listOf(projectkeys::loop));
-    EXPECT_EQ(written(animation["post"]["contact_correction"]), listOf(projectkeys::contactCorrection));
-    EXPECT_EQ(written(animation["audio"]), listOf(projectkeys::audio));
-    EXPECT_EQ(written(animation["camera"][0]), listOf(projectkeys::cameraKey));
-    EXPECT_EQ(written(animation["notes"][0]), listOf(projectkeys::note));
-    EXPECT_EQ(written(json["sequences"][0]["notes"][0]), listOf(projectkeys::note));
-    EXPECT_EQ(written(json["body_parts"][0]), listOf(projectkeys::bodyParts));
-    EXPECT_EQ(written(json["body_parts"][0]["curves"][0]), listOf(projectkeys::partCurve));
-    EXPECT_EQ(written(json["body_parts"][0]["parts"][1]), listOf(projectkeys::part));
-    const Json& variation = json["variations"][0];
-    EXPECT_EQ(written(variation), listOf(projectkeys::variation));
-    EXPECT_EQ(written(variation["sequences"][0]), listOf(projectkeys::training));
-    EXPECT_EQ(written(variation["template"]), listOf(projectkeys::namedFrame));
-    EXPECT_EQ(written(variation["blends"][0]), listOf(projectkeys::blend));
-    EXPECT_EQ(written(variation["blends"][0]["across"]), listOf(projectkeys::acrossBlend));
-    EXPECT_EQ(written(variation["learning"]), listOf(projectkeys::learning));
-    EXPECT_EQ(written(variation["sampling"]), listOf(projectkeys::sampling));
-    EXPECT_EQ(written(variation["limits"]), listOf(projectkeys::variationLimits));
-    EXPECT_EQ(written(variation["samples"][0]), listOf(projectkeys::samples));
-    EXPECT_EQ(written(variation["samples"][0]["across"]), listOf(projectkeys::acrossSamples));
-    EXPECT_EQ(written(json["exports"][0]), listOf(projectkeys::exportEntry));
-    EXPECT_EQ(written(json["exports"][0]["picture"]), listOf(projectkeys::picture));
-    EXPECT_EQ(written(json["exports"][0]["picture"]["view"]), listOf(projectkeys::view));
+    const Json schema = projectSchema();
+    EXPECT_EQ(keysOf(json), keysOf(schema["properties"]));
+    for (const auto& [definition, place] : fullObjects)
+        EXPECT_EQ(keysOf(json[Json::json_pointer(place)]),
+                  keysOf(schema["definitions"][definition]["properties"]))
+            << definition;
+}
+
+/// What the reader says of a number just beyond a limit of the schema, and at it.
+TEST(Schema, LimitsAreThoseOfTheReader)
+{
+    const Json full = projectToJson(fullProject());
+    const Json schema = projectSchema();
+    int limits = 0;
+    for (const auto& [definition, place] : fullObjects) {
+        for (const auto& [key, property] : schema["definitions"][definition]["properties"].items()) {
+            for (const char* limit : {"minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum"}) {
+                if (!property.is_object() || !property.contains(limit))
+                    continue;
+                const double step = (std::string_view(limit).ends_with("inimum") ? -1 : 1);
+                Json changed = full;
+                const std::string pointer = place + ("/" + key);
+                changed[Json::json_pointer(pointer)] = property[limit].get<double>() + step;
+                ProjectProblems problems;
+                readDocument(changed, problems);
+                EXPECT_TRUE(std::ranges::any_of(problems,
+                                                [&](const ProjectProblem& problem) {
+                                                    return problem.pointer == pointer ||
+                                                           place == problem.pointer;
+                                                }))
+                    << definition << "." << key << ": " << limit;
+                ++limits;
+            }
+        }
+    }
+    EXPECT_GT(limits, 60);
 }
 
 TEST(Schema, AcceptsWhatSaveProjectWrites)

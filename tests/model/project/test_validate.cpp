@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/paths.h"
-#include "model/project/projectkeys.h"
 #include "model/project/validate.h"
+#include "model/project/validationtexts.h"
 #include "tests/model/project/fullproject.h"
 
 #include <gmock/gmock.h>
@@ -237,9 +237,9 @@ TEST(Paths, LeadOutOfAFolderThatIsALink)
 
 TEST(ClosestWord, FindsSlipsAndNothingFarFetched)
 {
-    using projectkeys::closestWord;
-    EXPECT_EQ(closestWord("sorce", projectkeys::sequence), "source");
-    EXPECT_EQ(closestWord("Source-FPS", projectkeys::sequence), "source_fps");
-    EXPECT_EQ(closestWord("transfers", projectkeys::document), std::nullopt);
-    EXPECT_EQ(closestWord("colour", projectkeys::texture), std::nullopt);
+    constexpr std::array<std::string_view, 4> known{"source", "source_fps", "per_frame", "variations"};
+    EXPECT_EQ(closestWord("sorce", known), "source");
+    EXPECT_EQ(closestWord("Source-FPS", known), "source_fps");
+    EXPECT_EQ(closestWord("transfers", known), std::nullopt);
+    EXPECT_EQ(closestWord("colour", known), std::nullopt);
 }
