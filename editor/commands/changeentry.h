@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/commands/entryaccess.h"
 #include "editor/commands/projectcommand.h"
 #include "model/project/fields/entrymemory.h"
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "editor/commands/changeproject.h"
 
-#include "editor/commands/entryaccess.h"
 #include "model/project/fields/entrymemory.h"
 
 namespace quadrille {

@@ -11,23 +11,11 @@ namespace quadrille {
 
 // What edits of entries of all kinds have in common. Texts are what the history calls them, translated.
 
-/// The entries of one kind in a part.
-template <typename Entry>
-PlacedEntries<Entry>& placedIn(ProjectPart& part)
-{
-    if constexpr (std::is_same_v<Entry, AnimationEntry>)
-        return part.animations;
-    else if constexpr (std::is_same_v<Entry, VariationEntry>)
-        return part.variations;
-    else
-        return part.exports;
-}
-
 template <typename Entry>
 bool insertEntry(ProjectDocument& document, const QString& text, std::size_t place, Entry entry)
 {
     ProjectPart part;
-    placedIn<Entry>(part).emplace_back(place, std::move(entry));
+    part.of<Entry>().emplace_back(place, std::move(entry));
     return wasTaken(document, std::make_unique<InsertPart>(document, text, std::move(part)));
 }
 

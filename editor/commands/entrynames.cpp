@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "editor/commands/entrynames.h"
 
-#include "editor/commands/entryaccess.h"
 #include "model/core/utf8.h"
 #include "model/project/brokenentry.h"
 #include "model/project/validate.h"
@@ -24,36 +23,6 @@ Error refusal(const QString& reason, const QString& remedy)
                  {{}, {}, {{"reason", reason.toStdString()}, {"remedy", remedy.toStdString()}}});
 }
 
-template <typename Entry>
-bool hasName(const Project& project, const QString& name)
-{
-    return std::ranges::find(entriesOf<Entry>(project), name.toStdString(), &Entry::name) !=
-           entriesOf<Entry>(project).end();
-}
-
-/// The key of a section in the file.
-const char* keyOf(Section section)
-{
-    switch (section) {
-    case Section::Characters:
-        return "characters";
-    case Section::Sequences:
-        return "sequences";
-    case Section::Animations:
-        return "animations";
-    case Section::Variations:
-        return "variations";
-    case Section::Exports:
-        return "exports";
-    case Section::Project:
-    case Section::Graphs:
-    case Section::BodyParts:
-    case Section::Evaluations:
-        break;
-    }
-    return "";
-}
-
 /// What comes of a text where names take no slashes, control characters, …
 QString usableName(const QString& text)
 {
@@ -72,51 +41,13 @@ QString usableName(const QString& text)
 
 } // namespace
 
-std::optional<NamedKind> kindOf(Section section)
-{
-    switch (section) {
-    case Section::Characters:
-        return NamedKind::Character;
-    case Section::Sequences:
-        return NamedKind::Sequence;
-    case Section::Animations:
-        return NamedKind::Animation;
-    case Section::Variations:
-        return NamedKind::Variation;
-    case Section::Project:
-    case Section::Graphs:
-    case Section::BodyParts:
-    case Section::Evaluations:
-    case Section::Exports:
-        break;
-    }
-    return std::nullopt;
-}
-
 bool isTaken(const Project& project, Section section, const QString& name)
 {
-    for (const BrokenEntry& entry : brokenEntries(project)) {
-        if (entry.section == keyOf(section) && entry.name() == name.toStdString())
-            return true;
-    }
-    switch (section) {
-    case Section::Characters:
-        return hasName<CharacterEntry>(project, name);
-    case Section::Sequences:
-        return hasName<SequenceEntry>(project, name);
-    case Section::Animations:
-        return hasName<AnimationEntry>(project, name);
-    case Section::Variations:
-        return hasName<VariationEntry>(project, name);
-    case Section::Exports:
-        return hasName<ExportEntry>(project, name);
-    case Section::Project:
-    case Section::Graphs:
-    case Section::BodyParts:
-    case Section::Evaluations:
-        break;
-    }
-    return false;
+    const SectionInfo* info = findSection(section);
+    const bool isBroken = std::ranges::any_of(brokenEntries(project), [&](const BrokenEntry& entry) {
+        return info != nullptr && entry.section == info->key && entry.name() == name.toStdString();
+    });
+    return isBroken || (info != nullptr && info->isRenamable && info->names(project).contains(name));
 }
 
 QString freeName(const Project& project, Section section, const QString& wanted)

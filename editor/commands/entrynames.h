@@ -4,15 +4,11 @@
 
 #include "editor/commands/projectedits.h"
 #include "model/project/project.h"
-#include "model/project/references.h"
 
 #include <QString>
 #include <optional>
 
 namespace quadrille {
-
-/// The kind of the entries of a section; nothing where nobody refers to them.
-std::optional<NamedKind> kindOf(Section section);
 
 /// Whether an entry of a section has the name, be it one that cannot be read.
 bool isTaken(const Project& project, Section section, const QString& name);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "editor/commands/insertpart.h"
 
-#include "editor/commands/entryaccess.h"
 #include "model/project/fields/entrymemory.h"
 
 namespace quadrille {
@@ -35,8 +34,7 @@ void exchange(Project& project, const PlacedEntries<Entry>& part, bool insert)
 
 std::size_t ProjectPart::bytes() const
 {
-    return memoryOfPlaced(characters) + memoryOfPlaced(sequences) + memoryOfPlaced(animations) +
-           memoryOfPlaced(variations) + memoryOfPlaced(exports);
+    return std::apply([](const auto&... placed) { return (memoryOfPlaced(placed) + ...); }, entries);
 }
 
 InsertPart::InsertPart(ProjectDocument& document, const QString& text, ProjectPart part)
@@ -54,26 +52,19 @@ void InsertPart::undo()
 
 void InsertPart::run(bool insert)
 {
+    const auto forEachKind = [this](const auto& visit) {
+        std::apply([&](const auto&... placed) { (visit(placed), ...); }, m_part.entries);
+    };
     std::vector<ChangeEvent> events;
-    if (!m_part.characters.empty())
-        events.push_back(ChangeEvent::list(Section::Characters));
-    if (!m_part.sequences.empty())
-        events.push_back(ChangeEvent::list(Section::Sequences));
-    if (!m_part.animations.empty())
-        events.push_back(ChangeEvent::list(Section::Animations));
-    if (!m_part.variations.empty())
-        events.push_back(ChangeEvent::list(Section::Variations));
-    if (!m_part.exports.empty())
-        events.push_back(ChangeEvent::list(Section::Exports));
+    forEachKind([&]<typename Entry>(const PlacedEntries<Entry>& placed) {
+        if (!placed.empty())
+            events.push_back(ChangeEvent::list(sectionOf<Entry>()));
+    });
     if (m_part.fps)
         events.push_back(ChangeEvent::value(Section::Project, {}));
     apply(
         [&](Project& project) {
-            exchange(project, m_part.characters, insert);
-            exchange(project, m_part.sequences, insert);
-            exchange(project, m_part.animations, insert);
-            exchange(project, m_part.variations, insert);
-            exchange(project, m_part.exports, insert);
+            forEachKind([&](const auto& placed) { exchange(project, placed, insert); });
             if (m_part.fps)
                 std::swap(project.settings.fps, *m_part.fps);
         },

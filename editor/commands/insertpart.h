@@ -5,6 +5,7 @@
 #include "editor/commands/projectcommand.h"
 
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -17,19 +18,27 @@ using PlacedEntries = std::vector<std::pair<std::size_t, Entry>>;
 /// Entries that come and go together: a sequence with its new character.
 struct ProjectPart
 {
-    PlacedEntries<CharacterEntry> characters;
-    PlacedEntries<SequenceEntry> sequences;
-    PlacedEntries<AnimationEntry> animations;
-    PlacedEntries<VariationEntry> variations;
-    PlacedEntries<ExportEntry> exports;
+    template <typename Lists>
+    struct Of;
+    template <typename... Entries>
+    struct Of<std::tuple<sectionlists::Place<std::vector<Entries>>...>>
+    {
+        using Type = std::tuple<PlacedEntries<Entries>...>;
+    };
+    /// Of each kind that has names.
+    Of<std::remove_const_t<decltype(sectionlists::named)>>::Type entries;
     /// The project's rate while the part is in it, where that is another one; the first sequences bring
     /// theirs.
     std::optional<double> fps;
 
+    template <typename Entry>
+    PlacedEntries<Entry>& of()
+    {
+        return std::get<PlacedEntries<Entry>>(entries);
+    }
     bool isEmpty() const
     {
-        return characters.empty() && sequences.empty() && animations.empty() && variations.empty() &&
-               exports.empty();
+        return std::apply([](const auto&... placed) { return (placed.empty() && ...); }, entries);
     }
     std::size_t bytes() const;
 };

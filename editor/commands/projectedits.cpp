@@ -9,6 +9,7 @@
 #include "editor/documents/editcheck.h"
 #include "editor/documents/evaluationnames.h"
 #include "editor/evaluations/evaluationtexts.h"
+#include "model/core/contains.h"
 #include "model/project/brokenentry.h"
 #include "model/project/framenote.h"
 #include "model/project/references.h"
@@ -59,20 +60,8 @@ QString removalText(Section section, const QStringList& names)
     if (count == 1)
         return ProjectTexts::tr("Remove “%1”")
             .arg(section == Section::Evaluations ? evaluationTitle(names.front()) : names.front());
-    if (section == Section::Evaluations)
-        return ProjectTexts::tr("Remove %n evaluations", nullptr, count);
-    switch (section) {
-    case Section::Characters:
-        return ProjectTexts::tr("Remove %n characters", nullptr, count);
-    case Section::Animations:
-        return ProjectTexts::tr("Remove %n animations", nullptr, count);
-    case Section::Variations:
-        return ProjectTexts::tr("Remove %n variations", nullptr, count);
-    case Section::Exports:
-        return ProjectTexts::tr("Remove %n exports", nullptr, count);
-    default:
-        return ProjectTexts::tr("Remove %n sequences", nullptr, count);
-    }
+    return QCoreApplication::translate("quadrille::ProjectEdits", findSection(section)->removal, nullptr,
+                                       count);
 }
 
 } // namespace
@@ -96,14 +85,14 @@ QStringList addSequences(ProjectDocument& document, std::vector<SequenceEntry> s
             if (sequence.character == before)
                 sequence.character = character.name;
         }
-        part.characters.emplace_back(preview.characters.size(), character);
+        part.of<CharacterEntry>().emplace_back(preview.characters.size(), character);
         preview.characters.push_back(std::move(character));
     }
     QStringList names;
     for (SequenceEntry& sequence : sequences) {
         names += freeName(preview, Section::Sequences, QString::fromStdString(sequence.name));
         sequence.name = names.back().toStdString();
-        part.sequences.emplace_back(preview.sequences.size(), sequence);
+        part.of<SequenceEntry>().emplace_back(preview.sequences.size(), sequence);
         preview.sequences.push_back(std::move(sequence));
     }
     const QString text = names.size() == 1
@@ -126,15 +115,17 @@ void removeEntries(ProjectDocument& document, Section section, const QStringList
         gone.push_back(name.toStdString());
     const Project& before = document.project();
     Project after = before;
-    if (const auto kind = kindOf(section))
+    if (const auto kind = findSection(section)->kind)
         removeEntries(after, *kind, gone);
     else if (section == Section::Evaluations)
         std::erase_if(after.evaluations, [&](const EvaluationEntry& evaluation) {
             return names.contains(evaluationName(evaluation));
         });
     else
-        std::erase_if(after.exports,
-                      [&](const ExportEntry& e) { return std::ranges::count(gone, e.name) > 0; });
+        sectionlists::forEachNamed(after, [&](Section own, auto& entries) {
+            if (own == section)
+                std::erase_if(entries, [&](const auto& entry) { return contains(gone, entry.name); });
+        });
     // Tables of results that were of what is gone.
     std::erase_if(after.evaluations, [&](const EvaluationEntry& evaluation) {
         return hasProblems(after, evaluation) && !hasProblems(before, evaluation);
@@ -144,16 +135,7 @@ void removeEntries(ProjectDocument& document, Section section, const QStringList
 
 QString duplicateSequence(ProjectDocument& document, const QString& name)
 {
-    const Project& project = document.project();
-    SequenceEntry copy = entryOf<SequenceEntry>(project, name);
-    QString copyName = freeName(project, Section::Sequences, name);
-    copy.name = copyName.toStdString();
-    const auto original = std::ranges::find(project.sequences, name.toStdString(), &SequenceEntry::name);
-    ProjectPart part;
-    part.sequences.emplace_back(original - project.sequences.begin() + 1, std::move(copy));
-    auto command =
-        std::make_unique<InsertPart>(document, ProjectTexts::tr("Duplicate “%1”").arg(name), std::move(part));
-    return wasTaken(document, std::move(command)) ? copyName : QString();
+    return duplicateEntry<SequenceEntry>(document, ProjectTexts::tr("Duplicate “%1”").arg(name), name);
 }
 
 bool renameEntry(ProjectDocument& document, const EntryRef& entry, const QString& after)
@@ -166,10 +148,15 @@ bool renameEntry(ProjectDocument& document, const EntryRef& entry, const QString
         return false;
     }
     Project changed = document.project();
-    if (const auto kind = kindOf(entry.section))
+    if (const auto kind = findSection(entry.section)->kind)
         renameEntry(changed, *kind, entry.name.toStdString(), name.toStdString());
     else
-        entryOf<ExportEntry>(changed, entry.name).name = name.toStdString();
+        sectionlists::forEachNamed(changed, [&](Section own, auto& entries) {
+            if (own == entry.section)
+                std::ranges::find(entries, entry.name.toStdString(), [](const auto& each) {
+                    return each.name;
+                })->name = name.toStdString();
+        });
     auto command = std::make_unique<ChangeProject>(
         document, ProjectTexts::tr("Rename “%1” to “%2”").arg(entry.name, name), std::move(changed),
         std::pair(EntryRef{entry.section, name}, entry.name));

@@ -200,15 +200,10 @@ void ProjectPanel::makeActions()
 void ProjectPanel::updateActions()
 {
     const EntryRef& current = m_context.selection.current();
-    const bool isEntry = !current.name.isEmpty() && current.section != Section::BodyParts;
-    m_context.actions.action("edit.rename")
-        ->setEnabled(isEntry && current.section != Section::Project &&
-                     current.section != Section::Evaluations);
-    m_context.actions.action("edit.remove")->setEnabled(isEntry);
-    m_context.actions.action("edit.duplicate")
-        ->setEnabled(isEntry &&
-                     (current.section == Section::Sequences || current.section == Section::Animations ||
-                      current.section == Section::Variations));
+    const SectionInfo* section = current.name.isEmpty() ? nullptr : findSection(current.section);
+    m_context.actions.action("edit.rename")->setEnabled(section != nullptr && section->isRenamable);
+    m_context.actions.action("edit.remove")->setEnabled(section != nullptr && section->removal != nullptr);
+    m_context.actions.action("edit.duplicate")->setEnabled(section != nullptr && section->isDuplicable);
 }
 
 QStringList ProjectPanel::selectedNames(Section section) const
@@ -286,16 +281,11 @@ void ProjectPanel::activate(const QModelIndex& index)
     const auto* medium = entry.section == Section::Sequences ? m_context.media.medium(entry.name) : nullptr;
     if (medium != nullptr && medium->state == SequenceMedia::State::Failed)
         m_context.media.retry(entry.name);
-    else if (entry.section == Section::Animations && !entry.name.isEmpty())
-        m_context.actions.action("workspace.animate")->trigger();
-    else if ((entry.section == Section::Variations || entry.section == Section::BodyParts) &&
-             !entry.name.isEmpty())
-        m_context.actions.action("workspace.variations")->trigger();
-    else if (entry.section == Section::Exports && !entry.name.isEmpty())
-        m_context.actions.action("file.export")->trigger();
-    else if (entry.section == Section::Evaluations &&
-             (!entry.name.isEmpty() || m_model->rowCount(index) == 0))
-        m_context.actions.action(entry.name.isEmpty() ? "evaluations.add" : "evaluations.show")->trigger();
+    else if (const SectionInfo* section = findSection(entry.section);
+             !entry.name.isEmpty() && section->opening != nullptr)
+        m_context.actions.action(QLatin1String(section->opening))->trigger();
+    else if (entry.section == Section::Evaluations && m_model->rowCount(index) == 0)
+        m_context.actions.action("evaluations.add")->trigger();
 }
 
 void ProjectPanel::hideEmpty()
@@ -323,14 +313,10 @@ void ProjectPanel::showMenu(const QPoint& position)
 /// What can be added: to a section, or beside all of them.
 void ProjectPanel::fillSectionMenu(QMenu& menu, const QModelIndex& section)
 {
-    const std::array additions{std::pair{Section::Sequences, "file.import"},
-                               std::pair{Section::Sequences, "file.importFolder"},
-                               std::pair{Section::Animations, "animate.new"},
-                               std::pair{Section::Variations, "variations.new"},
-                               std::pair{Section::Evaluations, "evaluations.add"},
-                               std::pair{Section::Exports, "file.export"}};
-    for (const auto& [where, action] : additions) {
-        if (!section.isValid() || m_model->entry(section).section == where)
+    for (const SectionInfo& info : sections()) {
+        if (section.isValid() && m_model->entry(section).section != info.section)
+            continue;
+        for (const char* action : info.additions)
             menu.addAction(m_context.actions.action(QLatin1String(action)));
     }
     menu.addSeparator();

@@ -3,56 +3,25 @@
 #include "editor/docks/projecttreemodel.h"
 
 #include "editor/commands/projectedits.h"
-#include "editor/documents/evaluationnames.h"
 #include "editor/evaluations/evaluationtexts.h"
-#include "model/project/brokenentry.h"
 #include "widgets/theme/icons.h"
-
-#include <array>
 
 namespace quadrille {
 
 namespace {
 
-constexpr std::array sections{Section::Characters, Section::Sequences,  Section::Animations,
-                              Section::BodyParts,  Section::Variations, Section::Evaluations,
-                              Section::Exports,    Section::Project};
 /// Marks the index of a section; entries carry their section's row.
 constexpr quintptr sectionId = ~quintptr{0};
 
 int rowOf(Section section)
 {
-    const auto found = std::ranges::find(sections, section);
-    return found == sections.end() ? -1 : static_cast<int>(found - sections.begin());
+    const SectionInfo* info = findSection(section);
+    return info == nullptr ? -1 : static_cast<int>(info - sections().data());
 }
 
-template <typename Entry>
-QStringList names(const std::vector<Entry>& entries)
+const SectionInfo& sectionAt(std::size_t row)
 {
-    QStringList result;
-    for (const Entry& entry : entries)
-        result += QString::fromStdString(entry.name);
-    return result;
-}
-
-/// They are called by their character, which a project with only one need not name.
-QStringList namesOfBodies(const Project& project)
-{
-    QStringList result;
-    for (const BodyPartsEntry& body : project.bodyParts) {
-        const bool isNamed = !body.character.empty() || project.characters.empty();
-        result += QString::fromStdString(isNamed ? body.character : project.characters.front().name);
-    }
-    result.removeAll(QString());
-    return result;
-}
-
-QStringList namesOfEvaluations(const Project& project)
-{
-    QStringList result;
-    for (const EvaluationEntry& evaluation : project.evaluations)
-        result += evaluationName(evaluation);
-    return result;
+    return sections()[row];
 }
 
 /// What stands for an entry.
@@ -79,34 +48,12 @@ QIcon iconOf(const QString& name, EntryState state)
     return {};
 }
 
-QString iconOf(Section section)
-{
-    switch (section) {
-    case Section::Characters:
-        return QStringLiteral("character");
-    case Section::Sequences:
-        return QStringLiteral("sequence");
-    case Section::Animations:
-        return QStringLiteral("trajectory");
-    case Section::BodyParts:
-        return QStringLiteral("parts");
-    case Section::Variations:
-        return QStringLiteral("variation");
-    case Section::Evaluations:
-        return QStringLiteral("evaluation");
-    case Section::Project: // what cannot be read
-        return QStringLiteral("error");
-    default:
-        return QStringLiteral("export");
-    }
-}
-
 } // namespace
 
 ProjectTreeModel::ProjectTreeModel(ProjectDocument& document, StatusOf statusOf, QObject* parent)
     : QAbstractItemModel(parent), m_document(document), m_statusOf(std::move(statusOf))
 {
-    for (int i = 0; i < static_cast<int>(sections.size()); ++i)
+    for (int i = 0; i < static_cast<int>(sections().size()); ++i)
         m_names.push_back(namesOf(i));
     connect(&document, &ProjectDocument::renamed, this, &ProjectTreeModel::rename);
     connect(&document, &ProjectDocument::changed, this, &ProjectTreeModel::follow);
@@ -129,7 +76,7 @@ QModelIndex ProjectTreeModel::parent(const QModelIndex& child) const
 int ProjectTreeModel::rowCount(const QModelIndex& parent) const
 {
     if (!parent.isValid())
-        return static_cast<int>(sections.size());
+        return static_cast<int>(sections().size());
     if (parent.internalId() == sectionId && parent.column() == 0)
         return static_cast<int>(m_names[static_cast<std::size_t>(parent.row())].size());
     return 0;
@@ -145,9 +92,9 @@ EntryRef ProjectTreeModel::entry(const QModelIndex& index) const
     if (!index.isValid())
         return {};
     if (index.internalId() == sectionId)
-        return {sections[static_cast<std::size_t>(index.row())], {}};
+        return {sectionAt(static_cast<std::size_t>(index.row())).section, {}};
     const auto section = static_cast<std::size_t>(index.internalId());
-    return {sections[section], m_names[section].value(index.row())};
+    return {sectionAt(section).section, m_names[section].value(index.row())};
 }
 
 QModelIndex ProjectTreeModel::indexOf(const EntryRef& entry) const
@@ -169,25 +116,7 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const
     if (ref.name.isEmpty()) {
         if (role != Qt::DisplayRole)
             return {};
-        const int count = rowCount(index);
-        switch (ref.section) {
-        case Section::Characters:
-            return tr("Characters (%1)").arg(count);
-        case Section::Sequences:
-            return tr("Sequences (%1)").arg(count);
-        case Section::Animations:
-            return tr("Animations (%1)").arg(count);
-        case Section::BodyParts:
-            return tr("Body parts (%1)").arg(count);
-        case Section::Variations:
-            return tr("Variations (%1)").arg(count);
-        case Section::Evaluations:
-            return tr("Evaluations (%1)").arg(count);
-        case Section::Project:
-            return tr("Cannot be read (%1)").arg(count);
-        default:
-            return tr("Exports (%1)").arg(count);
-        }
+        return titleOf(*findSection(ref.section), rowCount(index));
     }
     switch (role) {
     case Qt::DisplayRole:
@@ -195,7 +124,7 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const
     case Qt::EditRole:
         return ref.name;
     case Qt::DecorationRole:
-        return iconOf(iconOf(ref.section), m_statusOf(ref).state);
+        return iconOf(QLatin1String(findSection(ref.section)->icon), m_statusOf(ref).state);
     case StateRole:
         return static_cast<int>(m_statusOf(ref).state);
     case ProblemRole:
@@ -241,9 +170,7 @@ Qt::ItemFlags ProjectTreeModel::flags(const QModelIndex& index) const
     if (index.internalId() == sectionId)
         return flags;
     flags |= Qt::ItemNeverHasChildren;
-    const Section section = entry(index).section;
-    flags.setFlag(Qt::ItemIsEditable, section != Section::BodyParts && section != Section::Evaluations &&
-                                          section != Section::Project);
+    flags.setFlag(Qt::ItemIsEditable, findSection(entry(index).section)->isRenamable);
     return flags;
 }
 
@@ -256,29 +183,7 @@ void ProjectTreeModel::updateStatus(const EntryRef& entry)
 
 QStringList ProjectTreeModel::namesOf(int section) const
 {
-    const Project& project = m_document.project();
-    switch (sections[static_cast<std::size_t>(section)]) {
-    case Section::Characters:
-        return names(project.characters);
-    case Section::Sequences:
-        return names(project.sequences);
-    case Section::Animations:
-        return names(project.animations);
-    case Section::BodyParts:
-        return namesOfBodies(project);
-    case Section::Variations:
-        return names(project.variations);
-    case Section::Evaluations:
-        return namesOfEvaluations(project);
-    case Section::Project: {
-        QStringList titles;
-        for (const std::string& title : titlesOf(brokenEntries(project)))
-            titles += QString::fromStdString(title);
-        return titles;
-    }
-    default:
-        return names(project.exports);
-    }
+    return sectionAt(static_cast<std::size_t>(section)).names(m_document.project());
 }
 
 void ProjectTreeModel::reload(int section)
@@ -327,7 +232,7 @@ void ProjectTreeModel::follow(const ChangeEvent& event)
     switch (event.kind) {
     case ChangeEvent::Kind::Reset:
         beginResetModel();
-        for (int i = 0; i < static_cast<int>(sections.size()); ++i)
+        for (int i = 0; i < static_cast<int>(sections().size()); ++i)
             m_names[static_cast<std::size_t>(i)] = namesOf(i);
         endResetModel();
         break;

@@ -2,25 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "editor/documents/sections.h"
+
 #include <QMetaType>
 #include <QString>
 
 namespace quadrille {
-
-/// The sections of a project that the tree shows and the selection can point into.
-enum class Section
-{
-    Project, ///< the settings
-    Characters,
-    Sequences,
-    Graphs, ///< an entry is called by its character
-    Animations,
-    BodyParts, ///< an entry is called by its character
-    Variations,
-    Evaluations, ///< an entry is called by its table, and its character where it names one: see
-                 ///< evaluationName()
-    Exports,
-};
 
 /// One entry of a project, by the name that makes it unique in its section; no name: the section itself.
 struct EntryRef

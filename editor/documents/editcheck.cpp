@@ -46,14 +46,11 @@ std::optional<Error> refusalOf(const Project& before, const Project& after)
     const auto found = std::ranges::find_if(problems, isNew);
     if (found == problems.end())
         return std::nullopt;
-    const auto name = [&](const auto& was, const auto& is, const char* section) {
-        if (const auto other = bystander(was, is, section, found->pointer))
+    sectionlists::forEachNamed(after, [&]<typename Entry>(Section section, const std::vector<Entry>& is) {
+        if (const auto other =
+                bystander(entriesOf<Entry>(before), is, findSection(section)->key, found->pointer))
             found->context.file = *other;
-    };
-    name(before.sequences, after.sequences, "sequences");
-    name(before.animations, after.animations, "animations");
-    name(before.variations, after.variations, "variations");
-    name(before.exports, after.exports, "exports");
+    });
     return Error(found->code, found->context);
 }
 

@@ -15,13 +15,6 @@ namespace quadrille {
 
 namespace {
 
-template <typename Entry>
-const Entry* findByName(const std::vector<Entry>& entries, const std::string& name)
-{
-    const auto found = std::ranges::find(entries, name, &Entry::name);
-    return found == entries.end() ? nullptr : &*found;
-}
-
 const ProjectCommand* commandAt(const QUndoStack& stack, int index)
 {
     return static_cast<const ProjectCommand*>(stack.command(index));
@@ -42,27 +35,27 @@ ProjectDocument::~ProjectDocument()
 
 const SequenceEntry* ProjectDocument::sequence(const QString& name) const
 {
-    return findByName(m_project.sequences, name.toStdString());
+    return findEntry<SequenceEntry>(m_project, name);
 }
 
 const CharacterEntry* ProjectDocument::character(const QString& name) const
 {
-    return findByName(m_project.characters, name.toStdString());
+    return findEntry<CharacterEntry>(m_project, name);
 }
 
 const AnimationEntry* ProjectDocument::animation(const QString& name) const
 {
-    return findByName(m_project.animations, name.toStdString());
+    return findEntry<AnimationEntry>(m_project, name);
 }
 
 const VariationEntry* ProjectDocument::variation(const QString& name) const
 {
-    return findByName(m_project.variations, name.toStdString());
+    return findEntry<VariationEntry>(m_project, name);
 }
 
 const ExportEntry* ProjectDocument::exportEntry(const QString& name) const
 {
-    return findByName(m_project.exports, name.toStdString());
+    return findEntry<ExportEntry>(m_project, name);
 }
 
 const EvaluationEntry* ProjectDocument::evaluation(const QString& name) const
@@ -75,7 +68,7 @@ const CharacterEntry* ProjectDocument::characterOf(const SequenceEntry& sequence
 {
     if (sequence.character.empty() && m_project.characters.size() == 1)
         return &m_project.characters.front();
-    return findByName(m_project.characters, sequence.character);
+    return character(QString::fromStdString(sequence.character));
 }
 
 std::filesystem::path ProjectDocument::untitledFile() const

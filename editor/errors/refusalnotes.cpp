@@ -68,9 +68,9 @@ void RefusalNotes::tell(const Error& error)
 
 void RefusalNotes::showAgain()
 {
-    for (const Section section : {Section::Project, Section::Characters, Section::Sequences, Section::Graphs,
-                                  Section::Animations, Section::BodyParts, Section::Variations})
-        emit m_document.changed(ChangeEvent::list(section));
+    emit m_document.changed(ChangeEvent::list(Section::Graphs));
+    for (const SectionInfo& section : sections())
+        emit m_document.changed(ChangeEvent::list(section.section));
 }
 
 } // namespace quadrille
