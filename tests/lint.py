@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Quadrille developers
 # SPDX-License-Identifier: MIT
-"""lint.py BUILD_DIR [FILE…]: clang-tidy over the sources of model, widgets and editor.
+"""lint.py BUILD_DIR [FILE…]: clang-tidy over the sources of model, widgets, editor and resources.
 
 Sources that are compiled together (see quadrille_unity) are read together. What passed is not read again until one of
 its sources, a header of ours that they include, its compiler flags or .clang-tidy change; it is kept in BUILD_DIR/lint.
@@ -19,7 +19,7 @@ from pathlib import Path
 
 CLANG_TIDY = "clang-tidy-14"
 ROOT = Path(__file__).resolve().parent.parent
-FOLDERS = ("model/", "widgets/", "editor/")
+FOLDERS = ("model/", "widgets/", "editor/", "resources/")
 
 
 def flags_of(command):

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/sample/sample.h"
-#include "model/sample/texturebake.h"
+#include "model/sample/texelmap.h"
 
 namespace quadrille {
 

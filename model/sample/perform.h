@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/sample/surfacemesh.h"
 #include "model/sample/takes.h"
 
 namespace quadrille {

@@ -4,44 +4,41 @@
 
 #include "model/core/error.h"
 #include "model/sample/appearance.h"
-#include "model/sample/character.h"
+#include "model/sample/figures.h"
 #include "model/sample/perform.h"
-#include "model/sample/texturebake.h"
+#include "model/sample/surfacemesh.h"
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 namespace quadrille {
 
 namespace {
 
-std::shared_ptr<const Topology> topologyOf(const SurfaceMesh& mesh, const Atlas& atlas)
+/// An image a whole number of times smaller: one texel of each square.
+Image reduced(const Image& image, int size)
 {
-    TopologyData data;
-    data.vertexCount = static_cast<std::uint32_t>(mesh.points.size());
-    data.triangles = mesh.triangles;
-    data.uvs = atlas.uvs;
-    data.triangleUvs = atlas.triangleUvs;
-    return std::make_shared<const Topology>(std::move(data));
+    const int factor = image.width / size;
+    Image small(size, size);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            std::copy_n(image.pixel(factor * x + factor / 2, factor * y + factor / 2), 4, small.pixel(x, y));
+    return small;
 }
 
-SampleBody makeBody(const std::string& name, const Body& body, double spacing, double edgeScale,
-                    int textureSize, const Palette& palette, SurfaceMesh& mesh, const Progress& progress)
+SampleBody bodyOf(SampleFigure figure, int textureSize)
 {
-    const SurfaceMesh half = extractHalfSurface(body, spacing, progress.part(0, 0.3));
-    mesh = mirrorHalf(remeshHalf(half, body, edgeLengthFor(body, edgeScale), progress.part(0.3, 0.5)));
-    SampleBody result;
-    result.name = name;
-    result.atlas = makeAtlas(mesh, body, progress.part(0.5, 0.6));
-    result.topology = topologyOf(mesh, result.atlas);
-    const TexelMap texels = mapTexels(result.atlas, textureSize, std::max(textureSize / 128, 2));
-    result.texture =
-        std::make_shared<const Image>(bakeTexture(mesh, body, texels, palette, progress.part(0.6, 1)));
-    for (const Vec3d& p : mesh.points)
-        result.rest.push_back(p.cast<float>());
-    return result;
+    SampleBody body;
+    body.name = std::move(figure.name);
+    body.topology = std::make_shared<const Topology>(std::move(figure.faces));
+    for (const Vec3d& p : figure.points)
+        body.rest.push_back(p.cast<float>());
+    body.texture = std::make_shared<const Image>(textureSize == figure.texture.width
+                                                     ? std::move(figure.texture)
+                                                     : reduced(figure.texture, textureSize));
+    return body;
 }
 
 /// The kind of a take by its place among the kinds, and which one of the kind it is.
@@ -109,33 +106,24 @@ void makeTakes(SampleCharacter& character, const SurfaceMesh& mesh, const Sample
 
 SampleCharacter makeSampleCharacter(const SampleOptions& options, const Progress& progress)
 {
-    if (options.textureSize < 64 || options.textureSize > 4096 || options.takesPerKind < 1 ||
+    if (options.textureSize < 64 || options.textureSize > 1024 ||
+        !std::has_single_bit(static_cast<unsigned>(options.textureSize)) || options.takesPerKind < 1 ||
         options.takesPerKind > 3)
-        throw Error(
-            ErrorCode::BadArgument,
-            {{},
-             {},
-             {{"reason", "The sample needs a texture of 64 to 4096 texels and 1 to 3 takes of each kind"},
-              {"remedy", "Choose other numbers."}}});
+        throw Error(ErrorCode::BadArgument,
+                    {{},
+                     {},
+                     {{"reason", "The sample needs a texture of 64, 128, 256, 512 or 1024 texels and 1 to 3 "
+                                 "takes of each kind"},
+                      {"remedy", "Choose other numbers."}}});
+    SampleFigures figures = shippedFigures();
     SampleCharacter character;
-    const Body body;
-    SurfaceMesh mesh;
-    const Body target(targetProportions());
-    SurfaceMesh targetMesh;
-    // Much of it goes one step after the other: the two bodies side by side.
-    const Progress bodies = progress.part(0, 0.7);
-    tbb::parallel_invoke(
-        [&] {
-            character.body = makeBody("Quad", body, 0.005, 1.18, options.textureSize, {}, mesh, bodies);
-            character.skeleton = makeSkeleton(body);
-            character.weights = boneHeatWeights(mesh, character.skeleton);
-        },
-        [&] {
-            character.target = makeBody("Otto", target, 0.0055, 0.98, options.textureSize, targetPalette(),
-                                        targetMesh, bodies);
-        });
-    character.landmarks = makeLandmarks(body, mesh, target, targetMesh);
-    makeTakes(character, mesh, options, progress.part(0.7, 1.0));
+    const SurfaceMesh mesh{figures.character.points, figures.character.faces.triangles};
+    character.body = bodyOf(std::move(figures.character), options.textureSize);
+    character.target = bodyOf(std::move(figures.target), options.textureSize);
+    character.skeleton = std::move(figures.skeleton);
+    character.weights = std::move(figures.weights);
+    character.landmarks = std::move(figures.landmarks);
+    makeTakes(character, mesh, options, progress);
     progress.report(1.0);
     return character;
 }

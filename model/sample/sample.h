@@ -4,7 +4,6 @@
 
 #include "model/core/image.h"
 #include "model/core/progress.h"
-#include "model/sample/atlas.h"
 #include "model/sample/skeleton.h"
 #include "model/sequence/meshsequence.h"
 
@@ -21,7 +20,7 @@ struct SampleOptions
 {
     /// Takes differ with it; the figure does not.
     std::uint64_t seed = 1;
-    /// Side of the character's texture, texels.
+    /// Side of the bodies' textures, texels: 64 … 1024, a power of two.
     int textureSize = 1024;
     /// Takes of each kind, 1 … 3.
     int takesPerKind = 2;
@@ -70,7 +69,6 @@ struct SampleBody
     std::shared_ptr<const Topology> topology;
     std::vector<Vec3f> rest;
     std::shared_ptr<const Image> texture;
-    Atlas atlas;
 };
 
 /// A place on a mesh: a triangle and the weights of its corners.
@@ -100,8 +98,8 @@ struct SampleCharacter
     std::vector<LandmarkPair> landmarks;
 };
 
-/// Makes the built-in character. The same options give the same bytes, whatever the number of threads.
-/// \throws Error BadArgument, Cancelled.
+/// Makes the takes of the built-in character. The same options give the same bytes, whatever the number of
+/// threads. \throws Error BadArgument, Cancelled.
 SampleCharacter makeSampleCharacter(const SampleOptions& options = {}, const Progress& progress = {});
 
 /// Writes the character, its takes, the target body, the ground truth and a project that uses them all.

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/sample/bodymesh.h"
+#include "model/core/units.h"
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,6 @@ struct Skeleton
     /// Index of a joint by its name. \pre It exists.
     std::size_t index(const std::string& name) const;
 };
-
-/// The 23 joints of a body: hips, spine, chest, neck, head, and on each side clavicle, upper arm, forearm,
-/// hand, fingers, thigh, shin, foot, toes.
-Skeleton makeSkeleton(const Body& body);
 
 using JointRotations = std::vector<Eigen::Quaterniond>;
 
@@ -53,10 +50,6 @@ struct VertexWeights
     std::array<std::uint16_t, 4> joints{};
     std::array<float, 4> weights{};
 };
-
-/// Bone heat: weights that are smooth on the surface and follow the nearest bone. Source: Baran and Popović,
-/// Automatic Rigging and Animation of 3D Characters, 2007.
-std::vector<VertexWeights> boneHeatWeights(const SurfaceMesh& mesh, const Skeleton& skeleton);
 
 /// Vertices moved by dual quaternions. Source: Kavan et al., Geometric Skinning with Approximate Dual
 /// Quaternion Blending, 2008. \param out one position per vertex.

@@ -83,7 +83,7 @@ CharacterEntry writeBody(const SampleBody& body, const std::string& subfolder, c
 void writeTextures(const SampleCharacter& character, const SampleTake& take, const fs::path& folder,
                    const Progress& progress)
 {
-    const TexelMap texels = mapTexels(character.body.atlas, take.appearance->textureSize, 4);
+    const TexelMap texels = mapTexels(character.body.topology->data(), take.appearance->textureSize, 4);
     const std::int64_t frames = take.sequence.frameCount();
     std::atomic<std::int64_t> done{0};
     tbb::parallel_for(std::int64_t{0}, frames, [&](std::int64_t f) {
@@ -137,14 +137,14 @@ std::vector<SequenceEntry> writeTakes(const SampleCharacter& character, const fs
 
 fs::path writeSample(const fs::path& folder, const SampleOptions& options, const Progress& progress)
 {
-    const SampleCharacter character = makeSampleCharacter(options, progress.part(0, 0.6));
+    const SampleCharacter character = makeSampleCharacter(options, progress.part(0, 0.3));
     Project project;
     project.settings.fps = sampleFps;
     project.characters.resize(2);
     tbb::parallel_invoke(
         [&] { project.characters[0] = writeBody(character.body, "character", folder); },
         [&] { project.characters[1] = writeBody(character.target, "target", folder); },
-        [&] { project.sequences = writeTakes(character, folder, progress.part(0.6, 0.98)); });
+        [&] { project.sequences = writeTakes(character, folder, progress.part(0.3, 0.98)); });
     project.characters[0].notes = "The built-in sample character.";
     project.characters[1].notes =
         "A second body at rest, for motion transfer; groundtruth/landmarks.json names the "

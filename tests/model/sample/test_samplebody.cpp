@@ -139,17 +139,21 @@ TEST(SampleBody, chartsLieInTheSquareAndNeverOverlap)
 
 TEST(SampleBody, everyChartIsADisk)
 {
-    const Atlas& atlas = smallSample().body.atlas;
-    const std::vector<Triangle>& triangles = smallSample().body.topology->triangles();
-    for (std::size_t chart = 0; chart < atlas.charts.names.size(); ++chart) {
-        TopologyData data;
-        data.vertexCount = smallSample().body.topology->vertexCount();
-        for (std::size_t t = 0; t < triangles.size(); ++t)
-            if (atlas.charts.ofTriangle[t] == chart)
-                data.triangles.push_back(triangles[t]);
-        const Topology topology(data);
-        EXPECT_EQ(topology.statistics().eulerCharacteristic, 1) << atlas.charts.names[chart];
-        EXPECT_EQ(topology.statistics().components, 1) << atlas.charts.names[chart];
+    for (const SampleBody* body : {&smallSample().body, &smallSample().target}) {
+        // In the plane of the texture charts are apart, and each is there whole.
+        TopologyData flat;
+        flat.vertexCount = static_cast<std::uint32_t>(body->topology->data().uvs.size());
+        for (const auto& c : body->topology->data().triangleUvs)
+            flat.triangles.push_back({VertexIndex(c[0]), VertexIndex(c[1]), VertexIndex(c[2])});
+        const Topology charts(flat);
+        const std::int64_t count = charts.statistics().components;
+        EXPECT_GE(count, 15);
+        EXPECT_LE(count, 40);
+        EXPECT_EQ(charts.statistics().unusedVertices, 0);
+        EXPECT_EQ(charts.statistics().nonManifoldVertices, 0);
+        // None has an Euler characteristic above 1, as all have a boundary; one boundary each: no holes.
+        EXPECT_EQ(charts.statistics().eulerCharacteristic, count);
+        EXPECT_EQ(charts.statistics().boundaryLoops, count);
     }
 }
 
@@ -161,9 +165,8 @@ TEST(SampleBody, textureHasDetailAllOver)
     int same = 0;
     int all = 0;
     for (const auto& corners : large.body.topology->data().triangleUvs) {
-        const Vec2f uv = (large.body.atlas.uvs[corners[0]] + large.body.atlas.uvs[corners[1]] +
-                          large.body.atlas.uvs[corners[2]]) /
-                         3;
+        const std::vector<Vec2f>& uvs = large.body.topology->data().uvs;
+        const Vec2f uv = (uvs[corners[0]] + uvs[corners[1]] + uvs[corners[2]]) / 3;
         const int x = static_cast<int>(uv.x() * 511);
         const int y = static_cast<int>((1 - uv.y()) * 511);
         int least = 255;
@@ -182,6 +185,8 @@ TEST(SampleBody, textureHasDetailAllOver)
 TEST(SampleBody, refusesOptionsOutOfRange)
 {
     EXPECT_THROW(makeSampleCharacter({.textureSize = 3}), Error);
+    EXPECT_THROW(makeSampleCharacter({.textureSize = 96}), Error); // does not divide the shipped one
+    EXPECT_THROW(makeSampleCharacter({.textureSize = 2048}), Error);
     EXPECT_THROW(makeSampleCharacter({.takesPerKind = 0}), Error);
 }
 

@@ -136,7 +136,7 @@ TEST(SampleGroundTruth, warpsAreSmallAndSmooth)
 TEST(SampleGroundTruth, frameTexturesFollowWarpAndLight)
 {
     const SampleCharacter& character = smallSample();
-    const TexelMap texels = mapTexels(character.body.atlas, 128, 1);
+    const TexelMap texels = mapTexels(character.body.topology->data(), 128, 1);
     SampleAppearance plain;
     plain.textureSize = 128;
     plain.lights.push_back({Vec3d::UnitY(), Vec3d::Zero(), Vec3d::Ones()});

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/sample/field.h"
+#include "resources/sample/maker/field.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/sample/bodymesh.h"
 #include "model/sequence/halfedges.h"
+#include "resources/sample/maker/bodymesh.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -248,15 +248,12 @@ private:
 
 } // namespace
 
-SurfaceMesh remeshHalf(const SurfaceMesh& half, const Body& body, const EdgeLength& length,
-                       const Progress& progress)
+SurfaceMesh remeshHalf(const SurfaceMesh& half, const Body& body, const EdgeLength& length)
 {
     constexpr int passes = 10;
     Remesher remesher(half, body, length);
-    for (int i = 0; i < passes; ++i) {
-        progress.report(i, passes);
+    for (int i = 0; i < passes; ++i)
         remesher.pass();
-    }
     return remesher.result();
 }
 
@@ -275,19 +272,6 @@ SurfaceMesh mirrorHalf(const SurfaceMesh& half)
     for (const Triangle& t : half.triangles)
         mesh.triangles.push_back({mirror[t[0].value], mirror[t[2].value], mirror[t[1].value]});
     return mesh;
-}
-
-std::vector<Vec3d> vertexNormals(const SurfaceMesh& mesh)
-{
-    std::vector<Vec3d> normals(mesh.points.size(), Vec3d::Zero());
-    for (const Triangle& t : mesh.triangles) {
-        const Vec3d n = areaVector(mesh.points[t[0].value], mesh.points[t[1].value], mesh.points[t[2].value]);
-        for (const VertexIndex v : t)
-            normals[v.value] += n;
-    }
-    for (Vec3d& n : normals)
-        n.normalize();
-    return normals;
 }
 
 } // namespace quadrille

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/sample/texturebake.h"
+#include "model/sample/texelmap.h"
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <cmath>
-#include <tbb/parallel_for.h>
 
 namespace quadrille {
 
@@ -36,19 +35,9 @@ void rasteriseTriangle(TexelMap& map, const std::array<Eigen::Vector2d, 3>& p, s
         }
 }
 
-/// Light that reaches a point from outside: 1 in the open, less in corners.
-double openness(const Body& body, const Vec3d& p, const Vec3d& normal)
-{
-    double hidden = 0;
-    for (const auto& [distance, weight] :
-         {std::pair{0.008, 0.22}, std::pair{0.022, 0.28}, std::pair{0.05, 0.28}, std::pair{0.10, 0.22}})
-        hidden += weight * std::clamp((distance - body.distance(p + distance * normal)) / distance, 0.0, 1.0);
-    return 1 - std::min(hidden, 1.0);
-}
-
 } // namespace
 
-TexelMap mapTexels(const Atlas& atlas, int size, int gutter)
+TexelMap mapTexels(const TopologyData& faces, int size, int gutter)
 {
     TexelMap map;
     map.size = size;
@@ -56,10 +45,10 @@ TexelMap mapTexels(const Atlas& atlas, int size, int gutter)
     map.triangle.assign(count, TexelMap::none);
     map.barycentric.assign(count, Vec2f::Zero());
     map.isInside.assign(count, false);
-    for (std::size_t t = 0; t < atlas.triangleUvs.size(); ++t) {
+    for (std::size_t t = 0; t < faces.triangleUvs.size(); ++t) {
         std::array<Eigen::Vector2d, 3> p;
         for (std::size_t c = 0; c < 3; ++c) {
-            const Vec2f& uv = atlas.uvs[atlas.triangleUvs[t][c]];
+            const Vec2f& uv = faces.uvs[faces.triangleUvs[t][c]];
             p[c] = Eigen::Vector2d(uv.x(), 1.0 - uv.y()) * size;
         }
         rasteriseTriangle(map, p, static_cast<std::int32_t>(t));
@@ -85,41 +74,6 @@ TexelMap mapTexels(const Atlas& atlas, int size, int gutter)
             }
     }
     return map;
-}
-
-Image bakeTexture(const SurfaceMesh& mesh, const Body& body, const TexelMap& texels, const Palette& palette,
-                  const Progress& progress)
-{
-    Image image(texels.size, texels.size);
-    const std::vector<Vec3d> normals = vertexNormals(mesh);
-    std::atomic<std::int64_t> done{0};
-    tbb::parallel_for(0, texels.size, [&](int y) {
-        progress.report(done++, texels.size);
-        for (int x = 0; x < texels.size; ++x) {
-            const std::size_t texel = texels.index(x, y);
-            std::uint8_t* pixel = image.pixel(x, y);
-            pixel[3] = 255;
-            if (texels.triangle[texel] == TexelMap::none) {
-                std::fill_n(pixel, 3, static_cast<std::uint8_t>(96));
-                continue;
-            }
-            const Triangle& t = mesh.triangles[static_cast<std::size_t>(texels.triangle[texel])];
-            const Eigen::Vector2d b = texels.barycentric[texel].cast<double>();
-            const auto blend = [&](const std::vector<Vec3d>& values) {
-                return Vec3d((1 - b.x() - b.y()) * values[t[0].value] + b.x() * values[t[1].value] +
-                             b.y() * values[t[2].value]);
-            };
-            const Vec3d p = blend(mesh.points);
-            const Vec3d n = blend(normals).normalized();
-            const FigurePart part = body.partAt(p);
-            const bool isHair = part == FigurePart::Head && body.isHair(p);
-            const Vec3d colour = paint({body.toReference(p, part), n, part, isHair}, palette);
-            const double light = (0.50 + 0.50 * openness(body, p + 0.002 * n, n)) * (0.965 + 0.035 * n.y());
-            for (int c = 0; c < 3; ++c)
-                pixel[c] = static_cast<std::uint8_t>(std::clamp(255 * colour[c] * light + 0.5, 0.0, 255.0));
-        }
-    });
-    return image;
 }
 
 } // namespace quadrille

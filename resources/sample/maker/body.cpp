@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/sample/body.h"
+#include "resources/sample/maker/body.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/sample/bodymesh.h"
-#include "model/sample/paint.h"
 #include "model/sample/sample.h"
+#include "resources/sample/maker/bodymesh.h"
+#include "resources/sample/maker/paint.h"
 
 namespace quadrille {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/sample/field.h"
+#include "resources/sample/maker/field.h"
 
 namespace quadrille {
 

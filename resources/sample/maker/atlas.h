@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/sample/bodymesh.h"
+#include "resources/sample/maker/bodymesh.h"
 
 #include <array>
 #include <cstdint>
@@ -47,7 +47,6 @@ struct Atlas
     ChartLabels charts;
 };
 
-/// \throws Error Cancelled.
-Atlas makeAtlas(const SurfaceMesh& mesh, const Body& body, const Progress& progress = {});
+Atlas makeAtlas(const SurfaceMesh& mesh, const Body& body);
 
 } // namespace quadrille

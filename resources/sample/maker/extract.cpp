@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Naive surface nets (Gibson 1998) on a grid whose first layer of cells straddles x = 0.
-#include "model/sample/bodymesh.h"
+#include "resources/sample/maker/bodymesh.h"
 
 #include <Eigen/Geometry>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <tbb/parallel_for.h>
@@ -56,12 +55,10 @@ public:
                 }
     }
 
-    void fill(const Body& body, const Progress& progress)
+    void fill(const Body& body)
     {
-        std::atomic<std::int64_t> done{0};
         const int layers = m_nodes[1] / blockSize;
         tbb::parallel_for(0, layers, [&](int layer) {
-            progress.report(done++, layers);
             for (int k = 0; k < m_nodes[2]; k += blockSize)
                 for (int i = 0; i < m_nodes[0]; i += blockSize)
                     fillBlock(body, i, layer * blockSize, k);
@@ -183,10 +180,10 @@ bool cellPoint(const Grid& grid, int i, int j, int k, Vec3d& point)
 
 } // namespace
 
-SurfaceMesh extractHalfSurface(const Body& body, double spacing, const Progress& progress)
+SurfaceMesh extractHalfSurface(const Body& body, double spacing)
 {
     Grid grid(body, spacing);
-    grid.fill(body, progress);
+    grid.fill(body);
     grid.makeCellsSimple();
     SurfaceMesh mesh;
     std::vector<std::uint32_t> vertexOfCell(

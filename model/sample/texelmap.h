@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/core/image.h"
-#include "model/sample/atlas.h"
-#include "model/sample/paint.h"
+#include "model/sequence/topology.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace quadrille {
 
@@ -25,12 +27,8 @@ struct TexelMap
     }
 };
 
+/// \param size side of the texture, texels.
 /// \param gutter texels around each chart that are filled too.
-TexelMap mapTexels(const Atlas& atlas, int size, int gutter);
-
-/// The painted texture with soft shadows in corners and folds.
-/// \throws Error Cancelled.
-Image bakeTexture(const SurfaceMesh& mesh, const Body& body, const TexelMap& texels, const Palette& palette,
-                  const Progress& progress = {});
+TexelMap mapTexels(const TopologyData& faces, int size, int gutter);
 
 } // namespace quadrille

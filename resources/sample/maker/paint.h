@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/sample/body.h"
+#include "resources/sample/maker/body.h"
 
 #include <cstdint>
 

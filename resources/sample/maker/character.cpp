@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/sample/character.h"
+#include "resources/sample/maker/character.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/geometry/nearestpoint.h"
-#include "model/sample/character.h"
+#include "resources/sample/maker/character.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

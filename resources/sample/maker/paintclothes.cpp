@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/sample/noise.h"
-#include "model/sample/paint.h"
+#include "resources/sample/maker/paint.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

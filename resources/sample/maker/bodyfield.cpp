@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // The surface of the figure: smooth unions of ellipsoids, tapered capsules and lofts.
-#include "model/sample/body.h"
+#include "resources/sample/maker/body.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/sample/atlas.h"
+#include "resources/sample/maker/atlas.h"
 
 #include <algorithm>
-#include <atomic>
 #include <bitset>
 #include <cmath>
 #include <numeric>
@@ -161,21 +160,18 @@ std::vector<std::vector<Vec2f>> packCharts(const SurfaceMesh& mesh, const std::v
     return best;
 }
 
-Atlas makeAtlas(const SurfaceMesh& mesh, const Body& body, const Progress& progress)
+Atlas makeAtlas(const SurfaceMesh& mesh, const Body& body)
 {
     Atlas atlas;
     atlas.charts = cutCharts(mesh, body);
     const std::size_t count = atlas.charts.names.size();
     std::vector<FlatChart> charts(count);
     std::vector<double> sizes(count);
-    std::atomic<std::size_t> done{0};
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t c) {
-        progress.report(0.5 * static_cast<double>(done++) / static_cast<double>(count));
         charts[c] = flattenChart(mesh, atlas.charts, static_cast<std::uint16_t>(c));
         sizes[c] = sizeOf(atlas.charts.names[c]);
     });
     const auto packed = packCharts(mesh, charts, sizes);
-    progress.report(1.0);
     atlas.triangleUvs.resize(mesh.triangles.size());
     for (std::size_t c = 0; c < count; ++c) {
         const auto first = static_cast<std::uint32_t>(atlas.uvs.size());

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/sample/skeleton.h"
+#include "resources/sample/maker/rig.h"
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>

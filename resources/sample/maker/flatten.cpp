@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/sample/atlas.h"
+#include "resources/sample/maker/atlas.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
