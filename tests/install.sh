@@ -32,5 +32,5 @@ for program in "${programs[@]}"; do
         status=1
     fi
 done
-(cd / && "$prefix/bin/quadrille" --version) || status=1
+(cd / && "$prefix/bin/quadrille" --version && "$prefix/bin/quadrille" --quiet sample "$prefix/written") || status=1
 exit $status

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/sample/figures.h"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <span>

@@ -3,13 +3,19 @@
 // sample_body FOLDER: makes the bodies of the built-in sample and writes them into FOLDER.
 #include "model/core/file.h"
 #include "model/sample/figures.h"
+#include "resources/sample/maker/atlas.h"
 #include "resources/sample/maker/character.h"
 #include "resources/sample/maker/rig.h"
 #include "resources/sample/maker/texturebake.h"
 
+#include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace quadrille {
 
