@@ -74,29 +74,38 @@ Mp3Stream encodeMp3(const Sound& sound, const Progress& progress)
     lame_set_debugf(lame.get(), [](const char*, va_list) {});
     if (lame_init_params(lame.get()) < 0)
         fail();
-    stream.delay = lame_get_encoder_delay(lame.get()) + decoderDelay;
     stream.length = std::llround(sound.seconds() * stream.rate);
 
     std::string bytes;
     std::vector<unsigned char> out(static_cast<std::size_t>(atOnce * 5 / 4 + 7200) * 4);
+    const auto capacity = static_cast<int>(out.size());
     const auto take = [&](int written) {
         if (written < 0)
             fail();
         bytes.append(reinterpret_cast<const char*>(out.data()), static_cast<std::size_t>(written));
     };
-    const auto capacity = static_cast<int>(out.size());
-    for (std::int64_t at = 0; at < sound.frameCount(); at += atOnce) {
-        progress.report(at, sound.frameCount());
-        const auto count = static_cast<int>(std::min(atOnce, sound.frameCount() - at));
-        const float* samples = sound.samples.data() + at * sound.channels;
+    const auto encode = [&](const float* samples, std::int64_t frames) {
+        const auto count = static_cast<int>(frames);
         take(sound.channels == 1
                  ? lame_encode_buffer_ieee_float(lame.get(), samples, samples, count, out.data(), capacity)
                  : lame_encode_buffer_interleaved_ieee_float(lame.get(), samples, count, out.data(),
                                                              capacity));
+    };
+    // Behind this silence all comes out of a decoder one whole frame late, and the first frame is left out.
+    const int late = stream.samplesPerFrame - lame_get_encoder_delay(lame.get()) - decoderDelay;
+    const std::int64_t silence =
+        std::llround(static_cast<double>(std::max(late, 0)) * sound.rate / stream.rate);
+    encode(std::vector<float>(static_cast<std::size_t>(silence * sound.channels)).data(), silence);
+    for (std::int64_t at = 0; at < sound.frameCount(); at += atOnce) {
+        progress.report(at, sound.frameCount());
+        encode(sound.samples.data() + at * sound.channels, std::min(atOnce, sound.frameCount() - at));
     }
     take(lame_encode_flush(lame.get(), out.data(), capacity));
-    for (std::size_t at = 0; at < bytes.size();) {
-        const std::size_t size = frameSize(std::string_view(bytes).substr(at));
+    const auto count =
+        static_cast<std::size_t>((stream.length + stream.samplesPerFrame - 1) / stream.samplesPerFrame);
+    std::size_t at = frameSize(bytes);
+    while (stream.frames.size() < count) {
+        const std::size_t size = at < bytes.size() ? frameSize(std::string_view(bytes).substr(at)) : 0;
         if (size == 0 || at + size > bytes.size())
             fail();
         stream.frames.push_back(bytes.substr(at, size));

@@ -9,15 +9,16 @@
 namespace quadrille {
 
 /// A sound as MPEG layer III, frame by frame, each of which can be decoded by itself and the one before it.
+///
+/// A decoder gives every sample at its time, as if there were no delay: players take out none, or the same
+/// twice. For this the sound fades in over the first hundredth of a second.
 struct Mp3Stream
 {
     int rate = 48000;
     int channels = 1;
     int samplesPerFrame = 1152;
     int bitsPerSecond = 0;
-    /// Sample frames that come out of a decoder before the first of the sound.
-    int delay = 0;
-    std::int64_t length = 0; ///< sample frames of the sound itself
+    std::int64_t length = 0; ///< sample frames of the sound; the last frame is filled up with silence
     std::vector<std::string> frames;
 };
 

@@ -29,7 +29,9 @@ int writerVersion(const ExportEntry& entry)
 {
     try {
         constexpr int withNormals = 2;
-        return exporterOf(entry).format().id == "gltf" ? withNormals : 1;
+        constexpr int asH264 = 2;
+        const std::string& format = exporterOf(entry).format().id;
+        return format == "gltf" ? withNormals : format == "mp4" ? asH264 : 1;
     } catch (const Error&) {
         return 1; // of a format that is not known: the step says so
     }

@@ -2,18 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "model/render/clipexport.h"
 
-#include "model/audio/mp4sound.h"
 #include "model/audio/soundtrack.h"
 #include "model/core/file.h"
-#include "model/core/message.h"
 #include "model/core/seriesname.h"
 #include "model/core/stagedfiles.h"
+#include "model/film/avifilm.h"
+#include "model/film/mp4film.h"
 #include "model/render/clipcamera.h"
 #include "model/render/renderframe.h"
 
 #include <algorithm>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
+#include <optional>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 #include <utility>
@@ -69,80 +68,74 @@ public:
     ExportResult write(const MeshSequence& sequence, const fs::path& out, const ExportOptions& options,
                        const Progress& progress) const override
     {
-        const RenderSettings settings = settingsFor(options);
-        check(settings.look, out);
+        RenderSettings settings = settingsFor(options);
+        if (settings.look.background == RenderOptions::Background::Transparent) {
+            throw Error(ErrorCode::FormatCannotStore,
+                        {out, {}, {{"format", "Video"}, {"what", "transparency"}}});
+        }
+        ExportResult result{{out}, {}};
+        if (holdsSound(out) && makeEven(settings.look)) {
+            tell(result, out,
+                 "The film is " + std::to_string(settings.look.width) + " × " +
+                     std::to_string(settings.look.height) + " pixels large: MP4 takes even sizes only.");
+        }
+        std::optional<Mp3Stream> sound;
+        if (options.sound && holdsSound(out))
+            sound = soundOf(sequence, out, *options.sound, progress.part(0, 0.05));
+        else if (options.sound)
+            tell(result, out, "The sound was left out: only MP4 videos hold it.");
         const auto write = [&](const fs::path& temporary) {
-            encode(sequence, settings, out, temporary, progress.part(0, 0.95));
-            if (options.sound && holdsSound(out))
-                addSound(temporary, soundOf(sequence, *options.sound, progress.part(0.95, 1)));
+            const FilmFormat film{settings.look.width, settings.look.height, sequence.fps,
+                                  sequence.frameCount()};
+            const auto writer = writerOf(temporary, out, film, std::move(sound));
+            drawClip(
+                sequence, settings, progress.part(0.05, 1), [](FrameIndex, Image&) {},
+                [&](FrameIndex, const Image& image) { writer->add(image); });
+            writer->finish();
         };
         writeGuarded(out, write, options.guard);
-        ExportResult result{{out}, {}};
-        if (options.sound && !holdsSound(out)) {
-            Issue& issue = result.issues.emplace_back();
-            issue.context.file = out;
-            issue.context.values = {{"text", "The sound was left out: only MP4 videos hold it."}};
-        }
         return result;
     }
 
 private:
     static bool holdsSound(const fs::path& out) { return out.extension() != ".avi"; }
 
-    static Mp3Stream soundOf(const MeshSequence& sequence, const SoundTrack& track, const Progress& progress)
+    static void tell(ExportResult& result, const fs::path& out, std::string text)
+    {
+        Issue& issue = result.issues.emplace_back();
+        issue.context.file = out;
+        issue.context.values = {{"text", std::move(text)}};
+    }
+
+    /// Draws a column or a row more where one is missing. \return whether there is.
+    static bool makeEven(RenderOptions& look)
+    {
+        const bool isOdd = look.width % 2 != 0 || look.height % 2 != 0;
+        look.width += look.width % 2;
+        look.height += look.height % 2;
+        return isOdd;
+    }
+
+    static std::unique_ptr<FilmWriter> writerOf(const fs::path& temporary, const fs::path& out,
+                                                const FilmFormat& film, std::optional<Mp3Stream> sound)
+    {
+        if (out.extension() == ".avi")
+            return std::make_unique<AviFilm>(temporary, out, film);
+        return std::make_unique<Mp4Film>(temporary, out, film, std::move(sound));
+    }
+
+    static Mp3Stream soundOf(const MeshSequence& sequence, const fs::path& out, const SoundTrack& track,
+                             const Progress& progress)
     {
         const double seconds = static_cast<double>(sequence.frameCount()) / sequence.fps;
         const Sound sound = readSound(track.file, progress.part(0, 0.3));
-        return encodeMp3(soundOfClip(sound, track, seconds), progress.part(0.3, 1));
-    }
-
-    static void check(const RenderOptions& look, const fs::path& out)
-    {
-        if (look.background == RenderOptions::Background::Transparent) {
-            throw Error(ErrorCode::FormatCannotStore,
-                        {out, {}, {{"format", "Video"}, {"what", "transparency"}}});
-        }
-        if (look.width % 2 == 0 && look.height % 2 == 0)
-            return;
-        throw Error(
-            ErrorCode::BadArgument,
-            {out,
-             {},
-             {{"reason", "A video of " + std::to_string(look.width) + " × " + std::to_string(look.height) +
-                             " pixels cannot be written: both must be even"},
-              {"remedy", "Choose " + std::to_string(look.width + look.width % 2) + " × " +
-                             std::to_string(look.height + look.height % 2) + "."}}});
-    }
-
-    static void encode(const MeshSequence& sequence, const RenderSettings& settings, const fs::path& out,
-                       const fs::path& temporary, const Progress& progress)
-    {
-        const int codec = out.extension() == ".avi" ? cv::VideoWriter::fourcc('M', 'J', 'P', 'G')
-                                                    : cv::VideoWriter::fourcc('m', 'p', '4', 'v');
-        const cv::Size size(settings.look.width, settings.look.height);
-        cv::VideoWriter writer;
-        const auto fail = [&out](const char* reason) {
-            throw Error(ErrorCode::WriteFailed, {out, {}, {{"reason", reason}}});
-        };
         try {
-            if (!writer.open(temporary.string(), codec, sequence.fps, size))
-                fail(QUADRILLE_MESSAGE("the video file cannot be opened for encoding"));
-        } catch (const cv::Exception&) {
-            fail(QUADRILLE_MESSAGE("the video encoder refuses this size or frame rate"));
+            return encodeMp3(soundOfClip(sound, track, seconds), progress.part(0.3, 1));
+        } catch (const Error& error) {
+            if (error.code() == ErrorCode::Cancelled)
+                throw;
+            throw Error(error.code(), {out, {}, error.context().values});
         }
-        cv::Mat encodable;
-        drawClip(
-            sequence, settings, progress, [](FrameIndex, Image&) {},
-            [&](FrameIndex, const Image& image) {
-                const cv::Mat picture(size, CV_8UC4, const_cast<std::uint8_t*>(image.pixels.data()));
-                cv::cvtColor(picture, encodable, cv::COLOR_RGBA2BGR);
-                writer.write(encodable);
-            });
-        writer.release();
-        std::error_code error;
-        const auto bytes = fs::file_size(temporary, error);
-        if (error || bytes == 0)
-            fail(QUADRILLE_MESSAGE("the encoder has written nothing"));
     }
 };
 

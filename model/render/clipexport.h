@@ -20,7 +20,8 @@ void drawClip(const MeshSequence& sequence, const RenderSettings& settings, cons
 
 /// PNG pictures DIR/NAME_0000.png, …; the same bytes for any number of threads.
 std::unique_ptr<Exporter> makePngExporter();
-/// Video: MPEG-4 in `.mp4`, Motion JPEG in `.avi`. Width and height must be even.
+/// Video: H.264 with sound in `.mp4`, of an even width and height; Motion JPEG in `.avi`. The same bytes for
+/// any number of threads.
 std::unique_ptr<Exporter> makeVideoExporter();
 
 } // namespace quadrille
