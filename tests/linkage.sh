@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: 2026 The Quadrille developers
 # SPDX-License-Identifier: MIT
-# linkage.sh QUADRILLE [EDITOR]: fails when a program loads Qt 5, when the headless one loads any Qt or VTK, or when one
-# links a GPL library directly.
+# linkage.sh QUADRILLE [EDITOR]: fails when a program loads Qt 5 or FFmpeg, when the headless one loads any Qt or VTK, or when
+# one links a GPL library directly.
 set -euo pipefail
 status=0
 forbid() {
@@ -16,6 +16,7 @@ loaded() { ldd "$1"; }
 direct() { readelf -d "$1" | grep NEEDED; }
 for program in "$@"; do
     forbid loaded "$program" 'libQt5' "loads Qt 5"
+    forbid loaded "$program" 'libavcodec|libx264|libxvidcore' "loads FFmpeg, which Debian builds under the GPL"
     forbid direct "$program" 'cholmod|umfpack|igraph|x264|qcustomplot|Qt6Charts|CGAL' "links a GPL library"
 done
 forbid loaded "$1" 'libQt|libvtk' "is headless and must load neither Qt nor VTK"

@@ -1478,18 +1478,6 @@
         <translation>Choisissez .npy, .csv ou .json.</translation>
     </message>
     <message>
-        <source>the video file cannot be opened for encoding</source>
-        <translation>le fichier vidéo ne peut pas être ouvert pour l’encodage</translation>
-    </message>
-    <message>
-        <source>the video encoder refuses this size or frame rate</source>
-        <translation>l’encodeur vidéo refuse cette taille ou cette cadence</translation>
-    </message>
-    <message>
-        <source>the encoder has written nothing</source>
-        <translation>l’encodeur n’a rien écrit</translation>
-    </message>
-    <message>
         <source>Choose at least one.</source>
         <translation>Choisissez-en au moins une.</translation>
     </message>
@@ -2146,18 +2134,6 @@
         <translation>le son ne peut pas être encodé</translation>
     </message>
     <message>
-        <source>a box of the MP4 is missing</source>
-        <translation>une boîte du MP4 manque</translation>
-    </message>
-    <message>
-        <source>it cannot be opened</source>
-        <translation>il ne peut pas être ouvert</translation>
-    </message>
-    <message>
-        <source>the disk may be full</source>
-        <translation>le disque est peut-être plein</translation>
-    </message>
-    <message>
         <source>The sound of this file</source>
         <translation>Le son de ce fichier</translation>
     </message>
@@ -2588,6 +2564,42 @@
     <message>
         <source>Take back a chosen, locked or banned transition, or ask for less.</source>
         <translation>Annulez une transition choisie, verrouillée ou interdite, ou demandez moins.</translation>
+    </message>
+    <message>
+        <source>An AVI film cannot be larger than 4 GB</source>
+        <translation>Un film AVI ne peut pas dépasser 4 Go</translation>
+    </message>
+    <message>
+        <source>Write MP4, or fewer frames.</source>
+        <translation>Écrivez du MP4, ou moins d’images.</translation>
+    </message>
+    <message>
+        <source>the encoder of H.264 gives up</source>
+        <translation>l’encodeur H.264 abandonne</translation>
+    </message>
+    <message>
+        <source>An MP4 film has at least 16 × 16 pixels</source>
+        <translation>Un film MP4 a au moins 16 × 16 pixels</translation>
+    </message>
+    <message>
+        <source>Choose a larger size.</source>
+        <translation>Choisissez une taille plus grande.</translation>
+    </message>
+    <message>
+        <source>An MP4 film has at most as many pixels as 4096 × 2304</source>
+        <translation>Un film MP4 a au plus autant de pixels que 4096 × 2304</translation>
+    </message>
+    <message>
+        <source>Choose a smaller size, or write PNG pictures.</source>
+        <translation>Choisissez une taille plus petite, ou écrivez des images PNG.</translation>
+    </message>
+    <message>
+        <source>The sides of an MP4 film are even</source>
+        <translation>Les côtés d’un film MP4 sont pairs</translation>
+    </message>
+    <message>
+        <source>Choose even numbers of pixels.</source>
+        <translation>Choisissez des nombres pairs de pixels.</translation>
     </message>
 </context>
 <context>

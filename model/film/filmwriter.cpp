@@ -14,7 +14,7 @@ namespace quadrille {
 
 FrameRate frameRateOf(double fps)
 {
-    assert(fps >= 1e-6 && fps <= 1e6);
+    fps = std::clamp(fps, 1e-6, 1e6);
     constexpr int largest = 1001;
     for (int perFrame = 1; perFrame <= largest; ++perFrame) {
         const double units = std::round(fps * perFrame);

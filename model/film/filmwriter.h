@@ -18,7 +18,7 @@ struct FrameRate
 
     bool operator==(const FrameRate&) const = default;
 };
-/// \pre fps in [10⁻⁶, 10⁶].
+/// \param fps  from 10⁻⁶ to 10⁶; the nearest of these otherwise.
 FrameRate frameRateOf(double fps);
 
 /// What is known of a film before its first picture.

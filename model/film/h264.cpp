@@ -38,30 +38,22 @@ struct DestroyEncoder
     }
 };
 
-[[noreturn]] void refuseSize(const FilmFormat& format, const std::filesystem::path& film, std::string why,
-                             std::string remedy)
+[[noreturn]] void refuseSize(const std::filesystem::path& film, const char* reason, const char* remedy)
 {
-    throw Error(ErrorCode::BadArgument,
-                {film,
-                 {},
-                 {{"reason", "A film of " + std::to_string(format.width) + " × " +
-                                 std::to_string(format.height) + " pixels cannot be written as MP4: " + why},
-                  {"remedy", std::move(remedy)}}});
+    throw Error(ErrorCode::BadArgument, {film, {}, {{"reason", reason}, {"remedy", remedy}}});
 }
 
-void checkSize(const FilmFormat& format, const std::filesystem::path& film)
+void checkSize(int width, int height, const std::filesystem::path& film)
 {
-    const int width = format.width;
-    const int height = format.height;
     if (std::min(width, height) < smallestSide)
-        refuseSize(format, film, "it needs 16 × 16 at least", "Choose a larger size.");
+        refuseSize(film, QUADRILLE_MESSAGE("An MP4 film has at least 16 × 16 pixels"),
+                   QUADRILLE_MESSAGE("Choose a larger size."));
     if ((width + 15) / 16 * ((height + 15) / 16) > blocksAtMost)
-        refuseSize(format, film, "it holds 4096 × 2304 at most",
-                   "Choose a smaller size, or write PNG pictures.");
+        refuseSize(film, QUADRILLE_MESSAGE("An MP4 film has at most as many pixels as 4096 × 2304"),
+                   QUADRILLE_MESSAGE("Choose a smaller size, or write PNG pictures."));
     if (width % 2 != 0 || height % 2 != 0)
-        refuseSize(format, film, "both must be even",
-                   "Choose " + std::to_string(width + width % 2) + " × " +
-                       std::to_string(height + height % 2) + ".");
+        refuseSize(film, QUADRILLE_MESSAGE("The sides of an MP4 film are even"),
+                   QUADRILLE_MESSAGE("Choose even numbers of pixels."));
 }
 
 SEncParamExt parametersOf(const FilmFormat& format, ISVCEncoder& encoder)
@@ -151,7 +143,7 @@ struct H264Encoder::Parts
 H264Encoder::H264Encoder(const FilmFormat& format, const std::filesystem::path& film)
     : m_parts(std::make_unique<Parts>())
 {
-    checkSize(format, film);
+    checkSize(format.width, format.height, film);
     m_parts->film = film;
     m_parts->fps = format.fps;
     ISVCEncoder* encoder = nullptr;

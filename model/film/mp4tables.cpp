@@ -11,7 +11,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr std::uint32_t one = 0x10000; ///< 1 as 16.16
+constexpr std::uint64_t one = 0x10000; ///< 1 as 16.16
 constexpr std::uint64_t undeterminedLanguage = 0x55C4;
 
 FilmBytes& addIdentity(FilmBytes& bytes)

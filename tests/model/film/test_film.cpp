@@ -109,6 +109,7 @@ TEST(FrameRate, IsTheFractionThatFilmsHave)
     EXPECT_EQ(frameRateOf(30000.0 / 1001), (FrameRate{30000, 1001}));
     EXPECT_EQ(frameRateOf(24000.0 / 1001), (FrameRate{24000, 1001}));
     EXPECT_EQ(frameRateOf(0.04), (FrameRate{1, 25}));
+    EXPECT_EQ(frameRateOf(1e9), (FrameRate{1000000, 1}));
     for (const double fps : {std::numbers::pi, 1e-6, 1e6, 1.0 / 1234.5, 47.95204}) {
         const FrameRate rate = frameRateOf(fps);
         EXPECT_NEAR(static_cast<double>(rate.units) / rate.unitsPerFrame / fps, 1, 1e-3) << fps;
@@ -244,9 +245,10 @@ TEST(Films, RefuseSizesThatTheyCannotHave)
         int height;
         const char* remedy;
     };
-    for (const Refused& refused : {Refused{95, 64, "Choose 96 × 64."}, Refused{64, 33, "Choose 64 × 34."},
-                                   Refused{14, 64, "Choose a larger size."},
-                                   Refused{4098, 2304, "Choose a smaller size, or write PNG pictures."}}) {
+    for (const Refused& refused :
+         {Refused{95, 64, "Choose even numbers of pixels."},
+          Refused{64, 33, "Choose even numbers of pixels."}, Refused{14, 64, "Choose a larger size."},
+          Refused{4098, 2304, "Choose a smaller size, or write PNG pictures."}}) {
         try {
             writerOf(folder / "film.mp4", {refused.width, refused.height, 25, 1});
             ADD_FAILURE() << refused.width;
