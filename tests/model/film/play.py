@@ -92,6 +92,7 @@ server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Server)
 threading.Thread(target=server.serve_forever, daemon=True).start()
 with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
     command = [browser, "--headless=new", "--no-sandbox", "--disable-gpu", "--mute-audio", "--no-first-run",
+               "--disable-extensions", "--disable-sync", "--disable-background-networking",
                "--autoplay-policy=no-user-gesture-required", "--user-data-dir=" + profile,
                f"http://127.0.0.1:{server.server_port}/"]
     with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
