@@ -4873,10 +4873,6 @@
         <translation>Étirement</translation>
     </message>
     <message>
-        <source>Weight of the surface&apos;s stretch against its rotation, 0 to 100</source>
-        <translation>Poids de l’étirement de la surface face à sa rotation, 0 à 100</translation>
-    </message>
-    <message>
         <source>Cost</source>
         <translation>Coût</translation>
     </message>
@@ -4925,34 +4921,6 @@
         <translation>Ce par quoi les coûts sont divisés&#xa0;; automatique&#xa0;: la plus grande distance de deux poses</translation>
     </message>
     <message>
-        <source>Compare poses otherwise</source>
-        <translation>Comparer les poses autrement</translation>
-    </message>
-    <message>
-        <source>Weigh stretch otherwise</source>
-        <translation>Peser l’étirement autrement</translation>
-    </message>
-    <message>
-        <source>Change the cost of transitions</source>
-        <translation>Changer le coût des transitions</translation>
-    </message>
-    <message>
-        <source>Weigh transitions otherwise</source>
-        <translation>Peser les transitions autrement</translation>
-    </message>
-    <message>
-        <source>Change the slope of transitions</source>
-        <translation>Changer la pente des transitions</translation>
-    </message>
-    <message>
-        <source>Change the largest distance</source>
-        <translation>Changer la plus grande distance</translation>
-    </message>
-    <message>
-        <source>Change the windows of transitions</source>
-        <translation>Changer les fenêtres des transitions</translation>
-    </message>
-    <message>
         <source>By their surfaces</source>
         <translation>Par leurs surfaces</translation>
     </message>
@@ -4961,20 +4929,8 @@
         <translation>Par leurs sommets</translation>
     </message>
     <message>
-        <source>Sum of the distances</source>
-        <translation>Somme des distances</translation>
-    </message>
-    <message>
-        <source>Mean of the distances</source>
-        <translation>Moyenne des distances</translation>
-    </message>
-    <message>
         <source>Nothing else</source>
         <translation>Rien d’autre</translation>
-    </message>
-    <message>
-        <source>Liveliness of the takes</source>
-        <translation>Vivacité des prises</translation>
     </message>
     <message>
         <source> frames</source>
@@ -5010,14 +4966,6 @@
         <translation>Coûts et fenêtres de l’article, pour comparer&#xa0;: les transitions se voient davantage</translation>
     </message>
     <message>
-        <source>Weigh feet otherwise</source>
-        <translation>Peser autrement les pieds</translation>
-    </message>
-    <message>
-        <source>Weigh speed otherwise</source>
-        <translation>Peser autrement la vitesse</translation>
-    </message>
-    <message>
         <source>Seek transitions as published</source>
         <translation>Chercher les transitions comme publié</translation>
     </message>
@@ -5034,33 +4982,59 @@
         <translation>Sur combien d’images les coûts sont moyennés avant de chercher les minima du graphe de mouvement&#xa0;; comme publié, sur aucune</translation>
     </message>
     <message>
-        <source>Smooth the costs otherwise</source>
-        <translation>Lisser les coûts autrement</translation>
-    </message>
-    <message>
         <source>none</source>
         <comment>smoothing</comment>
         <translation>aucun</translation>
-    </message>
-    <message>
-        <source>Lasts</source>
-        <translation>Durée</translation>
     </message>
     <message>
         <source>How long a transition lasts: while it follows its warp path, as published, its takes slow down; as the mean of its windows they keep their pace</source>
         <translation>Combien de temps dure une transition : suivant son chemin d’alignement, comme publié, ses prises ralentissent ; selon la moyenne de ses fenêtres, elles gardent leur allure</translation>
     </message>
     <message>
-        <source>Change how long transitions last</source>
-        <translation>Changer la durée des transitions</translation>
+        <source>Set “%1”</source>
+        <translation>Définir «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>As long as its warp path</source>
-        <translation>Comme son chemin</translation>
+        <source>Distances of poses</source>
+        <translation>Distances des poses</translation>
     </message>
     <message>
-        <source>As long as its windows</source>
-        <translation>Comme ses fenêtres</translation>
+        <source>Weight of the surface&apos;s stretch against its rotation</source>
+        <translation>Poids de l’étirement de la surface face à sa rotation</translation>
+    </message>
+    <message>
+        <source>Costs of transitions</source>
+        <translation>Coûts des transitions</translation>
+    </message>
+    <message>
+        <source>Windows of transitions</source>
+        <translation>Fenêtres des transitions</translation>
+    </message>
+    <message>
+        <source>Sum</source>
+        <comment>of distances</comment>
+        <translation>Somme</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <comment>of distances</comment>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Liveliness</source>
+        <translation>La vivacité</translation>
+    </message>
+    <message>
+        <source>As long as</source>
+        <translation>Aussi longue que</translation>
+    </message>
+    <message>
+        <source>Its warp path</source>
+        <translation>Son chemin</translation>
+    </message>
+    <message>
+        <source>Its windows</source>
+        <translation>Ses fenêtres</translation>
     </message>
 </context>
 <context>
@@ -6474,10 +6448,6 @@
         <translation>Poids du chemin au sol face à la pose&#xa0;: sa variance en variances moyennes d’une coordonnée</translation>
     </message>
     <message>
-        <source>variances</source>
-        <translation>variances</translation>
-    </message>
-    <message>
         <source>Drawing</source>
         <translation>Tirage</translation>
     </message>
@@ -6510,20 +6480,12 @@
         <translation>L’apprentissage s’arrête quand l’objectif a baissé de moins que cette part de lui-même, en millionièmes, sur la fenêtre</translation>
     </message>
     <message>
-        <source>ppm</source>
-        <translation>ppm</translation>
-    </message>
-    <message>
         <source>Window</source>
         <translation>Fenêtre</translation>
     </message>
     <message>
         <source>Over how many iterations the fall of the objective is looked at</source>
         <translation>Sur combien d’itérations on regarde la baisse de l’objectif</translation>
-    </message>
-    <message>
-        <source>iterations</source>
-        <translation>itérations</translation>
     </message>
     <message>
         <source>At most</source>
@@ -6554,10 +6516,6 @@
         <translation>Propositions avant la première variation, pendant que le pas est réglé</translation>
     </message>
     <message>
-        <source>proposals</source>
-        <translation>propositions</translation>
-    </message>
-    <message>
         <source>Thinning</source>
         <translation>Espacement</translation>
     </message>
@@ -6572,11 +6530,6 @@
     <message>
         <source>The step size is made smaller where fewer proposals are accepted</source>
         <translation>Le pas est réduit quand moins de propositions sont acceptées</translation>
-    </message>
-    <message>
-        <source>%</source>
-        <comment>percent</comment>
-        <translation>%</translation>
     </message>
     <message>
         <source>Accepted, at most</source>
@@ -6604,22 +6557,12 @@
         <translation>Comme les prises</translation>
     </message>
     <message>
-        <source>% of size</source>
-        <comment>percent</comment>
-        <translation>% de la taille</translation>
-    </message>
-    <message>
         <source>Skate</source>
         <translation>Glissement</translation>
     </message>
     <message>
         <source>How much faster standing feet may slide than in the take, in sizes of the figure a second</source>
         <translation>De combien les pieds posés peuvent glisser plus vite que dans la prise, en tailles de la figure par seconde</translation>
-    </message>
-    <message>
-        <source>% of size/s</source>
-        <comment>percent</comment>
-        <translation>% de la taille/s</translation>
     </message>
     <message>
         <source>Crossings</source>
@@ -6630,21 +6573,12 @@
         <translation>Combien de triangles de plus que dans la prise peuvent se traverser, en part de tous</translation>
     </message>
     <message>
-        <source>% of triangles</source>
-        <comment>percent</comment>
-        <translation>% des triangles</translation>
-    </message>
-    <message>
         <source>Volume</source>
         <translation>Volume</translation>
     </message>
     <message>
         <source>How far the body’s volume may leave that of the takes</source>
         <translation>De combien le volume du corps peut s’écarter de celui des prises</translation>
-    </message>
-    <message>
-        <source>Change how poses come about</source>
-        <translation>Changer l’origine des poses</translation>
     </message>
     <message>
         <source>Poses</source>
@@ -6661,10 +6595,6 @@
     <message>
         <source>One draw</source>
         <translation>Un tirage</translation>
-    </message>
-    <message>
-        <source>Change whether standing feet keep still</source>
-        <translation>Changer si les pieds posés restent en place</translation>
     </message>
     <message>
         <source>Takes slip from feet that touch the ground in the take, before variations are judged</source>
@@ -6699,16 +6629,48 @@
         <translation>Des écarts lisses par rapport à la prise, aussi grands que le dit l’écart, ou les trajectoires du modèle telles qu’elles sont tirées, qui tremblent</translation>
     </message>
     <message>
-        <source>Change what variations are drawn from</source>
-        <translation>Changer d’où les variations sont tirées</translation>
-    </message>
-    <message>
         <source>Smooth deviations</source>
         <translation>Écarts lisses</translation>
     </message>
     <message>
         <source>Of the model</source>
         <translation>Du modèle</translation>
+    </message>
+    <message>
+        <source> variances</source>
+        <translation> variances</translation>
+    </message>
+    <message>
+        <source> iterations</source>
+        <translation> itérations</translation>
+    </message>
+    <message>
+        <source> ppm</source>
+        <translation> ppm</translation>
+    </message>
+    <message>
+        <source> proposals</source>
+        <translation> propositions</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <comment>percent</comment>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source> % of triangles</source>
+        <comment>percent</comment>
+        <translation> % des triangles</translation>
+    </message>
+    <message>
+        <source> % of size</source>
+        <comment>percent</comment>
+        <translation> % de la taille</translation>
+    </message>
+    <message>
+        <source> % of size/s</source>
+        <comment>percent</comment>
+        <translation> % de la taille/s</translation>
     </message>
 </context>
 <context>

@@ -6,17 +6,15 @@
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/fields/axesfields.h"
+#include "editor/fields/numberfield.h"
 
 #include <QDoubleSpinBox>
 
 namespace quadrille {
 
 ProjectPage::ProjectPage(EditorContext& context)
-    : m_context(context), m_fps(new QDoubleSpinBox), m_axes(new AxesFields), m_cache(new QSpinBox)
+    : m_context(context), m_fps(makeRateField()), m_axes(new AxesFields), m_cache(new QSpinBox)
 {
-    m_fps->setRange(0.001, 10000); // as in the file
-    m_fps->setDecimals(3);
-    m_fps->setKeyboardTracking(false);
     m_cache->setRange(16, 1 << 20);
     m_cache->setSingleStep(64);
     m_cache->setKeyboardTracking(false);
@@ -33,9 +31,13 @@ ProjectPage::ProjectPage(EditorContext& context)
         [] { return tr("Memory for frames and textures of this project"); });
     m_content = addFact("projectContent", [] { return tr("Holds"); });
     m_file = addFact("projectFile", [] { return tr("File"); });
-    connect(m_fps, &QDoubleSpinBox::valueChanged, this, &ProjectPage::edit);
-    connect(m_axes, &AxesFields::edited, this, &ProjectPage::edit);
-    connect(m_cache, &QSpinBox::valueChanged, this, &ProjectPage::edit);
+    connect(m_fps, &QDoubleSpinBox::valueChanged, this,
+            [this](double fps) { edit([&](ProjectSettings& settings) { settings.fps = fps; }); });
+    connect(m_axes, &AxesFields::edited, this,
+            [this] { edit([&](ProjectSettings& settings) { settings.axes = m_axes->axes(); }); });
+    connect(m_cache, &QSpinBox::valueChanged, this, [this](int megabytes) {
+        edit([&](ProjectSettings& settings) { settings.cacheMegabytes = megabytes; });
+    });
     retranslate();
 }
 
@@ -54,12 +56,11 @@ void ProjectPage::show(const QString& /*name*/)
                                                     : toQString(m_context.document.file()));
 }
 
-void ProjectPage::edit()
+/// Others of the settings stay as they are, be they beyond what a field shows.
+void ProjectPage::edit(const std::function<void(ProjectSettings&)>& change)
 {
     ProjectSettings settings = m_context.document.project().settings;
-    settings.fps = m_fps->value();
-    settings.axes = m_axes->axes();
-    settings.cacheMegabytes = m_cache->value();
+    change(settings);
     setSettings(m_context.document, settings);
 }
 

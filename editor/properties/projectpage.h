@@ -11,6 +11,7 @@ namespace quadrille {
 
 class AxesFields;
 struct EditorContext;
+struct ProjectSettings;
 
 /// The settings of the project.
 class ProjectPage : public PropertyForm
@@ -25,7 +26,7 @@ protected:
     void retranslate() override;
 
 private:
-    void edit();
+    void edit(const std::function<void(ProjectSettings&)>& change);
 
     EditorContext& m_context;
     QDoubleSpinBox* m_fps;

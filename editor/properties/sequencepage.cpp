@@ -6,6 +6,7 @@
 #include "editor/commands/projectedits.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/axesfields.h"
+#include "editor/fields/numberfield.h"
 #include "editor/fields/texturefield.h"
 
 #include <QComboBox>
@@ -37,7 +38,7 @@ SequencePage::SequencePage(EditorContext& context)
     , m_range(new QWidget)
     , m_first(new QSpinBox)
     , m_last(new QSpinBox)
-    , m_fps(new QDoubleSpinBox)
+    , m_fps(makeRateField(true))
     , m_hasAxes(new QComboBox)
     , m_axes(new AxesFields)
     , m_texture(new TextureField)
@@ -60,9 +61,6 @@ void SequencePage::makeFields()
         range->addWidget(field, 1);
     }
     m_range->setFocusProxy(m_first);
-    m_fps->setRange(0, 1000); // 0 stands for the project's rate
-    m_fps->setDecimals(3);
-    m_fps->setKeyboardTracking(false);
     for (QComboBox* field : {m_character, m_hasAxes})
         field->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_hasAxes->addItems({QString(), QString()});

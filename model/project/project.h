@@ -116,6 +116,8 @@ struct GraphEntry
 /// may be shorter, which those that are asked for may not.
 inline constexpr std::pair<double, double> usualDurations{0.6, 2.0};
 
+inline constexpr double longestWindow = 60; ///< of a transition, seconds
+
 /// What the transitions of a graph are sought with at a rate, frames per second.
 TransitionSettings transitionSettings(const GraphEntry& entry, double fps);
 

@@ -86,7 +86,7 @@ public:
     template <typename Member>
     void field(const char*, Member member, const FieldInfo& info = {})
     {
-        auto& value = valueOf(m_entry, member);
+        auto& value = memberOf(m_entry, member);
         using Value = std::remove_cvref_t<decltype(value)>;
         if constexpr (std::is_same_v<Value, std::string>)
             changeText(value, info);
@@ -98,7 +98,7 @@ public:
     template <typename Member>
     void choice(Member member, [[maybe_unused]] const FieldInfo& info = {})
     {
-        auto& value = valueOf(m_entry, member);
+        auto& value = memberOf(m_entry, member);
         FrameChoice* choice = nullptr;
         if constexpr (IsOptional<std::remove_cvref_t<decltype(value)>>::value)
             choice = value ? &*value : nullptr;
@@ -114,7 +114,7 @@ public:
     template <typename Member, typename Unknown = std::nullptr_t>
     void object(const char*, Member member, [[maybe_unused]] const FieldInfo& info = {}, Unknown = nullptr)
     {
-        auto& value = valueOf(m_entry, member);
+        auto& value = memberOf(m_entry, member);
         if constexpr (IsOptional<std::remove_cvref_t<decltype(value)>>::value) {
             if (!value || keepsEntry(*value))
                 return;
@@ -129,7 +129,7 @@ public:
     template <typename Member>
     void list(const char*, Member member, const FieldInfo& info = {})
     {
-        auto& items = valueOf(m_entry, member);
+        auto& items = memberOf(m_entry, member);
         const std::size_t before = items.size();
         std::erase_if(items, [&](auto& item) {
             const bool isGone = !keepsEntry(item);
@@ -147,7 +147,7 @@ public:
     template <typename Member>
     void variants(const char*, Member member)
     {
-        std::erase_if(valueOf(m_entry, member), [&](auto& item) {
+        std::erase_if(memberOf(m_entry, member), [&](auto& item) {
             return !std::visit([&](auto& entry) { return keepsEntry(entry); }, item);
         });
     }
@@ -223,7 +223,7 @@ public:
     template <typename Member>
     void field(const char*, Member member, const FieldInfo& info = {})
     {
-        auto& value = valueOf(this->entry(), member);
+        auto& value = memberOf(this->entry(), member);
         if constexpr (std::is_same_v<decltype(value), std::string&>) {
             if (info.role == Role::Character && value.empty())
                 value = this->state();

@@ -20,8 +20,6 @@ namespace quadrille {
 
 namespace {
 
-constexpr double longestTransition = 60; ///< seconds
-
 class Validator
 {
 public:
@@ -61,7 +59,7 @@ private:
                 (!(graph.durations->first > 0) || !(graph.durations->second >= graph.durations->first)))
                 invalid(pointer + "/durations",
                         "Durations must be [shortest, longest] in seconds, above zero");
-            else if (graph.durations && !(graph.durations->second <= longestTransition))
+            else if (graph.durations && !(graph.durations->second <= longestWindow))
                 invalid(pointer + "/durations", "A transition has at most 60 seconds", "Write less.");
             if (!seen.insert(graph.character).second)
                 invalid(pointer, "There are two graphs of one character here", "Leave one of them out.");

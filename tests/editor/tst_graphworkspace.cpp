@@ -320,7 +320,7 @@ private slots:
         compute();
         context().actions.action("graph.settings")->trigger();
         const auto before = explorer().character();
-        auto* slope = test::find<QSpinBox>("graphSlope");
+        auto* slope = test::find<QDoubleSpinBox>("graphSlope");
         QVERIFY(slope->isVisible());
         slope->setFocus();
         QTest::keyClick(slope, Qt::Key_Down);
@@ -328,7 +328,29 @@ private slots:
         QTRY_VERIFY(explorer().character() != before);
         QCOMPARE(graph().work().graph.slope, 2);
         context().document.undoStack()->undo();
-        QCOMPARE(slope->value(), 3);
+        QCOMPARE(slope->value(), 3.0);
+    }
+
+    /// A file may say more than a field lets one enter, and more exactly than it shows.
+    void anEditOfOneWindowLeavesTheOtherAlone()
+    {
+        compute();
+        context().actions.action("graph.settings")->trigger();
+        GraphEntry entry = graphEntry(context().document.project(), "spire");
+        entry.durations = {0.123456, 45};
+        setGraph(context().document, "", "", entry);
+        auto* longest = test::find<QDoubleSpinBox>("graphLongest");
+        QCOMPARE(longest->value(), 45.0);
+        auto* shortest = test::find<QDoubleSpinBox>("graphShortest");
+        longest->setValue(30);
+        QCOMPARE(graphEntry(context().document.project(), "spire").durations,
+                 (std::optional<std::pair<double, double>>({0.123456, 30})));
+        shortest->setValue(31);
+        QCOMPARE(graphEntry(context().document.project(), "spire").durations,
+                 (std::optional<std::pair<double, double>>({31, 31})));
+        shortest->setValue(shortest->minimum());
+        longest->setValue(longest->minimum());
+        QVERIFY(!graphEntry(context().document.project(), "spire").durations);
     }
 
     void tablesAreSavedAsCsv()

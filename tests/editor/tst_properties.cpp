@@ -105,6 +105,24 @@ private slots:
         QVERIFY(test::find<QLabel>("characterSurface")->text().contains("closed"));
     }
 
+    void anEditOfOneSettingLeavesTheOthersAsTheyAre()
+    {
+        selection().select({});
+        ProjectSettings settings = document().project().settings;
+        settings.fps = 29.970029970;
+        settings.cacheMegabytes = 1;
+        setSettings(document(), settings);
+        auto* axes = test::find<QWidget>("projectAxes");
+        auto* up = axes->findChild<QComboBox*>();
+        QVERIFY(up != nullptr);
+        QTest::keyClick(up, Qt::Key_Down);
+        QVERIFY(document().project().settings.axes != settings.axes);
+        QCOMPARE(document().project().settings.fps, settings.fps);
+        QCOMPARE(document().project().settings.cacheMegabytes, settings.cacheMegabytes);
+        document().undo();
+        document().undo();
+    }
+
     void sumsUpSeveralSequences()
     {
         duplicateInto("run");

@@ -10,11 +10,7 @@
 #include "editor/workspaces/animate/currentanimation.h"
 #include "widgets/charts/curveeditor.h"
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
-#include <QScopedValueRollback>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
@@ -26,6 +22,8 @@ PostPanel::PostPanel(CurrentAnimation& animation, QWidget* parent)
     : QWidget(parent)
     , m_animation(animation)
     , m_form(new SettingForm)
+    , m_fields(*m_form, [this](const QString& what, const char* property,
+                               const Edit& edit) { change(what, property, edit); })
     , m_scroll(verticalScroll(m_form))
     , m_empty(new QWidget)
     , m_emptyText(new QLabel)
@@ -86,89 +84,8 @@ double PostPanel::clipSeconds() const
 
 void PostPanel::change(const QString& what, const char* property, const Edit& edit, EditPhase phase)
 {
-    if (!m_isShowing && m_animation.entry() != nullptr)
+    if (!m_fields.isShowing() && m_animation.entry() != nullptr)
         m_animation.edit(tr("Set “%1”").arg(what), QLatin1String(property), edit, phase);
-}
-
-QDoubleSpinBox* PostPanel::addNumber(Property<std::optional<double>> property, const NumberRange& range)
-{
-    auto* field = new QDoubleSpinBox;
-    // An empty value stands one step below the lowest.
-    const double empty = range.lowest - range.step;
-    const bool mayBeEmpty = static_cast<bool>(range.automatic);
-    field->setDecimals(range.decimals);
-    field->setRange(mayBeEmpty ? empty : range.lowest, range.highest);
-    field->setSingleStep(range.step);
-    field->setKeyboardTracking(false);
-    field->setGroupSeparatorShown(true);
-    field->setAlignment(Qt::AlignRight);
-    field->setFocusPolicy(Qt::StrongFocus);
-    const auto set = [this, property](std::optional<double> value) {
-        change(property.label(), property.name, [&](AnimationEntry& entry) { property.set(entry, value); });
-    };
-    connect(field, &QDoubleSpinBox::valueChanged, this, [=](double value) {
-        set(mayBeEmpty && value < range.lowest ? std::nullopt : std::optional(std::max(value, range.lowest)));
-    });
-    m_form->add(property.name, property.label, property.tip, field,
-                [set, get = property.get] { set(get(AnimationEntry())); });
-    m_bindings.push_back(
-        {field,
-         [field, get = property.get, empty](const AnimationEntry& entry) {
-             field->setValue(get(entry).value_or(empty));
-         },
-         [get = property.get](const AnimationEntry& entry) { return get(entry) == get(AnimationEntry()); },
-         property.isShown});
-    m_texts.emplace_back([field, range] {
-        if (range.unit)
-            field->setSuffix(range.unit());
-        if (range.automatic)
-            field->setSpecialValueText(range.automatic());
-    });
-    return field;
-}
-
-QCheckBox* PostPanel::addSwitch(Property<bool> property)
-{
-    auto* field = new QCheckBox;
-    const auto set = [this, property](bool on) {
-        QString name = property.label();
-        change(name.remove(QLatin1Char('&')), property.name,
-               [&](AnimationEntry& entry) { property.set(entry, on); });
-    };
-    connect(field, &QCheckBox::toggled, this, set);
-    m_form->add(property.name, {}, property.tip, field,
-                [set, get = property.get] { set(get(AnimationEntry())); });
-    m_bindings.push_back(
-        {field, [field, get = property.get](const AnimationEntry& entry) { field->setChecked(get(entry)); },
-         [get = property.get](const AnimationEntry& entry) { return get(entry) == get(AnimationEntry()); },
-         property.isShown});
-    m_texts.emplace_back([field, text = property.label] { field->setText(text()); });
-    return field;
-}
-
-QComboBox* PostPanel::addChoice(Property<int> property, std::vector<Text> choices)
-{
-    auto* field = new QComboBox;
-    field->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    field->setFocusPolicy(Qt::StrongFocus);
-    for (const Text& choice : choices)
-        field->addItem(choice());
-    const auto set = [this, property](int index) {
-        change(property.label(), property.name, [&](AnimationEntry& entry) { property.set(entry, index); });
-    };
-    connect(field, &QComboBox::currentIndexChanged, this, set);
-    m_form->add(property.name, property.label, property.tip, field,
-                [set, get = property.get] { set(get(AnimationEntry())); });
-    m_bindings.push_back(
-        {field,
-         [field, get = property.get](const AnimationEntry& entry) { field->setCurrentIndex(get(entry)); },
-         [get = property.get](const AnimationEntry& entry) { return get(entry) == get(AnimationEntry()); },
-         property.isShown});
-    m_texts.emplace_back([field, choices = std::move(choices)] {
-        for (std::size_t i = 0; i < choices.size(); ++i)
-            field->setItemText(static_cast<int>(i), choices[i]());
-    });
-    return field;
 }
 
 void PostPanel::refresh()
@@ -178,12 +95,7 @@ void PostPanel::refresh()
     m_empty->setVisible(shown == nullptr);
     if (shown == nullptr)
         return;
-    const QScopedValueRollback showing(m_isShowing, true);
-    for (const Binding& binding : m_bindings) {
-        m_form->setRowVisible(binding.field, !binding.isShown || binding.isShown(*shown));
-        binding.show(*shown);
-        m_form->setUsual(binding.field, binding.isUsual(*shown));
-    }
+    m_fields.show(*shown);
     refreshCurve(*shown);
     refreshProblems(*shown);
     keepResetButtonsWhole();
@@ -222,15 +134,13 @@ void PostPanel::refreshProblems(const AnimationEntry& entry)
 
 void PostPanel::retranslate()
 {
-    const QScopedValueRollback showing(m_isShowing, true);
     m_emptyText->setText(tr("Here an animation is looped, retimed, mirrored and blended."));
-    for (const auto& set : m_texts)
-        set();
+    m_fields.retranslate();
     m_curve->setAxisTitles(tr("Time in the result (s)"), tr("Moment of the clip (s)"));
     m_curve->setAccessibleName(tr("Curve of times"));
     if (m_animation.entry() == nullptr)
         return;
-    refreshRepeats(*m_animation.entry());
+    m_fields.show(*m_animation.entry());
     refreshProblems(*m_animation.entry());
 }
 

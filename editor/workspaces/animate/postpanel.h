@@ -3,12 +3,10 @@
 #pragma once
 
 #include "editor/commands/changeentry.h"
-#include "editor/fields/settingform.h"
+#include "editor/fields/fieldform.h"
 
 #include <QWidget>
 #include <functional>
-#include <optional>
-#include <vector>
 
 class QCheckBox;
 class QComboBox;
@@ -37,33 +35,7 @@ public:
 private:
     using Text = SettingForm::Text;
     using Edit = std::function<void(AnimationEntry&)>;
-    template <typename Value>
-    struct Property
-    {
-        const char* name; ///< object name of the field
-        Text label;
-        Text tip;
-        std::function<Value(const AnimationEntry&)> get;
-        std::function<void(AnimationEntry&, Value)> set;
-        /// Whether it means anything; its row is hidden where not. Empty: always.
-        std::function<bool(const AnimationEntry&)> isShown = {};
-    };
-    struct NumberRange
-    {
-        double lowest = 0;
-        double highest = 1;
-        double step = 0.1;
-        int decimals = 2;
-        Text unit = {};      ///< with the space before it
-        Text automatic = {}; ///< what an empty value is called; empty: there is always one
-    };
-    struct Binding
-    {
-        QWidget* field;
-        std::function<void(const AnimationEntry&)> show;
-        std::function<bool(const AnimationEntry&)> isUsual;
-        std::function<bool(const AnimationEntry&)> isShown;
-    };
+    using Fields = FieldForm<AnimationEntry>;
 
     void makeEmpty();
     void addSearch();
@@ -74,9 +46,8 @@ private:
     void addMirror();
     void addRetime();
     void addCurve();
-    QDoubleSpinBox* addNumber(Property<std::optional<double>> property, const NumberRange& range);
-    QCheckBox* addSwitch(Property<bool> property);
-    QComboBox* addChoice(Property<int> property, std::vector<Text> choices);
+    /// \param kind  as the choice has it; times begin as they are in the clip.
+    void setRetimeKind(AnimationEntry& entry, int kind) const;
     void addSymmetry();
 
     void retranslate();
@@ -96,6 +67,7 @@ private:
 
     CurrentAnimation& m_animation;
     SettingForm* m_form;
+    Fields m_fields;
     QScrollArea* m_scroll;
     QWidget* m_empty;
     QLabel* m_emptyText;
@@ -107,9 +79,6 @@ private:
     widgets::ElidedButton* m_symmetry = nullptr;
     QComboBox* m_retime = nullptr;
     widgets::CurveEditor* m_curve = nullptr;
-    std::vector<Binding> m_bindings;
-    std::vector<std::function<void()>> m_texts; ///< of fields, in the language of now
-    bool m_isShowing = false;                   ///< fields change because of the document
 };
 
 } // namespace quadrille

@@ -49,25 +49,25 @@ void PostPanel::addRepeats()
         });
     };
     connect(m_repeated, &QComboBox::currentIndexChanged, this, set);
-    m_form->add(
-        "postVariations", [] { return tr("Frames shown again"); },
-        [] {
-            return tr("The first time captured frames are shown as they are; each further time they can be "
-                      "drawn from another variation of their take, so that repeats are never the same");
-        },
-        m_repeated, [set] { set(AsCaptured); });
-    m_bindings.push_back({m_repeated,
-                          [this](const AnimationEntry& entry) { refreshRepeats(entry); },
-                          [](const AnimationEntry& entry) { return !entry.post.variations; },
-                          {}});
-    addNumber({"postVariationEase", [] { return tr("Ease"); },
-               [] { return tr("How long poses take from captured frames to varied ones, and back"); },
-               [](const AnimationEntry& entry) { return std::optional(repeatsOf(entry).ease); },
-               [](AnimationEntry& entry, std::optional<double> value) {
-                   entry.post.variations->ease = value.value_or(VariedRepeats().ease);
-               },
-               [](const AnimationEntry& entry) { return entry.post.variations.has_value(); }},
-              {.highest = 5, .step = 0.05, .unit = [] { return tr(" s", "unit of a number"); }});
+    m_fields.addOther(
+        {"postVariations", [] { return tr("Frames shown again"); },
+         [] {
+             return tr("The first time captured frames are shown as they are; each further time they "
+                       "can be drawn from another variation of their take, so that repeats are never "
+                       "the same");
+         }},
+        m_repeated, [this](const AnimationEntry& entry) { refreshRepeats(entry); },
+        [](const AnimationEntry& entry) { return !entry.post.variations; }, [set] { set(AsCaptured); });
+    m_fields.addNumber(
+        {"postVariationEase", [] { return tr("Ease"); },
+         [] { return tr("How long poses take from captured frames to varied ones, and back"); },
+         [](const AnimationEntry& entry) { return entry.post.variations.has_value(); }},
+        lensInside<AnimationEntry>(at(&AnimationEntry::post, &PostProcessingEntry::variations),
+                                   &VariedRepeats::ease),
+        {.path = "varied_repeats.ease",
+         .step = 0.05,
+         .unit = [] { return tr(" s", "unit of a number"); },
+         .highest = 5});
 }
 
 void PostPanel::refreshRepeats(const AnimationEntry& entry)

@@ -8,6 +8,7 @@
 #include "widgets/charts/curveeditor.h"
 #include "widgets/controls/elidedbutton.h"
 
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -18,6 +19,7 @@ namespace quadrille {
 
 namespace {
 
+constexpr double hundredth = 0.01;
 constexpr double degree = std::numbers::pi / 180;
 
 enum class RetimeKind
@@ -28,7 +30,7 @@ enum class RetimeKind
     Curve
 };
 
-RetimeKind kindOf(const AnimationEntry& entry)
+RetimeKind retimeKindOf(const AnimationEntry& entry)
 {
     const auto& retime = entry.post.steps.retime;
     return retime ? static_cast<RetimeKind>(1 + retime->time.index()) : RetimeKind::None;
@@ -36,7 +38,7 @@ RetimeKind kindOf(const AnimationEntry& entry)
 
 bool isKind(const AnimationEntry& entry, RetimeKind kind)
 {
-    return kindOf(entry) == kind;
+    return retimeKindOf(entry) == kind;
 }
 
 QList<QPointF> toPoints(const RetimeSettings::Curve& curve)
@@ -55,139 +57,139 @@ RetimeSettings::Curve toCurve(const QList<QPointF>& points)
     return curve;
 }
 
-std::optional<double> secondsOf(const std::optional<Seconds>& seconds)
+using Steps = PostProcessing;
+
+/// Of the steps of an animation.
+template <typename Member>
+auto step(Member member)
 {
-    return seconds ? std::optional(seconds->value) : std::nullopt;
+    return at(&AnimationEntry::post, &PostProcessingEntry::steps, member);
 }
 
-std::optional<Seconds> toSeconds(const std::optional<double>& value)
+/// A switch for a step that has settings of its own: on with the usual ones.
+template <typename Settings>
+Lens<AnimationEntry, bool> presenceOf(std::optional<Settings> Steps::*settings)
 {
-    return value ? std::optional(Seconds{*value}) : std::nullopt;
+    return {[=](const AnimationEntry& entry) { return (entry.post.steps.*settings).has_value(); },
+            [=](AnimationEntry& entry, bool on) {
+                entry.post.steps.*settings = on ? std::optional(Settings()) : std::nullopt;
+            }};
 }
 
-/// The loop's settings, the usual ones where there is no loop.
-LoopSettings loopOf(const AnimationEntry& entry)
+QString percentText()
 {
-    return entry.post.steps.loop.value_or(LoopSettings());
+    return QCoreApplication::translate("quadrille::PostPanel", " %", "unit of a number");
 }
 
-ContactCorrectionSettings contactsOf(const AnimationEntry& entry)
+QString secondsText()
 {
-    return entry.post.steps.contacts.value_or(ContactCorrectionSettings());
+    return QCoreApplication::translate("quadrille::PostPanel", " s", "unit of a number");
 }
 
 } // namespace
 
 void PostPanel::addLoop()
 {
-    const auto seconds = [] { return tr(" s", "unit of a number"); };
     const auto hasLoop = [](const AnimationEntry& entry) { return entry.post.steps.loop.has_value(); };
-    const NumberRange cut{
-        .highest = 1000, .step = 0.1, .unit = seconds, .automatic = [] { return tr("a third"); }};
+    const auto of = [](auto member) { return lensInside<AnimationEntry>(step(&Steps::loop), member); };
+    NumberLook cut{.path = "loop.cut_start", .unit = secondsText, .automatic = [] { return tr("a third"); }};
+    auto loop = presenceOf(&Steps::loop);
+    loop.set = [set = loop.set](AnimationEntry& entry, bool on) {
+        set(entry, on);
+        if (!on)
+            entry.post.steps.repeats = 1;
+    };
     m_form->addHeading([] { return tr("Loop"); });
-    m_loop = addSwitch({"postLoop", [] { return tr("&Close to a seamless loop"); },
-                        [] { return tr("Cuts both ends where they fit best and blends one into the other"); },
-                        hasLoop,
-                        [](AnimationEntry& entry, bool on) {
-                            PostProcessing& steps = entry.post.steps;
-                            steps.loop = on ? std::optional(LoopSettings()) : std::nullopt;
-                            if (!on)
-                                steps.repeats = 1;
-                        }});
-    addNumber({"postCutStart", [] { return tr("Cut at the start"); },
-               [] { return tr("How far from the first frame the loop may begin"); },
-               [](const AnimationEntry& entry) { return secondsOf(loopOf(entry).cutStart); },
-               [](AnimationEntry& entry, std::optional<double> value) {
-                   entry.post.steps.loop->cutStart = toSeconds(value);
-               },
-               hasLoop},
-              cut);
-    addNumber({"postCutEnd", [] { return tr("Cut at the end"); },
-               [] { return tr("How far from the last frame the loop may end"); },
-               [](const AnimationEntry& entry) { return secondsOf(loopOf(entry).cutEnd); },
-               [](AnimationEntry& entry, std::optional<double> value) {
-                   entry.post.steps.loop->cutEnd = toSeconds(value);
-               },
-               hasLoop},
-              cut);
-    addSwitch(
+    m_loop = m_fields.addSwitch(
+        {"postLoop", [] { return tr("&Close to a seamless loop"); },
+         [] { return tr("Cuts both ends where they fit best and blends one into the other"); }},
+        loop);
+    m_fields.addNumber({"postCutStart", [] { return tr("Cut at the start"); },
+                        [] { return tr("How far from the first frame the loop may begin"); }, hasLoop},
+                       of(&LoopSettings::cutStart), cut);
+    cut.path = "loop.cut_end";
+    m_fields.addNumber({"postCutEnd", [] { return tr("Cut at the end"); },
+                        [] { return tr("How far from the last frame the loop may end"); }, hasLoop},
+                       of(&LoopSettings::cutEnd), cut);
+    m_fields.addSwitch(
         {"postInPlace", [] { return tr("Stay in &place"); },
          [] { return tr("Takes the way over the ground out, so that each round begins where it began"); },
-         [](const AnimationEntry& entry) { return loopOf(entry).inPlace; },
-         [](AnimationEntry& entry, bool on) { entry.post.steps.loop->inPlace = on; }, hasLoop});
-    m_repeats = addNumber(
-        {"postRepeats", [] { return tr("Repeats"); }, [] { return tr("How often the loop plays"); },
-         [](const AnimationEntry& entry) { return std::optional<double>(entry.post.steps.repeats); },
-         [](AnimationEntry& entry, std::optional<double> value) {
-             entry.post.steps.repeats = static_cast<int>(value.value_or(1));
-         }},
-        {.lowest = 1, .highest = 1000, .step = 1, .decimals = 0, .unit = [] {
-             return tr(" ×", "how many times");
-         }});
+         hasLoop},
+        of(&LoopSettings::inPlace));
+    m_repeats = m_fields.addNumber(
+        {"postRepeats", [] { return tr("Repeats"); }, [] { return tr("How often the loop plays"); }},
+        step(&Steps::repeats), {.path = "post.repeats", .step = 1, .decimals = 0, .unit = [] {
+                                    return tr(" ×", "how many times");
+                                }});
 }
 
 void PostPanel::addRetime()
 {
-    const auto hasRetime = [](const AnimationEntry& entry) { return entry.post.steps.retime.has_value(); };
+    const auto hasKind = [](RetimeKind kind) {
+        return [kind](const AnimationEntry& entry) { return isKind(entry, kind); };
+    };
     m_form->addHeading([] { return tr("Time"); });
-    m_retime =
-        addChoice({"postRetime", [] { return tr("Retime"); },
-                   [] { return tr("Plays the clip faster or slower, as a whole or from moment to moment"); },
-                   [](const AnimationEntry& entry) { return static_cast<int>(kindOf(entry)); },
-                   [this](AnimationEntry& entry, int index) {
-                       auto& retime = entry.post.steps.retime;
-                       if (index == 0) {
-                           retime.reset();
-                           return;
-                       }
-                       if (!retime)
-                           retime.emplace();
-                       const Seconds length{std::max(clipSeconds(), 1 / fps())};
-                       if (index == static_cast<int>(RetimeKind::Factor))
-                           retime->time = RetimeFactor();
-                       else if (index == static_cast<int>(RetimeKind::Duration))
-                           retime->time = length;
-                       else
-                           retime->time = RetimeSettings::Curve{{Seconds{0}, Seconds{0}}, {length, length}};
-                   }},
-                  {[] { return tr("Not at all"); }, [] { return tr("By a factor"); },
-                   [] { return tr("To a duration"); }, [] { return tr("By a curve"); }});
-    addNumber(
+    m_retime = m_fields.addChoice(
+        {"postRetime", [] { return tr("Retime"); },
+         [] { return tr("Plays the clip faster or slower, as a whole or from moment to moment"); }},
+        Lens<AnimationEntry, RetimeKind>{
+            retimeKindOf,
+            [this](AnimationEntry& entry, RetimeKind kind) { setRetimeKind(entry, static_cast<int>(kind)); }},
+        {[] { return tr("Not at all"); }, [] { return tr("By a factor"); },
+         [] { return tr("To a duration"); }, [] { return tr("By a curve"); }});
+    m_fields.addNumber(
         {"postFactor", [] { return tr("Factor"); },
-         [] { return tr("Times as long as the clip: 2 is half as fast"); },
-         [](const AnimationEntry& entry) {
-             return std::optional(isKind(entry, RetimeKind::Factor)
-                                      ? std::get<RetimeFactor>(entry.post.steps.retime->time).value
-                                      : 1.0);
-         },
-         [](AnimationEntry& entry, std::optional<double> value) {
-             entry.post.steps.retime->time = RetimeFactor{value.value_or(1)};
-         },
-         [](const AnimationEntry& entry) { return isKind(entry, RetimeKind::Factor); }},
-        {.lowest = 0.05, .highest = 20, .step = 0.05, .unit = [] { return tr(" ×", "how many times"); }});
-    addNumber(
+         [] { return tr("Times as long as the clip: 2 is half as fast"); }, hasKind(RetimeKind::Factor)},
+        Lens<AnimationEntry, double>{
+            [](const AnimationEntry& entry) {
+                return isKind(entry, RetimeKind::Factor)
+                           ? std::get<RetimeFactor>(entry.post.steps.retime->time).value
+                           : 1.0;
+            },
+            [](AnimationEntry& entry, double value) { entry.post.steps.retime->time = RetimeFactor{value}; }},
+        {.path = "retime.factor",
+         .step = 0.05,
+         .unit = [] { return tr(" ×", "how many times"); },
+         .lowest = 0.05,
+         .highest = 1000});
+    m_fields.addNumber(
         {"postDuration", [] { return tr("Duration"); }, [] { return tr("How long the result lasts"); },
-         [this](const AnimationEntry& entry) {
-             return std::optional(isKind(entry, RetimeKind::Duration)
-                                      ? std::get<Seconds>(entry.post.steps.retime->time).value
-                                      : clipSeconds());
-         },
-         [](AnimationEntry& entry, std::optional<double> value) {
-             entry.post.steps.retime->time = Seconds{*value};
-         },
-         [](const AnimationEntry& entry) { return isKind(entry, RetimeKind::Duration); }},
-        {.lowest = 0.01, .highest = 3600, .step = 0.1, .unit = [] { return tr(" s", "unit of a number"); }});
+         hasKind(RetimeKind::Duration)},
+        Lens<AnimationEntry, double>{
+            [this](const AnimationEntry& entry) {
+                return isKind(entry, RetimeKind::Duration)
+                           ? std::get<Seconds>(entry.post.steps.retime->time).value
+                           : clipSeconds();
+            },
+            [](AnimationEntry& entry, double value) { entry.post.steps.retime->time = Seconds{value}; }},
+        {.unit = secondsText, .lowest = 0.01, .highest = 3600});
     addCurve();
-    addSwitch({"postRootSpeed", [] { return tr("Keep the speed over the &ground"); },
-               [] {
-                   return tr("The figure goes as fast as in the clip, and its feet slide; otherwise its way "
-                             "slows with its poses");
-               },
-               [](const AnimationEntry& entry) {
-                   return entry.post.steps.retime && entry.post.steps.retime->keepsRootSpeed;
-               },
-               [](AnimationEntry& entry, bool on) { entry.post.steps.retime->keepsRootSpeed = on; },
-               hasRetime});
+    m_fields.addSwitch({"postRootSpeed", [] { return tr("Keep the speed over the &ground"); },
+                        [] {
+                            return tr(
+                                "The figure goes as fast as in the clip, and its feet slide; otherwise its "
+                                "way slows with its poses");
+                        },
+                        [](const AnimationEntry& entry) { return entry.post.steps.retime.has_value(); }},
+                       lensInside<AnimationEntry>(step(&Steps::retime), &RetimeSettings::keepsRootSpeed));
+}
+
+void PostPanel::setRetimeKind(AnimationEntry& entry, int kind) const
+{
+    auto& retime = entry.post.steps.retime;
+    if (kind == static_cast<int>(RetimeKind::None)) {
+        retime.reset();
+        return;
+    }
+    if (!retime)
+        retime.emplace();
+    const Seconds length{std::max(clipSeconds(), 1 / fps())};
+    if (kind == static_cast<int>(RetimeKind::Factor))
+        retime->time = RetimeFactor();
+    else if (kind == static_cast<int>(RetimeKind::Duration))
+        retime->time = length;
+    else
+        retime->time = RetimeSettings::Curve{{Seconds{0}, Seconds{0}}, {length, length}};
 }
 
 void PostPanel::addCurve()
@@ -235,67 +237,72 @@ void PostPanel::refreshCurve(const AnimationEntry& entry)
 
 void PostPanel::addContacts()
 {
-    const auto hasContacts = [](const AnimationEntry& entry) {
-        return entry.post.steps.contacts.has_value();
-    };
-    const auto percent = [] { return tr(" %", "unit of a number"); };
-    const auto addPart = [&](const char* name, Text label, Text tip,
-                             double ContactCorrectionSettings::*member, double unit,
-                             const NumberRange& range) {
-        addNumber({name, std::move(label), std::move(tip),
-                   [member, unit](const AnimationEntry& entry) {
-                       return std::optional(contactsOf(entry).*member / unit);
-                   },
-                   [member, unit](AnimationEntry& entry, std::optional<double> value) {
-                       (*entry.post.steps.contacts).*member = *value * unit;
-                   },
-                   hasContacts},
-                  range);
+    using S = ContactCorrectionSettings;
+    const auto addPart = [this](const char* name, Text label, Text tip, double S::*member,
+                                const NumberLook& look) {
+        m_fields.addNumber(
+            {name, std::move(label), std::move(tip),
+             [](const AnimationEntry& entry) { return entry.post.steps.contacts.has_value(); }},
+            lensInside<AnimationEntry>(step(&Steps::contacts), member), look);
     };
     m_form->addHeading([] { return tr("Feet"); });
-    m_contacts =
-        addSwitch({"postContacts", [] { return tr("Keep standing &feet still"); },
-                   [] { return tr("Takes slip from feet while they touch the ground"); }, hasContacts,
-                   [](AnimationEntry& entry, bool on) {
-                       entry.post.steps.contacts =
-                           on ? std::optional(ContactCorrectionSettings()) : std::nullopt;
-                   }});
+    m_contacts = m_fields.addSwitch({"postContacts", [] { return tr("Keep standing &feet still"); },
+                                     [] { return tr("Takes slip from feet while they touch the ground"); }},
+                                    presenceOf(&Steps::contacts));
     addPart(
         "postStrength", [] { return tr("Strength"); },
-        [] { return tr("Share of the slip that is taken out"); }, &ContactCorrectionSettings::strength, 0.01,
-        {.highest = 100, .step = 5, .decimals = 0, .unit = percent});
+        [] { return tr("Share of the slip that is taken out"); }, &S::strength,
+        {.path = "contact_correction.strength",
+         .scale = hundredth,
+         .step = 5,
+         .decimals = 0,
+         .unit = percentText});
     addPart(
         "postEase", [] { return tr("Ease"); },
         [] { return tr("How long before a contact it sets in, and how long after it dies away"); },
-        &ContactCorrectionSettings::easeSeconds, 1,
-        {.highest = 5, .step = 0.05, .unit = [] { return tr(" s", "unit of a number"); }});
+        &S::easeSeconds,
+        {.path = "contact_correction.ease", .step = 0.05, .unit = secondsText, .highest = 5});
     addPart(
         "postShift", [] { return tr("Greatest shift"); },
         [] {
-            return tr("How far a foot is moved at most, of the height of the figure; the rest of the slip "
-                      "stays");
+            return tr(
+                "How far a foot is moved at most, of the height of the figure; the rest of the slip stays");
         },
-        &ContactCorrectionSettings::greatestShift, 0.01,
-        {.highest = 100, .step = 1, .decimals = 1, .unit = percent});
+        &S::greatestShift,
+        {.path = "contact_correction.greatest_shift",
+         .scale = hundredth,
+         .step = 1,
+         .decimals = 1,
+         .unit = percentText,
+         .highest = 100});
     addPart(
         "postTurn", [] { return tr("Greatest turn"); },
-        [] { return tr("How far a foot is turned about the vertical at most"); },
-        &ContactCorrectionSettings::greatestTurn, degree,
-        {.highest = 180, .step = 1, .decimals = 1, .unit = [] { return tr("°", "unit of a number"); }});
+        [] { return tr("How far a foot is turned about the vertical at most"); }, &S::greatestTurn,
+        {.path = "contact_correction.greatest_turn",
+         .scale = degree,
+         .step = 1,
+         .decimals = 1,
+         .unit = [] { return tr("°", "unit of a number"); },
+         .highest = 180});
     addPart(
         "postLift", [] { return tr("Greatest lift"); },
         [] { return tr("How far a foot is lifted or lowered at most, of the height of the figure"); },
-        &ContactCorrectionSettings::greatestLift, 0.01,
-        {.highest = 100, .step = 0.5, .decimals = 1, .unit = percent});
+        &S::greatestLift,
+        {.path = "contact_correction.greatest_lift",
+         .scale = hundredth,
+         .step = 0.5,
+         .decimals = 1,
+         .unit = percentText,
+         .highest = 100});
 }
 
 void PostPanel::addMirror()
 {
     m_form->addHeading([] { return tr("Mirror"); });
-    m_mirror = addSwitch({"postMirror", [] { return tr("Exchange left and &right"); },
-                          [] { return tr("Needs the symmetry of the mesh: found, or read from a file"); },
-                          [](const AnimationEntry& entry) { return entry.post.steps.mirror; },
-                          [](AnimationEntry& entry, bool on) { entry.post.steps.mirror = on; }});
+    m_mirror =
+        m_fields.addSwitch({"postMirror", [] { return tr("Exchange left and &right"); },
+                            [] { return tr("Needs the symmetry of the mesh: found, or read from a file"); }},
+                           step(&Steps::mirror));
     addSymmetry();
 }
 
@@ -315,16 +322,12 @@ void PostPanel::addSymmetry()
         const QString file = QString::fromStdString(entry.post.symmetry);
         m_symmetry->setText(file.isEmpty() ? tr("Found in the mesh") : QFileInfo(file).fileName());
     };
-    m_form->add(
-        "postSymmetry", [] { return tr("Symmetry"); },
-        [] { return tr("A file that names, for each vertex, the one opposite to it"); }, m_symmetry, forget);
-    m_bindings.push_back({m_symmetry, showFile,
-                          [](const AnimationEntry& entry) { return entry.post.symmetry.empty(); },
-                          [](const AnimationEntry& entry) { return entry.post.steps.mirror; }});
-    m_texts.emplace_back([this, showFile] {
-        if (m_animation.entry() != nullptr)
-            showFile(*m_animation.entry());
-    });
+    m_fields.addOther(
+        {"postSymmetry", [] { return tr("Symmetry"); },
+         [] { return tr("A file that names, for each vertex, the one opposite to it"); },
+         [](const AnimationEntry& entry) { return entry.post.steps.mirror; }},
+        m_symmetry, showFile, [](const AnimationEntry& entry) { return entry.post.symmetry.empty(); },
+        forget);
 }
 
 void PostPanel::chooseSymmetry()

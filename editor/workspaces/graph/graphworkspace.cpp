@@ -227,7 +227,7 @@ void GraphWorkspace::followGraph()
     const double fps = m_context.document.project().settings.fps;
     m_map->setFps(fps);
     m_transition->setFps(fps);
-    m_settings->show(character);
+    m_settings->showCharacter(character);
     m_statePage->show(character);
     const auto* medium = m_context.graphs.medium(character);
     m_explorer->setCharacter(medium != nullptr ? medium->opened : nullptr);

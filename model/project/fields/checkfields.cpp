@@ -55,7 +55,7 @@ public:
     template <typename Member>
     void field(const char* key, Member member, const FieldInfo& info = {})
     {
-        const auto& value = valueOf(this->entry(), member);
+        const auto& value = memberOf(this->entry(), member);
         if constexpr (IsOptional<std::remove_cvref_t<decltype(value)>>::value) {
             if (value)
                 checkValue(key, *value, info);
@@ -67,7 +67,7 @@ public:
     template <typename Member>
     void choice(Member member, const FieldInfo& = {})
     {
-        const std::optional<FrameChoice> choice = valueOf(this->entry(), member);
+        const std::optional<FrameChoice> choice = memberOf(this->entry(), member);
         if (choice && choice->range)
             checkValue("range", *choice->range, {});
     }
@@ -75,7 +75,7 @@ public:
     template <typename Member, typename Name, typename Unknown>
     void spans(const char* key, Member member, const char* nameKey, Name name, Unknown, const char*)
     {
-        const auto& spans = valueOf(this->entry(), member);
+        const auto& spans = memberOf(this->entry(), member);
         for (std::size_t i = 0; i < spans.size(); ++i) {
             const std::string place = key + ("/" + std::to_string(i)) + "/";
             if ((spans[i].*name).empty())
@@ -87,7 +87,7 @@ public:
     template <typename Member>
     void list(const char* key, Member member, const FieldInfo& = {})
     {
-        const auto& items = valueOf(this->entry(), member);
+        const auto& items = memberOf(this->entry(), member);
         std::set<std::string> names;
         for (std::size_t i = 0; i < items.size(); ++i) {
             using Item = std::remove_reference_t<decltype(items[i])>;

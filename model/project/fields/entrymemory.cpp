@@ -19,7 +19,7 @@ public:
     template <typename Member>
     void field(const char*, Member member, const FieldInfo& = {})
     {
-        const auto& value = valueOf(this->entry(), member);
+        const auto& value = memberOf(this->entry(), member);
         using Value = std::remove_cvref_t<decltype(value)>;
         if constexpr (std::is_same_v<Value, std::string>)
             this->state() += value.capacity();
@@ -35,26 +35,26 @@ public:
     template <typename Member, typename Name, typename Unknown>
     void spans(const char*, Member member, const char*, Name name, Unknown, const char*)
     {
-        add(valueOf(this->entry(), member));
-        for (const auto& span : valueOf(this->entry(), member))
+        add(memberOf(this->entry(), member));
+        for (const auto& span : memberOf(this->entry(), member))
             this->state() += (span.*name).capacity();
     }
     template <typename Member>
     void list(const char* key, Member member, const FieldInfo& info = {})
     {
-        add(valueOf(this->entry(), member));
+        add(memberOf(this->entry(), member));
         Base::list(key, member, info);
     }
     template <typename Member>
     void variants(const char* key, Member member)
     {
-        add(valueOf(this->entry(), member));
+        add(memberOf(this->entry(), member));
         Base::variants(key, member);
     }
     template <typename Member>
     void unknown(Member member)
     {
-        const UnknownKeys& keys = valueOf(this->entry(), member);
+        const UnknownKeys& keys = memberOf(this->entry(), member);
         this->state() += keys.is_null() ? 0 : keys.dump().size() * 2;
     }
 

@@ -26,7 +26,7 @@ public:
     template <typename Member>
     void field(const char* key, Member member, const FieldInfo& info = {})
     {
-        auto& value = valueOf(this->entry(), member);
+        auto& value = memberOf(this->entry(), member);
         if constexpr (std::is_same_v<decltype(value), std::string&>) {
             const bool isFile =
                 info.role == Role::File || (info.role == Role::Source && !clipOfSource(value));

@@ -24,7 +24,7 @@ constexpr auto at(First first, Rest... rest)
 
 /// The value of a pointer to a member or of at().
 template <typename Entry, typename Member>
-auto& valueOf(Entry& entry, const Member& member)
+auto& memberOf(Entry& entry, const Member& member)
 {
     if constexpr (std::is_member_pointer_v<Member>)
         return entry.*member;
@@ -78,6 +78,6 @@ inline constexpr bool isListOfWholes<std::vector<Item>> = isNumber<Item>&& isWho
 /// The type of a member of an entry, without std::optional.
 template <typename Entry, typename Member>
 using PlainMember = typename Plain<
-    std::remove_cvref_t<decltype(valueOf(std::declval<Entry&>(), std::declval<Member>()))>>::Type;
+    std::remove_cvref_t<decltype(memberOf(std::declval<Entry&>(), std::declval<Member>()))>>::Type;
 
 } // namespace quadrille

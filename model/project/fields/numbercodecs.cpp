@@ -49,7 +49,7 @@ void valueSchema(Json& properties, const std::string& key, Type<Durations>)
     properties[key] =
         pairSchema("[shortest, longest] window of a transition, seconds; where it is left out, in short "
                    "takes three tenths of them. Published: a third of a second and two.",
-                   60, false, usualDurations);
+                   longestWindow, false, usualDurations);
 }
 
 void readValue(const ObjectReader& reader, const std::string& key, HmcSettings& chain, const FieldContext&)

@@ -49,7 +49,7 @@ public:
     void field(const char* key, Member member, const FieldInfo& info = {})
     {
         known(key, info);
-        auto& value = valueOf(m_entry, member);
+        auto& value = memberOf(m_entry, member);
         using Value = PlainMember<Entry, Member>;
         if constexpr (isNumber<Value>)
             readNumber(key, value, info);
@@ -76,7 +76,7 @@ public:
     void word(const char* key, Member member, const Words& words, const FieldInfo& info)
     {
         known(key, info);
-        m_reader.word(key, valueOf(m_entry, member), words);
+        m_reader.word(key, memberOf(m_entry, member), words);
     }
 
     template <typename Member>
@@ -84,7 +84,7 @@ public:
     {
         for (const char* key : {"label", "sequence", "range"})
             m_keys.emplace_back(key);
-        auto& value = valueOf(m_entry, member);
+        auto& value = memberOf(m_entry, member);
         if (auto choice = m_reader.choice())
             value = std::move(*choice);
         else if (info.need == Need::Required)
@@ -99,13 +99,13 @@ public:
         known(key, {});
         m_reader.each(key, [&](const Json& json, const std::string& pointer) {
             const ObjectReader own(json, pointer, m_reader.problems());
-            auto& span = valueOf(m_entry, member).emplace_back();
+            auto& span = memberOf(m_entry, member).emplace_back();
             span.*name = own.requiredText(nameKey);
             if (own.find("frames") == nullptr)
                 own.missing("frames");
             span.frames = own.range("frames").value_or(FrameRange{});
             if (!own.unknown({nameKey, "frames"}).is_null())
-                valueOf(m_entry, unknownOfSpans)[key].push_back(json);
+                memberOf(m_entry, unknownOfSpans)[key].push_back(json);
         });
     }
 
@@ -114,13 +114,13 @@ public:
     {
         known(key, info);
         if (const Json* json = m_reader.find(key))
-            readInto(valueOf(m_entry, member), {*json, m_reader.pointer(key), m_reader.problems()}, unknown);
+            readInto(memberOf(m_entry, member), {*json, m_reader.pointer(key), m_reader.problems()}, unknown);
     }
 
     template <typename Member, typename Unknown = std::nullptr_t>
     void step(const char* key, Member member, const FieldInfo& info = {}, Unknown unknown = nullptr)
     {
-        auto& value = valueOf(m_entry, member);
+        auto& value = memberOf(m_entry, member);
         const Json* json = m_reader.find(key);
         if (json != nullptr && json->is_object()) {
             value.emplace();
@@ -141,7 +141,7 @@ public:
         if (json == nullptr)
             return;
         const ObjectReader reader(*json, m_reader.pointer(key), m_reader.problems());
-        FieldReader own(reader, m_entry, m_context, &valueOf(m_entry, unknown));
+        FieldReader own(reader, m_entry, m_context, &memberOf(m_entry, unknown));
         fields(own);
         own.finish();
     }
@@ -151,7 +151,7 @@ public:
     {
         known(key, info);
         m_reader.each(key, [&](const Json& json, const std::string& pointer) {
-            addItem(valueOf(m_entry, member), json, pointer, info);
+            addItem(memberOf(m_entry, member), json, pointer, info);
         });
     }
 
@@ -162,7 +162,7 @@ public:
         if (one == nullptr || !one->is_object())
             return list(key, member, info);
         known(key, info);
-        addItem(valueOf(m_entry, member), *one, m_reader.pointer(key), info);
+        addItem(memberOf(m_entry, member), *one, m_reader.pointer(key), info);
     }
 
     template <typename Member>
@@ -170,14 +170,14 @@ public:
     {
         known(key, {});
         m_reader.each(key, [&](const Json& json, const std::string& pointer) {
-            addVariant(valueOf(m_entry, member), {json, pointer, m_reader.problems()});
+            addVariant(memberOf(m_entry, member), {json, pointer, m_reader.problems()});
         });
     }
 
     template <typename Member>
     void unknown(Member member)
     {
-        m_unknown = &valueOf(m_entry, member);
+        m_unknown = &memberOf(m_entry, member);
     }
 
     /// Those of the members that are described, in their order.
@@ -245,7 +245,7 @@ private:
     {
         UnknownKeys* keys = nullptr;
         if constexpr (!std::is_null_pointer_v<Unknown>)
-            keys = &valueOf(m_entry, unknown);
+            keys = &memberOf(m_entry, unknown);
         if constexpr (IsOptional<Value>::value) {
             readEntry(reader, value ? *value : value.emplace(), m_context, keys);
             if constexpr (requires { value->saysNothing(); }) {

@@ -102,7 +102,7 @@ public:
     template <typename Member>
     void field(const char* key, Member member, const FieldInfo& info = {})
     {
-        const auto& usual = valueOf(m_usual, member);
+        const auto& usual = memberOf(m_usual, member);
         using Value = PlainMember<Entry, Member>;
         if constexpr (isNumber<Value>) {
             addNumber(key, usual, info);
@@ -138,7 +138,7 @@ public:
         for (const auto& [word, meant] : words)
             json["enum"].push_back(word);
         for (const auto& [word, meant] : words) {
-            if (meant == valueOf(m_usual, member))
+            if (meant == memberOf(m_usual, member))
                 json["default"] = word;
         }
         add(key, std::move(json), info);
@@ -177,7 +177,7 @@ public:
     {
         add(key,
             {{"anyOf", {{{"type", "boolean"}}, referenceTo(define<PlainMember<Entry, Member>>())}},
-             {"default", valueOf(m_usual, member).has_value()}},
+             {"default", memberOf(m_usual, member).has_value()}},
             info);
     }
     template <typename Unknown, typename Fields>

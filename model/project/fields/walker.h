@@ -24,7 +24,7 @@ public:
     template <typename Member, typename Unknown = std::nullptr_t>
     void object(const char* key, Member member, const FieldInfo& = {}, Unknown = nullptr)
     {
-        auto& value = valueOf(m_entry, member);
+        auto& value = memberOf(m_entry, member);
         if constexpr (!IsOptional<std::remove_cvref_t<decltype(value)>>::value)
             walk(value, place(key));
         else if (value)
@@ -39,14 +39,14 @@ public:
     template <typename Member>
     void list(const char* key, Member member, const FieldInfo& = {})
     {
-        auto& items = valueOf(m_entry, member);
+        auto& items = memberOf(m_entry, member);
         for (std::size_t i = 0; i < items.size(); ++i)
             walk(items[i], place(key) + "/" + std::to_string(i));
     }
     template <typename Member>
     void perCharacter(const char* key, Member member, const FieldInfo& info)
     {
-        auto& items = valueOf(m_entry, member);
+        auto& items = memberOf(m_entry, member);
         if (items.size() == 1 && items.front().character.empty())
             walk(items.front(), place(key));
         else
@@ -55,7 +55,7 @@ public:
     template <typename Member>
     void variants(const char* key, Member member)
     {
-        auto& items = valueOf(m_entry, member);
+        auto& items = memberOf(m_entry, member);
         for (std::size_t i = 0; i < items.size(); ++i)
             std::visit([&](auto& item) { walk(item, place(key) + "/" + std::to_string(i)); }, items[i]);
     }

@@ -58,29 +58,29 @@ public:
     template <typename Member>
     void field(const char* key, Member member, const FieldInfo& info = {})
     {
-        const auto& value = valueOf(m_entry, member);
+        const auto& value = memberOf(m_entry, member);
         using Value = std::remove_cvref_t<decltype(value)>;
         if constexpr (requires { valueSchema(m_json, key, Type<Value>()); })
             writeValue(m_json, key, value, m_context);
         else if constexpr (IsOptional<Value>::value)
             addOptional(m_json, key, value ? std::optional(plainJson(*value)) : std::nullopt);
-        else if (info.need != Need::Optional || !(value == valueOf(usual(), member)))
+        else if (info.need != Need::Optional || !(value == memberOf(usual(), member)))
             m_json[key] = plainJson(value);
     }
 
     template <typename Member, typename Words>
     void word(const char* key, Member member, const Words& words, const FieldInfo& info)
     {
-        const auto& value = valueOf(m_entry, member);
+        const auto& value = memberOf(m_entry, member);
         const auto found = std::ranges::find(words, value, [](const auto& word) { return word.second; });
-        if (info.need != Need::Optional || value != valueOf(usual(), member))
+        if (info.need != Need::Optional || value != memberOf(usual(), member))
             m_json[key] = found->first;
     }
 
     template <typename Member>
     void choice(Member member, const FieldInfo& = {})
     {
-        const std::optional<FrameChoice> choice = valueOf(m_entry, member);
+        const std::optional<FrameChoice> choice = memberOf(m_entry, member);
         if (!choice)
             return;
         addText(m_json, "label", choice->label);
@@ -93,8 +93,8 @@ public:
     void spans(const char* key, Member member, const char* nameKey, Name name, Unknown unknownOfSpans,
                const char*)
     {
-        const UnknownKeys& read = valueOf(m_entry, unknownOfSpans);
-        for (const auto& span : valueOf(m_entry, member)) {
+        const UnknownKeys& read = memberOf(m_entry, unknownOfSpans);
+        for (const auto& span : memberOf(m_entry, member)) {
             Json item = Json::object();
             item[nameKey] = span.*name;
             item["frames"] = rangeToJson(span.frames);
@@ -111,7 +111,7 @@ public:
     template <typename Member, typename Unknown = std::nullptr_t>
     void object(const char* key, Member member, const FieldInfo& info = {}, Unknown unknown = nullptr)
     {
-        const auto& value = valueOf(m_entry, member);
+        const auto& value = memberOf(m_entry, member);
         if constexpr (IsOptional<std::remove_cvref_t<decltype(value)>>::value) {
             if (value)
                 m_json[key] = toJson(*value, m_context, keysOf(unknown));
@@ -125,8 +125,8 @@ public:
     template <typename Member, typename Unknown = std::nullptr_t>
     void step(const char* key, Member member, const FieldInfo& = {}, Unknown unknown = nullptr)
     {
-        const auto& value = valueOf(m_entry, member);
-        const bool isUsual = valueOf(usual(), member).has_value();
+        const auto& value = memberOf(m_entry, member);
+        const bool isUsual = memberOf(usual(), member).has_value();
         if (!value) {
             if (isUsual)
                 m_json[key] = false;
@@ -145,7 +145,7 @@ public:
         Json json = Json::object();
         FieldWriter own(json, m_entry, m_context);
         fields(own);
-        addUnknown(json, valueOf(m_entry, unknown));
+        addUnknown(json, memberOf(m_entry, unknown));
         if (!json.empty())
             m_json[key] = std::move(json);
     }
@@ -153,7 +153,7 @@ public:
     template <typename Member>
     void list(const char* key, Member member, const FieldInfo& info = {})
     {
-        const auto& items = valueOf(m_entry, member);
+        const auto& items = memberOf(m_entry, member);
         if (items.empty() && info.need == Need::Optional)
             return;
         Json& list = m_json[key] = Json::array();
@@ -167,7 +167,7 @@ public:
     template <typename Member>
     void perCharacter(const char* key, Member member, const FieldInfo& info)
     {
-        const auto& items = valueOf(m_entry, member);
+        const auto& items = memberOf(m_entry, member);
         if (items.size() == 1 && items.front().character.empty())
             m_json[key] = toJson(items.front(), m_context);
         else
@@ -177,7 +177,7 @@ public:
     template <typename Member>
     void variants(const char* key, Member member)
     {
-        for (const auto& item : valueOf(m_entry, member))
+        for (const auto& item : memberOf(m_entry, member))
             m_json[key].push_back(
                 std::visit([&](const auto& entry) { return toJson(entry, m_context); }, item));
     }
@@ -185,7 +185,7 @@ public:
     template <typename Member>
     void unknown(Member member)
     {
-        addUnknown(m_json, valueOf(m_entry, member));
+        addUnknown(m_json, memberOf(m_entry, member));
     }
 
 private:
@@ -202,7 +202,7 @@ private:
         if constexpr (std::is_null_pointer_v<Unknown>)
             return {};
         else
-            return valueOf(m_entry, unknown);
+            return memberOf(m_entry, unknown);
     }
 
     Json& m_json;

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/fields/numberfield.h"
+
+#include "model/project/fields/schema.h"
+
+#include <QDoubleSpinBox>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace quadrille {
+
+NumberFacts factsOf(std::string_view path)
+{
+    static const Json definitions = projectSchema()["definitions"];
+    const auto dot = path.find('.');
+    const Json& number = definitions.at(std::string(path.substr(0, dot)))
+                             .at("properties")
+                             .at(std::string(path.substr(dot + 1)));
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    NumberFacts facts{.least = number.value("minimum", number.value("exclusiveMinimum", -infinity)),
+                      .isAboveLeast = number.contains("exclusiveMinimum"),
+                      .greatest = number.value("maximum", number.value("exclusiveMaximum", infinity)),
+                      .usual = {}};
+    if (number.contains("default") && number["default"].is_number())
+        facts.usual = number["default"].get<double>();
+    return facts;
+}
+
+namespace {
+
+NumberFacts factsFor(const NumberLook& look)
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return look.path == nullptr ? NumberFacts{-infinity, false, infinity, {}} : factsOf(look.path);
+}
+
+double lowestOf(const NumberLook& look)
+{
+    const NumberFacts facts = factsFor(look);
+    const double step = facts.isAboveLeast ? std::pow(10.0, -look.decimals) : 0;
+    return std::max(look.lowest, facts.least / look.scale + step);
+}
+
+class RateField : public QDoubleSpinBox
+{
+public:
+    QString textFromValue(double value) const override { return locale().toString(value, 'g', 9); }
+};
+
+} // namespace
+
+double emptyNumber(const NumberLook& look)
+{
+    return lowestOf(look) - look.step;
+}
+
+bool isEmptyNumber(const NumberLook& look, double shown)
+{
+    return look.automatic && shown < lowestOf(look) - std::pow(10.0, -look.decimals) / 2;
+}
+
+QDoubleSpinBox* makeNumberField(const NumberLook& look)
+{
+    const double greatest = factsFor(look).greatest / look.scale;
+    auto* field = new QDoubleSpinBox;
+    field->setDecimals(look.decimals);
+    field->setRange(look.automatic ? emptyNumber(look) : lowestOf(look),
+                    std::isfinite(greatest) ? greatest : look.highest);
+    field->setSingleStep(look.step);
+    field->setKeyboardTracking(false);
+    field->setGroupSeparatorShown(true);
+    field->setAlignment(Qt::AlignRight);
+    field->setFocusPolicy(Qt::StrongFocus);
+    return field;
+}
+
+QDoubleSpinBox* makeRateField(bool mayBeEmpty)
+{
+    const NumberFacts facts = factsOf("settings.fps");
+    auto* field = new RateField;
+    field->setDecimals(6);
+    field->setRange(mayBeEmpty ? 0 : facts.least, facts.greatest);
+    field->setKeyboardTracking(false);
+    return field;
+}
+
+void showNumber(QDoubleSpinBox& field, double shown)
+{
+    if (shown > field.maximum())
+        field.setMaximum(shown);
+    field.setValue(shown);
+}
+
+} // namespace quadrille
