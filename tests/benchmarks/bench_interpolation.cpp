@@ -6,7 +6,6 @@
 #include "tests/model/transition/bars.h"
 #include "tests/model/transition/plaininterpolation.h"
 
-#include <Eigen/SparseCholesky>
 #include <benchmark/benchmark.h>
 
 using namespace quadrille;
@@ -139,48 +138,6 @@ void solveOnce(benchmark::State& state)
     }
 }
 
-/// The same pattern as an Eigen matrix, for its factorisation and its solver.
-Eigen::SparseMatrix<double> eigenLaplacian()
-{
-    const Subject& s = subject();
-    std::vector<Eigen::Triplet<double>> entries;
-    for (const Triangle& triangle : s.bar.topology->triangles()) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            const auto a = static_cast<int>(triangle[c].value);
-            const auto b = static_cast<int>(triangle[(c + 1) % 3].value);
-            entries.emplace_back(a, a, 1.0);
-            entries.emplace_back(b, b, 1.0);
-            entries.emplace_back(a, b, -1.0);
-            entries.emplace_back(b, a, -1.0);
-        }
-    }
-    entries.emplace_back(0, 0, 1.0);
-    const auto size = static_cast<Eigen::Index>(s.source.size());
-    Eigen::SparseMatrix<double> matrix(size, size);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
-}
-
-void factoriseByEigen(benchmark::State& state)
-{
-    const Eigen::SparseMatrix<double> matrix = eigenLaplacian();
-    Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver;
-    solver.analyzePattern(matrix);
-    for (auto _ : state)
-        solver.factorize(matrix);
-}
-
-void solveOnceByEigen(benchmark::State& state)
-{
-    const Eigen::SparseMatrix<double> matrix = eigenLaplacian();
-    const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver(matrix);
-    const Eigen::MatrixX3d right = Eigen::MatrixX3d::Random(matrix.rows(), 3);
-    for (auto _ : state) {
-        const Eigen::MatrixX3d x = solver.solve(right);
-        benchmark::DoNotOptimize(x.data());
-    }
-}
-
 } // namespace
 
 BENCHMARK(interpolateAnew)->Unit(benchmark::kMicrosecond);
@@ -191,8 +148,6 @@ BENCHMARK(prepareTopology)->Unit(benchmark::kMicrosecond);
 BENCHMARK(preparePose)->Unit(benchmark::kMicrosecond);
 BENCHMARK(frames)->Unit(benchmark::kMicrosecond);
 BENCHMARK(factorise)->Unit(benchmark::kMicrosecond);
-BENCHMARK(factoriseByEigen)->Unit(benchmark::kMicrosecond);
 BENCHMARK(logarithms)->Unit(benchmark::kMicrosecond);
 BENCHMARK(edges)->Unit(benchmark::kMicrosecond);
 BENCHMARK(solveOnce)->Unit(benchmark::kMicrosecond);
-BENCHMARK(solveOnceByEigen)->Unit(benchmark::kMicrosecond);
