@@ -40,11 +40,12 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent)
         new QLabel(tr("An editor for 4D performance capture: makes new performances from captured ones.") +
                    QStringLiteral("\n\n") + tr("Free software under the MIT licence."));
     text->setWordWrap(true);
-    auto* libraries =
-        new QLabel(tr("Built on %1.")
-                       .arg(QStringLiteral("Qt 6 (LGPL), VTK (BSD), OpenCV (Apache), OpenMesh (BSD), Eigen "
-                                           "(MPL), oneTBB (Apache), HDF5 (BSD), assimp (BSD), nlohmann/json "
-                                           "(MIT), CLI11 (BSD), xxHash (BSD), zlib, FreeType")));
+    auto* libraries = new QLabel(
+        tr("Built on %1.")
+            .arg(QStringLiteral(
+                "Qt 6 (LGPL), VTK (BSD), OpenCV (Apache), libjpeg-turbo (BSD), OpenMesh (BSD), Eigen "
+                "(MPL), oneTBB (Apache), HDF5 (BSD), assimp (BSD), nlohmann/json "
+                "(MIT), CLI11 (BSD), xxHash (BSD), zlib, FreeType")));
     libraries->setWordWrap(true);
     libraries->setForegroundRole(QPalette::PlaceholderText);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);

@@ -5,13 +5,27 @@
 #include "model/core/error.h"
 #include "model/core/file.h"
 #include "model/core/imagecheck.h"
+#include "model/core/jpeg.h"
 #include "model/core/message.h"
 
+#include <algorithm>
+#include <cctype>
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace quadrille {
+
+namespace {
+
+bool namesJpeg(std::string extension)
+{
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == ".jpg" || extension == ".jpeg" || extension == ".jpe";
+}
+
+} // namespace
 
 Image::Image(int w, int h)
     : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 4)
@@ -40,6 +54,9 @@ Image decodeImage(std::span<const std::byte> encoded, const std::filesystem::pat
     if (encoded.size() > std::numeric_limits<int>::max())
         throw Error(ErrorCode::ImageUnreadable, {path, {}, {}});
     checkEncodedImage(encoded, path);
+    if (encoded.front() == std::byte{0xFF}) // no other format starts so
+        if (std::optional<Image> image = decodeJpeg(encoded))
+            return *std::move(image);
     const cv::Mat bytes(1, static_cast<int>(encoded.size()), CV_8U, const_cast<std::byte*>(encoded.data()));
     cv::Mat decoded;
     try {
@@ -78,6 +95,9 @@ Image decodeImage(std::span<const std::byte> encoded, const std::filesystem::pat
 
 std::vector<std::byte> encodeImage(const Image& image, const std::string& extension, int jpegQuality)
 {
+    if (namesJpeg(extension))
+        if (auto encoded = encodeJpeg(image, jpegQuality))
+            return *std::move(encoded);
     const cv::Mat source(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.pixels.data()));
     cv::Mat encodable;
     cv::cvtColor(source, encodable, cv::COLOR_RGBA2BGRA);

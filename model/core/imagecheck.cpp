@@ -18,6 +18,8 @@ namespace {
 constexpr std::uint64_t pixelsAtMost = std::uint64_t{1} << 29;
 /// Deflate packs 1032 to one, and a pixel may be a bit; JPEG needs at least a bit for each 8 × 8 block.
 constexpr std::uint64_t pixelsPerByteAtMost = 10'000;
+/// Of a JPEG file; progressive ones have about ten. Each is a pass over all pixels, however short it is.
+constexpr int scansAtMost = 500;
 
 /// Reads numbers of a picture's bytes; what lies behind the end is an error.
 class Bytes
@@ -100,6 +102,7 @@ void checkPng(const Bytes& bytes)
 void checkJpeg(const Bytes& bytes)
 {
     bool hasSize = false;
+    int scans = 0;
     for (std::uint64_t at = 2;;) {
         at = bytes.find(0xFF, at); // behind coded data
         const std::uint64_t marker = bytes.number(at + 1, 1);
@@ -113,6 +116,8 @@ void checkJpeg(const Bytes& bytes)
         const bool isAlone = marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD8);
         if (isAlone)
             continue;
+        if (marker == 0xDA && ++scans > scansAtMost)
+            bytes.fail(ErrorCode::ImageUnreadable, {});
         const bool isFrame =
             marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
         if (isFrame && !hasSize) {
