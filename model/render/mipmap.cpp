@@ -5,31 +5,21 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <tbb/parallel_for.h>
+#include <opencv2/imgproc.hpp>
 
 namespace quadrille {
 
 namespace {
 
-/// Half the size, each pixel the rounded mean of four (of the nearest ones where the size is odd).
+/// Half the size, each pixel the rounded mean of four; what is left over where the size is odd is left out.
 Image halved(const Image& source)
 {
     Image half(std::max(source.width / 2, 1), std::max(source.height / 2, 1));
-    tbb::parallel_for(0, half.height, [&](int y) {
-        const int y0 = std::min(2 * y, source.height - 1);
-        const int y1 = std::min(2 * y + 1, source.height - 1);
-        for (int x = 0; x < half.width; ++x) {
-            const int x0 = std::min(2 * x, source.width - 1);
-            const int x1 = std::min(2 * x + 1, source.width - 1);
-            const std::uint8_t* a = source.pixel(x0, y0);
-            const std::uint8_t* b = source.pixel(x1, y0);
-            const std::uint8_t* c = source.pixel(x0, y1);
-            const std::uint8_t* d = source.pixel(x1, y1);
-            std::uint8_t* out = half.pixel(x, y);
-            for (int i = 0; i < 4; ++i)
-                out[i] = static_cast<std::uint8_t>((a[i] + b[i] + c[i] + d[i] + 2) / 4);
-        }
-    });
+    const cv::Mat from(std::min(source.height, 2 * half.height), std::min(source.width, 2 * half.width),
+                       CV_8UC4, const_cast<std::uint8_t*>(source.pixels.data()),
+                       static_cast<std::size_t>(source.width) * 4);
+    cv::Mat to(half.height, half.width, CV_8UC4, half.pixels.data());
+    cv::resize(from, to, to.size(), 0, 0, cv::INTER_AREA);
     return half;
 }
 
