@@ -45,7 +45,7 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent)
             .arg(QStringLiteral(
                 "Qt 6 (LGPL), VTK (BSD), OpenCV (Apache), libjpeg-turbo (BSD), OpenMesh (BSD), Eigen "
                 "(MPL), oneTBB (Apache), HDF5 (BSD), assimp (BSD), nlohmann/json "
-                "(MIT), CLI11 (BSD), xxHash (BSD), zlib, FreeType")));
+                "(MIT), nanoflann (BSD), CLI11 (BSD), xxHash (BSD), zlib, FreeType")));
     libraries->setWordWrap(true);
     libraries->setForegroundRole(QPalette::PlaceholderText);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
