@@ -18,6 +18,10 @@ namespace quadrille {
 ///
 /// Errors of all members: FileSyntax, FileTruncated, CountTooLarge, nlohmann::json::exception where a value
 /// has the wrong type; reading external buffers also throws what readFile throws.
+///
+/// Why not tinygltf (2.7): it leaves strides, sparse parts and all bounds to its user, takes negative offsets
+/// for zero and ignores values of a wrong type, refuses buffer files longer than needed and indices that are
+/// all sparse, also looks for buffers in the working directory, and tells errors as one text.
 class GltfDocument
 {
 public:
