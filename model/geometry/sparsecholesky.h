@@ -30,8 +30,8 @@ struct Supernode
 /// Rows are renumbered: `rowOf` tells where a row of the matrix went.
 ///
 /// Why not Eigen's SimplicialLDLT: for surfaces of 3,000 and 10,000 vertices (bench_cholesky) it factorises
-/// in 3.3 times and solves for three right-hand sides in 2.7 times the time. Its analysis of the pattern,
-/// which is done once for a surface, takes a quarter of ours.
+/// in 3.3 to 3.8 times and solves for three right-hand sides in 2.6 times the time. Its analysis of the
+/// pattern, which is done once for a surface, takes a quarter of ours.
 class CholeskyPattern
 {
 public:
