@@ -96,7 +96,7 @@ EvaluationChooser::EvaluationChooser(EditorContext& context, QWidget* parent)
     auto* row = new QHBoxLayout;
     row->setContentsMargins(12, 8, 8, 8);
     row->addWidget(m_heading, 1);
-    row->addWidget(m_add);
+    row->addWidget(m_add, 0, Qt::AlignRight);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -119,6 +119,14 @@ EvaluationChooser::EvaluationChooser(EditorContext& context, QWidget* parent)
         m_list->setAccessibleName(tr("Evaluations that can be added"));
         refresh();
     });
+}
+
+/// Where there is little room, the list has it.
+void EvaluationChooser::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    constexpr int leastLines = 7;
+    m_heading->setVisible(height() >= leastLines * fontMetrics().lineSpacing());
 }
 
 void EvaluationChooser::begin()

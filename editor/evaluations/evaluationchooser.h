@@ -28,6 +28,9 @@ signals:
     /// One was added. \param name  see evaluationName().
     void added(const QString& name);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void refresh();
     void add();

@@ -7,9 +7,21 @@
 #include "editor/documents/animationresult.h"
 
 #include <QLocale>
-#include <array>
+#include <algorithm>
 
 namespace quadrille {
+
+namespace {
+
+/// How many constraints of a kind an animation has.
+template <typename Kind>
+int countOf(const AnimationEntry& entry)
+{
+    return static_cast<int>(std::ranges::count_if(
+        entry.constraints, [](const auto& constraint) { return std::holds_alternative<Kind>(constraint); }));
+}
+
+} // namespace
 
 AnimationPage::AnimationPage(EditorContext& context)
     : EntryPage(context, {.section = Section::Animations,
@@ -58,16 +70,12 @@ QString AnimationPage::wishes(const AnimationEntry& entry) const
 {
     if (entry.walk)
         return tr("nothing: its walk was accepted");
-    std::array<int, 3> counts{};
-    for (const ConstraintEntry& constraint : entry.constraints)
-        ++counts.at(constraint.index());
-    const auto [keys, paths, actions] = counts;
     QStringList parts;
-    if (paths > 0)
+    if (const int paths = countOf<PathEntry>(entry); paths > 0)
         parts += tr("%n path(s)", nullptr, paths);
-    if (keys > 0)
+    if (const int keys = countOf<KeyEntry>(entry); keys > 0)
         parts += tr("%n key(s)", nullptr, keys);
-    if (actions > 0)
+    if (const int actions = countOf<ActionEntry>(entry); actions > 0)
         parts += tr("%n action(s)", nullptr, actions);
     return parts.isEmpty() ? tr("nothing yet") : parts.join(QStringLiteral(", "));
 }

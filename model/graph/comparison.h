@@ -13,7 +13,7 @@ namespace quadrille {
 /// How the graphs of a character are made.
 struct GraphSettings
 {
-    double alpha = 0.01; ///< weight of a frame of duration against deformation, ≥ 0 (SMCAS §4.1.2)
+    double alpha = usualAlpha; ///< weight of a frame of duration against deformation, ≥ 0 (SMCAS §4.1.2)
     CostSmoothing smoothing = CostSmoothing::None; ///< of the motion graph
 };
 

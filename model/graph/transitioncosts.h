@@ -8,6 +8,9 @@
 
 namespace quadrille {
 
+/// α where none is given: weight of a frame of time against the cost of transitions (SMCAS §4.1.2).
+inline constexpr double usualAlpha = 0.01;
+
 /// What the graphs of one character are made from, whatever α: the transitions between its frames, checked on
 /// entry. Edge weights come from it (SMCAS eq. 10, ALGORITHMS section 4).
 class TransitionCosts

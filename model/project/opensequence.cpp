@@ -8,6 +8,7 @@
 #include "model/project/madeclips.h"
 #include "model/project/paths.h"
 #include "model/project/resultstore.h"
+#include "model/sequence/io/basemesh.h"
 #include "model/sequence/io/findtextures.h"
 #include "model/sequence/io/meshfile.h"
 #include "model/sequence/io/registry.h"
@@ -283,10 +284,8 @@ void SequenceOpener::shareTopology(OpenedSequence& opened, const CharacterEntry&
         shared = &m_meshes[character.name];
     }
     const std::scoped_lock lock(shared->mutex);
-    if (!shared->topology && !character.mesh.empty()) {
-        const auto mesh = openSequences(resolvePath(character.mesh, m_folder));
-        shared->topology = mesh.sequences.front().topology;
-    }
+    if (!shared->topology && !character.mesh.empty())
+        shared->topology = readBaseMesh(resolvePath(character.mesh, m_folder)).topology;
     if (!shared->topology) {
         shared->topology = opened.sequence.topology;
         return;

@@ -101,7 +101,7 @@ struct GraphEntry
     int slope = TransitionSettings().slope;
     /// Shortest and longest window of a transition, seconds; usualDurations when empty.
     std::optional<std::pair<double, double>> durations;
-    double alpha = 0.01; ///< weight of a frame's time against the cost (SMCAS §4.1)
+    double alpha = usualAlpha; ///< weight of a frame's time against the cost (SMCAS §4.1)
     CostSmoothing smoothing = CostSmoothing::None; ///< what the minima of the motion graph are looked for in
     std::optional<double> greatestDistance; ///< d_max, in the unit of the pose distances; the largest of all
     UnknownKeys unknown;

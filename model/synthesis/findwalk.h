@@ -17,7 +17,7 @@ struct WalkMaterial
 {
     const Digraph& graph;         ///< the Essential graph, or another of the same frames
     const TransitionCosts& costs; ///< for how long transitions last
-    double alpha = 0.01;          ///< that of the graph
+    double alpha = usualAlpha;    ///< that of the graph
     WalkMotion motion;            ///< needed where there is a path
     /// Which frames are locomotion, for SearchSettings::prefersLocomotion; empty: nobody knows.
     std::vector<bool> locomotion = {};

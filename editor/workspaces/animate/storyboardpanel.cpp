@@ -95,7 +95,8 @@ StoryboardPanel::StoryboardPanel(CurrentAnimation& animation, FramePictures& pic
     connect(&Theme::instance(), &Theme::changed, this, &StoryboardPanel::refresh);
     retranslates(this, [this, addTakes] {
         m_addLabel->setText(tr("Add a label"));
-        addTakes->setText(tr("Add the selected takes"));
+        addTakes->setText(tr("Add takes"));
+        addTakes->setToolTip(tr("Those that are selected, as one action each"));
         m_board->setEmptyText(tr("What happens one after the other: drag takes or labels here. The joins are "
                                  "found for them."));
         refresh();

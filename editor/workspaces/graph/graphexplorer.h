@@ -96,7 +96,7 @@ private:
 
     JobRunner& m_jobs;
     std::shared_ptr<const OpenedCharacter> m_opened;
-    double m_alpha = 0.01;
+    double m_alpha = usualAlpha;
     TakeFilter m_filter;
     std::shared_ptr<const ExploredGraphs> m_graphs;
     std::shared_ptr<const ExploredPaths> m_paths;

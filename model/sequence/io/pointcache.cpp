@@ -4,6 +4,7 @@
 
 #include "model/core/error.h"
 #include "model/core/stagedfiles.h"
+#include "model/sequence/io/basemesh.h"
 #include "model/sequence/io/findtextures.h"
 #include "model/sequence/io/registry.h"
 #include "model/sequence/io/sourcefiles.h"
@@ -99,28 +100,6 @@ private:
     PointCacheLayout m_layout;
 };
 
-/// What a mesh file gives to a point cache.
-struct BaseMesh
-{
-    std::shared_ptr<const Topology> topology;
-    TextureSet textures;
-    std::vector<Issue> issues;
-};
-
-BaseMesh readBaseMesh(const fs::path& path, const ImportOptions& options, const Progress& progress)
-{
-    const auto source = findSource(path);
-    const Importer& importer = importerFor(source);
-    if (importer.format().needsMesh)
-        throw Error(ErrorCode::NoFaces, {path, {}, {}});
-    ImportOptions meshOptions = options;
-    meshOptions.mesh.clear();
-    meshOptions.textures.clear();
-    auto result = importer.open(source, meshOptions, progress);
-    auto& mesh = result.sequences.front();
-    return {mesh.topology, mesh.textures, std::move(result.issues)};
-}
-
 /// Meshes that may belong to a point cache, the likeliest first.
 std::vector<fs::path> meshesBeside(const fs::path& file)
 {
@@ -155,7 +134,7 @@ BaseMesh findBaseMesh(const fs::path& file, const PointCacheLayout& layout, cons
                       const Progress& progress)
 {
     if (!options.mesh.empty()) {
-        auto base = readBaseMesh(options.mesh, options, progress);
+        auto base = readBaseMesh(options.mesh, progress);
         if (base.topology->vertexCount() != layout.vertexCount)
             throwVertexCount(options.mesh, file, base.topology->vertexCount(), layout.vertexCount);
         return base;
@@ -165,7 +144,7 @@ BaseMesh findBaseMesh(const fs::path& file, const PointCacheLayout& layout, cons
         throw Error(ErrorCode::FormatNeedsMesh, {file, {}, {}});
     std::int64_t otherCount = 0;
     for (const auto& candidate : candidates) {
-        auto base = readBaseMesh(candidate, options, progress);
+        auto base = readBaseMesh(candidate, progress);
         if (base.topology->vertexCount() == layout.vertexCount) {
             base.issues.push_back({.severity = Issue::Severity::Info,
                                    .code = Issue::Code::MeshFound,

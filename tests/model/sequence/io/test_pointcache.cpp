@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "fixture.h"
+#include "model/sequence/io/basemesh.h"
 
 #include <cmath>
 #include <cstring>
@@ -75,6 +76,28 @@ TEST_F(Pc2, FindsTheMeshBesideIt)
     const auto result = openSequences(file);
     ASSERT_TRUE(hasIssue(result.issues, Issue::Code::MeshFound));
     EXPECT_THAT(result.issues.front().toString(), HasSubstr("walk.obj"));
+}
+
+TEST_F(Pc2, TakesOfOneMeshReadItOnce)
+{
+    const auto mesh = write("mesh.obj", triangle);
+    write("walk.pc2", pc2(2));
+    write("run.pc2", pc2(3));
+    const auto topologyOf = [&](const char* name) {
+        return openSequences(folder() / name, {.mesh = mesh}).sequences.front().topology;
+    };
+    auto walk = topologyOf("walk.pc2");
+    EXPECT_EQ(topologyOf("run.pc2"), walk);
+    EXPECT_EQ(readBaseMesh(mesh).topology, walk);
+    // Another file of the same name is another mesh …
+    write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 3 2 1\n\n");
+    const auto turned = topologyOf("walk.pc2");
+    EXPECT_NE(turned, walk);
+    EXPECT_NE(turned->data().triangles, walk->data().triangles);
+    // … and what nobody holds is let go.
+    const std::weak_ptr<const Topology> held = walk;
+    walk.reset();
+    EXPECT_TRUE(held.expired());
 }
 
 TEST_F(Pc2, TakesOnlyARealRate)
