@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/application/defaultsettings.h"
 #include "editor/application/memory.h"
-#include "editor/application/settings.h"
+#include "editor/context/settings.h"
 #include "editor/application/startguard.h"
 #include "editor/mainwindow.h"
 #include "widgets/theme/icons.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/application/autosave.h"
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 
 #include <QMainWindow>
 

@@ -7,7 +7,7 @@
 #include "editor/application/recoverynotice.h"
 #include "editor/application/sessionkeeper.h"
 #include "editor/errors/errortext.h"
-#include "editor/errors/refusalnotes.h"
+#include "editor/application/refusalnotes.h"
 #include "editor/mainwindow.h"
 #include "editor/relinking/relinkflow.h"
 #include "editor/welcome/welcomepage.h"

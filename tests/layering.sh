@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: 2026 The Quadrille developers
 # SPDX-License-Identifier: MIT
-# Fails when an include points against the layers: editor → widgets, editor → model, nothing else.
+# Fails when an include points against the layers: editor → widgets, editor → model, nothing else; or when the folders
+# of a layer include each other in a circle.
 set -euo pipefail
 cd "${1:-$(dirname "$0")/..}"
 status=0
@@ -24,6 +25,16 @@ if [ -n "$found" ]; then
     printf '%s\n%s\n' "error: VTK headers belong into sources of widgets, not headers" "$found"
     status=1
 fi
+# The folders of a layer stand above each other: none includes what includes it. A folder of model/project counts as that.
+for layer in model widgets editor; do
+    found=$(grep -rE "^#include \"$layer/" "$layer" --include='*.h' --include='*.cpp' |
+        sed -E 's|^(.*)/[^/]+:#include "(.*)/[^/]+"|\1 \2|; s|model/project/[a-z]+|model/project|g' |
+        awk '$1 != $2' | sort -u | tsort 2>&1 >/dev/null || true)
+    if [ -n "$found" ]; then
+        printf '%s\n%s\n' "error: folders of $layer include each other in a circle" "$found"
+        status=1
+    fi
+done
 if grep -nE '(Qt6|VTK|Quadrille::Widgets)' -r model --include=CMakeLists.txt; then
     echo "error: model must not link Qt, VTK or the widgets"
     status=1

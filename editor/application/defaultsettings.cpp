@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/application/defaultsettings.h"
 
-#include "editor/application/settings.h"
+#include "editor/context/settings.h"
 #include "editor/language/languagemanager.h"
 
 #include <QCoreApplication>

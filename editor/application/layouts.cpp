@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/application/layouts.h"
 
-#include "editor/application/actionregistry.h"
+#include "editor/context/actionregistry.h"
 #include "editor/application/sealedfile.h"
 #include "editor/language/menutext.h"
 #include "editor/language/retranslate.h"

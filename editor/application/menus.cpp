@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/application/menus.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/language/retranslate.h"
 
 #include <QActionGroup>

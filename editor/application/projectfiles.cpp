@@ -4,7 +4,7 @@
 
 #include "editor/application/projectquestions.h"
 #include "editor/application/recoveries.h"
-#include "editor/application/settings.h"
+#include "editor/context/settings.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
 #include "editor/errors/issuelog.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/application/projectstrips.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/application/projectfiles.h"
 #include "editor/language/retranslate.h"
 #include "model/project/brokenentry.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/application/recentmenu.h"
 
-#include "editor/application/settings.h"
+#include "editor/context/settings.h"
 #include "editor/language/menutext.h"
 #include "editor/language/retranslate.h"
 

@@ -3,7 +3,7 @@
 #include "editor/application/recoveryflow.h"
 
 #include "editor/application/autosave.h"
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/application/projectfiles.h"
 #include "editor/application/recoveries.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/application/sessionkeeper.h"
 
-#include "editor/application/editorcontext.h"
-#include "editor/application/windowplace.h"
+#include "editor/context/editorcontext.h"
+#include "editor/context/windowplace.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/playback/clipscene.h"
 #include "editor/playback/player.h"

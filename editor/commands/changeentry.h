@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/commands/projectcommand.h"
+#include "editor/documents/projectcommand.h"
 #include "model/project/fields/entrymemory.h"
 
 #include <utility>

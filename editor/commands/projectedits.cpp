@@ -8,7 +8,7 @@
 #include "editor/commands/relinkmedia.h"
 #include "editor/documents/editcheck.h"
 #include "editor/documents/evaluationnames.h"
-#include "editor/evaluations/evaluationtexts.h"
+#include "editor/documents/evaluationtexts.h"
 #include "model/core/contains.h"
 #include "model/project/brokenentry.h"
 #include "model/project/framenote.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/docks/cardpictures.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/pictures/pictures.h"
 #include "model/render/thumbnail.h"
 

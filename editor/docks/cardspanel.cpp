@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/docks/cardspanel.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/entrynames.h"
 #include "editor/docks/carddelegate.h"
 #include "editor/docks/cardorder.h"

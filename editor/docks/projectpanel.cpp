@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/docks/projectpanel.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/animationedits.h"
 #include "editor/commands/brokenedits.h"
 #include "editor/commands/entrynames.h"

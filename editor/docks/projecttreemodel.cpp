@@ -3,7 +3,7 @@
 #include "editor/docks/projecttreemodel.h"
 
 #include "editor/commands/projectedits.h"
-#include "editor/evaluations/evaluationtexts.h"
+#include "editor/documents/evaluationtexts.h"
 #include "widgets/theme/icons.h"
 
 namespace quadrille {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/docks/sequencecards.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/projectedits.h"
 #include "editor/docks/cardpictures.h"
 #include "editor/documents/labelcolors.h"

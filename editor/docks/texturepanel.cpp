@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/docks/texturepanel.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/editcheck.h"
 
-#include "editor/commands/projectcommand.h"
+#include "editor/documents/projectcommand.h"
 #include "model/project/usableproject.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "editor/documents/evaluationmedia.h"
 
 #include "editor/documents/evaluationnames.h"
-#include "editor/evaluations/evaluationtexts.h"
+#include "editor/documents/evaluationtexts.h"
 #include "editor/jobs/jobrunner.h"
 
 #include <utility>

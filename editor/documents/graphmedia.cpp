@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/graphmedia.h"
 
-#include "editor/commands/animationedits.h"
 #include "editor/jobs/jobrunner.h"
+#include "model/project/charactersteps.h"
 #include "model/project/madeclips.h"
 #include "model/project/opencharacter.h"
 
@@ -120,7 +120,7 @@ void GraphMedia::update()
 GraphMedia::Source GraphMedia::sourceOf(const QString& character) const
 {
     const Project& project = m_document.project();
-    Source source{.graph = graphEntry(project, character),
+    Source source{.graph = graphOf(project, character.toStdString()),
                   .settings = project.settings,
                   .characters = project.characters,
                   .sequences = project.sequences,

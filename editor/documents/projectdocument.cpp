@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/projectdocument.h"
 
-#include "editor/commands/projectcommand.h"
+#include "editor/documents/projectcommand.h"
 #include "editor/documents/editcheck.h"
 #include "editor/documents/evaluationnames.h"
 #include "editor/documents/projectpaths.h"

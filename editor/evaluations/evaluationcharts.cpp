@@ -3,7 +3,7 @@
 #include "editor/evaluations/evaluationcharts.h"
 
 #include "editor/evaluations/evaluationchartplans.h"
-#include "editor/evaluations/evaluationtexts.h"
+#include "editor/documents/evaluationtexts.h"
 #include "widgets/theme/theme.h"
 
 #include <QCoreApplication>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "editor/evaluations/evaluationchooser.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/projectedits.h"
-#include "editor/evaluations/evaluationtexts.h"
+#include "editor/documents/evaluationtexts.h"
 #include "editor/language/retranslate.h"
 
 #include <QApplication>

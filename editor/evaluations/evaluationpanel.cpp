@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "editor/evaluations/evaluationpanel.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/errors/errortext.h"
 #include "editor/evaluations/evaluationchooser.h"
 #include "editor/evaluations/evaluationtablemodel.h"
-#include "editor/evaluations/evaluationtexts.h"
+#include "editor/documents/evaluationtexts.h"
 #include "editor/language/retranslate.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/theme.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What the panel of evaluations is made of, and its actions.
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
 #include "editor/evaluations/evaluationchooser.h"

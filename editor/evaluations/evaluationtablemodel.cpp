@@ -3,7 +3,7 @@
 #include "editor/evaluations/evaluationtablemodel.h"
 
 #include "editor/evaluations/evaluationcharts.h"
-#include "editor/evaluations/evaluationtexts.h"
+#include "editor/documents/evaluationtexts.h"
 #include "widgets/theme/theme.h"
 
 #include <QLocale>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/exporting/exportdialog.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/exporting/clipchoice.h"
 #include "editor/exporting/picturefields.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What an export dialog knows of its clips, and how it says it.
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/animationresult.h"
 #include "editor/exporting/exportdialog.h"
 #include "editor/exporting/picturefields.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Questions before an export, writing it, and what comes after.
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/exporting/pictureflow.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/pictures/pictures.h"
 #include "model/core/stagedfiles.h"

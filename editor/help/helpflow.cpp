@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/help/helpflow.h"
 
-#include "editor/application/actionregistry.h"
+#include "editor/context/actionregistry.h"
 #include "editor/application/standardkeys.h"
 #include "editor/help/helpviewer.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/importing/importdialog.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/entrynames.h"
 #include "editor/documents/editcheck.h"
 #include "editor/documents/projectpaths.h"

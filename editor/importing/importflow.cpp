@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/importing/importflow.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/importing/importdialog.h"
 #include "editor/importing/importmessages.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/preferences/preferencesdialog.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/language/retranslate.h"
 #include "editor/preferences/shortcutpage.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/preferences/shortcutpage.h"
 
-#include "editor/application/actionregistry.h"
+#include "editor/context/actionregistry.h"
 #include "editor/language/retranslate.h"
 #include "widgets/controls/messagestrip.h"
 

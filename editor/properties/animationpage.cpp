@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/properties/animationpage.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/animationedits.h"
 #include "editor/documents/animationresult.h"
 

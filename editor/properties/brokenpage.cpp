@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/properties/brokenpage.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/brokenedits.h"
 #include "model/project/brokenentry.h"
 #include "model/project/jsontext.h"

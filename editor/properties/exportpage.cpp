@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/properties/exportpage.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 
 #include <QFileInfo>
 #include <QLocale>

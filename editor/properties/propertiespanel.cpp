@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/properties/propertiespanel.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/fields/verticalscroll.h"
 #include "editor/language/retranslate.h"
 #include "editor/properties/animationpage.h"

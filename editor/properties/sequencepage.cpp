@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/properties/sequencepage.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/projectedits.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/axesfields.h"

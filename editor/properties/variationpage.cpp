@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/properties/variationpage.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/variationedits.h"
 #include "model/project/madeclips.h"
 #include "model/project/opensequence.h"

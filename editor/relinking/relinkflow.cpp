@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/relinking/relinkflow.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/language/retranslate.h"
 #include "editor/relinking/relinkdialog.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/results/resultsflow.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/language/retranslate.h"
 #include "model/project/resultstore.h"

@@ -3,7 +3,7 @@
 #include "editor/welcome/recentprojects.h"
 
 #include "editor/application/session.h"
-#include "editor/application/settings.h"
+#include "editor/context/settings.h"
 #include "editor/language/retranslate.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"

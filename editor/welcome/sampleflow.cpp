@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/welcome/sampleflow.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/application/projectfiles.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/workspaces/workspacetabs.h"

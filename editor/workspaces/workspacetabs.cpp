@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/workspacetabs.h"
 
-#include "editor/application/editorcontext.h"
-#include "editor/application/windowplace.h"
+#include "editor/context/editorcontext.h"
+#include "editor/context/windowplace.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/view/viewactions.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/application/actionregistry.h"
+#include "editor/context/actionregistry.h"
 #include "editor/workspaces/workspace.h"
 
 #include <QHash>

@@ -3,7 +3,7 @@
 #include "model/film/avifilm.h"
 #include "model/film/mp4film.h"
 #include "model/film/planes.h"
-#include "model/render/clipexport.h"
+#include "model/sequence/io/clipexport.h"
 #include "tests/model/core/temporaryfolder.h"
 #include "tests/model/render/reference.h"
 #include "tests/model/render/scenes.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/animationresult.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bodyfixture.h"
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/workspaces/variations/bodysurface.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/partcurvetool.h"

@@ -6,7 +6,7 @@
 #include "desktopwindows.h"
 #include "editor/application/session.h"
 #include "editor/application/startguard.h"
-#include "editor/application/windowplace.h"
+#include "editor/context/windowplace.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
 #include "tests/qt/registry.h"

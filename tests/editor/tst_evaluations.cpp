@@ -5,7 +5,7 @@
 #include "editor/docks/projecttreemodel.h"
 #include "editor/evaluations/evaluationcharts.h"
 #include "editor/evaluations/evaluationpanel.h"
-#include "editor/evaluations/evaluationtexts.h"
+#include "editor/documents/evaluationtexts.h"
 #include "graphfixture.h"
 #include "tests/qt/patience.h"
 #include "widgets/graph/barchart.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/playback/clipscene.h"
 #include "editor/playback/player.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"

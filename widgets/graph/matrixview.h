@@ -4,7 +4,7 @@
 
 #include "widgets/graph/matrixmarks.h"
 #include "widgets/graph/matrixpyramid.h"
-#include "widgets/viewport/colormap.h"
+#include "widgets/theme/colormap.h"
 
 #include <QImage>
 #include <QPoint>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "widgets/latent/latentpath.h"
-#include "widgets/viewport/colormap.h"
+#include "widgets/theme/colormap.h"
 #include "widgets/viewport/turntable.h"
 
 #include <QWidget>

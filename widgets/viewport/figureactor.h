@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "widgets/viewport/colormap.h"
+#include "widgets/theme/colormap.h"
 #include "widgets/viewport/figurelights.h"
 #include "widgets/viewport/figuremesh.h"
 #include "widgets/viewport/shading.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "widgets/viewport/colormap.h"
+#include "widgets/theme/colormap.h"
 #include "widgets/viewport/ruler.h"
 #include "widgets/viewport/scenemarks.h"
 #include "widgets/viewport/viewtool.h"

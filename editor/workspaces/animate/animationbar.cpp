@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/animationbar.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/animationedits.h"
 #include "editor/documents/animationresult.h"
 #include "editor/fields/actionbutton.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/keysandstoryboard.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/pictures/framepictures.h"
 #include "editor/workspaces/animate/animationtimeline.h"
 #include "editor/workspaces/animate/animationtracks.h"

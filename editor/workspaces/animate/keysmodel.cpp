@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/keysmodel.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/pictures/framepictures.h"
 #include "editor/workspaces/animate/animationtracks.h"
 #include "editor/workspaces/animate/constraintedits.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/labellist.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "widgets/theme/icons.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/pathpanel.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/fields/actionbutton.h"
 #include "editor/fields/partlist.h"
 #include "editor/fields/verticalscroll.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/pathresult.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/animationresult.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/framekinds.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/postpanel.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/animationresult.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/verticalscroll.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What frames are drawn from that an animation shows again.
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/animationresult.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/postpanel.h"

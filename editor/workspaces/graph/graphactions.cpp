@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // The actions of the workspace.
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/workspaces/graph/graphbar.h"
 #include "editor/workspaces/graph/graphexplorer.h"
 #include "editor/workspaces/graph/graphmap.h"

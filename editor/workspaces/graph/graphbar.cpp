@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/graph/graphbar.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/animationedits.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/graph/graphexplorer.h"

@@ -5,7 +5,7 @@
 #include "editor/jobs/job.h"
 #include "model/transition/framepair.h"
 #include "widgets/graph/matrixpyramid.h"
-#include "widgets/viewport/colormap.h"
+#include "widgets/theme/colormap.h"
 
 #include <QPointer>
 #include <QWidget>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What can be done with the cell of the matrix under the pointer, and which takes are looked at.
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/animationedits.h"
 #include "editor/workspaces/animate/junctions.h"
 #include "editor/workspaces/graph/framenames.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What the view shows, and the strip below it: two frames, or the clip of a transition.
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/workspaces/graph/framenames.h"
 #include "editor/workspaces/graph/graphexplorer.h"
 #include "editor/workspaces/graph/graphworkspace.h"

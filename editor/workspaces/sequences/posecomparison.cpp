@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/sequences/posecomparison.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/playback/poseheatmap.h"
 #include "widgets/viewport/viewport.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/variations/currentvariation.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/variationedits.h"
 #include "editor/workspaces/view/sceneview.h"
 #include "model/core/error.h"

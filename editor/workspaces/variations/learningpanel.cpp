@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/variations/learningpanel.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/fields/actionbutton.h"
 #include "editor/fields/rightmenu.h"
 #include "editor/language/retranslate.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/variations/movementpanel.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/fields/rightmenu.h"
 #include "editor/fields/settingform.h"
 #include "editor/fields/verticalscroll.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // The actions of curves and parts.
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/partcurvetool.h"
 #include "editor/workspaces/variations/partedits.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What is done to whole curves and parts; what may take long, in jobs.
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/variationedits.h"
 #include "editor/errors/errortext.h"
 #include "editor/workspaces/variations/bodysurface.h"

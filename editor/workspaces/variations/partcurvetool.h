@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/application/settings.h"
+#include "editor/context/settings.h"
 #include "editor/commands/changeentry.h"
 #include "editor/jobs/job.h"
 #include "editor/workspaces/variations/partcut.h"

@@ -4,7 +4,7 @@
 
 #include "model/geometry/surfacegraph.h"
 #include "model/project/variationentry.h"
-#include "widgets/viewport/colormap.h"
+#include "widgets/theme/colormap.h"
 
 #include <QRgb>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What is done with variations, and how they are shown.
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/commands/projectedits.h"
 #include "editor/documents/variationresult.h"
 #include "editor/fields/partlist.h"

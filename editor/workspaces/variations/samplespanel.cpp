@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/variations/samplespanel.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/variationresult.h"
 #include "editor/fields/actionbutton.h"
 #include "editor/fields/partlist.h"

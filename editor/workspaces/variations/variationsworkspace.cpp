@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/variations/variationsworkspace.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/errors/errortext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/panelfront.h"

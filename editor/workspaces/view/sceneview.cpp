@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/view/sceneview.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/view/timelinesettings.h"
 #include "editor/workspaces/view/viewmenu.h"

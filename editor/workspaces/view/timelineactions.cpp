@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/view/timelineactions.h"
 
-#include "editor/application/editorcontext.h"
+#include "editor/context/editorcontext.h"
 #include "editor/workspaces/view/framenotes.h"
 #include "editor/workspaces/view/sceneview.h"
 #include "editor/workspaces/view/timelinesettings.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/formats.h"
 
-#include "model/render/clipexport.h"
+#include "model/sequence/io/clipexport.h"
 #include "model/sequence/io/anime.h"
 #include "model/sequence/io/assimpscene.h"
 #include "model/sequence/io/glbwriter.h"

@@ -3,7 +3,7 @@
 #include "model/core/error.h"
 #include "model/core/file.h"
 #include "model/render/clipcamera.h"
-#include "model/render/clipexport.h"
+#include "model/sequence/io/clipexport.h"
 #include "scenes.h"
 #include "tests/model/audio/tone.h"
 #include "tests/model/codeof.h"

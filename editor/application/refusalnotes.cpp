@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "editor/errors/refusalnotes.h"
+#include "editor/application/refusalnotes.h"
 
 #include "editor/documents/editcheck.h"
 #include "editor/errors/errortext.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/render/clipexport.h"
+#include "model/sequence/io/clipexport.h"
 
 #include "model/audio/soundtrack.h"
 #include "model/core/file.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "editor/application/windowplace.h"
+#include "editor/context/windowplace.h"
 
 #include <QMainWindow>
 #include <QScreen>

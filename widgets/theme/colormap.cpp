@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "widgets/viewport/colormap.h"
+#include "widgets/theme/colormap.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "editor/application/actionregistry.h"
+#include "editor/context/actionregistry.h"
 
-#include "editor/application/settings.h"
+#include "editor/context/settings.h"
 #include "widgets/theme/icons.h"
 
 #include <algorithm>

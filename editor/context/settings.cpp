@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "editor/application/settings.h"
+#include "editor/context/settings.h"
 
 #include <QFileInfo>
 #include <algorithm>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/application/actionregistry.h"
-#include "editor/application/settings.h"
+#include "editor/context/actionregistry.h"
+#include "editor/context/settings.h"
 #include "editor/documents/animationmedia.h"
 #include "editor/documents/bodyproblems.h"
 #include "editor/documents/evaluationmedia.h"
