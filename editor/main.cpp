@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/application/defaultsettings.h"
 #include "editor/application/memory.h"
-#include "editor/context/settings.h"
 #include "editor/application/startguard.h"
+#include "editor/context/settings.h"
 #include "editor/mainwindow.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"

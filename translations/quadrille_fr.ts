@@ -10450,16 +10450,20 @@ maximal %2</translation>
         <translation>Retirer</translation>
     </message>
     <message>
-        <source>Add the selected takes</source>
-        <translation>Ajouter les prises sélectionnées</translation>
-    </message>
-    <message>
         <source>Go to where it is performed</source>
         <translation>Aller là où cela est joué</translation>
     </message>
     <message>
         <source>Add a label</source>
         <translation>Ajouter une étiquette</translation>
+    </message>
+    <message>
+        <source>Add takes</source>
+        <translation>Ajouter les prises</translation>
+    </message>
+    <message>
+        <source>Those that are selected, as one action each</source>
+        <translation>Celles qui sont sélectionnées, une action pour chacune</translation>
     </message>
 </context>
 <context>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/application/layouts.h"
 
-#include "editor/context/actionregistry.h"
 #include "editor/application/sealedfile.h"
+#include "editor/context/actionregistry.h"
 #include "editor/language/menutext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/workspacetabs.h"

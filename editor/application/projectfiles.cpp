@@ -10,7 +10,7 @@
 #include "editor/errors/issuelog.h"
 #include "editor/results/giveresults.h"
 #include "model/core/file.h"
-#include "model/project/usableproject.h"
+#include "model/project/file/usableproject.h"
 
 #include <QFileDialog>
 #include <QFileInfo>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "editor/application/projectstrips.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/application/projectfiles.h"
+#include "editor/context/editorcontext.h"
 #include "editor/language/retranslate.h"
-#include "model/project/brokenentry.h"
+#include "model/project/document/brokenentry.h"
 #include "widgets/controls/messagestrip.h"
 
 #include <QVBoxLayout>

@@ -4,7 +4,7 @@
 
 #include "editor/documents/projectpaths.h"
 #include "model/core/file.h"
-#include "model/project/usableproject.h"
+#include "model/project/file/usableproject.h"
 
 #include <QCoreApplication>
 #include <QDir>

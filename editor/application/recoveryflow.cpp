@@ -3,9 +3,9 @@
 #include "editor/application/recoveryflow.h"
 
 #include "editor/application/autosave.h"
-#include "editor/context/editorcontext.h"
 #include "editor/application/projectfiles.h"
 #include "editor/application/recoveries.h"
+#include "editor/context/editorcontext.h"
 
 #include <QLocale>
 #include <QMessageBox>

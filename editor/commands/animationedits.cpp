@@ -3,7 +3,7 @@
 #include "editor/commands/animationedits.h"
 
 #include "editor/commands/entryedits.h"
-#include "model/project/charactersteps.h"
+#include "model/project/steps/charactersteps.h"
 
 #include <QCoreApplication>
 #include <tuple>

@@ -4,7 +4,7 @@
 
 #include "editor/commands/changeentry.h"
 #include "editor/documents/projectdocument.h"
-#include "model/project/framenote.h"
+#include "model/project/document/framenote.h"
 
 namespace quadrille {
 

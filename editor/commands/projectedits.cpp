@@ -10,10 +10,10 @@
 #include "editor/documents/evaluationnames.h"
 #include "editor/documents/evaluationtexts.h"
 #include "model/core/contains.h"
-#include "model/project/brokenentry.h"
-#include "model/project/framenote.h"
-#include "model/project/references.h"
-#include "model/project/validateevaluations.h"
+#include "model/project/checks/validateevaluations.h"
+#include "model/project/document/brokenentry.h"
+#include "model/project/document/framenote.h"
+#include "model/project/document/references.h"
 
 #include <QCoreApplication>
 #include <cmath>

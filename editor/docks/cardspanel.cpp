@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/docks/cardspanel.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/entrynames.h"
+#include "editor/context/editorcontext.h"
 #include "editor/docks/carddelegate.h"
 #include "editor/docks/cardorder.h"
 #include "editor/docks/cardpictures.h"

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: MIT
 #include "editor/docks/projectpanel.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/animationedits.h"
 #include "editor/commands/brokenedits.h"
 #include "editor/commands/entrynames.h"
 #include "editor/commands/projectedits.h"
 #include "editor/commands/variationedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/docks/projecttreemodel.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/namedelegate.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/workspace.h"
-#include "model/project/brokenentry.h"
+#include "model/project/document/brokenentry.h"
 
 #include <QDesktopServices>
 #include <QFileInfo>

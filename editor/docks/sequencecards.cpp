@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/docks/sequencecards.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/projectedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/docks/cardpictures.h"
 #include "editor/documents/labelcolors.h"
 #include "editor/errors/errortext.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/docks/texturepanel.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/projectedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/texturefield.h"

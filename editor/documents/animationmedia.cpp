@@ -4,10 +4,10 @@
 
 #include "editor/documents/animationresult.h"
 #include "editor/jobs/jobrunner.h"
-#include "model/project/clipdependencies.h"
-#include "model/project/framenote.h"
-#include "model/project/variedrepeats.h"
-#include "model/project/walkrequest.h"
+#include "model/project/document/clipdependencies.h"
+#include "model/project/document/framenote.h"
+#include "model/project/steps/variedrepeats.h"
+#include "model/project/steps/walkrequest.h"
 
 #include <QElapsedTimer>
 #include <algorithm>

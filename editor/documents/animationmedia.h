@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/documents/graphmedia.h"
-#include "model/project/animate.h"
+#include "model/project/steps/animate.h"
 
 #include <QObject>
 #include <QPointer>

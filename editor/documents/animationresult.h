@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/animate.h"
-#include "model/project/opencharacter.h"
+#include "model/project/media/opencharacter.h"
+#include "model/project/steps/animate.h"
 
 #include <memory>
 #include <optional>

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/drawnresults.h"
 
-#include "model/project/buildstep.h"
-#include "model/project/clipresult.h"
-#include "model/project/lengthunit.h"
-#include "model/project/madeclips.h"
-#include "model/project/paths.h"
-#include "model/project/rebuild.h"
-#include "model/project/resultstore.h"
-#include "model/project/variationsteps.h"
+#include "model/project/document/lengthunit.h"
+#include "model/project/document/madeclips.h"
+#include "model/project/document/paths.h"
+#include "model/project/steps/buildstep.h"
+#include "model/project/steps/clipresult.h"
+#include "model/project/steps/rebuild.h"
+#include "model/project/steps/variationsteps.h"
+#include "model/project/store/resultstore.h"
 #include "model/variation/selectionspread.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/documents/variationwork.h"
-#include "model/project/variationresults.h"
+#include "model/project/steps/variationresults.h"
 
 namespace quadrille {
 

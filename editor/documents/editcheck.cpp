@@ -3,7 +3,7 @@
 #include "editor/documents/editcheck.h"
 
 #include "editor/documents/projectcommand.h"
-#include "model/project/usableproject.h"
+#include "model/project/file/usableproject.h"
 
 #include <algorithm>
 #include <charconv>

@@ -4,7 +4,7 @@
 
 #include "editor/documents/projectdocument.h"
 #include "model/core/error.h"
-#include "model/project/openevaluations.h"
+#include "model/project/evaluations/openevaluations.h"
 
 #include <QObject>
 #include <QPointer>

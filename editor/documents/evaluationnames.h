@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/evaluationentry.h"
+#include "model/project/document/evaluationentry.h"
 
 #include <QString>
 

@@ -3,9 +3,9 @@
 #include "editor/documents/graphmedia.h"
 
 #include "editor/jobs/jobrunner.h"
-#include "model/project/charactersteps.h"
-#include "model/project/madeclips.h"
-#include "model/project/opencharacter.h"
+#include "model/project/document/madeclips.h"
+#include "model/project/media/opencharacter.h"
+#include "model/project/steps/charactersteps.h"
 
 #include <utility>
 

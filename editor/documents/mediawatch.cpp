@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/mediawatch.h"
 
-#include "model/project/media.h"
+#include "model/project/media/media.h"
 
 #include <QElapsedTimer>
 #include <algorithm>

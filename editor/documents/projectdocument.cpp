@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/projectdocument.h"
 
-#include "editor/documents/projectcommand.h"
 #include "editor/documents/editcheck.h"
 #include "editor/documents/evaluationnames.h"
+#include "editor/documents/projectcommand.h"
 #include "editor/documents/projectpaths.h"
 #include "model/core/file.h"
-#include "model/project/usableproject.h"
+#include "model/project/file/usableproject.h"
 
 #include <algorithm>
 

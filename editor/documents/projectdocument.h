@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/documents/changeevent.h"
-#include "model/project/project.h"
+#include "model/project/document/project.h"
 
 #include <QObject>
 #include <QTemporaryDir>

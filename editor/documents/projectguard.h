@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/projectlock.h"
+#include "model/project/file/projectlock.h"
 
 #include <QObject>
 #include <QThreadPool>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/projectpaths.h"
 
+#include "model/project/document/paths.h"
 #include "model/project/fields/entrypaths.h"
-#include "model/project/paths.h"
 
 namespace quadrille {
 

@@ -3,7 +3,7 @@
 #include "editor/documents/sections.h"
 
 #include "editor/documents/evaluationnames.h"
-#include "model/project/brokenentry.h"
+#include "model/project/document/brokenentry.h"
 
 #include <QCoreApplication>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/project.h"
-#include "model/project/references.h"
+#include "model/project/document/project.h"
+#include "model/project/document/references.h"
 
 #include <QString>
 #include <QStringList>

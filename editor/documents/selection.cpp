@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/selection.h"
 
-#include "model/project/brokenentry.h"
+#include "model/project/document/brokenentry.h"
 
 #include <algorithm>
 

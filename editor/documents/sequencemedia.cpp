@@ -3,11 +3,11 @@
 #include "editor/documents/sequencemedia.h"
 
 #include "editor/jobs/jobrunner.h"
-#include "model/project/buildstep.h"
-#include "model/project/clipdependencies.h"
-#include "model/project/madeclips.h"
-#include "model/project/paths.h"
-#include "model/project/resultstore.h"
+#include "model/project/document/clipdependencies.h"
+#include "model/project/document/madeclips.h"
+#include "model/project/document/paths.h"
+#include "model/project/steps/buildstep.h"
+#include "model/project/store/resultstore.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/documents/projectdocument.h"
-#include "model/project/opensequence.h"
+#include "model/project/media/opensequence.h"
 #include "model/sequence/meshsequence.h"
 
 #include <QObject>

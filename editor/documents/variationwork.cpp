@@ -3,13 +3,13 @@
 #include "editor/documents/variationwork.h"
 
 #include "editor/documents/drawnresults.h"
-#include "model/project/buildstep.h"
-#include "model/project/madeclips.h"
-#include "model/project/paths.h"
-#include "model/project/rebuild.h"
-#include "model/project/resultstore.h"
-#include "model/project/variationresults.h"
-#include "model/project/variationsteps.h"
+#include "model/project/document/madeclips.h"
+#include "model/project/document/paths.h"
+#include "model/project/steps/buildstep.h"
+#include "model/project/steps/rebuild.h"
+#include "model/project/steps/variationresults.h"
+#include "model/project/steps/variationsteps.h"
+#include "model/project/store/resultstore.h"
 #include "model/variation/reconstructionerror.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "editor/documents/variationbasis.h"
 #include "editor/documents/variationresult.h"
-#include "model/project/variate.h"
+#include "model/project/steps/variate.h"
 
 #include <filesystem>
 #include <memory>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/evaluations/evaluationcharts.h"
 
-#include "editor/evaluations/evaluationchartplans.h"
 #include "editor/documents/evaluationtexts.h"
+#include "editor/evaluations/evaluationchartplans.h"
 #include "widgets/theme/theme.h"
 
 #include <QCoreApplication>

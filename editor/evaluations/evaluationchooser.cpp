@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/evaluations/evaluationchooser.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/projectedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/evaluationtexts.h"
 #include "editor/language/retranslate.h"
 

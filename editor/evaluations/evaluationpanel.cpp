@@ -3,10 +3,10 @@
 #include "editor/evaluations/evaluationpanel.h"
 
 #include "editor/context/editorcontext.h"
+#include "editor/documents/evaluationtexts.h"
 #include "editor/errors/errortext.h"
 #include "editor/evaluations/evaluationchooser.h"
 #include "editor/evaluations/evaluationtablemodel.h"
-#include "editor/documents/evaluationtexts.h"
 #include "editor/language/retranslate.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/theme.h"

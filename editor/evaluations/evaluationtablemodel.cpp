@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/evaluations/evaluationtablemodel.h"
 
-#include "editor/evaluations/evaluationcharts.h"
 #include "editor/documents/evaluationtexts.h"
+#include "editor/evaluations/evaluationcharts.h"
 #include "widgets/theme/theme.h"
 
 #include <QLocale>

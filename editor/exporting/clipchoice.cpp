@@ -3,7 +3,7 @@
 #include "editor/exporting/clipchoice.h"
 
 #include "editor/exporting/exportplan.h"
-#include "model/project/project.h"
+#include "model/project/document/project.h"
 
 #include <QComboBox>
 #include <QCoreApplication>

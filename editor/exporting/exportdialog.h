@@ -4,7 +4,7 @@
 
 #include "editor/exporting/exportplan.h"
 #include "editor/exporting/seencamera.h"
-#include "model/project/runexports.h"
+#include "model/project/exports/runexports.h"
 
 #include <QDialog>
 #include <QPointer>

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Questions before an export, writing it, and what comes after.
-#include "editor/context/editorcontext.h"
 #include "editor/commands/projectedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
 #include "editor/exporting/exportdialog.h"
 #include "editor/exporting/outsideplaces.h"
 #include "editor/exporting/picturefields.h"
-#include "model/project/exportclaims.h"
-#include "model/project/paths.h"
-#include "model/project/pictureoptions.h"
+#include "model/project/document/paths.h"
+#include "model/project/exports/exportclaims.h"
+#include "model/project/file/pictureoptions.h"
 #include "widgets/controls/messagestrip.h"
 
 #include <QCheckBox>

@@ -4,7 +4,7 @@
 
 #include "editor/documents/projectpaths.h"
 #include "model/core/seriesname.h"
-#include "model/project/exportentry.h"
+#include "model/project/exports/exportentry.h"
 
 #include <QDir>
 #include <filesystem>

@@ -3,7 +3,7 @@
 #include "editor/fields/axesfields.h"
 
 #include "editor/language/retranslate.h"
-#include "model/project/lengthunit.h"
+#include "model/project/document/lengthunit.h"
 
 #include <QComboBox>
 #include <QVBoxLayout>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/help/helpflow.h"
 
-#include "editor/context/actionregistry.h"
 #include "editor/application/standardkeys.h"
+#include "editor/context/actionregistry.h"
 #include "editor/help/helpviewer.h"
 
 #include <QAction>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/importing/importdialog.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/entrynames.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/editcheck.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"

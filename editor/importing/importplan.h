@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/importsequences.h"
-#include "model/project/importsurvey.h"
-#include "model/project/project.h"
+#include "model/project/document/project.h"
+#include "model/project/media/importsequences.h"
+#include "model/project/media/importsurvey.h"
 
 #include <QString>
 #include <vector>

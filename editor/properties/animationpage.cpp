@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/properties/animationpage.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/animationedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/animationresult.h"
 
 #include <QLocale>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "editor/properties/brokenpage.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/brokenedits.h"
-#include "model/project/brokenentry.h"
-#include "model/project/jsontext.h"
+#include "editor/context/editorcontext.h"
+#include "model/project/document/brokenentry.h"
+#include "model/project/file/jsontext.h"
 
 #include <QFontDatabase>
 #include <QPlainTextEdit>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/properties/characterpage.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/projectedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/fields/texturefield.h"
 
 #include <QFileInfo>

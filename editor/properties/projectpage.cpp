@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/properties/projectpage.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/projectedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/fields/axesfields.h"
 #include "editor/fields/numberfield.h"

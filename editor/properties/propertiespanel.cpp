@@ -12,7 +12,7 @@
 #include "editor/properties/projectpage.h"
 #include "editor/properties/sequencepage.h"
 #include "editor/properties/variationpage.h"
-#include "model/project/brokenentry.h"
+#include "model/project/document/brokenentry.h"
 
 #include <QLabel>
 #include <QLocale>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "editor/properties/variationpage.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/variationedits.h"
-#include "model/project/madeclips.h"
-#include "model/project/opensequence.h"
+#include "editor/context/editorcontext.h"
+#include "model/project/document/madeclips.h"
+#include "model/project/media/opensequence.h"
 
 namespace quadrille {
 

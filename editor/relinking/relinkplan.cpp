@@ -3,8 +3,8 @@
 #include "editor/relinking/relinkplan.h"
 
 #include "model/core/error.h"
-#include "model/project/buildstep.h"
-#include "model/project/importsurvey.h"
+#include "model/project/media/importsurvey.h"
+#include "model/project/steps/buildstep.h"
 #include "model/sequence/io/sourcefiles.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/findmedia.h"
-#include "model/project/media.h"
+#include "model/project/media/findmedia.h"
+#include "model/project/media/media.h"
 
 #include <string>
 #include <utility>

@@ -5,7 +5,7 @@
 #include "editor/errors/issuelog.h"
 #include "editor/jobs/jobrunner.h"
 #include "model/core/caughterror.h"
-#include "model/project/carryresults.h"
+#include "model/project/store/carryresults.h"
 
 #include <QCoreApplication>
 #include <QEventLoop>

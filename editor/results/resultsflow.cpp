@@ -5,7 +5,7 @@
 #include "editor/context/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/language/retranslate.h"
-#include "model/project/resultstore.h"
+#include "model/project/store/resultstore.h"
 #include "widgets/controls/messagestrip.h"
 
 #include <QDir>

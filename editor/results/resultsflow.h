@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/resultplaces.h"
+#include "model/project/store/resultplaces.h"
 
 #include <QObject>
 #include <QThreadPool>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/welcome/sampleflow.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/application/projectfiles.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "model/sample/sample.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/workspaces/view/sceneview.h"
-#include "model/project/animationentry.h"
+#include "model/project/document/animationentry.h"
 
 #include <QWidget>
 #include <functional>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/check.h"
+#include "model/project/checks/check.h"
 
 #include "model/cli/commands.h"
-#include "model/project/resultplaces.h"
+#include "model/project/store/resultplaces.h"
 
 #include <memory>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/cli/commands.h"
 
-#include "model/project/lengthunit.h"
+#include "model/project/document/lengthunit.h"
 
 #include <charconv>
 #include <cmath>

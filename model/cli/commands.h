@@ -5,7 +5,7 @@
 #include "model/cli/console.h"
 #include "model/core/progress.h"
 #include "model/core/units.h"
-#include "model/project/project.h"
+#include "model/project/document/project.h"
 #include "model/sequence/axes.h"
 
 #include <CLI/CLI.hpp>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/cli/commands.h"
-#include "model/project/projectdata.h"
-#include "model/project/projectguard.h"
-#include "model/project/resultplaces.h"
+#include "model/project/file/projectguard.h"
+#include "model/project/store/projectdata.h"
+#include "model/project/store/resultplaces.h"
 
 #include <algorithm>
 #include <memory>

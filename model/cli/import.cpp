@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/cli/commands.h"
-#include "model/project/importsequences.h"
+#include "model/project/media/importsequences.h"
 
 #include <memory>
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/rebuild.h"
+#include "model/project/steps/rebuild.h"
 
 #include "model/cli/commands.h"
 #include "model/core/stagedfiles.h"
-#include "model/project/projectguard.h"
-#include "model/project/resultplaces.h"
-#include "model/project/resultstore.h"
+#include "model/project/file/projectguard.h"
+#include "model/project/store/resultplaces.h"
+#include "model/project/store/resultstore.h"
 
 #include <array>
 #include <cstdio>

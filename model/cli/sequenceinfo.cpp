@@ -3,7 +3,7 @@
 #include "model/cli/sequenceinfo.h"
 
 #include "model/core/bounds.h"
-#include "model/project/lengthunit.h"
+#include "model/project/document/lengthunit.h"
 #include "model/sequence/io/ratebeside.h"
 
 #include <Eigen/Geometry>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/cli/commands.h"
 #include "model/graph/alternatives.h"
-#include "model/project/opencharacter.h"
-#include "model/project/resultplaces.h"
+#include "model/project/media/opencharacter.h"
+#include "model/project/store/resultplaces.h"
 
 #include <array>
 #include <cstdio>

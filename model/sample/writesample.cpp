@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/file.h"
-#include "model/project/project.h"
+#include "model/project/document/project.h"
 #include "model/sample/appearance.h"
 #include "model/sample/entries.h"
 #include "model/sample/groundtruth.h"

@@ -3,7 +3,7 @@
 // Paths of animations: drawn and edited in the view, followed by a clip.
 #include "editor/commands/projectedits.h"
 #include "editor/workspaces/animate/pathentries.h"
-#include "model/project/pathcurve.h"
+#include "model/project/document/pathcurve.h"
 #include "model/synthesis/pathfollowing.h"
 #include "pathfixture.h"
 #include "tests/qt/viewapplication.h"

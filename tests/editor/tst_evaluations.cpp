@@ -3,9 +3,9 @@
 // Evaluations: added, computed, looked at, saved, taken back.
 #include "editor/commands/projectedits.h"
 #include "editor/docks/projecttreemodel.h"
+#include "editor/documents/evaluationtexts.h"
 #include "editor/evaluations/evaluationcharts.h"
 #include "editor/evaluations/evaluationpanel.h"
-#include "editor/documents/evaluationtexts.h"
 #include "graphfixture.h"
 #include "tests/qt/patience.h"
 #include "widgets/graph/barchart.h"

@@ -3,8 +3,8 @@
 // Opening and saving when something is wrong: files that cannot be read, that others have open or write.
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
-#include "model/project/buildstep.h"
-#include "model/project/resultstore.h"
+#include "model/project/steps/buildstep.h"
+#include "model/project/store/resultstore.h"
 #include "projectfilesfixture.h"
 #include "tests/qt/registry.h"
 #include "widgets/controls/fieldnote.h"

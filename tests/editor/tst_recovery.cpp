@@ -4,7 +4,7 @@
 #include "editor/application/recoverynotice.h"
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
-#include "model/project/brokenentry.h"
+#include "model/project/document/brokenentry.h"
 #include "projectfilesfixture.h"
 #include "tests/qt/registry.h"
 

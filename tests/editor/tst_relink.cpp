@@ -4,8 +4,8 @@
 #include "editor/relinking/lostmediatable.h"
 #include "editor/relinking/relinkdialog.h"
 #include "editortest.h"
-#include "model/project/rebuild.h"
-#include "model/project/resultplaces.h"
+#include "model/project/steps/rebuild.h"
+#include "model/project/store/resultplaces.h"
 #include "tests/qt/registry.h"
 #include "widgets/controls/messagestrip.h"
 

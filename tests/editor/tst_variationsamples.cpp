@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // Variations that are drawn: chosen, thrown away, put into the project, exported.
 #include "editor/documents/projectpaths.h"
-#include "model/project/opensequence.h"
-#include "model/project/rebuild.h"
+#include "model/project/media/opensequence.h"
+#include "model/project/steps/rebuild.h"
 #include "tests/qt/registry.h"
 #include "variationsfixture.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Blends of four takes: chosen, moved on the pad, learned, removed.
 #include "editor/commands/variationedits.h"
-#include "model/project/validate.h"
+#include "model/project/checks/validate.h"
 #include "tests/qt/registry.h"
 #include "variationsfixture.h"
 #include "widgets/controls/weightspad.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/jsontext.h"
-#include "model/project/project.h"
-#include "model/project/projectjson.h"
+#include "model/project/document/project.h"
+#include "model/project/file/jsontext.h"
+#include "model/project/file/projectjson.h"
 
 #include <cstdlib>
 

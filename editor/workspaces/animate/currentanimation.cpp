@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/currentanimation.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/animationedits.h"
+#include "editor/context/editorcontext.h"
 
 namespace quadrille {
 

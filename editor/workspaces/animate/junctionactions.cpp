@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What can be done with the transitions of a clip.
-#include "editor/context/editorcontext.h"
 #include "editor/commands/animationedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/fields/actionbutton.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/junctionpanel.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/junctions.h"
 
-#include "model/project/groundpoint.h"
+#include "model/project/document/groundpoint.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/animationentry.h"
+#include "model/project/document/animationentry.h"
 
 #include <QAbstractTableModel>
 #include <memory>

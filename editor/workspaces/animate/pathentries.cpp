@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/pathentries.h"
 
-#include "model/project/groundpoint.h"
-#include "model/project/pathcurve.h"
+#include "model/project/document/groundpoint.h"
+#include "model/project/document/pathcurve.h"
 #include "model/synthesis/pathcourse.h"
 #include "widgets/viewport/pathgeometry.h"
 #include "widgets/viewport/ruler.h"

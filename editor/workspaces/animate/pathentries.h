@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/project.h"
+#include "model/project/document/project.h"
 #include "widgets/viewport/pathshape.h"
 
 namespace quadrille {

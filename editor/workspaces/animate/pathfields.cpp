@@ -5,8 +5,8 @@
 #include "editor/context/editorcontext.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathtool.h"
-#include "model/project/groundpoint.h"
-#include "model/project/lengthunit.h"
+#include "model/project/document/groundpoint.h"
+#include "model/project/document/lengthunit.h"
 #include "widgets/viewport/ruler.h"
 
 #include <QDoubleSpinBox>

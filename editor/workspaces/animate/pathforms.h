@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/properties/propertyform.h"
-#include "model/project/animationentry.h"
+#include "model/project/document/animationentry.h"
 
 class QComboBox;
 class QDoubleSpinBox;

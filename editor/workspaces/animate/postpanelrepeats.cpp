@@ -5,7 +5,7 @@
 #include "editor/documents/animationresult.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/postpanel.h"
-#include "model/project/madeclips.h"
+#include "model/project/document/madeclips.h"
 
 #include <QComboBox>
 #include <QScopedValueRollback>

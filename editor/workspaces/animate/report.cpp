@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/report.h"
 
-#include "model/project/walkrequest.h"
+#include "model/project/steps/walkrequest.h"
 #include "model/synthesis/pathfollowing.h"
 
 #include <QCoreApplication>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/commands/changeentry.h"
-#include "model/project/animationentry.h"
+#include "model/project/document/animationentry.h"
 #include "widgets/timeline/draggedframes.h"
 
 #include <QWidget>

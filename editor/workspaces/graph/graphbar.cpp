@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/graph/graphbar.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/animationedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/graph/graphexplorer.h"
 #include "widgets/graph/chartscale.h"

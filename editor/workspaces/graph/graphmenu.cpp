@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What can be done with the cell of the matrix under the pointer, and which takes are looked at.
-#include "editor/context/editorcontext.h"
 #include "editor/commands/animationedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/workspaces/animate/junctions.h"
 #include "editor/workspaces/graph/framenames.h"
 #include "editor/workspaces/graph/graphbar.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/graph/graphsettingspanel.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/animationedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/language/retranslate.h"
 
 #include <QPushButton>

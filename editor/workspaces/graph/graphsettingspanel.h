@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/fields/fieldform.h"
-#include "model/project/project.h"
+#include "model/project/document/project.h"
 
 #include <functional>
 

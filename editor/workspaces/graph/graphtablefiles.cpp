@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/graph/graphtablefiles.h"
 
-#include "model/project/graphtables.h"
-#include "model/project/projectdata.h"
+#include "model/project/steps/graphtables.h"
+#include "model/project/store/projectdata.h"
 
 namespace quadrille {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/markedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/errors/errortext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/sequences/contactproposal.h"

@@ -5,8 +5,8 @@
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "model/core/error.h"
-#include "model/project/blendedges.h"
-#include "model/project/variate.h"
+#include "model/project/document/blendedges.h"
+#include "model/project/steps/variate.h"
 #include "widgets/controls/weightspad.h"
 
 #include <QComboBox>

@@ -6,7 +6,7 @@
 #include "editor/fields/rightmenu.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/currentvariation.h"
-#include "model/project/blendedges.h"
+#include "model/project/document/blendedges.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
 

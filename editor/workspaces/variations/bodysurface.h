@@ -5,7 +5,7 @@
 #include "editor/jobs/job.h"
 #include "model/core/error.h"
 #include "model/geometry/surfacegraph.h"
-#include "model/project/variationentry.h"
+#include "model/project/document/variationentry.h"
 
 #include <QObject>
 #include <QPointer>

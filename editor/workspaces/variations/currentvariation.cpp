@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/variations/currentvariation.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/variationedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/workspaces/view/sceneview.h"
 #include "model/core/error.h"
 #include "model/variation/subject.h"

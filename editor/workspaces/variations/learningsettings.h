@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/fields/fieldform.h"
-#include "model/project/variationentry.h"
+#include "model/project/document/variationentry.h"
 
 #include <QScrollArea>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What is done to whole curves and parts; what may take long, in jobs.
-#include "editor/context/editorcontext.h"
 #include "editor/commands/variationedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/errors/errortext.h"
 #include "editor/workspaces/variations/bodysurface.h"
 #include "editor/workspaces/variations/currentvariation.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/context/settings.h"
 #include "editor/commands/changeentry.h"
+#include "editor/context/settings.h"
 #include "editor/jobs/job.h"
 #include "editor/workspaces/variations/partcut.h"
 #include "model/geometry/surfacecurve.h"

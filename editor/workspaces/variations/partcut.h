@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/geometry/surfacegraph.h"
-#include "model/project/variationentry.h"
+#include "model/project/document/variationentry.h"
 #include "widgets/theme/colormap.h"
 
 #include <QRgb>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/variationentry.h"
+#include "model/project/document/variationentry.h"
 
 #include <string>
 #include <vector>

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What is done with variations, and how they are shown.
-#include "editor/context/editorcontext.h"
 #include "editor/commands/projectedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/documents/variationresult.h"
 #include "editor/fields/partlist.h"
 #include "editor/workspaces/variations/acrossfields.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/samplespanel.h"
-#include "model/project/madeclips.h"
-#include "model/project/rebuild.h"
+#include "model/project/document/madeclips.h"
+#include "model/project/steps/rebuild.h"
 #include "widgets/theme/theme.h"
 
 #include <QComboBox>

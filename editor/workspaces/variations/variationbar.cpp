@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/variations/variationbar.h"
 
-#include "editor/context/editorcontext.h"
 #include "editor/commands/variationedits.h"
+#include "editor/context/editorcontext.h"
 #include "editor/fields/actionbutton.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/currentvariation.h"

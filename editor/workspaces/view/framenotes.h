@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/commands/changeentry.h"
-#include "model/project/framenote.h"
+#include "model/project/document/framenote.h"
 #include "widgets/timeline/timeline.h"
 
 #include <QObject>

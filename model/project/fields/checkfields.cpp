@@ -3,10 +3,10 @@
 #include "model/project/fields/checkfields.h"
 
 #include "model/core/contains.h"
+#include "model/project/checks/validate.h"
+#include "model/project/checks/validationtexts.h"
+#include "model/project/document/paths.h"
 #include "model/project/fields/walker.h"
-#include "model/project/paths.h"
-#include "model/project/validate.h"
-#include "model/project/validationtexts.h"
 
 #include <cmath>
 #include <set>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/problem.h"
-#include "model/project/project.h"
+#include "model/project/document/problem.h"
+#include "model/project/document/project.h"
 
 namespace quadrille {
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/fields/codecs.h"
 
-#include "model/project/framenote.h"
-#include "model/project/jsonmembers.h"
-#include "model/project/lengthunit.h"
-#include "model/project/pictureoptions.h"
+#include "model/project/document/framenote.h"
+#include "model/project/document/lengthunit.h"
+#include "model/project/file/jsonmembers.h"
+#include "model/project/file/pictureoptions.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/objectreader.h"
+#include "model/project/file/objectreader.h"
 
 #include <initializer_list>
 #include <string>

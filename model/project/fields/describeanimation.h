@@ -4,7 +4,7 @@
 
 #include "model/project/fields/describeconstraint.h"
 #include "model/project/fields/describepost.h"
-#include "model/project/walkrequest.h"
+#include "model/project/steps/walkrequest.h"
 
 namespace quadrille {
 

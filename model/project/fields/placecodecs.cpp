@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/document/groundpoint.h"
 #include "model/project/fields/codecs.h"
-#include "model/project/groundpoint.h"
-#include "model/project/jsonmembers.h"
+#include "model/project/file/jsonmembers.h"
 
 #include <algorithm>
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/fields/writefields.h"
 
+#include "model/project/document/framenote.h"
 #include "model/project/fields/visitor.h"
-#include "model/project/framenote.h"
-#include "model/project/jsonmembers.h"
+#include "model/project/file/jsonmembers.h"
 
 #include <algorithm>
 #include <variant>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/jsontext.h"
-#include "model/project/project.h"
+#include "model/project/document/project.h"
+#include "model/project/file/jsontext.h"
 #include "model/render/rendersettings.h"
 
 namespace quadrille {

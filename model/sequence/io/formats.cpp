@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/formats.h"
 
-#include "model/sequence/io/clipexport.h"
 #include "model/sequence/io/anime.h"
 #include "model/sequence/io/assimpscene.h"
+#include "model/sequence/io/clipexport.h"
 #include "model/sequence/io/glbwriter.h"
 #include "model/sequence/io/gltf.h"
 #include "model/sequence/io/hdf5sequence.h"

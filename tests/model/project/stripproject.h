@@ -3,8 +3,8 @@
 #pragma once
 
 #include "model/core/table.h"
-#include "model/project/projectdata.h"
-#include "model/project/rebuild.h"
+#include "model/project/steps/rebuild.h"
+#include "model/project/store/projectdata.h"
 #include "model/transition/characterframes.h"
 #include "tests/model/project/testproject.h"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/clipresult.h"
-#include "model/project/exportentry.h"
-#include "model/project/media.h"
-#include "model/project/validate.h"
+#include "model/project/checks/validate.h"
+#include "model/project/exports/exportentry.h"
+#include "model/project/media/media.h"
+#include "model/project/steps/clipresult.h"
 #include "tests/model/audio/tone.h"
 #include "tests/model/project/stripproject.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/costparts.h"
+#include "model/project/steps/costparts.h"
 #include "model/synthesis/stepcosts.h"
 
 #include <array>

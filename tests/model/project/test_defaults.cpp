@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/graph/comparison.h"
-#include "model/project/pictureoptions.h"
-#include "model/project/projectjson.h"
-#include "model/project/walkrequest.h"
+#include "model/project/file/pictureoptions.h"
+#include "model/project/file/projectjson.h"
+#include "model/project/steps/walkrequest.h"
 #include "tests/model/project/fullproject.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/importsurvey.h"
+#include "model/project/media/importsurvey.h"
 #include "model/sequence/io/registry.h"
 #include "testproject.h"
 

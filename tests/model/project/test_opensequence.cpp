@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/check.h"
-#include "model/project/importsequences.h"
-#include "model/project/media.h"
-#include "model/project/opensequence.h"
+#include "model/project/checks/check.h"
+#include "model/project/media/importsequences.h"
+#include "model/project/media/media.h"
+#include "model/project/media/opensequence.h"
 #include "model/sequence/io/registry.h"
 #include "tests/model/project/testproject.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/jsontext.h"
-#include "model/project/migration.h"
+#include "model/project/file/jsontext.h"
+#include "model/project/file/migration.h"
 #include "tests/model/project/fullproject.h"
 #include "tests/model/withoutroot.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/importsequences.h"
-#include "model/project/projectlock.h"
+#include "model/project/file/projectlock.h"
+#include "model/project/media/importsequences.h"
 #include "tests/model/project/testproject.h"
 #include "tests/model/withoutroot.h"
 

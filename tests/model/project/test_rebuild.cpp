@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/contenthash.h"
 #include "model/core/mediacache.h"
-#include "model/project/rebuild.h"
-#include "model/project/resultstore.h"
+#include "model/project/steps/rebuild.h"
+#include "model/project/store/resultstore.h"
 #include "tests/model/project/testproject.h"
 
 #include <atomic>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/referenceangles.h"
+#include "model/project/media/referenceangles.h"
 #include "tests/model/project/testproject.h"
 
 #include <gmock/gmock.h>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/jsontext.h"
-#include "model/project/projectjson.h"
-#include "model/project/references.h"
-#include "model/project/validate.h"
+#include "model/project/checks/validate.h"
+#include "model/project/document/references.h"
+#include "model/project/file/jsontext.h"
+#include "model/project/file/projectjson.h"
 #include "tests/model/project/fullproject.h"
 
 #include <gmock/gmock.h>

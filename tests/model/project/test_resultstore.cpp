@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/buildstep.h"
-#include "model/project/carryresults.h"
-#include "model/project/resultplaces.h"
-#include "model/project/resultstore.h"
+#include "model/project/steps/buildstep.h"
+#include "model/project/store/carryresults.h"
+#include "model/project/store/resultplaces.h"
+#include "model/project/store/resultstore.h"
 #include "tests/model/project/testproject.h"
 
 #include <cmath>

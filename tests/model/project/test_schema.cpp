@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/fields/schema.h"
-#include "model/project/jsontext.h"
-#include "model/project/projectjson.h"
+#include "model/project/file/jsontext.h"
+#include "model/project/file/projectjson.h"
 #include "tests/model/project/fullproject.h"
 
 #include <cstdlib>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/importsequences.h"
-#include "model/project/jsontext.h"
-#include "model/project/projectjson.h"
-#include "model/project/usableproject.h"
+#include "model/project/file/jsontext.h"
+#include "model/project/file/projectjson.h"
+#include "model/project/file/usableproject.h"
+#include "model/project/media/importsequences.h"
 #include "tests/model/project/fullproject.h"
 
 #include <gmock/gmock.h>

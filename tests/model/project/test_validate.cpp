@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/paths.h"
-#include "model/project/validate.h"
-#include "model/project/validationtexts.h"
+#include "model/project/checks/validate.h"
+#include "model/project/checks/validationtexts.h"
+#include "model/project/document/paths.h"
 #include "tests/model/project/fullproject.h"
 
 #include <gmock/gmock.h>

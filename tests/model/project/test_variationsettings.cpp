@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 // What each setting of variations changes, and what stays.
 #include "model/core/random.h"
-#include "model/project/jsontext.h"
-#include "model/project/madeclips.h"
-#include "model/project/variate.h"
+#include "model/project/document/madeclips.h"
+#include "model/project/file/jsontext.h"
+#include "model/project/steps/variate.h"
 #include "model/variation/selection.h"
 #include "tests/model/largestdistance.h"
 #include "tests/model/project/tubeproject.h"

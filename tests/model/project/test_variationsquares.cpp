@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Blends of four takes at the corners of a square.
-#include "model/project/madeclips.h"
-#include "model/project/references.h"
-#include "model/project/validate.h"
+#include "model/project/checks/validate.h"
+#include "model/project/document/madeclips.h"
+#include "model/project/document/references.h"
 #include "tests/model/largestdistance.h"
 #include "tests/model/project/fullproject.h"
 #include "tests/model/project/tubeproject.h"

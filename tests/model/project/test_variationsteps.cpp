@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/jsontext.h"
-#include "model/project/madeclips.h"
-#include "model/project/selectionnote.h"
-#include "model/project/validate.h"
+#include "model/project/checks/validate.h"
+#include "model/project/document/madeclips.h"
+#include "model/project/file/jsontext.h"
+#include "model/project/steps/selectionnote.h"
 #include "tests/model/codeof.h"
 #include "tests/model/project/tubeproject.h"
 

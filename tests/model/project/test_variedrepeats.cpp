@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/clipdependencies.h"
-#include "model/project/jsontext.h"
-#include "model/project/madeclips.h"
-#include "model/project/opencharacter.h"
-#include "model/project/references.h"
-#include "model/project/resultstore.h"
-#include "model/project/validate.h"
-#include "model/project/variedrepeats.h"
+#include "model/project/checks/validate.h"
+#include "model/project/document/clipdependencies.h"
+#include "model/project/document/madeclips.h"
+#include "model/project/document/references.h"
+#include "model/project/file/jsontext.h"
+#include "model/project/media/opencharacter.h"
+#include "model/project/steps/variedrepeats.h"
+#include "model/project/store/resultstore.h"
 #include "tests/model/codeof.h"
 #include "tests/model/project/tubeproject.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What walks cost: the same in every unit, and in parts.
-#include "model/project/lengthunit.h"
+#include "model/project/document/lengthunit.h"
 #include "tests/model/project/stripproject.h"
 
 #include <gmock/gmock.h>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "model/core/file.h"
-#include "model/project/pictureoptions.h"
-#include "model/project/project.h"
+#include "model/project/document/project.h"
+#include "model/project/file/pictureoptions.h"
 #include "tests/model/core/temporaryfolder.h"
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 #include "model/core/error.h"
 #include "model/core/file.h"
 #include "model/render/clipcamera.h"
-#include "model/sequence/io/clipexport.h"
 #include "model/render/renderframe.h"
+#include "model/sequence/io/clipexport.h"
 #include "model/sequence/io/registry.h"
 #include "scenes.h"
 

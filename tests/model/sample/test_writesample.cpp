@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/core/file.h"
-#include "model/project/animate.h"
-#include "model/project/opencharacter.h"
-#include "model/project/project.h"
+#include "model/project/document/project.h"
+#include "model/project/media/opencharacter.h"
+#include "model/project/steps/animate.h"
 #include "sampletest.h"
 #include "tests/model/core/temporaryfolder.h"
 

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/document/clipdependencies.h"
+
+#include "model/project/document/madeclips.h"
+#include "model/project/document/paths.h"
+#include "model/project/media/opensequence.h"
+#include "model/project/steps/variedrepeats.h"
+
+#include <set>
+
+namespace quadrille {
+
+namespace {
+
+/// What some clips are made of, directly and through others, and themselves.
+std::set<std::string> withAllParts(const Project& project, std::vector<std::string> waiting)
+{
+    std::set<std::string> all(waiting.begin(), waiting.end());
+    while (!waiting.empty()) {
+        const std::string clip = std::move(waiting.back());
+        waiting.pop_back();
+        for (std::string& shown : shownBy(project, clip)) {
+            if (all.insert(shown).second)
+                waiting.push_back(std::move(shown));
+        }
+    }
+    return all;
+}
+
+} // namespace
+
+std::vector<std::string> shownBy(const Project& project, const std::string& clip)
+{
+    std::vector<std::string> shown;
+    if (const auto named = nameOfClip(clip, "sequences")) {
+        const SequenceEntry* sequence = findSequence(project, *named);
+        if (auto source = sequence ? clipOfSource(sequence->source) : std::nullopt)
+            shown.push_back(std::move(*source));
+        return shown;
+    }
+    for (const std::string& sequence : sequencesOfClip(project, clip))
+        shown.push_back("sequences/" + sequence);
+    const auto named = nameOfClip(clip, "animations");
+    if (const AnimationEntry* animation = named ? findAnimation(project, *named) : nullptr) {
+        for (std::string& variation : clipsDrawnFrom(project, *animation))
+            shown.push_back(std::move(variation));
+    }
+    return shown;
+}
+
+Project partsOfClip(const Project& project, const std::string& clip)
+{
+    const std::set<std::string> clips = withAllParts(project, {clip});
+    Project parts;
+    parts.settings = project.settings;
+    parts.characters = project.characters;
+    for (CharacterEntry& character : parts.characters)
+        character.notes.clear();
+    for (const SequenceEntry& sequence : project.sequences) {
+        if (clips.contains("sequences/" + sequence.name))
+            parts.sequences.push_back(sequence);
+    }
+    for (const AnimationEntry& animation : project.animations) {
+        if (clips.contains("animations/" + animation.name))
+            parts.animations.push_back(animation);
+    }
+    for (const VariationEntry& variation : project.variations) {
+        const std::string prefix = "variations/" + variation.name + "/";
+        const auto at = clips.lower_bound(prefix);
+        if (at != clips.end() && at->starts_with(prefix))
+            parts.variations.push_back(variation);
+    }
+    if (!parts.variations.empty())
+        parts.bodyParts = project.bodyParts;
+    return parts;
+}
+
+bool isMadeOfItself(const Project& project, const std::string& clip)
+{
+    return withAllParts(project, shownBy(project, clip)).contains(clip);
+}
+
+} // namespace quadrille

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/document/project.h"
+
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// What a clip shows: a sequence its source, a made clip the sequences whose frames it has, and the
+/// variations that it is drawn from.
+std::vector<std::string> shownBy(const Project& project, const std::string& clip);
+
+/// The parts of a project that a clip is made of: settings, characters, and the sequences,
+/// animations and variations that it shows, directly or through others. Where it has made clips, it is there
+/// only once they are computed.
+/// \param clip  "sequences/NAME", "animations/NAME" or "variations/NAME/3".
+Project partsOfClip(const Project& project, const std::string& clip);
+
+/// Whether a clip is, through others, made of itself.
+bool isMadeOfItself(const Project& project, const std::string& clip);
+
+} // namespace quadrille

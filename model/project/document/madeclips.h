@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/document/project.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// The name of one variation, from 1: "variations/NAME/3".
+std::string variationClip(const std::string& variation, int number);
+
+/// A variation in a clip "variations/NAME/3".
+struct VariationNumber
+{
+    std::string variation;
+    int number = 0; ///< from 1; 0: all of "variations/NAME"
+
+    bool operator==(const VariationNumber&) const = default;
+};
+/// Nothing for clips of other sections, and where the number is none.
+std::optional<VariationNumber> variationOfClip(std::string_view clip);
+/// How many variations an entry draws.
+int variationCount(const VariationEntry& entry);
+
+/// Whether the user threw a variation away.
+bool isDiscarded(const VariationEntry& entry, int number);
+/// Where a variation of an entry, counted from 1, is found: in which set of samples, and as which of it, from
+/// 0. Nothing where there are fewer.
+struct SamplePlace
+{
+    std::size_t set = 0;
+    int index = 0;
+};
+std::optional<SamplePlace> placeOfVariation(const VariationEntry& entry, int number);
+/// The variations of a character that have takes to learn from.
+std::vector<const VariationEntry*> learnedVariations(const Project& project, const std::string& character);
+/// Names of the parts that an entry learns, the root first; “body” where it is not cut.
+std::vector<std::string> partNamesOf(const Project& project, const VariationEntry& entry);
+
+/// Whether a clip is one that steps make: "animations/NAME" or "variations/NAME/3".
+bool isMadeClip(std::string_view clip);
+/// The step that makes it. \pre isMadeClip.
+std::string clipStepOf(const std::string& clip);
+/// The steps of the clips that a clip "SECTION/NAME" means, for all of "variations/NAME" those that were not
+/// discarded; none where it is a sequence that shows a file.
+std::vector<std::string> clipStepsOf(const Project& project, const std::string& clip);
+
+/// The clip that a sequence shows, perhaps through other sequences, where it is made; nothing where it shows
+/// files.
+std::optional<std::string> shownClip(const Project& project, const SequenceEntry& entry);
+
+/// The sequences whose frames a made clip shows, in the order in which its origins count them; empty where
+/// there is no such clip.
+std::vector<std::string> sequencesOfClip(const Project& project, const std::string& clip);
+
+/// The sequences that the graph of a character is made of, in project order: all of the character's but those
+/// that are clips of its own animations, or variations of such.
+std::vector<std::string> sequencesOfGraph(const Project& project, const std::string& character);
+
+} // namespace quadrille

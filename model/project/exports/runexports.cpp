@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/exports/runexports.h"
+
+#include "model/project/document/paths.h"
+#include "model/project/exports/exportclaims.h"
+#include "model/project/exports/exportentry.h"
+#include "model/project/file/projectguard.h"
+#include "model/project/steps/buildstep.h"
+#include "model/project/steps/rebuild.h"
+#include "model/project/store/resultstore.h"
+
+#include <algorithm>
+
+namespace quadrille {
+
+namespace {
+
+void computeClips(const Project& project, const std::filesystem::path& projectFile,
+                  const std::vector<ExportEntry>& entries, WritePermissions permissions,
+                  const Progress& progress)
+{
+    RebuildOptions options;
+    options.permissions = permissions;
+    for (const ExportEntry& entry : entries) {
+        const auto steps = stepsOf(project, entry);
+        options.targets.insert(options.targets.end(), steps.begin(), steps.end());
+    }
+    if (options.targets.empty())
+        return;
+    for (const StepReport& step : rebuild(project, projectFile, options, progress).steps) {
+        if (step.error)
+            throw *step.error;
+    }
+}
+
+/// The files of a claim that are there.
+std::vector<std::filesystem::path> filesThere(const OutputClaim& claim)
+{
+    namespace fs = std::filesystem;
+    std::error_code error;
+    std::vector<fs::path> files;
+    const fs::path file = claim.names.folder / claim.names.before;
+    if (!claim.isNumbered && fs::exists(fs::symlink_status(file, error)))
+        files.push_back(file);
+    if (!claim.isNumbered)
+        return files;
+    for (fs::directory_iterator entry(claim.names.folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        if (claim.names.contains(entry->path().filename().string()))
+            files.push_back(entry->path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+} // namespace
+
+OutputQuestions outputQuestions(const Project& project, const std::filesystem::path& projectFile,
+                                const std::vector<ExportEntry>& entries, const Progress& progress)
+{
+    const auto folder = projectFolder(projectFile);
+    const auto guard = projectGuard(project, projectFile, {.outside = true});
+    OutputQuestions questions;
+    for (const ExportEntry& entry : entries) {
+        checkOutputs(project, entry, entries, folder, *guard);
+        for (const OutputClaim& claim : claimsOf(project, entry, folder)) {
+            progress.report(0);
+            const auto& place = claim.names.folder;
+            auto& outside = questions.outside;
+            if (!claim.isCompanion && guard->isOutside(place / claim.names.before) &&
+                std::find(outside.begin(), outside.end(), place) == outside.end())
+                outside.push_back(place);
+            for (const auto& file : filesThere(claim)) {
+                questions.existing.push_back(file);
+                if (guard->isForeign(file))
+                    questions.foreign.push_back(file);
+            }
+        }
+    }
+    return questions;
+}
+
+std::vector<ExportResult> runExports(const Project& project, const std::filesystem::path& projectFile,
+                                     const std::vector<ExportEntry>& entries, const Progress& progress,
+                                     WritePermissions permissions)
+{
+    const auto folder = projectFolder(projectFile);
+    const auto guard = projectGuard(project, projectFile, permissions);
+    for (const ExportEntry& entry : entries)
+        checkOutputs(project, entry, entries, folder, *guard);
+    computeClips(project, projectFile, entries, permissions, progress.part(0, 0.5));
+    SequenceOpener opener(project, folder, cacheFolder(projectFile));
+    const ResultStore store(cacheFolder(projectFile));
+    std::vector<ExportResult> results;
+    const auto count = static_cast<double>(entries.size());
+    const WrittenNote note(*guard, projectFile);
+    for (const ExportEntry& entry : entries) {
+        const double at = 0.5 + 0.5 * static_cast<double>(results.size()) / count;
+        const Progress part = progress.part(at, at + 0.5 / count);
+        const auto resultOf = [&](const std::string& step) { return store.load(step, {}).result; };
+        results.push_back(writeExport(entry, opener, resultOf, *guard, part));
+    }
+    return results;
+}
+
+} // namespace quadrille

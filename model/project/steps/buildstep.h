@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/progress.h"
+#include "model/project/media/filehashes.h"
+#include "model/project/media/opensequence.h"
+#include "model/project/store/result.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// What a computing step may use.
+struct StepContext
+{
+    /// The result of a step that this one lists as its input.
+    std::function<Result(const std::string& step)> resultOf;
+    /// Something worth telling the user.
+    std::function<void(Issue)> tell;
+};
+
+/// One step of the rebuild: makes one result out of files, settings and results of other steps. The same
+/// inputs give the same result, for any number of threads.
+struct BuildStep
+{
+    /// Unique; its beginnings are targets: "sequences/walk/statistics" is rebuilt by `sequences`,
+    /// `sequences/walk` and its full name.
+    std::string name;
+    /// What stands before the names of its data: "sequences/walk" + "/bounds"; may be empty.
+    std::string dataPrefix;
+    /// The character that its data are about, where a name alone would not say.
+    std::string character;
+    /// Counts up whenever the algorithm gives another result.
+    int version = 1;
+    /// All else that the result depends on, as text.
+    std::string settings;
+    /// The files that it reads, in a fixed order; called once, may throw what opening them throws.
+    std::function<std::vector<std::filesystem::path>(const Progress&)> files;
+    /// About how many bytes its result takes; unset where that is little, or not known before.
+    std::function<std::uint64_t(const Progress&)> bytes;
+    /// Names of the steps whose results it uses.
+    std::vector<std::string> inputs;
+    std::function<Result(const StepContext&, const Progress&)> compute;
+};
+
+/// The steps of the clips that some sequences show: their inputs.
+std::vector<std::string> clipInputs(const Project& project, const std::vector<std::string>& sequences);
+
+/// The folder into which a project's results go: NAME.quadrille.cache beside the project as a rule, see
+/// resultplaces.h.
+std::filesystem::path cacheFolder(const std::filesystem::path& projectFile);
+
+/// What the steps of one rebuild share.
+struct StepMaking
+{
+    std::shared_ptr<SequenceOpener> opener;
+    std::filesystem::path projectFile;
+};
+
+/// All steps of a project, each after its inputs. New capabilities add theirs here.
+std::vector<BuildStep> makeSteps(const StepMaking& making);
+
+/// A step that needs what nothing makes fails with a sentence; its inputs are those that there are.
+void refuseMissingInputs(std::vector<BuildStep>& steps);
+
+std::vector<BuildStep> makeSequenceSteps(const StepMaking& making);
+/// Pose distances, transitions and graphs of the characters that the section “graph” names, or that others
+/// need them for.
+std::vector<BuildStep> makeGraphSteps(const StepMaking& making);
+/// The papers' tables that the section “evaluations” names.
+std::vector<BuildStep> makeEvaluationSteps(const StepMaking& making);
+/// Walks and clips of the section “animations”.
+std::vector<BuildStep> makeAnimationSteps(const StepMaking& making);
+/// Models, variations and their clips of the section “variations”.
+std::vector<BuildStep> makeVariationSteps(const StepMaking& making);
+std::vector<BuildStep> makeExportSteps(const StepMaking& making);
+/// One picture of the project's sequences, contact-sheet.png among the results.
+std::vector<BuildStep> makeSheetSteps(const StepMaking& making);
+
+} // namespace quadrille

@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/steps/charactergraph.h"
+
+#include "model/synthesis/stepcosts.h"
+
+#include <algorithm>
+#include <array>
+
+namespace quadrille {
+
+namespace {
+
+void addSupports(Result& result, const std::vector<Support>& supports, const std::string& unit)
+{
+    std::vector<std::int64_t> counts;
+    std::vector<std::int64_t> vertices;
+    std::vector<double> places;
+    for (const Support& support : supports) {
+        counts.push_back(static_cast<std::int64_t>(support.vertices.size()));
+        vertices.insert(vertices.end(), support.vertices.begin(), support.vertices.end());
+        for (const Vec2d& place : support.places)
+            places.insert(places.end(), place.begin(), place.end());
+    }
+    const auto add = [&result](const char* name, const char* description, const std::string& unitOf,
+                               auto values) {
+        result.arrays.push_back(columnOf(name, unitOf, std::move(values)));
+        result.arrays.back().description = description;
+    };
+    add("support-counts", "How many vertices stand on the ground in each frame.", "", std::move(counts));
+    add("support-vertices", "The vertices that stand, frame after frame.", "", std::move(vertices));
+    add("support-places", "Where they stand on the ground, two coordinates each.", unit, std::move(places));
+    result.arrays.back().shape = {result.arrays.back().shape.front() / 2, 2};
+}
+
+void addStances(Result& result, const Stances& stances, const std::string& unit)
+{
+    DataTable feet{.name = "feet", .description = "The feet of the character; vertices by foot-vertices."};
+    std::vector<std::string> names;
+    std::vector<std::int64_t> counts;
+    std::vector<std::int64_t> vertices;
+    for (const Stances::Foot& foot : stances.feet) {
+        names.push_back(foot.name);
+        counts.push_back(static_cast<std::int64_t>(foot.vertices.size()));
+        vertices.insert(vertices.end(), foot.vertices.begin(), foot.vertices.end());
+    }
+    const auto count = static_cast<std::int64_t>(stances.feet.size());
+    std::vector<std::int64_t> standing;
+    standing.reserve(stances.standing.size() * stances.feet.size());
+    for (const std::uint32_t feetOfFrame : stances.standing)
+        for (std::size_t foot = 0; foot < stances.feet.size(); ++foot)
+            standing.push_back(feetOfFrame >> foot & 1U);
+    feet.columns = {columnOf("foot", "", std::move(names)), columnOf("vertices", "", std::move(counts))};
+    result.tables.push_back(std::move(feet));
+    const auto add = [&result](const char* name, const char* description, const std::string& unitOf,
+                               auto values) {
+        result.arrays.push_back(columnOf(name, unitOf, std::move(values)));
+        result.arrays.back().description = description;
+    };
+    add("foot-vertices", "The vertices of each foot, foot after foot.", "", std::move(vertices));
+    add("foot-height", "Height of the figure.", unit, std::vector{stances.height});
+    std::vector<double> places;
+    places.reserve(3 * stances.places.size());
+    for (const Vec3d& place : stances.places)
+        places.insert(places.end(), place.begin(), place.end());
+    add("foot-places", "Mean of the vertices of each foot in each frame.", unit, std::move(places));
+    result.arrays.back().shape = {static_cast<std::int64_t>(stances.standing.size()), count, 3};
+    add("stances", "Whether each foot stands in each frame, 1 or 0.", "", std::move(standing));
+    result.arrays.back().shape = {static_cast<std::int64_t>(stances.standing.size()), count};
+}
+
+Stances stancesOf(const Result& result)
+{
+    const auto wholes = [&](const char* name) -> const std::vector<std::int64_t>& {
+        return std::get<std::vector<std::int64_t>>(arrayOf(result, name).values);
+    };
+    Stances stances;
+    const DataTable& feet = result.tables.front();
+    const auto& names = std::get<std::vector<std::string>>(feet.columns[0].values);
+    const auto& counts = std::get<std::vector<std::int64_t>>(feet.columns[1].values);
+    auto vertex = wholes("foot-vertices").begin();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        Stances::Foot& foot = stances.feet.emplace_back();
+        foot.name = names[i];
+        for (std::int64_t v = 0; v < counts[i]; ++v)
+            foot.vertices.push_back(static_cast<std::uint32_t>(*vertex++));
+    }
+    stances.height = std::get<std::vector<double>>(arrayOf(result, "foot-height").values).front();
+    const auto& places = std::get<std::vector<double>>(arrayOf(result, "foot-places").values);
+    for (std::size_t i = 0; i < places.size(); i += 3)
+        stances.places.emplace_back(places[i], places[i + 1], places[i + 2]);
+    const DataArray& array = arrayOf(result, "stances");
+    const auto& standing = wholes("stances");
+    stances.standing.assign(static_cast<std::size_t>(array.shape[0]), 0);
+    for (std::size_t i = 0; i < standing.size(); ++i)
+        stances.standing[i / names.size()] |= static_cast<std::uint32_t>(standing[i]) << i % names.size();
+    return stances;
+}
+
+/// Body heights a second; empty where nobody knows how tall the figure is.
+std::vector<double> pacesInHeights(const RootPoses& roots, const FrameLayout& layout, double fps)
+{
+    if (roots.stances.height <= 0)
+        return {};
+    std::vector<double> paces = pacesOf(roots, layout, fps);
+    for (double& pace : paces)
+        pace /= roots.stances.height;
+    return paces;
+}
+
+[[noreturn]] void throwNoFrame(const std::string& sequence, std::int64_t frame, NodeIndex count)
+{
+    throw Error(ErrorCode::ProjectInvalid,
+                {.values = {{"reason", "“" + sequence + "” has no frame " + std::to_string(frame)},
+                            {"remedy", "Its frames are 0 to " + std::to_string(count - 1) + "."}}});
+}
+
+} // namespace
+
+Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nodeCount)
+{
+    const auto table = std::find_if(graphs.tables.begin(), graphs.tables.end(),
+                                    [&](const DataTable& candidate) { return candidate.name == name; });
+    const auto& from = std::get<std::vector<std::int64_t>>(table->columns[0].values);
+    const auto& to = std::get<std::vector<std::int64_t>>(table->columns[1].values);
+    const auto& weight = std::get<std::vector<double>>(table->columns[2].values);
+    const auto& kind = std::get<std::vector<std::string>>(table->columns[3].values);
+    std::vector<Edge> edges;
+    edges.reserve(from.size());
+    for (std::size_t e = 0; e < from.size(); ++e)
+        edges.push_back({static_cast<NodeIndex>(from[e]), static_cast<NodeIndex>(to[e]), weight[e],
+                         kind[e] == "original" ? EdgeKind::Original : EdgeKind::Transition});
+    return {nodeCount, std::move(edges)};
+}
+
+Result rootPosesResult(const RootPoses& roots, const std::string& unit)
+{
+    DataArray centres;
+    centres.name = "root-centres";
+    centres.description = "Mean of the vertices of each frame.";
+    centres.unit = unit;
+    centres.columns = {"x", "y", "z"};
+    centres.shape = {static_cast<std::int64_t>(roots.centres.size()), 3};
+    std::vector<double> values;
+    values.reserve(3 * roots.centres.size());
+    for (const Vec3d& centre : roots.centres)
+        values.insert(values.end(), centre.begin(), centre.end());
+    centres.values = std::move(values);
+    Result result;
+    result.arrays = {std::move(centres),
+                     matrixOf("root-turns",
+                              "Turn about the up axis that lays the pose of the column on that of the row.",
+                              "rad", roots.turns)};
+    addSupports(result, roots.supports, unit);
+    addStances(result, roots.stances, unit);
+    return result;
+}
+
+RootPoses rootPosesOf(const Result& result, UpAxis up)
+{
+    RootPoses roots{.up = up, .turns = tableOf<float>(arrayOf(result, "root-turns"))};
+    const auto& centres = std::get<std::vector<double>>(arrayOf(result, "root-centres").values);
+    for (std::size_t node = 0; node < centres.size() / 3; ++node)
+        roots.centres.emplace_back(centres[3 * node], centres[3 * node + 1], centres[3 * node + 2]);
+    const auto& counts = std::get<std::vector<std::int64_t>>(arrayOf(result, "support-counts").values);
+    const auto& vertices = std::get<std::vector<std::int64_t>>(arrayOf(result, "support-vertices").values);
+    const auto& places = std::get<std::vector<double>>(arrayOf(result, "support-places").values);
+    std::size_t next = 0;
+    for (const std::int64_t count : counts) {
+        Support& support = roots.supports.emplace_back();
+        for (std::int64_t i = 0; i < count; ++i, ++next) {
+            support.vertices.push_back(static_cast<std::uint32_t>(vertices[next]));
+            support.places.emplace_back(places[2 * next], places[2 * next + 1]);
+        }
+    }
+    roots.stances = stancesOf(result);
+    return roots;
+}
+
+TransitionTable transitionTableOf(const Result& result)
+{
+    const auto countsOf = [](const Table<float>& counts) -> Table<std::uint16_t> {
+        return counts.isFinite().select(counts, 0.0F).cast<std::uint16_t>();
+    };
+    const DataArray& array = arrayOf(result, "transition-windows");
+    const auto& values = std::get<std::vector<float>>(array.values);
+    using Windows = Eigen::Map<const Table<float>, 0, Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>>;
+    const Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic> everySecond(2 * array.shape[1], 2);
+    return {.cost = tableOf<float>(arrayOf(result, "transition-cost")),
+            .length = countsOf(tableOf<float>(arrayOf(result, "transition-length"))),
+            .sourceWindow = countsOf(Windows(values.data(), array.shape[0], array.shape[1], everySecond)),
+            .destinationWindow =
+                countsOf(Windows(values.data() + 1, array.shape[0], array.shape[1], everySecond))};
+}
+
+std::vector<std::string> CharacterGraph::inputs(const CharacterInputs& work)
+{
+    std::vector<std::string> steps = costInputs(work);
+    steps.push_back(work.stepName(graphstep::graphs));
+    steps.push_back(work.stepName(graphstep::rootPoses));
+    return steps;
+}
+
+CharacterGraph::CharacterGraph(const CharacterInputs& work, const StepContext& context) : m_work(work)
+{
+    const auto resultOf = [&](const char* step) { return context.resultOf(work.stepName(step)); };
+    const Result poses = resultOf(graphstep::poseDistance);
+    m_layout = layoutOf(poses);
+    m_distances = tableOf<float>(poses.arrays.front());
+    m_transitions = transitionTableOf(resultOf(graphstep::transitions));
+    m_costs = costsOf(work, context);
+    m_graph = storedGraph(resultOf(graphstep::graphs), "essential-graph", m_layout.frameCount());
+    const ProjectSettings& settings = work.opener->project().settings;
+    m_roots = rootPosesOf(resultOf(graphstep::rootPoses), settings.axes.up);
+    if (!work.graph.steps.isNothing())
+        m_steps = weightedSteps(m_distances, stepCosts(m_roots, m_layout, settings.fps), work.graph.steps);
+    if (knowsDrifts(work.graph))
+        m_drifts = tableOf<float>(resultOf(graphstep::drifts).arrays.front());
+    m_paths.emplace(steps(), m_layout, transitionSettings(work.graph, settings.fps));
+}
+
+CostParts CharacterGraph::partsOf(const FramePair& pair) const
+{
+    const CostSplit split{.distances = m_distances,
+                          .steps = steps(),
+                          .stances = m_roots.stances,
+                          .contactWeight = m_work.graph.steps.contacts,
+                          .drifts = m_drifts,
+                          .paths = *m_paths,
+                          .transitions = m_transitions,
+                          .costs = *m_costs};
+    return split.of(pair);
+}
+
+WalkMaterial CharacterGraph::material(const BlendSettings& blend, bool isAlongPath) const
+{
+    const auto transition = [this](const FramePair& pair) {
+        const auto known = m_paths->of(m_transitions, pair);
+        return known ? *known : m_paths->get(pair);
+    };
+    return {.graph = m_graph,
+            .costs = *m_costs,
+            .alpha = alpha(),
+            .motion = {.roots = &m_roots,
+                       .transition = transition,
+                       .blend = blend,
+                       .metresPerUnit = metresPerUnit(),
+                       .fps = fps()},
+            .locomotion = isAlongPath ? locomotion() : std::vector<bool>(),
+            .inAir = framesInAir(m_roots.stances, m_layout, fps()),
+            .paces = isAlongPath ? pacesInHeights(m_roots, m_layout, fps()) : std::vector<double>()};
+}
+
+WalkSpan CharacterGraph::span(const std::string& sequence, const std::optional<FrameRange>& range) const
+{
+    const auto found = std::find(m_work.sequences.begin(), m_work.sequences.end(), sequence);
+    if (found == m_work.sequences.end())
+        throw Error(ErrorCode::ProjectInvalid,
+                    {.values = {{"reason", "The graph has no sequence “" + sequence + "”"},
+                                {"remedy", "Correct the name."}}});
+    const auto index = static_cast<int>(found - m_work.sequences.begin());
+    const NodeIndex count = m_layout.countOf(index);
+    if (!range)
+        return {m_layout.firstOf(index), m_layout.lastOf(index)};
+    for (const FrameIndex frame : {range->first, range->last}) {
+        if (frame.value < 0 || frame.value >= count)
+            throwNoFrame(sequence, frame.value, count);
+    }
+    return {m_layout.firstOf(index) + static_cast<NodeIndex>(range->first.value),
+            m_layout.firstOf(index) + static_cast<NodeIndex>(range->last.value)};
+}
+
+NodeIndex CharacterGraph::node(const NamedFrame& frame) const
+{
+    return span(frame.sequence, FrameRange{frame.frame, frame.frame}).first;
+}
+
+NamedFrame CharacterGraph::nameOf(NodeIndex node) const
+{
+    const int sequence = m_layout.sequenceOf(node);
+    return {m_work.sequences[static_cast<std::size_t>(sequence)],
+            FrameIndex(node - m_layout.firstOf(sequence))};
+}
+
+Error CharacterGraph::named(const Error& error) const
+{
+    constexpr std::array codes{ErrorCode::NoTransition, ErrorCode::WalkKeyUnreachable};
+    if (std::find(codes.begin(), codes.end(), error.code()) == codes.end())
+        return error;
+    ErrorContext context = error.context();
+    for (auto& [key, value] : context.values) {
+        const bool isFrame = key == "source" || key == "destination" || key == "frame" ||
+                             (key == "nearest" && value.find_first_not_of("0123456789") == value.npos);
+        if (!isFrame)
+            continue;
+        const NamedFrame frame = nameOf(static_cast<NodeIndex>(std::stol(value)));
+        value = std::to_string(frame.frame.value) + " of “" + frame.sequence + "”";
+    }
+    return Error(error.code(), std::move(context));
+}
+
+} // namespace quadrille

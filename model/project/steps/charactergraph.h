@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/graph/digraph.h"
+#include "model/project/steps/charactersteps.h"
+#include "model/project/steps/costparts.h"
+#include "model/synthesis/findwalk.h"
+#include "model/synthesis/rootposes.h"
+#include "model/synthesis/walk.h"
+#include "model/transition/warppath.h"
+
+#include <optional>
+
+namespace quadrille {
+
+/// One of both graphs, "essential-graph" or "motion-graph", from the result of the step of graphs.
+Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nodeCount);
+
+/// \param unit  of lengths.
+Result rootPosesResult(const RootPoses& roots, const std::string& unit);
+RootPoses rootPosesOf(const Result& result, UpAxis up);
+/// From the result of the step of transitions.
+TransitionTable transitionTableOf(const Result& result);
+
+/// What walks through the frames of a character need, from the results of its graph's steps.
+class CharacterGraph
+{
+public:
+    /// The steps whose results it is made of.
+    static std::vector<std::string> inputs(const CharacterInputs& work);
+
+    CharacterGraph(const CharacterInputs& work, const StepContext& context);
+    CharacterGraph(const CharacterGraph&) = delete;
+    CharacterGraph& operator=(const CharacterGraph&) = delete;
+
+    const CharacterInputs& work() const { return m_work; }
+    const FrameLayout& layout() const { return m_layout; }
+    const Table<float>& distances() const { return m_distances; }
+    const TransitionCosts& costs() const { return *m_costs; }
+    /// What transitions are sought by: the distances, and what else frames that are blended differ in.
+    const Table<float>& steps() const { return m_steps.size() > 0 ? m_steps : m_distances; }
+    /// What the cost of a transition is made of; adds up to costs().cost() of it. \pre It has a transition.
+    CostParts partsOf(const FramePair& pair) const;
+    const WarpPaths& paths() const { return *m_paths; }
+    /// All transitions, whatever costs are scaled by.
+    const TransitionTable& transitions() const { return m_transitions; }
+    const RootPoses& roots() const { return m_roots; }
+    /// The Essential graph.
+    const Digraph& graph() const { return m_graph; }
+    double alpha() const { return m_work.graph.alpha; }
+    double fps() const { return m_work.opener->project().settings.fps; }
+    double metresPerUnit() const { return m_work.opener->project().settings.axes.metresPerUnit; }
+    /// Which frames are locomotion: those of sequences whose poses come back and that always get on,
+    /// and, of others without a jump, what lies between the first and the last frame that gets on and is as
+    /// near to them as such sequences are to each other, where that is half of the take.
+    std::vector<bool> locomotion() const;
+    /// What walks are sought in; refers to this object. \param blend  how transitions will be blended.
+    /// \param isAlongPath  whether there will be a path, for which locomotion counts.
+    WalkMaterial material(const BlendSettings& blend, bool isAlongPath) const;
+
+    /// A frame by the name of its sequence. \throws Error ProjectInvalid where there is none.
+    NodeIndex node(const NamedFrame& frame) const;
+    /// Some frames of a sequence. \throws Error as node.
+    WalkSpan span(const std::string& sequence, const std::optional<FrameRange>& range) const;
+    NamedFrame nameOf(NodeIndex node) const;
+    /// An error of a walk with its frames called by their sequences.
+    Error named(const Error& error) const;
+
+private:
+    CharacterInputs m_work;
+    FrameLayout m_layout;
+    Table<float> m_distances;
+    Table<float> m_steps;  ///< empty where they are the distances
+    Table<float> m_drifts; ///< of footDrifts; empty where costs do not know them
+    std::optional<TransitionCosts> m_costs;
+    std::optional<WarpPaths> m_paths;
+    TransitionTable m_transitions;
+    RootPoses m_roots;
+    Digraph m_graph;
+};
+
+} // namespace quadrille

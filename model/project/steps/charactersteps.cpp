@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/steps/charactersteps.h"
+
+#include "model/project/document/madeclips.h"
+#include "model/project/media/sequencesettings.h"
+#include "model/synthesis/liveliness.h"
+#include "model/synthesis/stepcosts.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace quadrille {
+
+CharacterFrames CharacterInputs::open(const Progress& progress) const
+{
+    std::vector<MeshSequence> opened;
+    for (std::size_t i = 0; i < sequences.size(); ++i) {
+        progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(sequences.size()));
+        opened.push_back(opener->open(sequences[i], progress)->sequence);
+    }
+    return CharacterFrames(opened);
+}
+
+BuildStep CharacterInputs::step(const std::string& name) const
+{
+    BuildStep step;
+    step.name = stepName(name);
+    step.character = character;
+    return step;
+}
+
+std::vector<std::filesystem::path> CharacterInputs::files(const Progress& progress) const
+{
+    std::vector<std::filesystem::path> all;
+    for (const std::string& sequence : sequences) {
+        const auto own = opener->filesOf(sequence, progress);
+        all.insert(all.end(), own.begin(), own.end());
+    }
+    return all;
+}
+
+std::vector<GraphEntry> graphsOf(const Project& project)
+{
+    std::vector<GraphEntry> graphs = project.graphs;
+    const auto add = [&](const std::string& character) {
+        const auto isIts = [&](const GraphEntry& graph) { return isGraphOf(project, graph, character); };
+        if (std::none_of(graphs.begin(), graphs.end(), isIts))
+            graphs.emplace_back().character = character;
+    };
+    for (const EvaluationEntry& evaluation : project.evaluations) {
+        if (!evaluation.character.empty() || project.characters.empty())
+            add(evaluation.character);
+        else
+            for (const CharacterEntry& character : project.characters)
+                add(character.name);
+    }
+    for (const AnimationEntry& animation : project.animations)
+        add(characterNameOf(project, animation));
+    return graphs;
+}
+
+bool isGraphOf(const Project& project, const GraphEntry& graph, const std::string& character)
+{
+    return graph.character == character || (graph.character.empty() && project.characters.size() < 2);
+}
+
+GraphEntry graphOf(const Project& project, const std::string& character)
+{
+    for (const GraphEntry& graph : project.graphs) {
+        if (isGraphOf(project, graph, character))
+            return graph;
+    }
+    GraphEntry usual;
+    usual.character = character;
+    return usual;
+}
+
+CharacterInputs characterWork(const std::shared_ptr<SequenceOpener>& opener, const GraphEntry& graph)
+{
+    const Project& project = opener->project();
+    CharacterInputs work{.opener = opener, .graph = graph, .character = graph.character};
+    if (work.character.empty() && !project.characters.empty())
+        work.character = project.characters.front().name;
+    work.prefix = project.characters.size() > 1 ? "graph/" + work.character : "graph";
+    work.sequences = sequencesOfGraph(project, work.character);
+    for (const std::string& name : work.sequences)
+        work.settings += sequenceSettings(project, *findSequence(project, name));
+    return work;
+}
+
+const DataArray& arrayOf(const Result& result, const std::string& name)
+{
+    const auto found = std::find_if(result.arrays.begin(), result.arrays.end(),
+                                    [&](const DataArray& array) { return array.name == name; });
+    assert(found != result.arrays.end());
+    return *found;
+}
+
+FrameLayout layoutOf(const Result& distances)
+{
+    return FrameLayout(std::get<std::vector<std::int64_t>>(arrayOf(distances, "sequence-lengths").values));
+}
+
+TransitionCosts costsOf(const CharacterInputs& work, const StepContext& context)
+{
+    const Result distances = context.resultOf(work.stepName(graphstep::poseDistance));
+    const Result transitions = context.resultOf(work.stepName(graphstep::transitions));
+    const FrameLayout layout = layoutOf(distances);
+    const Table<float> poses = tableOf<float>(distances.arrays.front());
+    const Table<float> lengths = tableOf<float>(arrayOf(transitions, "transition-length"));
+    const double greatest = work.graph.greatestDistance.value_or(poses.size() > 0 ? poses.maxCoeff() : 0.0F);
+    const Table<std::uint16_t> counts = lengths.isFinite().select(lengths, 0.0F).cast<std::uint16_t>();
+    Table<float> costs = tableOf<float>(arrayOf(transitions, "transition-cost"));
+    if (knowsDrifts(work.graph)) {
+        const Result drifts = context.resultOf(work.stepName(graphstep::drifts));
+        addDrifts(costs, tableOf<float>(drifts.arrays.front()), counts,
+                  work.graph.cost == TransitionCost::Sum, work.graph.steps);
+    }
+    if (work.graph.costScale == CostScale::Liveliness) {
+        const Result liveliness = context.resultOf(work.stepName(graphstep::liveliness));
+        costs = costPerLiveliness(costs, layout, tableOf<double>(liveliness.arrays.front()));
+    }
+    return {std::move(costs), counts, greatest, layout};
+}
+
+bool knowsDrifts(const GraphEntry& graph)
+{
+    return graph.steps.contacts > 0;
+}
+
+std::vector<std::string> costInputs(const CharacterInputs& work)
+{
+    std::vector<std::string> inputs{work.stepName(graphstep::poseDistance),
+                                    work.stepName(graphstep::transitions)};
+    if (work.graph.costScale == CostScale::Liveliness)
+        inputs.push_back(work.stepName(graphstep::liveliness));
+    if (knowsDrifts(work.graph))
+        inputs.push_back(work.stepName(graphstep::drifts));
+    return inputs;
+}
+
+nlohmann::json costSettings(const GraphEntry& graph)
+{
+    return {graph.greatestDistance.value_or(0),
+            graph.costScale == CostScale::Liveliness ? "liveliness" : "none", graph.steps.contacts};
+}
+
+} // namespace quadrille

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/graph/transitioncosts.h"
+#include "model/project/steps/buildstep.h"
+#include "model/transition/characterframes.h"
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// The sequences of one character that its graph is made of, and what the steps about them have in common.
+struct CharacterInputs
+{
+    std::shared_ptr<SequenceOpener> opener;
+    GraphEntry graph;
+    std::string character;
+    std::string prefix;                 ///< of the names of the graph's steps
+    std::vector<std::string> sequences; ///< in project order
+    std::string settings;               ///< of all sequences
+
+    /// \throws Error what opening the sequences throws, CharacterTopologyMismatch.
+    CharacterFrames open(const Progress& progress) const;
+    /// A step about the character; "PREFIX/NAME".
+    BuildStep step(const std::string& name) const;
+    std::string stepName(const std::string& name) const { return prefix + "/" + name; }
+    /// The files of all sequences, for BuildStep::files.
+    std::vector<std::filesystem::path> files(const Progress& progress) const;
+};
+
+/// The steps' names, for CharacterInputs::stepName.
+namespace graphstep {
+inline constexpr auto poseDistance = "pose-distance";
+inline constexpr auto euclideanDistance = "euclidean-distance";
+inline constexpr auto transitions = "transitions";
+inline constexpr auto drifts = "foot-drifts";
+inline constexpr auto liveliness = "liveliness";
+inline constexpr auto graphs = "graphs";
+inline constexpr auto edges = "edges"; ///< told by name and cost; nothing else needs them
+inline constexpr auto rootPoses = "root-poses";
+} // namespace graphstep
+
+/// The section “graph”, and the usual settings for characters that only other sections are about.
+std::vector<GraphEntry> graphsOf(const Project& project);
+
+/// Whether settings are those of a character.
+bool isGraphOf(const Project& project, const GraphEntry& graph, const std::string& character);
+/// The graph settings of a character: those of the project, or the usual ones.
+GraphEntry graphOf(const Project& project, const std::string& character);
+
+CharacterInputs characterWork(const std::shared_ptr<SequenceOpener>& opener, const GraphEntry& graph);
+
+/// A square or other table as data.
+template <typename Value>
+DataArray matrixOf(std::string name, std::string description, std::string unit, const Table<Value>& table)
+{
+    DataArray array;
+    array.name = std::move(name);
+    array.description = std::move(description);
+    array.unit = std::move(unit);
+    array.shape = {table.rows(), table.cols()};
+    array.values = std::vector<float>(table.data(), table.data() + table.size());
+    return array;
+}
+
+/// \pre There is one.
+const DataArray& arrayOf(const Result& result, const std::string& name);
+
+/// A matrix of single precision.
+template <typename Value>
+Table<Value> tableOf(const DataArray& array)
+{
+    const auto& values = std::get<std::vector<float>>(array.values);
+    return Eigen::Map<const Table<float>>(values.data(), array.shape[0], array.shape[1])
+        .template cast<Value>();
+}
+
+/// \param distances  the result of the step of pose distances.
+FrameLayout layoutOf(const Result& distances);
+
+/// Whether costs know how far feet are dragged, by the step of drifts.
+bool knowsDrifts(const GraphEntry& graph);
+/// What the graphs are made of, from the results of the steps that costInputs names.
+TransitionCosts costsOf(const CharacterInputs& work, const StepContext& context);
+/// Pose distances, transitions, and what else their costs depend on.
+std::vector<std::string> costInputs(const CharacterInputs& work);
+/// The settings of `costsOf` that no step before knows, for BuildStep::settings.
+nlohmann::json costSettings(const GraphEntry& graph);
+
+} // namespace quadrille

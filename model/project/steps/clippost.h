@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/steps/charactersteps.h"
+#include "model/synthesis/postprocessing.h"
+#include "model/synthesis/stances.h"
+
+namespace quadrille {
+
+/// What the post-processing of an animation needs to know of its character: when feet stand, and its
+/// symmetry, from the file that is named or the character's mesh. \param stances  of the graph's frames.
+PostProcessingInputs postProcessingInputs(const AnimationEntry& animation, const CharacterInputs& work,
+                                          const CharacterFrames& frames, const Stances& stances);
+
+/// The file of the symmetry; none where it is not named or not needed.
+std::vector<std::filesystem::path> symmetryFiles(const AnimationEntry& animation,
+                                                 const CharacterInputs& work);
+
+} // namespace quadrille

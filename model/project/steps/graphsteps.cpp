@@ -1,0 +1,353 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/graph/comparison.h"
+#include "model/graph/shortestpath.h"
+#include "model/project/document/lengthunit.h"
+#include "model/project/media/sequencesettings.h"
+#include "model/project/steps/charactergraph.h"
+#include "model/project/steps/graphtables.h"
+#include "model/synthesis/footdrift.h"
+#include "model/synthesis/liveliness.h"
+#include "model/synthesis/stepcosts.h"
+#include "model/transition/posedistance.h"
+#include "model/transition/transitiontable.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+namespace quadrille {
+
+namespace {
+
+/// What the steps that follow need to know of the frames.
+void addLayout(Result& result, const PoseDistances& distances)
+{
+    std::vector<std::int64_t> lengths;
+    lengths.reserve(static_cast<std::size_t>(distances.layout.sequenceCount()));
+    for (int s = 0; s < distances.layout.sequenceCount(); ++s)
+        lengths.push_back(distances.layout.countOf(s));
+    result.arrays.push_back(columnOf("sequence-lengths", "frame", std::move(lengths)));
+    result.arrays.back().description = "Frames of each sequence, in the order of the project.";
+    result.arrays.push_back(
+        columnOf("triangles", "", std::vector{distances.trianglesUsed, distances.trianglesLeftOut}));
+    result.arrays.back().description = "Triangles used, and those left out because they have no area.";
+}
+
+/// Of so many tables of all pairs of frames.
+auto bytesOfTables(const CharacterInputs& work, double tables)
+{
+    return [work, tables](const Progress& progress) {
+        const double frames = work.open(progress).frameCount();
+        return static_cast<std::uint64_t>(tables * frames * frames * static_cast<double>(sizeof(float)));
+    };
+}
+
+BuildStep distanceStep(const CharacterInputs& work, const std::string& name, PoseDistanceSettings settings)
+{
+    const bool isSurface = settings.metric == PoseMetric::Surface;
+    BuildStep step = work.step(name);
+    step.version = isSurface ? 1 : 2;
+    step.settings =
+        work.settings + nlohmann::json({isSurface ? "surface" : "euclidean", settings.stretchWeight}).dump();
+    step.files = [work](const Progress& progress) { return work.files(progress); };
+    step.inputs = clipInputs(work.opener->project(), work.sequences);
+    if (step.inputs.empty()) // else frames are not known before
+        step.bytes = bytesOfTables(work, 1);
+    const auto metres = static_cast<float>(work.opener->project().settings.axes.metresPerUnit);
+    step.compute = [=](const StepContext&, const Progress& progress) {
+        const CharacterFrames frames = work.open(progress.part(0, 0.05));
+        PoseDistances distances = poseDistances(frames, settings, progress.part(0.05, 1));
+        if (!isSurface)
+            distances.distances *= metres;
+        Result result;
+        result.arrays = {
+            matrixOf(name,
+                     isSurface ? "Surface distance between the poses of all frames, rigid motion removed."
+                               : "Mean distance of the vertices between all frames, rigid motion removed.",
+                     isSurface ? "rad" : "m", distances.distances)};
+        if (name == graphstep::poseDistance)
+            addLayout(result, distances);
+        return result;
+    };
+    return step;
+}
+
+BuildStep transitionStep(const CharacterInputs& work, const BuildStep& distances)
+{
+    const TransitionSettings settings = transitionSettings(work.graph, work.opener->project().settings.fps);
+    BuildStep step = work.step(graphstep::transitions);
+    const StepWeights weights = work.graph.steps;
+    const double fps = settings.fps;
+    const UpAxis up = work.opener->project().settings.axes.up;
+    step.settings = nlohmann::json({settings.shortest(), settings.longest(), settings.shortensInShortTakes,
+                                    settings.slope, weights.contacts, weights.velocity, fps,
+                                    settings.cost == TransitionCost::Sum ? "sum" : "mean",
+                                    settings.length == TransitionLength::Path ? "path" : "windows"})
+                        .dump();
+    step.inputs = {distances.name};
+    if (!weights.isNothing())
+        step.inputs.push_back(work.stepName(graphstep::rootPoses));
+    if (distances.bytes)
+        step.bytes = bytesOfTables(work, 4);
+    step.compute = [=, inputs = step.inputs](const StepContext& context, const Progress& progress) {
+        const Result poses = context.resultOf(inputs.front());
+        Table<float> steps = tableOf<float>(poses.arrays.front());
+        if (!weights.isNothing())
+            steps = weightedSteps(
+                steps, stepCosts(rootPosesOf(context.resultOf(inputs[1]), up), layoutOf(poses), fps),
+                weights);
+        const TransitionTable table = transitionTable(steps, layoutOf(poses), settings, progress);
+        constexpr float none = TransitionTable::none;
+        const auto frames = [&](const Table<std::uint16_t>& counts) -> Table<float> {
+            return (counts == 0).select(none, counts.cast<float>());
+        };
+        const auto n = static_cast<std::size_t>(table.cost.size());
+        const Table<float> source = frames(table.sourceWindow);
+        const Table<float> destination = frames(table.destinationWindow);
+        std::vector<float> windows(2 * n);
+        for (std::size_t pair = 0; pair < n; ++pair) {
+            windows[2 * pair] = source.data()[pair];
+            windows[2 * pair + 1] = destination.data()[pair];
+        }
+        Result result;
+        result.arrays = {matrixOf("transition-cost",
+                                  "D, the cost of the best transition from a frame (row) to another.",
+                                  poses.arrays.front().unit, table.cost),
+                         matrixOf("transition-length", "L, the frames that this transition lasts.", "frame",
+                                  frames(table.length)),
+                         DataArray{.name = "transition-windows",
+                                   .description = "Frames of its source and destination window.",
+                                   .unit = "frame",
+                                   .shape = {table.cost.rows(), table.cost.cols(), 2},
+                                   .values = std::move(windows)}};
+        return result;
+    };
+    return step;
+}
+
+/// What costs know of feet beside the frames that are blended.
+BuildStep driftStep(const CharacterInputs& work)
+{
+    BuildStep step = work.step(graphstep::drifts);
+    step.version = 2;
+    const double fps = work.opener->project().settings.fps;
+    const UpAxis up = work.opener->project().settings.axes.up;
+    step.settings = nlohmann::json({fps}).dump();
+    step.inputs = {work.stepName(graphstep::poseDistance), work.stepName(graphstep::rootPoses),
+                   work.stepName(graphstep::transitions)};
+    step.compute = [=, inputs = step.inputs](const StepContext& context, const Progress& progress) {
+        const FrameLayout layout = layoutOf(context.resultOf(inputs[0]));
+        const RootPoses roots = rootPosesOf(context.resultOf(inputs[1]), up);
+        Result result;
+        result.arrays = {matrixOf(
+            "transition-drift",
+            "How far the blend of the best transition from a frame (row) to another drags a foot "
+            "that stands.",
+            "body heights",
+            footDrifts(roots, layout, transitionTableOf(context.resultOf(inputs[2])), fps, progress))};
+        return result;
+    };
+    return step;
+}
+
+/// The parts of costs, from the results that the graphs are made of.
+class TransitionParts
+{
+public:
+    TransitionParts(const CharacterInputs& work, const TransitionCosts& costs, const StepContext& context)
+        : m_costs(costs), m_contactWeight(work.graph.steps.contacts)
+    {
+        const ProjectSettings& settings = work.opener->project().settings;
+        const auto resultOf = [&](const char* step) { return context.resultOf(work.stepName(step)); };
+        m_distances = tableOf<float>(resultOf(graphstep::poseDistance).arrays.front());
+        m_transitions = transitionTableOf(resultOf(graphstep::transitions));
+        const RootPoses roots = rootPosesOf(resultOf(graphstep::rootPoses), settings.axes.up);
+        m_steps =
+            weightedSteps(m_distances, stepCosts(roots, costs.layout(), settings.fps), work.graph.steps);
+        m_stances = roots.stances;
+        if (knowsDrifts(work.graph))
+            m_drifts = tableOf<float>(resultOf(graphstep::drifts).arrays.front());
+        m_paths.emplace(m_steps, costs.layout(), transitionSettings(work.graph, settings.fps));
+    }
+
+    CostParts of(const FramePair& pair) const
+    {
+        const CostSplit split{.distances = m_distances,
+                              .steps = m_steps,
+                              .stances = m_stances,
+                              .contactWeight = m_contactWeight,
+                              .drifts = m_drifts,
+                              .paths = *m_paths,
+                              .transitions = m_transitions,
+                              .costs = m_costs};
+        return split.of(pair);
+    }
+
+private:
+    const TransitionCosts& m_costs;
+    double m_contactWeight;
+    Table<float> m_distances;
+    Table<float> m_steps;
+    Table<float> m_drifts;
+    Stances m_stances;
+    TransitionTable m_transitions;
+    std::optional<WarpPaths> m_paths;
+};
+
+BuildStep graphStep(const CharacterInputs& work)
+{
+    BuildStep step = work.step(graphstep::graphs);
+    step.version = 3;
+    step.settings = nlohmann::json({work.graph.alpha, costSettings(work.graph), work.sequences,
+                                    static_cast<int>(work.graph.smoothing)})
+                        .dump();
+    step.inputs = costInputs(work);
+    step.compute = [work, graph = work.graph, sequences = work.sequences](const StepContext& context,
+                                                                          const Progress& progress) {
+        const TransitionCosts costs = costsOf(work, context);
+        const auto minima = costMinima(costs, graph.smoothing, progress.part(0, 0.05));
+        const Digraph motion = motionGraph(costs, minima, graph.alpha);
+        const EssentialGraph essential = essentialGraph(costs, graph.alpha, progress.part(0.05, 0.6));
+        const GraphStatistics ofEssential = graphStatistics(essential.graph, essential.pathCosts);
+        const GraphStatistics ofMotion =
+            graphStatistics(motion, shortestPathCosts(motion, progress.part(0.6, 1)));
+        TableBuilder statistics = statisticsTable("graph-statistics", "Both graphs at the project's alpha.");
+        addStatistics(statistics, "essential", graph.alpha, ofEssential);
+        addStatistics(statistics, "motion", graph.alpha, ofMotion);
+        TableBuilder components = componentTable("graph-components");
+        addComponents(components, "essential", graph.alpha, ofEssential.connectivity, costs.layout(),
+                      sequences);
+        addComponents(components, "motion", graph.alpha, ofMotion.connectivity, costs.layout(), sequences);
+        Result result;
+        result.tables = {
+            graphTable("motion-graph", "The motion graph; motion-graph-edges tells more.", motion),
+            graphTable("essential-graph", "The Essential graph; essential-graph-edges tells more.",
+                       essential.graph),
+            std::move(statistics).table(), std::move(components).table()};
+        return result;
+    };
+    return step;
+}
+
+/// A step of its own: the parts of many costs take longer than the graphs, which others wait for.
+BuildStep edgeStep(const CharacterInputs& work)
+{
+    BuildStep step = work.step(graphstep::edges);
+    step.inputs = costInputs(work);
+    step.inputs.push_back(work.stepName(graphstep::rootPoses));
+    step.inputs.push_back(work.stepName(graphstep::graphs));
+    step.settings = costSettings(work.graph).dump();
+    step.compute = [work, graphs = step.inputs.back()](const StepContext& context, const Progress& progress) {
+        const TransitionCosts costs = costsOf(work, context);
+        const TransitionParts parts(work, costs, context);
+        const EdgeNaming naming{costs, [&](const FramePair& pair) { return parts.of(pair); }, work.sequences};
+        const Result both = context.resultOf(graphs);
+        const NodeIndex frames = costs.layout().frameCount();
+        Result result;
+        result.tables = {
+            edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.",
+                      storedGraph(both, "motion-graph", frames), naming, progress.part(0, 0.1)),
+            edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.",
+                      storedGraph(both, "essential-graph", frames), naming, progress.part(0.1, 1))};
+        return result;
+    };
+    return step;
+}
+
+/// What costs are scaled by on demand.
+BuildStep livelinessStep(const CharacterInputs& work)
+{
+    BuildStep step = work.step(graphstep::liveliness);
+    step.settings = work.settings;
+    step.files = [work](const Progress& progress) { return work.files(progress); };
+    step.inputs = clipInputs(work.opener->project(), work.sequences);
+    step.compute = [work, up = work.opener->project().settings.axes.up](const StepContext&,
+                                                                        const Progress& progress) {
+        const CharacterFrames frames = work.open(progress.part(0, 0.2));
+        const Table<double> liveliness =
+            livelinessOf(frameMeasures(frames, {}, up, progress.part(0.2, 1)), frames.layout());
+        Result result;
+        result.arrays = {matrixOf("liveliness",
+                                  "How fast vertices speed up and slow down in each pair of sequences, 95th "
+                                  "percentile of the frames.",
+                                  unitText(work.opener->project().settings.axes.metresPerUnit) + "/s²",
+                                  Table<float>(liveliness.cast<float>()))};
+        return result;
+    };
+    return step;
+}
+
+/// Where the frames stand and how they are turned, for walks.
+BuildStep rootPosesStep(const CharacterInputs& work)
+{
+    const UpAxis up = work.opener->project().settings.axes.up;
+    BuildStep step = work.step(graphstep::rootPoses);
+    step.version = 5;
+    step.settings = work.settings;
+    for (const std::string& name : work.sequences)
+        step.settings += contactSettings(*findSequence(work.opener->project(), name));
+    step.files = [work](const Progress& progress) { return work.files(progress); };
+    step.inputs = clipInputs(work.opener->project(), work.sequences);
+    step.compute = [work, up](const StepContext&, const Progress& progress) {
+        const CharacterFrames frames = work.open(progress.part(0, 0.05));
+        RootPoses roots = rootPoses(frames, up, progress.part(0.05, 0.8));
+        roots.supports = findSupports(frames, up, progress.part(0.8, 0.9));
+        constexpr std::size_t enough = 48; // vertices that stand
+        thinSupports(roots.supports, enough);
+        roots.stances = findStances(frames, up, progress.part(0.9, 1));
+        return rootPosesResult(roots, unitText(work.opener->project().settings.axes.metresPerUnit));
+    };
+    return step;
+}
+
+} // namespace
+
+GraphEntry GraphEntry::paper()
+{
+    GraphEntry entry;
+    entry.cost = TransitionCost::Sum;
+    entry.costScale = CostScale::None;
+    entry.length = TransitionLength::Path;
+    entry.steps = {};
+    entry.durations = {1.0 / 3, 2.0};
+    return entry;
+}
+
+TransitionSettings transitionSettings(const GraphEntry& entry, double fps)
+{
+    TransitionSettings settings{.fps = fps, .slope = entry.slope, .cost = entry.cost, .length = entry.length};
+    constexpr double rounding = 1e-9;
+    const auto [shortest, longest] = entry.durations.value_or(usualDurations);
+    settings.shortestWindow = std::max(1, static_cast<int>(std::ceil(fps * shortest - rounding)));
+    settings.longestWindow =
+        std::max(settings.shortest(), static_cast<int>(std::floor(fps * longest + rounding)));
+    settings.shortensInShortTakes = !entry.durations;
+    return settings;
+}
+
+std::vector<BuildStep> makeGraphSteps(const StepMaking& making)
+{
+    std::vector<BuildStep> steps;
+    for (const GraphEntry& graph : graphsOf(making.opener->project())) {
+        const CharacterInputs work = characterWork(making.opener, graph);
+        if (work.sequences.empty())
+            continue;
+        const BuildStep distances = distanceStep(work, graphstep::poseDistance, graph.pose);
+        const BuildStep transitions = transitionStep(work, distances);
+        steps.push_back(distances);
+        steps.push_back(distanceStep(work, graphstep::euclideanDistance, {.metric = PoseMetric::Euclidean}));
+        steps.push_back(rootPosesStep(work));
+        steps.push_back(transitions);
+        if (knowsDrifts(graph))
+            steps.push_back(driftStep(work));
+        if (graph.costScale == CostScale::Liveliness)
+            steps.push_back(livelinessStep(work));
+        steps.push_back(graphStep(work));
+        steps.push_back(edgeStep(work));
+    }
+    return steps;
+}
+
+} // namespace quadrille

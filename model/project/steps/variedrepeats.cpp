@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/steps/variedrepeats.h"
+
+#include "model/core/contains.h"
+#include "model/core/error.h"
+#include "model/core/message.h"
+#include "model/project/document/clipdependencies.h"
+#include "model/project/document/madeclips.h"
+#include "model/project/document/paths.h"
+#include "model/project/media/opensequence.h"
+#include "model/project/steps/buildstep.h"
+#include "model/project/steps/charactersteps.h"
+#include "model/project/steps/rebuild.h"
+#include "model/project/store/resultstore.h"
+#include "model/project/store/tablebuilder.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace quadrille {
+
+namespace {
+
+/// The take that samples vary frame by frame; nothing where it is a blend, which has frames of its own.
+std::optional<std::string> singleTake(const SamplesEntry& samples)
+{
+    return samples.to.empty() ? std::optional(samples.of) : std::nullopt;
+}
+
+template <typename Value>
+const std::vector<Value>& columnNamed(const DataTable& table, const std::string& name)
+{
+    const auto column = std::find_if(table.columns.begin(), table.columns.end(),
+                                     [&](const DataArray& each) { return each.name == name; });
+    return std::get<std::vector<Value>>(column->values);
+}
+
+} // namespace
+
+bool isOfGraph(const Project& project, const VariationEntry& variation)
+{
+    const std::vector<std::string> graph = sequencesOfGraph(project, characterNameOf(project, variation));
+    return std::all_of(variation.training.begin(), variation.training.end(),
+                       [&](const TrainingEntry& take) { return contains(graph, take.sequence); });
+}
+
+std::vector<std::string> clipsDrawnFrom(const Project& project, const AnimationEntry& animation)
+{
+    std::vector<std::string> clips;
+    if (!animation.post.variations)
+        return clips;
+    const std::string& from = animation.post.variations->from;
+    const std::string character = characterNameOf(project, animation);
+    const std::vector<std::string> graph = sequencesOfGraph(project, character);
+    for (const VariationEntry* variation : learnedVariations(project, character)) {
+        if (from.empty() ? !isOfGraph(project, *variation) : variation->name != from)
+            continue;
+        for (int number = 1; number <= variationCount(*variation); ++number) {
+            const auto take = singleTake(variation->samples[placeOfVariation(*variation, number)->set]);
+            if (take && contains(graph, *take) && !isDiscarded(*variation, number))
+                clips.push_back(variationClip(variation->name, number));
+        }
+    }
+    return clips;
+}
+
+std::optional<TakeVariation> takeVariation(const std::string& clip, const Result& result,
+                                           const CharacterGraph& graph)
+{
+    if (result.tables.empty())
+        return std::nullopt;
+    const DataTable& frames = result.tables.front();
+    const auto& sequences = columnNamed<std::string>(frames, "sequence");
+    const auto& sources = columnNamed<std::int64_t>(frames, "source-frame");
+    TakeVariation variation{.name = clip,
+                            .first = graph.node({sequences.front(), FrameIndex(sources.front())}),
+                            .last = graph.node({sequences.back(), FrameIndex(sources.back())}),
+                            .positions = {}};
+    // Evenly faster or slower it has the tempo of the take.
+    const DataArray& positions = arrayOf(result, "positions");
+    const auto& values = std::get<std::vector<float>>(positions.values);
+    const auto own = static_cast<std::size_t>(positions.shape[0]);
+    const auto vertices = static_cast<std::size_t>(positions.shape[1]);
+    const auto wanted = static_cast<std::size_t>(variation.frameCount());
+    const auto at = [&](std::size_t frame, std::size_t vertex) {
+        return Vec3f(&values[3 * (frame * vertices + vertex)]);
+    };
+    variation.positions.reserve(wanted * vertices);
+    for (std::size_t f = 0; f < wanted; ++f) {
+        const double place = wanted > 1 ? static_cast<double>(f) * static_cast<double>(own - 1) /
+                                              static_cast<double>(wanted - 1)
+                                        : 0;
+        const auto before = std::min(static_cast<std::size_t>(place), own - 1);
+        const auto after = std::min(before + 1, own - 1);
+        const auto share = static_cast<float>(place - static_cast<double>(before));
+        for (std::size_t v = 0; v < vertices; ++v)
+            variation.positions.emplace_back((1 - share) * at(before, v) + share * at(after, v));
+    }
+    return variation;
+}
+
+std::vector<TakeVariation> openTakeVariations(Project project, const std::filesystem::path& projectFile,
+                                              const AnimationEntry& animation, const CharacterGraph& graph,
+                                              const Progress& progress)
+{
+    if (isMadeOfItself(project, "animations/" + animation.name))
+        throw Error(ErrorCode::ProjectInvalid,
+                    {.values = {{"reason", "“" + animation.name + "” is drawn from variations of itself"},
+                                {"remedy", QUADRILLE_MESSAGE("Break the circle.")}}});
+    const std::vector<std::string> clips = clipsDrawnFrom(project, animation);
+    if (clips.empty())
+        return {};
+    RebuildOptions options;
+    for (const std::string& clip : clips)
+        options.targets.push_back(clipStepOf(clip));
+    const std::filesystem::path results = cacheFolder(projectFile);
+    const auto opener =
+        std::make_shared<SequenceOpener>(std::move(project), projectFolder(projectFile), results);
+    std::map<std::string, std::string> keys;
+    for (const StepReport& step :
+         rebuild(makeSteps({opener, projectFile}), projectFile, options, progress.part(0, 0.9), {}).steps) {
+        if (step.error)
+            throw Error(*step.error);
+        keys[step.step] = step.key;
+    }
+    std::vector<TakeVariation> variations;
+    const ResultStore store(results);
+    for (std::size_t i = 0; i < clips.size(); ++i) {
+        progress.part(0.9, 1).report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(clips.size()));
+        if (auto variation = takeVariation(
+                clips[i], store.freshResult(options.targets[i], keys.at(options.targets[i])), graph))
+            variations.push_back(std::move(*variation));
+    }
+    return variations;
+}
+
+DataTable repeatsTable(std::span<const SpanDraw> spans, std::span<const TakeVariation> variations,
+                       const CharacterGraph& graph)
+{
+    TableBuilder table("variations", "What each span of the animation is drawn from: captured frames, or a "
+                                     "variation of some of them. A loop has as many playings as repeats.");
+    const std::size_t playings =
+        spans.empty() ? 1 : static_cast<std::size_t>(spans.back().playing) + 1; // each of as many spans
+    const std::size_t each = spans.size() / playings;
+    table.whole("playing").whole("span").text("sequence").whole("first", "frame").whole("last", "frame");
+    table.whole("shown-from", "frame").text("repeat").text("variation");
+    table.whole("varied-first", "frame").whole("varied-last", "frame");
+    for (std::size_t s = 0; s < spans.size(); ++s) {
+        if (!spans[s].frames)
+            continue;
+        const auto [first, last] = *spans[s].frames;
+        const auto frameOf = [&](NodeIndex node) { return graph.nameOf(node).frame.value; };
+        std::string name;
+        std::int64_t variedFirst = -1;
+        std::int64_t variedLast = -1;
+        if (spans[s].variation) {
+            const TakeVariation& variation = variations[*spans[s].variation];
+            name = variation.name;
+            variedFirst = frameOf(std::max(first, variation.first));
+            variedLast = frameOf(std::min(last, variation.last));
+        }
+        table.add({std::int64_t{spans[s].playing} + 1, static_cast<std::int64_t>(s % each) + 1,
+                   graph.nameOf(first).sequence, frameOf(first), frameOf(last), spans[s].start,
+                   spans[s].isRepeat ? "yes" : "no", name, variedFirst, variedLast});
+    }
+    return std::move(table).table();
+}
+
+std::optional<std::string> problemWithMissing(const std::vector<std::string>& wanted,
+                                              const std::vector<std::string>& found)
+{
+    std::string missing;
+    for (const std::string& clip : wanted) {
+        if (!contains(found, clip))
+            missing += (missing.empty() ? "“" : ", “") + clip + "”";
+    }
+    if (missing.empty())
+        return std::nullopt;
+    return "Too few variations were good enough: " + missing +
+           (found.empty() ? " are missing." : " are missing, and others are shown in their place.");
+}
+
+std::optional<std::string> problemWithRepeats(std::span<const SpanDraw> spans, const CharacterGraph& graph)
+{
+    std::set<std::string> asCaptured;
+    bool hasRepeats = false;
+    for (const SpanDraw& span : spans) {
+        hasRepeats = hasRepeats || span.isRepeat;
+        if (span.isRepeat && !span.variation)
+            asCaptured.insert("“" + graph.nameOf(span.frames->first).sequence + "”");
+    }
+    if (!hasRepeats)
+        return "No captured frames are shown twice, so that nothing is drawn from variations.";
+    if (asCaptured.empty())
+        return std::nullopt;
+    std::string takes;
+    for (const std::string& take : asCaptured)
+        takes += (takes.empty() ? "" : ", ") + take;
+    return "Frames are shown again as they were captured, for no variation varies them: of " + takes + ".";
+}
+
+} // namespace quadrille

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/progress.h"
+#include "model/project/document/project.h"
+#include "model/project/steps/charactergraph.h"
+#include "model/project/store/result.h"
+#include "model/synthesis/repeats.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// Whether all takes that variations are learned from are frames of the graph that animations of their
+/// character walk through: animations that draw from any variations draw from these.
+bool isOfGraph(const Project& project, const VariationEntry& variation);
+
+/// The variations that the repeats of an animation are drawn from, "variations/NAME/3", in their order: those
+/// of single takes of its graph that were not thrown away. None where it has no such option.
+std::vector<std::string> clipsDrawnFrom(const Project& project, const AnimationEntry& animation);
+
+/// One of them; nothing where too few were good enough for it to be there. \param clip  its name. \param
+/// result  of the step of its clip.
+/// \throws Error ProjectInvalid (its take is not in the graph, or is another by now).
+std::optional<TakeVariation> takeVariation(const std::string& clip, const Result& result,
+                                           const CharacterGraph& graph);
+
+/// All of them, brought up to date among the results of a project first: models that are not there are
+/// learned. \throws Error of the step that failed; as takeVariation; Cancelled.
+std::vector<TakeVariation> openTakeVariations(Project project, const std::filesystem::path& projectFile,
+                                              const AnimationEntry& animation, const CharacterGraph& graph,
+                                              const Progress& progress = {});
+
+/// What each span of an animation is drawn from, as the table “variations”.
+DataTable repeatsTable(std::span<const SpanDraw> spans, std::span<const TakeVariation> variations,
+                       const CharacterGraph& graph);
+
+/// That variations were to be drawn from which are not there, in one English sentence; nothing where all are.
+/// \param wanted  of clipsDrawnFrom. \param found  those that are there.
+std::optional<std::string> problemWithMissing(const std::vector<std::string>& wanted,
+                                              const std::vector<std::string>& found);
+
+/// Why an animation shows frames again as they were captured, or that it shows none again, in one English
+/// sentence; nothing where all is as it should be.
+std::optional<std::string> problemWithRepeats(std::span<const SpanDraw> spans, const CharacterGraph& graph);
+
+} // namespace quadrille

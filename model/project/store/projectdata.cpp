@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/store/projectdata.h"
+
+#include "model/project/document/paths.h"
+#include "model/project/steps/stepstate.h"
+
+namespace quadrille {
+
+namespace {
+
+std::string dataName(const BuildStep& step, const std::string& name)
+{
+    return step.dataPrefix.empty() ? name : step.dataPrefix + "/" + name;
+}
+
+} // namespace
+
+std::vector<std::int64_t> DataItem::shape() const
+{
+    if (const auto* array = std::get_if<DataArray>(&content))
+        return array->shape;
+    const auto& columns = std::get<DataTable>(content).columns;
+    const std::int64_t rows = columns.empty() ? 0 : columns.front().shape.front();
+    return {rows, static_cast<std::int64_t>(columns.size())};
+}
+
+std::string DataItem::unit() const
+{
+    if (const auto* array = std::get_if<DataArray>(&content))
+        return array->unit;
+    return "table";
+}
+
+std::string DataItem::description() const
+{
+    return std::visit([](const auto& data) { return data.description; }, content);
+}
+
+std::vector<DataItem> projectData(const Project& project, const std::filesystem::path& projectFile,
+                                  const Progress& progress)
+{
+    const auto folder = projectFolder(projectFile);
+    const auto steps = makeSteps({std::make_shared<SequenceOpener>(project, folder), projectFile});
+    const ResultStore store(cacheFolder(projectFile));
+    FileHashes hashes(cacheFolder(projectFile) / "hashes.json");
+    const auto status = stepStatus(steps, store, folder, hashes, progress);
+    std::vector<DataItem> items;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const bool fresh = status[i].isFresh;
+        Result result = fresh ? status[i].result : store.load(steps[i].name, status[i].key).result;
+        for (DataArray& array : result.arrays)
+            items.push_back({dataName(steps[i], array.name), steps[i].character, fresh, std::move(array)});
+        for (DataTable& table : result.tables)
+            items.push_back({dataName(steps[i], table.name), steps[i].character, fresh, std::move(table)});
+    }
+    return items;
+}
+
+} // namespace quadrille
