@@ -40,6 +40,8 @@ public:
     FieldReader(const ObjectReader& reader, Entry& entry, const FieldContext& context, UnknownKeys* unknown)
         : m_reader(reader), m_entry(entry), m_context(context), m_unknown(unknown)
     {
+        constexpr std::size_t usualKeys = 16;
+        m_keys.reserve(usualKeys);
     }
 
     void constant(const char* key, const Json&) { m_keys.emplace_back(key); }

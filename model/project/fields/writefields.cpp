@@ -14,7 +14,7 @@ namespace quadrille {
 namespace {
 
 template <typename Entry>
-Json toJson(const Entry& entry, const FieldContext& context, const UnknownKeys& unknown = {});
+Json toJson(const Entry& entry, const FieldContext& context, const UnknownKeys* unknown = nullptr);
 
 template <typename Value>
 Json plainJson(const Value& value)
@@ -197,12 +197,12 @@ private:
     }
 
     template <typename Unknown>
-    UnknownKeys keysOf(Unknown unknown) const
+    const UnknownKeys* keysOf(Unknown unknown) const
     {
         if constexpr (std::is_null_pointer_v<Unknown>)
-            return {};
+            return nullptr;
         else
-            return memberOf(m_entry, unknown);
+            return &memberOf(m_entry, unknown);
     }
 
     Json& m_json;
@@ -211,12 +211,13 @@ private:
 };
 
 template <typename Entry>
-Json toJson(const Entry& entry, const FieldContext& context, const UnknownKeys& unknown)
+Json toJson(const Entry& entry, const FieldContext& context, const UnknownKeys* unknown)
 {
     Json json = Json::object();
     FieldWriter<Entry> fields(json, entry, context);
     describe(fields, Type<Entry>());
-    addUnknown(json, unknown);
+    if (unknown != nullptr)
+        addUnknown(json, *unknown);
     return json;
 }
 
