@@ -3,6 +3,7 @@
 #include "editor/application/recoveries.h"
 
 #include "editor/documents/projectpaths.h"
+#include "editor/documents/sections.h"
 #include "model/core/file.h"
 #include "model/project/file/usableproject.h"
 
@@ -72,10 +73,10 @@ QString Recovery::title() const
 
 int Recovery::entryCount() const
 {
-    return static_cast<int>(project.characters.size() + project.sequences.size() + project.bodyParts.size() +
-                            project.graphs.size() + project.animations.size() + project.variations.size() +
-                            project.evaluations.size() + project.exports.size() +
-                            brokenEntries(project).size());
+    std::size_t count = project.graphs.size();
+    for (const SectionInfo& section : sections())
+        count += static_cast<std::size_t>(section.names(project).size());
+    return static_cast<int>(count);
 }
 
 Recoveries findRecoveries()

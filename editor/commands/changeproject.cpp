@@ -46,14 +46,13 @@ void ChangeProject::show(const Project& project, std::vector<ChangeEvent> events
         if (!isSame && !(m_renamed && m_renamed->first.section == section))
             events.push_back(ChangeEvent::list(section));
     };
-    tell(Section::Characters, m_before.characters == m_after.characters);
-    tell(Section::Sequences, m_before.sequences == m_after.sequences);
+    sectionlists::forEachNamed(m_before,
+                               [&]<typename Entry>(Section section, const std::vector<Entry>& entries) {
+                                   tell(section, entries == entriesOf<Entry>(m_after));
+                               });
     tell(Section::Graphs, m_before.graphs == m_after.graphs);
-    tell(Section::Animations, m_before.animations == m_after.animations);
     tell(Section::BodyParts, m_before.bodyParts == m_after.bodyParts);
-    tell(Section::Variations, m_before.variations == m_after.variations);
     tell(Section::Evaluations, m_before.evaluations == m_after.evaluations);
-    tell(Section::Exports, m_before.exports == m_after.exports);
     tell(Section::Project, m_before.settings == m_after.settings && m_before.unknown == m_after.unknown);
     apply([&](Project& shown) { shown = project; }, events);
 }

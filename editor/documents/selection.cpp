@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/selection.h"
 
-#include "model/project/document/brokenentry.h"
-
 #include <algorithm>
 
 namespace quadrille {
@@ -64,26 +62,10 @@ bool Selection::exists(const EntryRef& entry) const
 {
     if (entry.name.isEmpty())
         return true;
-    switch (entry.section) {
-    case Section::Project:
-        return findBroken(m_document.project(), entry.name.toStdString()).has_value();
-    case Section::Graphs:
-    case Section::BodyParts:
+    // Of graphs and body parts a character has some, whether the project says any or not.
+    if (entry.section == Section::Graphs || entry.section == Section::BodyParts)
         return true;
-    case Section::Characters:
-        return m_document.character(entry.name) != nullptr;
-    case Section::Sequences:
-        return m_document.sequence(entry.name) != nullptr;
-    case Section::Animations:
-        return m_document.animation(entry.name) != nullptr;
-    case Section::Variations:
-        return m_document.variation(entry.name) != nullptr;
-    case Section::Evaluations:
-        return m_document.evaluation(entry.name) != nullptr;
-    case Section::Exports:
-        return m_document.exportEntry(entry.name) != nullptr;
-    }
-    return false;
+    return findSection(entry.section)->names(m_document.project()).contains(entry.name);
 }
 
 void Selection::showExisting()

@@ -12,7 +12,6 @@
 #include "editor/properties/projectpage.h"
 #include "editor/properties/sequencepage.h"
 #include "editor/properties/variationpage.h"
-#include "model/project/document/brokenentry.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -29,12 +28,12 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
     , m_several(new QLabel)
     , m_pages(new QStackedWidget)
     , m_project(new ProjectPage(context))
-    , m_character(new CharacterPage(context))
-    , m_sequence(new SequencePage(context))
-    , m_export(new ExportPage(context))
-    , m_animation(new AnimationPage(context))
-    , m_variation(new VariationPage(context))
-    , m_broken(new BrokenPage(context))
+    , m_entries{{Section::Characters, new CharacterPage(context)},
+                {Section::Sequences, new SequencePage(context)},
+                {Section::Animations, new AnimationPage(context)},
+                {Section::Variations, new VariationPage(context)},
+                {Section::Exports, new ExportPage(context)},
+                {Section::Project, new BrokenPage(context)}}
 {
     setObjectName(QStringLiteral("propertiesPanel"));
     setMinimumWidth(260);
@@ -48,10 +47,9 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
     m_several->setMargin(12);
     m_several->setWordWrap(true);
     m_several->setAlignment(Qt::AlignTop | Qt::AlignLeading);
-    for (QWidget* page : std::initializer_list<QWidget*>{m_project, m_character, m_sequence, m_export,
-                                                         m_animation, m_variation, m_broken}) {
+    m_pages->addWidget(verticalScroll(m_project));
+    for (const auto& [section, page] : m_entries)
         m_pages->addWidget(verticalScroll(page));
-    }
     m_pages->addWidget(m_several);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -75,36 +73,34 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
     });
 }
 
+PropertyForm* PropertiesPanel::pageOf(const EntryRef& entry) const
+{
+    // What is shown of the parts of a body is its character.
+    const Section section = entry.section == Section::BodyParts ? Section::Characters : entry.section;
+    const auto page = m_entries.find(section);
+    if (entry.name.isEmpty() || page == m_entries.end() ||
+        !findSection(section)->names(m_context.document.project()).contains(entry.name))
+        return m_project;
+    return page->second;
+}
+
 void PropertiesPanel::refresh()
 {
     const EntryRef& current = m_context.selection.current();
-    const ProjectDocument& document = m_context.document;
-    const auto show = [this](int page, PropertyForm& form, const QString& name, const QString& title) {
-        m_title->setText(title);
-        form.show(name);
-        m_pages->setCurrentIndex(page);
-    };
     if (m_context.selection.sequences().size() > 1) {
         m_title->setText(
             tr("%n sequences", nullptr, static_cast<int>(m_context.selection.sequences().size())));
         m_several->setText(summary());
         m_pages->setCurrentWidget(m_several);
-    } else if ((current.section == Section::Characters || current.section == Section::BodyParts) &&
-               document.character(current.name) != nullptr) {
-        show(1, *m_character, current.name, current.name);
-    } else if (current.section == Section::Sequences && document.sequence(current.name) != nullptr) {
-        show(2, *m_sequence, current.name, current.name);
-    } else if (current.section == Section::Exports && document.exportEntry(current.name) != nullptr) {
-        show(3, *m_export, current.name, current.name);
-    } else if (current.section == Section::Animations && document.animation(current.name) != nullptr) {
-        show(4, *m_animation, current.name, current.name);
-    } else if (current.section == Section::Variations && document.variation(current.name) != nullptr) {
-        show(5, *m_variation, current.name, current.name);
-    } else if (current.section == Section::Project &&
-               findBroken(document.project(), current.name.toStdString())) {
-        show(6, *m_broken, current.name, current.name);
-    } else {
-        show(0, *m_project, {}, tr("Project"));
+        return;
+    }
+    PropertyForm* page = pageOf(current);
+    m_title->setText(page == m_project ? tr("Project") : current.name);
+    page->show(page == m_project ? QString() : current.name);
+    // Each page stands in a scroll area.
+    for (QWidget* place = page; place != nullptr; place = place->parentWidget()) {
+        if (m_pages->indexOf(place) >= 0)
+            m_pages->setCurrentWidget(place);
     }
 }
 

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "editor/documents/changeevent.h"
+
 #include <QWidget>
+#include <map>
 
 class QLabel;
 class QStackedWidget;
@@ -22,19 +25,16 @@ public:
 
 private:
     void refresh();
+    /// The page of what is selected.
+    PropertyForm* pageOf(const EntryRef& entry) const;
     QString summary() const;
 
     EditorContext& m_context;
     QLabel* m_title;
     QLabel* m_several;
     QStackedWidget* m_pages;
-    PropertyForm* m_project;
-    PropertyForm* m_character;
-    PropertyForm* m_sequence;
-    PropertyForm* m_export;
-    PropertyForm* m_animation;
-    PropertyForm* m_variation;
-    PropertyForm* m_broken;
+    PropertyForm* m_project; ///< where nothing else is shown
+    std::map<Section, PropertyForm*> m_entries;
 };
 
 } // namespace quadrille

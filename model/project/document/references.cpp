@@ -19,7 +19,9 @@ namespace {
 template <typename Entry>
 constexpr std::optional<NamedKind> kindOf()
 {
-    if constexpr (std::is_same_v<Entry, SequenceEntry>)
+    if constexpr (std::is_same_v<Entry, CharacterEntry>)
+        return NamedKind::Character;
+    else if constexpr (std::is_same_v<Entry, SequenceEntry>)
         return NamedKind::Sequence;
     else if constexpr (std::is_same_v<Entry, AnimationEntry>)
         return NamedKind::Animation;
@@ -27,6 +29,40 @@ constexpr std::optional<NamedKind> kindOf()
         return NamedKind::Variation;
     else
         return std::nullopt;
+}
+
+/// Calls a function with the key of the section of a kind and its entries.
+template <typename Function>
+class KindFinder : public FieldVisitor<KindFinder<Function>>
+{
+public:
+    KindFinder(Project& project, NamedKind kind, const Function& function)
+        : m_project(project), m_kind(kind), m_function(function)
+    {
+    }
+
+    template <typename Member>
+    void list(const char* key, Member member, const FieldInfo& = {})
+    {
+        auto& entries = memberOf(m_project, member);
+        using Entry = typename std::remove_cvref_t<decltype(entries)>::value_type;
+        if constexpr (constexpr auto kind = kindOf<Entry>(); kind) {
+            if (*kind == m_kind)
+                m_function(key, entries);
+        }
+    }
+
+private:
+    Project& m_project;
+    NamedKind m_kind;
+    const Function& m_function;
+};
+
+template <typename Function>
+void withEntries(Project& project, NamedKind kind, const Function& function)
+{
+    KindFinder<Function> finder(project, kind, function);
+    describe(finder, Type<Project>());
 }
 
 /// The new name of an entry that is spoken of; nothing where it is gone.
@@ -38,6 +74,7 @@ using LostEntries = std::map<NamedKind, std::vector<std::string>>;
 struct ReferenceChange
 {
     NamedKind kind;
+    std::string section; ///< key of the entries of the kind
     const NameChange& rename;
     std::optional<std::string> onlyCharacter;
     LostEntries lost;
@@ -55,10 +92,6 @@ struct ReferenceChange
 
     bool keepsClip(std::string& clip) const
     {
-        const std::string section = kind == NamedKind::Sequence    ? "sequences"
-                                    : kind == NamedKind::Animation ? "animations"
-                                    : kind == NamedKind::Variation ? "variations"
-                                                                   : "characters";
         auto name = nameOfClip(clip, section);
         if (!name)
             return true;
@@ -231,31 +264,12 @@ public:
     }
 };
 
-/// Calls a function with the entries of a kind.
-template <typename Function>
-void withEntries(Project& project, NamedKind kind, const Function& function)
-{
-    switch (kind) {
-    case NamedKind::Character:
-        function(project.characters);
-        return;
-    case NamedKind::Sequence:
-        function(project.sequences);
-        return;
-    case NamedKind::Animation:
-        function(project.animations);
-        return;
-    case NamedKind::Variation:
-        function(project.variations);
-        return;
-    }
-}
-
 /// Changes all references to entries of a kind, and removes what speaks of those that are gone.
 /// \return what went; references to that are still there.
 LostEntries changeReferences(Project& project, NamedKind kind, const NameChange& rename)
 {
-    ReferenceChange change{kind, rename, {}, {}};
+    ReferenceChange change{kind, {}, rename, {}, {}};
+    withEntries(project, kind, [&](const char* key, const auto&) { change.section = key; });
     if (project.characters.size() == 1)
         change.onlyCharacter = project.characters.front().name;
     ReferenceChanger<Project> changer(project, change);
@@ -268,7 +282,7 @@ LostEntries changeReferences(Project& project, NamedKind kind, const NameChange&
 void renameEntry(Project& project, NamedKind kind, const std::string& before, const std::string& after)
 {
     changeReferences(project, kind, [&](const std::string& name) { return name == before ? after : name; });
-    withEntries(project, kind, [&](auto& entries) {
+    withEntries(project, kind, [&](const char*, auto& entries) {
         for (auto& entry : entries) {
             if (entry.name == before)
                 entry.name = after;
@@ -291,7 +305,7 @@ void removeEntries(Project& project, NamedKind kind, const std::vector<std::stri
     const LostEntries lost = changeReferences(project, kind, [&](const std::string& name) {
         return isGone(name) ? std::nullopt : std::optional(name);
     });
-    withEntries(project, kind, [&](auto& entries) {
+    withEntries(project, kind, [&](const char*, auto& entries) {
         std::erase_if(entries, [&](const auto& entry) { return isGone(entry.name); });
     });
     for (const auto& [lostKind, lostNames] : lost)
