@@ -32,8 +32,7 @@ function(quadrille_model_test name)
     target_link_libraries(${name} PRIVATE Quadrille::Model GTest::gmock GTest::gtest_main ${arg_LIBRARIES})
     target_compile_options(${name} PRIVATE ${QUADRILLE_TEST_OPTIONS})
     target_compile_definitions(${name} PRIVATE
-        QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}"
-        QUADRILLE_TEST_DATA_DIR="${CMAKE_SOURCE_DIR}/tests/data")
+        QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}")
     quadrille_unity(${name})
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
         PROPERTIES LABELS model TIMEOUT ${QUADRILLE_TEST_TIMEOUT})
@@ -56,8 +55,7 @@ function(quadrille_qt_program name)
     target_link_libraries(${name} PRIVATE Qt6::Test Qt6::Widgets Quadrille::Model ${arg_LIBRARIES})
     target_compile_options(${name} PRIVATE ${QUADRILLE_TEST_OPTIONS})
     target_compile_definitions(${name} PRIVATE
-        QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}"
-        QUADRILLE_TEST_DATA_DIR="${CMAKE_SOURCE_DIR}/tests/data")
+        QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}")
     quadrille_unity(${name})
 endfunction()
 

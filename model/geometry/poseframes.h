@@ -28,7 +28,7 @@ struct PoseFrames
     std::size_t size() const { return qw.size(); }
 };
 
-/// Frames of all triangles; see ALGORITHMS section 1.
+/// Frames of all triangles.
 /// \param positions  of all vertices, finite, metres.
 PoseFrames poseFrames(std::span<const Triangle> triangles, Positions positions);
 

@@ -12,8 +12,8 @@
 namespace quadrille {
 
 /// How one pose differs from another, triangle by triangle: logarithms of the polar factors R·S of the map
-/// from source to target (SMCAS eq. 1, 5), which keeps the unit normal, in closed form (ALGORITHMS section
-/// 1). In the plane of the source triangle S = e^s·(cosh h·I + sinh h·U) with U = [u1 u2; u2 −u1] of unit
+/// from source to target (SMCAS eq. 1, 5), which keeps the unit normal, in closed form.
+/// In the plane of the source triangle S = e^s·(cosh h·I + sinh h·U) with U = [u1 u2; u2 −u1] of unit
 /// length. Double precision, one array per quantity.
 struct TriangleLogs
 {

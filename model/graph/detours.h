@@ -12,8 +12,8 @@ namespace quadrille {
 
 /// For every ordered pair of nodes the cost of the cheapest walk that passes through at least one further
 /// node: the cheapest way round the edge between them. With it, the smaller of weight and detour is the cost
-/// of the shortest path, and an edge is on a shortest path exactly when no detour is as cheap (ALGORITHMS
-/// section 4). A walk that takes the edge itself and a round trip is no detour, but where every other is
+/// of the shortest path, and an edge is on a shortest path exactly when no detour is as cheap.
+/// A walk that takes the edge itself and a round trip is no detour, but where every other is
 /// dearer than that, the value may be anything from its cost up to the cheapest other's.
 /// Double precision: ties are told apart at 1e-7, and sums of single precision are off by as much.
 /// \param weights  nodes × nodes, each ≥ 0 or infinite where there is no edge; the diagonal is not read.

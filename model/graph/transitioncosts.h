@@ -12,7 +12,7 @@ namespace quadrille {
 inline constexpr double usualAlpha = 0.01;
 
 /// What the graphs of one character are made from, whatever α: the transitions between its frames, checked on
-/// entry. Edge weights come from it (SMCAS eq. 10, ALGORITHMS section 4).
+/// entry. Edge weights come from it (SMCAS eq. 10).
 class TransitionCosts
 {
 public:

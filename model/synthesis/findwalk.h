@@ -33,7 +33,7 @@ struct WalkMaterial
 /// Receives each walk that is better than those before it, on the thread that searches.
 using SolutionCallback = std::function<void(const WalkSolution&)>;
 
-/// Seeks the walk of least cost that meets all constraints (SMCAS §4.3, ALGORITHMS section 6).
+/// Seeks the walk of least cost that meets all constraints (SMCAS §4.3).
 /// Keys alone: exact, from key to key or over all of them; where that leaves takes too soon
 /// (SearchSettings::leastRun), as without a path. Without a path: exact where the budget is enough. With a
 /// path: as good as the budget lets it. The same budget gives the same walk, whatever the machine.

@@ -57,7 +57,7 @@ struct TransitionMotion
     const GroundMotion& exit() const { return steps.back().placeDestination; }
 };
 
-/// Moves both windows of a transition along its path (SMCAS Alg. 1, ALGORITHMS section 5): the centre goes on
+/// Moves both windows of a transition along its path (SMCAS Alg. 1): the centre goes on
 /// by both windows' displacements between consecutive cells, weighted by λ, and not at all where the warp
 /// repeats a frame; the height is blended. A transition of one cell has λ = 0.
 TransitionMotion transitionMotion(const RootPoses& roots, const Transition& transition,

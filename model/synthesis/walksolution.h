@@ -7,7 +7,7 @@
 
 namespace quadrille {
 
-/// What a walk costs, in parts (ALGORITHMS section 6).
+/// What a walk costs, in parts.
 struct WalkCost
 {
     double deviation = 0; ///< sum of the squared distances from the path over all output frames, m²

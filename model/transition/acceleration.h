@@ -17,7 +17,7 @@ namespace quadrille {
 std::vector<Vec3f> vertexAccelerations(const CharacterFrames& character, NodeIndex node, double fps);
 
 /// How differently the frames of each pair accelerate: mean over the vertices of ‖a_i − a_j‖, a_j turned by
-/// the rotation of the Procrustes alignment of pose j onto pose i (SMCAS §3.3, ALGORITHMS section 3).
+/// the rotation of the Procrustes alignment of pose j onto pose i (SMCAS §3.3).
 /// \return frames × frames, m/s²; symmetric, zeros on the diagonal.
 /// \throws Error BadArgument (fps not positive and finite), what reading frames throws, Cancelled.
 /// Cost: O(frames² · vertices); beside the table, at most about 24 MB for each core.

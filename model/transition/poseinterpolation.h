@@ -42,7 +42,7 @@ private:
     std::vector<Vec3d> m_componentCentres;
 };
 
-/// The poses between two poses (ALGORITHMS section 2). The rotation between the poses as wholes is removed
+/// The poses between two poses. The rotation between the poses as wholes is removed
 /// first and put back interpolated, so is the translation; each triangle turns and stretches in between; two
 /// Poisson solves, one with each pose at rest, find the surfaces, which are blended linearly; each connected
 /// component is placed by its interpolated centre. Swapping the poses and λ with 1 − λ gives the same result.

@@ -50,7 +50,7 @@ struct TransitionComparison
     std::vector<TransitionVariant> variants;
 };
 
-/// Compares the kinds of transitions as SMCAS Fig. 7 does (ALGORITHMS section 3). Surface costs fall from
+/// Compares the kinds of transitions as SMCAS Fig. 7 does. Surface costs fall from
 /// kind to kind by construction; accelerations do not. \param settings  their slope is not used. \param
 /// accelerations  of accelerationDifferences; empty: they are not compared, which saves finding the paths of
 /// all transitions. \throws Error as transitionTable. Cost: O(frames² · l_max²) for each of 4 slopes.

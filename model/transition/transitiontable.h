@@ -30,8 +30,8 @@ struct TransitionTable
     static constexpr float none = std::numeric_limits<float>::infinity();
 };
 
-/// Transitions of least cost over all windows and warp paths between all pairs of frames (SMCAS eq. 8,
-/// ALGORITHMS section 3): a path goes from the first cell of the windows to the last by steps (1,1), (1,0)
+/// Transitions of least cost over all windows and warp paths between all pairs of frames (SMCAS eq. 8):
+/// a path goes from the first cell of the windows to the last by steps (1,1), (1,0)
 /// and (0,1) with at most `slope` equal non-diagonal steps in a row. Ties: the shorter path, then the smaller
 /// lᵢ, then the smaller lⱼ. No transition leaves its two sequences; both may be the same. A sequence of fewer
 /// frames than the shortest window has no transitions.

@@ -8,7 +8,7 @@
 
 namespace quadrille {
 
-/// The dynamic programme of ALGORITHMS section 3 over one table of keys, with the way back. Paths start in
+/// The dynamic programme of SMCAS §3.3 over one table of keys, with the way back. Paths start in
 /// the first row and end in the last column.
 class WarpSolver
 {

@@ -44,8 +44,8 @@ struct WindowScratch
     std::vector<double> columnMinima;
 };
 
-/// Least sums of keys: one dynamic programme for each destination start gives all windows from there at once
-/// (ALGORITHMS section 3). It follows only cells from which a path may still be as good as the best that is
+/// Least sums of keys: one dynamic programme for each destination start gives all windows from there at once.
+/// It follows only cells from which a path may still be as good as the best that is
 /// known: destination starts go from last to first, so that the shortest windows of later starts bound the
 /// longer ones of earlier starts.
 void searchLeastSums(const WindowSearch& search, BestWindows& best, WindowScratch& scratch);

@@ -48,7 +48,7 @@ struct GpdmState
     GpdmHyperparameters hyperparameters;
 };
 
-/// The negative log posterior of CVS eq. 7 without constants (ALGORITHMS section 8) as a function of latents
+/// The negative log posterior of CVS eq. 7 without constants as a function of latents
 /// and hyperparameters. Holds working memory: one for each thread.
 class GpdmObjective
 {

@@ -35,7 +35,7 @@ public:
     RowMatrix trajectory(const Eigen::RowVectorXd& start, const RowMatrix& innovations) const;
 
     /// Negative log density of a trajectory after its first position, without constants: the joint
-    /// conditional of ALGORITHMS section 8, and its gradient by the trajectory (first row zero).
+    /// conditional of the dynamics, and its gradient by the trajectory (first row zero).
     /// Cost: O(length · inputs² + length³).
     double energy(const RowMatrix& trajectory, RowMatrix* gradient = nullptr) const;
 

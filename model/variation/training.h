@@ -71,7 +71,7 @@ struct PartTraining
 /// Name of the block of displacements.
 inline constexpr auto displacementBlock = "displacements";
 
-/// The training rows of one part (ALGORITHMS section 8): three coordinates of each of its vertices in their
+/// The training rows of one part: three coordinates of each of its vertices in their
 /// order, and the blocks of values for the root. A block that does not vary, or beside vertices that do not
 /// move, has the scale 1. Displacements are those of a frame of the take, not of the reference: a variation
 /// that is played quickly where others are slow would else go as much too far.

@@ -17,11 +17,11 @@ struct ResultHeader
 
 /// Writes a result as one HDF5 file, atomically. The same result gives the same bytes.
 ///
-/// Root attributes: `format` ("quadrille-result"), `step`, `key`, `checksum`. An array is a dataset with the
-/// attributes `unit`, `description` and, where they exist, `columns` (texts). A table is a group with the
-/// attributes `description` and `columns`, its columns being one-dimensional datasets. Texts are UTF-8 of a
-/// fixed size, padded with zeros. `files` is a table of the files written outside of the store.
-/// \throws Error WriteFailed, PermissionDenied.
+/// Root attributes: `format` ("quadrille-result"), `stage` (the step), `key`, `checksum`. An array is a
+/// dataset with the attributes `unit`, `description` and, where they exist, `columns` (texts). A table is a
+/// group with the attributes `description` and `columns`, its columns being one-dimensional datasets. Texts
+/// are UTF-8 of a fixed size, padded with zeros. `files` is a table of the files written outside of the
+/// store. \throws Error WriteFailed, PermissionDenied.
 void writeResultFile(const std::filesystem::path& file, const ResultHeader& header, const Result& result);
 
 /// \throws Error FileNotFound, PermissionDenied, ResultDamaged (also when the checksum differs).

@@ -10,7 +10,7 @@
 
 namespace quadrille {
 
-/// The results of a project on disk: NAME.quadrille.cache/STAGE.h5. What is not there is looked for in the
+/// The results of a project on disk: NAME.quadrille.cache/STEP.h5. What is not there is looked for in the
 /// other places of the project (see resultplaces.h), and what cannot be stored anywhere is kept in memory
 /// until it can. Safe from any thread; different steps may be written at once.
 class ResultStore
