@@ -16,8 +16,8 @@ enum class EditPhase
     Dragging,
 };
 
-/// Exchanges the values of one entry (settings, character, sequence or export entry) for others; its name
-/// stays. Steps of a drag merge into one command; a drag that comes back to where it began drops itself.
+/// Exchanges the values of one entry, or of a section that is one value, for others; an entry keeps its name.
+/// Steps of a drag merge into one command; a drag that comes back to where it began drops itself.
 template <typename Entry>
 class ChangeEntry : public ProjectCommand
 {

@@ -22,6 +22,7 @@ void describe(Fields& f, Type<Camera>)
              .expected = "a number from 1.0 to 170.0"});
 }
 
+/// The “picture” of an export.
 template <typename Fields>
 void describe(Fields& f, Type<RenderSettings>)
 {

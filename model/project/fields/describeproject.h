@@ -62,10 +62,7 @@ void describe(Fields& f, Type<SequenceEntry>)
     f.unknown(&E::unknown);
 }
 
-/// The “picture” of an export.
-
 /// The sections of the file, in their order.
-
 template <typename Fields>
 void describe(Fields& f, Type<Project>)
 {
