@@ -24,11 +24,6 @@ constexpr int searchShowing = 700; // milliseconds
 
 using ResultPointer = std::shared_ptr<const AnimationResult>;
 
-bool asksForSomething(const AnimationEntry& entry)
-{
-    return entry.walk || !entry.constraints.empty();
-}
-
 /// Walks of an animation that are kept for when the same is asked for again.
 constexpr std::size_t keptWalks = 20;
 
@@ -234,7 +229,7 @@ void AnimationMedia::update()
 void AnimationMedia::update(const QString& name, Item& item)
 {
     const AnimationEntry entry = withoutSoundAndCamera(*m_document.animation(name));
-    if (!asksForSomething(entry)) {
+    if (!entry.asksForSomething()) {
         item.solved = entry;
         item.medium.result.reset();
         setIdle(name, item);

@@ -195,7 +195,7 @@ void AnimateWorkspace::showState()
         notice = tr("Import sequences first: animations are made from them.");
     else if (entry == nullptr)
         notice = tr("No animation yet.");
-    else if (!entry->walk && entry->constraints.empty())
+    else if (!entry->asksForSomething())
         notice = tr("Draw a path, drop poses onto the timeline, or line up takes in the storyboard.");
     else if (medium != nullptr && medium->result == nullptr && medium->state == State::Waiting)
         notice = tr("Computing the graph of transitions…");

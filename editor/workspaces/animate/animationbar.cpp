@@ -121,7 +121,7 @@ void AnimationBar::refreshState()
     ActionRegistry& actions = m_animation.context().actions;
     actions.action("animate.stop")->setEnabled(state == State::Solving);
     const AnimationEntry* entry = m_animation.entry();
-    const bool asks = entry != nullptr && (entry->walk || !entry->constraints.empty());
+    const bool asks = entry != nullptr && entry->asksForSomething();
     actions.action("animate.solve")->setEnabled(asks && (state == State::Idle || state == State::Failed));
     m_stop->setVisible(state == State::Solving);
     m_solve->setVisible(!m_stop->isVisibleTo(this));

@@ -37,7 +37,7 @@ public:
         const auto known = namesOf(m_project.characters);
         if (m_animation.character.empty() ? known.size() > 1 : !contains(known, m_animation.character))
             return;
-        if (m_animation.constraints.empty() && !m_animation.walk)
+        if (!m_animation.asksForSomething())
             m_problems.push_back(warningAt(m_pointer, "The animation asks for nothing",
                                            "Give it “constraints” (a path, keys or actions) or a “walk”."));
         if (m_animation.start)

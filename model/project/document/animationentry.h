@@ -145,6 +145,8 @@ struct AnimationEntry
     std::vector<CameraKeyEntry> camera; ///< in the order of their times
     UnknownKeys unknown;
 
+    /// Whether there is a walk, or what one can be sought for.
+    bool asksForSomething() const { return walk || !constraints.empty(); }
     bool operator==(const AnimationEntry&) const = default;
 };
 

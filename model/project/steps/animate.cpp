@@ -63,7 +63,7 @@ AnimationWalk animationWalk(const AnimationEntry& animation, const CharacterGrap
     try {
         if (animation.walk)
             return {.constraints = {}, .solution = acceptedSolution(*animation.walk, graph)};
-        if (animation.constraints.empty())
+        if (!animation.asksForSomething())
             throw Error(ErrorCode::ProjectInvalid,
                         {{},
                          {},
