@@ -5,7 +5,6 @@
 #include "editor/commands/changeproject.h"
 #include "editor/commands/entryedits.h"
 #include "editor/commands/entrynames.h"
-#include "editor/commands/relinkmedia.h"
 #include "editor/documents/editcheck.h"
 #include "editor/documents/evaluationnames.h"
 #include "editor/documents/evaluationtexts.h"
@@ -14,6 +13,7 @@
 #include "model/project/document/brokenentry.h"
 #include "model/project/document/framenote.h"
 #include "model/project/document/references.h"
+#include "model/project/fields/entrypaths.h"
 
 #include <QCoreApplication>
 #include <cmath>
@@ -303,7 +303,15 @@ QString addEvaluation(ProjectDocument& document, EvaluationEntry entry)
 
 void relinkMedia(ProjectDocument& document, const std::vector<std::pair<std::string, std::string>>& newPaths)
 {
-    document.push(std::make_unique<RelinkMedia>(document, ProjectTexts::tr("Relink media"), newPaths));
+    Project after = document.project();
+    forEachPath(after, [&](const StoredPath& stored) {
+        const auto found =
+            std::ranges::find(newPaths, stored.path, &std::pair<std::string, std::string>::first);
+        if (found != newPaths.end() && !stored.isOutput)
+            stored.path = found->second;
+    });
+    document.push(
+        std::make_unique<ChangeProject>(document, ProjectTexts::tr("Relink media"), std::move(after)));
 }
 
 } // namespace quadrille

@@ -32,7 +32,7 @@ RelinkFlow::RelinkFlow(EditorContext& context, QWidget* window)
     connect(&context.document, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
         if (event.kind == ChangeEvent::Kind::Reset)
             m_folder.clear();
-        if (event.touches(Section::Sequences) || event.touches(Section::Characters))
+        if (event.kind != ChangeEvent::Kind::File)
             m_timer.start();
     });
     // Files come back and go while the user is elsewhere.

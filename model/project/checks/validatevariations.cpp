@@ -38,14 +38,6 @@ protected:
         m_problems.push_back(warningAt(m_pointer + key, std::move(reason), std::move(remedy)));
     }
 
-    void checkFrame(const std::optional<NamedFrame>& frame, const std::string& key)
-    {
-        const auto known = namesOf(m_project.sequences);
-        if (frame && !contains(known, frame->sequence))
-            invalid(key + "/sequence", "There is no sequence " + quoted(frame->sequence),
-                    meantOr(frame->sequence, known, "Correct the name."));
-    }
-
     const Project& project() const { return m_project; }
 
 private:
@@ -61,7 +53,6 @@ public:
 
     void run(const BodyPartsEntry& entry)
     {
-        checkFrame(entry.pose, "/pose");
         std::vector<std::string> curves;
         for (const PartCurveEntry& curve : entry.curves)
             curves.push_back(curve.curve.name);
@@ -106,7 +97,6 @@ public:
         checkTraining(entry);
         if (!entry.reference.empty())
             checkTake(entry.reference, "/reference");
-        checkFrame(entry.templatePose, "/template");
         for (std::size_t i = 0; i < entry.blends.size(); ++i)
             checkBlend(entry.blends[i], "/blends/" + std::to_string(i));
         checkBlendsDiffer(entry.blends);

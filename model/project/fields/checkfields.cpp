@@ -137,6 +137,8 @@ private:
         case Role::Reference: // other names depend on more than themselves
             if (info.kind == NamedKind::Character && !text.empty())
                 checkCharacter(key, text);
+            else if (info.isAnyOfProject)
+                checkSequence(key, text);
             break;
         case Role::Output:
             if (text.empty())
@@ -164,6 +166,13 @@ private:
         else if (m_names != nullptr && !m_names->insert(name).second)
             invalid(key, "There are two entries with the name " + quoted(name) + " here",
                     "Give one of them another name.");
+    }
+
+    void checkSequence(const std::string& key, const std::string& name)
+    {
+        const auto known = namesOf(this->state().project.sequences);
+        if (!contains(known, name))
+            invalid(key, "There is no sequence " + quoted(name), meantOr(name, known, "Correct the name."));
     }
 
     void checkCharacter(const std::string& key, const std::string& name)

@@ -11,7 +11,8 @@ void describe(Fields& f, Type<NamedFrame>)
 {
     using E = NamedFrame;
     f.about("named_frame");
-    f.reference("sequence", &E::sequence, NamedKind::Sequence, {.need = Need::Required});
+    f.reference("sequence", &E::sequence, NamedKind::Sequence,
+                {.need = Need::Required, .isAnyOfProject = true});
     f.field("frame", &E::frame,
             {.help = "Zero-based.",
              .need = Need::Always,

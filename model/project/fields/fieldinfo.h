@@ -123,6 +123,7 @@ struct FieldInfo
     Need need = Need::Optional;
     Role role = Role::None;
     NamedKind kind = NamedKind::Sequence; ///< of what is referred to
+    bool isAnyOfProject = false; ///< the name of any sequence will do; what else is asked is checked by hand
     Limits limits = {};
     /// A number that is out of limits has a wrong type: it “must be …”, and is not taken. Of lists: what an
     /// item must be, a sentence.
