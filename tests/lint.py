@@ -93,7 +93,8 @@ def main():
     common = version + (ROOT / ".clang-tidy").read_bytes()
     deps = dependencies(build)
     entries = json.loads((build / "compile_commands.json").read_text())
-    units = [Unit(entry, build, deps, common) for entry in entries if Path(entry["file"]).exists()]
+    sources = [entry for entry in entries if Path(entry["file"]).suffix in (".cpp", ".cxx")]
+    units = [Unit(entry, build, deps, common) for entry in sources if Path(entry["file"]).exists()]
     units = [unit for unit in units if unit.is_ours()]
     known = set().union(*(unit.names() for unit in units))
     for name in chosen - known:

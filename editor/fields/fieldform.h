@@ -106,9 +106,9 @@ public:
 
     /// A field of its own kind. \param reset  brings the usual value back.
     void addOther(Row row, QWidget* field, std::function<void(const Entry&)> show,
-                  std::function<bool(const Entry&)> isUsual, std::function<void()> reset)
+                  std::function<bool(const Entry&)> isUsual, const std::function<void()>& reset)
     {
-        m_form.add(row.name, row.label, row.tip, field, std::move(reset));
+        m_form.add(row.name, row.label, row.tip, field, reset);
         m_bindings.push_back({field, std::move(show), std::move(isUsual), std::move(row.isShown)});
     }
 
@@ -152,7 +152,7 @@ private:
     static Value toValue(double number)
     {
         using Number = typename Plain<Value>::Type;
-        return Number(static_cast<decltype(bare(Number()))>(number));
+        return Number{static_cast<decltype(bare(Number()))>(number)};
     }
 
     template <typename Value>

@@ -224,7 +224,7 @@ private:
         else if (info.role == Role::Seed && *number < 0)
             m_reader.wrongType(key, "a whole number from zero");
         else
-            value = Number(static_cast<decltype(bare(Number()))>(*number));
+            value = Number{static_cast<decltype(bare(Number()))>(*number)};
     }
 
     template <typename Range>
