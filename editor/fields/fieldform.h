@@ -43,7 +43,7 @@ public:
         QDoubleSpinBox* field = makeNumberField(look);
         const double empty = emptyNumber(look);
         QObject::connect(field, &QDoubleSpinBox::valueChanged, field, [=, this](double shown) {
-            change(row, lens, isEmptyNumber(look, shown) ? Value{} : toValue<Value>(shown * look.scale));
+            change(row, lens, isEmptyNumber(look, shown) ? Value{} : toValue<Value>(inFile(look, shown)));
         });
         add(row, field, lens, [=](const Entry& entry) {
             const std::optional<double> value = toNumber(lens.get(entry));

@@ -86,10 +86,17 @@ QDoubleSpinBox* makeRateField(bool mayBeEmpty)
     return field;
 }
 
+double inFile(const NumberLook& look, double shown)
+{
+    return shown / (1 / look.scale);
+}
+
 void showNumber(QDoubleSpinBox& field, double shown)
 {
-    if (shown > field.maximum())
-        field.setMaximum(shown);
+    constexpr auto usualMaximum = "usualMaximum";
+    if (!field.property(usualMaximum).isValid())
+        field.setProperty(usualMaximum, field.maximum());
+    field.setMaximum(std::max(shown, field.property(usualMaximum).toDouble()));
     field.setValue(shown);
 }
 

@@ -42,6 +42,8 @@ QDoubleSpinBox* makeNumberField(const NumberLook& look);
 /// For frames a second, as exact as the file has them and without zeros at the end. \param mayBeEmpty  with 0
 /// for none.
 QDoubleSpinBox* makeRateField(bool mayBeEmpty = false);
+/// A shown number as the file has it: 70 % are 0.7, to the last digit.
+double inFile(const NumberLook& look, double shown);
 /// Shows a number that may be beyond what the field lets one enter.
 void showNumber(QDoubleSpinBox& field, double shown);
 

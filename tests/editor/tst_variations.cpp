@@ -129,6 +129,8 @@ private slots:
         distance->setValue(0);
         QVERIFY(!entry().limits.poseDistance);
         QCOMPARE(distance->text(), QStringLiteral("As the takes"));
+        test::find<QDoubleSpinBox>("limitVolume")->setValue(35);
+        QVERIFY(entry().limits.volumeChange == 0.35); // as it is typed, to the last digit
         test::find<QDoubleSpinBox>("limitVolume")->setValue(5);
         QCOMPARE(entry().limits.volumeChange, 0.05);
         test::find<QToolButton>("learnAdvanced")->click();
