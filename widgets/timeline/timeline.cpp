@@ -3,39 +3,50 @@
 #include "widgets/timeline/timeline.h"
 
 #include "widgets/theme/theme.h"
-#include "widgets/timeline/timelineprivate.h"
+#include "widgets/timeline/timelinedrop.h"
+#include "widgets/timeline/timelinegestures.h"
+#include "widgets/timeline/timelinegrowth.h"
+#include "widgets/timeline/timelinekeyboard.h"
+#include "widgets/timeline/timelinepaint.h"
+#include "widgets/timeline/timelinetip.h"
 #include "widgets/timeline/timelinezoombar.h"
 
 #include <QAccessible>
-#include <QEvent>
+#include <QContextMenuEvent>
 #include <QHelpEvent>
-#include <QKeyEvent>
-#include <QLocale>
 #include <QNativeGestureEvent>
 #include <QPainter>
 #include <QToolTip>
 #include <algorithm>
+#include <cmath>
 
 namespace quadrille::widgets {
 
-Timeline::Timeline(QWidget* parent) : QWidget(parent), d(std::make_unique<Private>())
+Timeline::Timeline(QWidget* parent)
+    : QWidget(parent)
+    , m_layout(m_content)
+    , m_gestures(std::make_unique<TimelineGestures>(m_layout))
+    , m_keyboard(std::make_unique<TimelineKeyboard>(m_layout))
+    , m_growth(std::make_unique<TimelineGrowth>(m_layout))
+    , m_drop(std::make_unique<TimelineDrop>(m_content, m_layout, *m_growth))
+    , m_zoomBar(new TimelineZoomBar(m_layout.scale(), this))
 {
     setObjectName(QStringLiteral("timeline"));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     setFont(Theme::tabularFont(font()));
-    d->font = font();
-    d->zoomBar = new TimelineZoomBar(d->scale, this);
-    d->zoomBar->setObjectName(QStringLiteral("timelineZoomBar"));
-    connect(d->zoomBar, &TimelineZoomBar::partRequested, this, [this](double first, double frames) {
-        d->scale.show(first, frames);
+    m_layout.setMetrics(fontMetrics());
+    m_zoomBar->setObjectName(QStringLiteral("timelineZoomBar"));
+    connect(m_zoomBar, &TimelineZoomBar::partRequested, this, [this](double first, double frames) {
+        m_layout.scale().show(first, frames);
         scaleChanged();
     });
-    connect(d->zoomBar, &TimelineZoomBar::fitRequested, this, &Timeline::zoomToFit);
-    constexpr int growingMilliseconds = 40;
-    d->growing.setInterval(growingMilliseconds);
-    connect(&d->growing, &QTimer::timeout, this, [this] { growUnder(d->held); });
+    connect(m_zoomBar, &TimelineZoomBar::fitRequested, this, &Timeline::zoomToFit);
+    installEventFilter(m_drop.get());
+    follow(*m_gestures);
+    follow(*m_keyboard);
+    followDrags();
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
     QEvent retranslate(QEvent::LanguageChange);
     changeEvent(&retranslate);
@@ -44,246 +55,234 @@ Timeline::Timeline(QWidget* parent) : QWidget(parent), d(std::make_unique<Privat
 
 Timeline::~Timeline() = default;
 
-void Timeline::setFrameCount(int frames)
+void Timeline::follow(const TimelineIntents& intents)
 {
-    d->framesBeforeGrowing = 0;
-    d->isEmpty = frames <= 0;
-    d->zoomBar->setVisible(!d->isEmpty);
-    d->scale.setFrameCount(frames);
-    d->current = std::clamp(d->current, 0, d->scale.frameCount() - 1);
-    scaleChanged();
+    using Intents = TimelineIntents;
+    connect(&intents, &Intents::scrubRequested, this, &Timeline::scrub);
+    connect(&intents, &Intents::scrubbingChanged, this, &Timeline::scrubbingChanged);
+    connect(&intents, &Intents::selectRequested, this, &Timeline::select);
+    connect(&intents, &Intents::spanHovered, this, &Timeline::spanHovered);
+    connect(&intents, &Intents::rangeEdited, this, &Timeline::rangeEdited);
+    connect(&intents, &Intents::loopEdited, this, &Timeline::loopEdited);
+    connect(&intents, &Intents::loopRemovalRequested, this, &Timeline::loopRemovalRequested);
+    connect(&intents, &Intents::spanCreated, this, &Timeline::spanCreated);
+    connect(&intents, &Intents::spanEdited, this, &Timeline::spanEdited);
+    connect(&intents, &Intents::keyMoved, this, &Timeline::keyMoved);
+    connect(&intents, &Intents::spanActivated, this, &Timeline::spanActivated);
+    connect(&intents, &Intents::spanDeletionRequested, this, &Timeline::spanDeletionRequested);
+    connect(&intents, &Intents::zoomRequested, this, &Timeline::zoomBy);
+    connect(&intents, &Intents::fitRequested, this, &Timeline::zoomToFit);
+    connect(&intents, &Intents::foldRequested, this,
+            [this](const QString& track) { setFolded(track, !isFolded(track)); });
+    connect(&intents, &Intents::rowEdited, this, &Timeline::editRow);
+    connect(&intents, &Intents::scrollRequested, this, [this](double first) {
+        m_layout.scale().scrollTo(first);
+        scaleChanged();
+    });
+    connect(&intents, &Intents::revealRequested, this, [this](int frame) {
+        m_layout.scale().reveal(frame);
+        scaleChanged();
+    });
 }
 
-int Timeline::frameCount() const
+void Timeline::followDrags()
 {
-    return d->scale.frameCount();
+    connect(m_gestures.get(), &TimelineIntents::dragChanged, this, qOverload<>(&QWidget::update));
+    connect(m_gestures.get(), &TimelineIntents::keyHeld, m_growth.get(), &TimelineGrowth::holdAt);
+    connect(m_gestures.get(), &TimelineIntents::dragEnded, this, [this](bool committed) {
+        update();
+        if (committed)
+            m_growth->stop();
+        else
+            m_growth->takeBack();
+    });
+    connect(m_drop.get(), &TimelineDrop::changed, this, qOverload<>(&QWidget::update));
+    connect(m_drop.get(), &TimelineDrop::framesDropped, this, &Timeline::framesDropped);
+    connect(m_growth.get(), &TimelineGrowth::grown, this, [this](const QPointF& held) {
+        m_gestures->holdKey(held);
+        m_drop->holdAt(held);
+        scaleChanged();
+    });
+    connect(m_growth.get(), &TimelineGrowth::takenBack, this, [this] {
+        m_content.current = std::min(m_content.current, m_layout.lastFrame());
+        scaleChanged();
+    });
+}
+
+void Timeline::setFrameCount(int frames)
+{
+    m_growth->forget();
+    m_content.isEmpty = frames <= 0;
+    m_zoomBar->setVisible(!m_content.isEmpty);
+    m_layout.scale().setFrameCount(frames); // which keeps one where there is none
+    m_content.current = std::clamp(m_content.current, 0, m_layout.lastFrame());
+    scaleChanged();
 }
 
 void Timeline::setFps(double fps)
 {
-    d->fps = std::max(fps, 1e-3);
+    m_content.fps = std::max(fps, 1e-3);
     update();
 }
 
 void Timeline::setUnit(Unit unit)
 {
-    d->unit = unit;
+    m_content.inSeconds = unit == Unit::Seconds;
     updateAccessibleText();
     update();
-}
-
-Timeline::Unit Timeline::unit() const
-{
-    return d->unit;
 }
 
 void Timeline::setCurrentFrame(int frame)
 {
-    const int inside = std::clamp(frame, 0, d->scale.frameCount() - 1);
-    if (inside == d->current)
+    const int inside = std::clamp(frame, 0, m_layout.lastFrame());
+    if (inside == m_content.current)
         return;
-    const QRect before = d->playheadRect(d->current, fontMetrics());
-    const double first = d->scale.firstVisible();
-    d->current = inside;
-    d->scale.reveal(inside);
+    const QRect before = m_layout.playheadRect(m_content.current);
+    const double first = scale().firstVisible();
+    m_content.current = inside;
+    m_layout.scale().reveal(inside);
     updateAccessibleText();
-    if (d->scale.firstVisible() != first) {
+    if (scale().firstVisible() != first) {
         scaleChanged();
         return;
     }
     update(before);
-    update(d->playheadRect(inside, fontMetrics()));
+    update(m_layout.playheadRect(inside));
     emit viewChanged();
-}
-
-int Timeline::currentFrame() const
-{
-    return d->current;
 }
 
 void Timeline::setRange(std::optional<std::pair<int, int>> range)
 {
-    d->range = range;
+    m_content.range = range;
     update();
-}
-
-std::pair<int, int> Timeline::range() const
-{
-    return d->effectiveRange();
 }
 
 void Timeline::setRangeEditable(bool editable)
 {
-    d->isRangeEditable = editable;
+    m_content.isRangeEditable = editable;
     update();
 }
 
 void Timeline::setLoop(std::optional<std::pair<int, int>> loop)
 {
-    d->loop = loop;
+    m_content.loop = loop;
     update();
-}
-
-std::optional<std::pair<int, int>> Timeline::loop() const
-{
-    return d->loop;
-}
-
-std::pair<int, int> Timeline::playedRange() const
-{
-    const auto [in, out] = range();
-    if (!d->loop || d->loop->first > out || d->loop->second < in)
-        return {in, out};
-    return {std::max(in, d->loop->first), std::min(out, d->loop->second)};
 }
 
 void Timeline::setTracks(std::vector<TimelineTrack> tracks)
 {
-    d->tracks = std::move(tracks);
-    int widest = 0;
-    for (const TimelineTrack& track : d->tracks)
-        widest = std::max(widest, fontMetrics().horizontalAdvance(track.title));
-    constexpr int widestHeader = 150;
-    constexpr int leastHeader = 76; // lanes below have titles, too
-    constexpr int besideTitle = 32; // the sign that folds, and some room
-    d->headerWidth = d->tracks.empty() ? 8 : std::clamp(widest + besideTitle, leastHeader, widestHeader);
-    d->scale.setWidth(width() - d->headerWidth);
-    d->zoomBar->setGeometry(d->headerWidth, Private::rulerHeight, width() - d->headerWidth,
-                            TimelineZoomBar::thickness);
-    if (d->hovered && !d->exists(*d->hovered))
-        hover(std::nullopt);
-    if (d->selected && !d->exists(*d->selected))
+    m_content.tracks = std::move(tracks);
+    m_layout.setSize(size());
+    m_layout.fitHeader();
+    placeZoomBar();
+    if (m_gestures->hovered() && !m_content.exists(*m_gestures->hovered()))
+        m_gestures->hover(std::nullopt);
+    if (m_content.selected && !m_content.exists(*m_content.selected))
         select(std::nullopt);
     updateGeometry();
     scaleChanged();
 }
 
-const std::vector<TimelineTrack>& Timeline::tracks() const
-{
-    return d->tracks;
-}
-
 void Timeline::setSelectedSpan(const std::optional<SpanRef>& span)
 {
-    d->selected = span && d->exists(*span) ? span : std::nullopt;
+    m_content.selected = span && m_content.exists(*span) ? span : std::nullopt;
     update();
 }
 
-std::optional<SpanRef> Timeline::selectedSpan() const
+void Timeline::setDropTrack(const QString& track)
 {
-    return d->selected;
+    m_content.dropTrack = track;
+    setAcceptDrops(!track.isEmpty());
 }
 
-const TimelineScale& Timeline::scale() const
+void Timeline::setGrowing(bool growing)
 {
-    return d->scale;
+    m_growth->setEnabled(growing);
+}
+
+void Timeline::setRows(std::vector<TimelineRow> rows)
+{
+    if (rows == this->rows())
+        return;
+    m_layout.rows().set(std::move(rows));
+    updateGeometry();
+    update();
+}
+
+void Timeline::setFolded(const QString& track, bool folded)
+{
+    TimelineRow row = m_layout.rows().of(track);
+    if (std::exchange(row.isFolded, folded) != folded)
+        editRow(row, true);
+}
+
+void Timeline::editRow(const TimelineRow& row, bool committed)
+{
+    m_layout.rows().edit(row);
+    updateGeometry();
+    update();
+    if (committed)
+        emit rowsEdited();
 }
 
 void Timeline::zoomToFit()
 {
-    d->scale.fit();
+    m_layout.scale().fit();
     scaleChanged();
 }
 
 void Timeline::zoomBy(double factor)
 {
     // About the playhead where it shows, else about the middle.
-    const double playhead = d->scale.xOf(d->current + 0.5);
-    const bool shows = playhead >= 0.0 && playhead <= d->scale.width();
-    d->scale.zoom(factor, shows ? playhead : d->scale.width() / 2.0);
+    const double playhead = scale().xOf(m_content.current + 0.5);
+    const bool shows = playhead >= 0.0 && playhead <= scale().width();
+    m_layout.scale().zoom(factor, shows ? playhead : scale().width() / 2.0);
     scaleChanged();
 }
 
-QRect Timeline::spanRect(const SpanRef& ref) const
+void Timeline::scrub(int frame)
 {
-    if (const TimelineKey* key = d->key(ref)) {
-        const QRect row = trackRect(ref.track);
-        return d->keyMarkRect(row, key->frame).united(d->keyPictureRect(row, key->frame));
-    }
-    const TimelineSpan* span = d->span(ref);
-    if (const TimelineTrack* owner = d->track(ref.track);
-        span != nullptr && owner->kind == TimelineTrack::Kind::Notes)
-        return d->noteRect(*owner, trackRect(ref.track), *span);
-    return span == nullptr ? QRect() : d->rect(trackRect(ref.track), span->first, span->last);
+    const int before = m_content.current;
+    setCurrentFrame(frame);
+    if (m_content.current != before)
+        emit frameScrubbed(m_content.current);
 }
 
-QRect Timeline::trackRect(const QString& id) const
+void Timeline::select(const std::optional<SpanRef>& span)
 {
-    const TimelineTrack* track = d->track(id);
-    return track == nullptr ? QRect() : d->row(static_cast<std::size_t>(track - d->tracks.data()));
-}
-
-QRect Timeline::rulerRect() const
-{
-    return {d->headerWidth, 0, width() - d->headerWidth, Private::rulerHeight};
-}
-
-int Timeline::xOfFrame(int frame) const
-{
-    return d->x(frame + 0.5);
-}
-
-QSize Timeline::sizeHint() const
-{
-    return {640, d->contentHeight()};
-}
-
-QSize Timeline::minimumSizeHint() const
-{
-    return {160, d->contentHeight()};
+    if (span == m_content.selected)
+        return;
+    m_content.selected = span;
+    update();
+    emit selectionChanged(span);
 }
 
 void Timeline::scaleChanged()
 {
-    d->zoomBar->update();
+    m_zoomBar->update();
     update();
     emit viewChanged();
 }
 
-void Timeline::updateAccessibleText()
+void Timeline::placeZoomBar()
 {
-    if (QAccessible::isActive())
-        setAccessibleDescription(
-            tr("Frame %1 of %2, %3").arg(d->current).arg(frameCount()).arg(timeText(d->current / d->fps)));
+    const QRect ruler(m_layout.rulerRect());
+    m_zoomBar->setGeometry(ruler.left(), ruler.bottom() + 1, ruler.width(), TimelineZoomBar::thickness);
 }
 
-QString Timeline::tipOf(const SpanRef& ref) const
+void Timeline::updateAccessibleText()
 {
-    const QLocale shown = locale();
-    if (const TimelineKey* key = d->key(ref)) {
-        QString tip = tr("%1 at %2 s").arg(key->text, shown.toString(key->frame / d->fps, 'f', 2));
-        if (key->obtained)
-            tip +=
-                QLatin1Char('\n') + tr("Obtained at %1 s, %2 s off")
-                                        .arg(shown.toString(*key->obtained / d->fps, 'f', 2),
-                                             shown.toString((*key->obtained - key->frame) / d->fps, 'f', 2));
-        if (key->tolerance)
-            tip += QLatin1Char('\n') +
-                   tr("May be off by %1 s").arg(shown.toString(*key->tolerance / d->fps, 'f', 2));
-        return tip;
-    }
-    const TimelineSpan& span = *d->span(ref);
-    if (d->track(ref.track)->kind == TimelineTrack::Kind::Notes)
-        return tr("%1\nFrame %2, %3 s")
-            .arg(span.text)
-            .arg(span.first)
-            .arg(shown.toString(span.first / d->fps, 'f', 2));
-    return tr("%1: frames %2 to %3 (%4 s)")
-        .arg(span.text.isEmpty() ? d->track(ref.track)->title : span.text)
-        .arg(span.first)
-        .arg(span.last)
-        .arg(shown.toString((span.last - span.first + 1) / d->fps, 'f', 2));
+    const int current = m_content.current;
+    if (QAccessible::isActive())
+        setAccessibleDescription(
+            tr("Frame %1 of %2, %3").arg(current).arg(frameCount()).arg(timeText(current / m_content.fps)));
 }
 
 bool Timeline::event(QEvent* event)
 {
-    // Keys that act on what is selected come before shortcuts of the window.
-    if (event->type() == QEvent::ShortcutOverride && d->selected) {
+    if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = *static_cast<QKeyEvent*>(event);
-        const bool moves = (key.key() == Qt::Key_Left || key.key() == Qt::Key_Right) &&
-                           (key.modifiers() & (Qt::ControlModifier | Qt::ShiftModifier));
-        if (moves || key.key() == Qt::Key_Delete || key.key() == Qt::Key_Backspace ||
-            key.key() == Qt::Key_F2) {
+        if (m_keyboard->comesFirst(key.key(), key.modifiers())) {
             event->accept();
             return true;
         }
@@ -291,24 +290,14 @@ bool Timeline::event(QEvent* event)
     if (event->type() == QEvent::NativeGesture) {
         const auto& gesture = *static_cast<QNativeGestureEvent*>(event);
         if (gesture.gestureType() == Qt::ZoomNativeGesture) {
-            d->scale.zoom(1.0 + gesture.value(), gesture.position().x() - d->headerWidth);
+            m_layout.scale().zoom(1.0 + gesture.value(), gesture.position().x() - m_layout.headerWidth());
             scaleChanged();
             return true;
         }
     }
     if (event->type() == QEvent::ToolTip) {
         const auto& help = *static_cast<QHelpEvent*>(event);
-        bool isEdge = false;
-        if (const auto ref = d->spanAt(help.pos())) {
-            QToolTip::showText(help.globalPos(), tipOf(*ref), this);
-        } else if (const TimelineTrack* track = d->titleAt(help.pos(), &isEdge)) {
-            QToolTip::showText(help.globalPos(),
-                               isEdge ? tr("Drag to size the row; a double click makes it as usual")
-                                      : tr("%1: a click folds the row, another unfolds it").arg(track->title),
-                               this);
-        } else {
-            QToolTip::hideText();
-        }
+        QToolTip::showText(help.globalPos(), timelineTip(m_layout, help.pos(), locale()), this);
         return true;
     }
     return QWidget::event(event);
@@ -317,16 +306,14 @@ bool Timeline::event(QEvent* event)
 void Timeline::paintEvent(QPaintEvent* event)
 {
     QPainter painter(this);
-    d->paint(painter, event->rect(), *this);
+    paintTimeline(painter, event->rect(), m_layout, m_gestures->drag(), palette(), hasFocus());
 }
 
 void Timeline::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    d->size = size();
-    d->scale.setWidth(width() - d->headerWidth);
-    d->zoomBar->setGeometry(d->headerWidth, Private::rulerHeight, width() - d->headerWidth,
-                            TimelineZoomBar::thickness);
+    m_layout.setSize(size());
+    placeZoomBar();
     scaleChanged();
 }
 
@@ -334,13 +321,78 @@ void Timeline::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange) {
         setAccessibleName(tr("Timeline"));
-        d->zoomBar->setAccessibleName(tr("Part of the frames that shows"));
-        d->zoomBar->setToolTip(tr("Drag the part to scroll and its ends to zoom; a double click shows all"));
+        m_zoomBar->setAccessibleName(tr("Part of the frames that shows"));
+        m_zoomBar->setToolTip(tr("Drag the part to scroll and its ends to zoom; a double click shows all"));
         updateAccessibleText();
     }
     if (event->type() == QEvent::FontChange)
-        d->font = font();
+        m_layout.setMetrics(fontMetrics());
     QWidget::changeEvent(event);
+}
+
+void Timeline::mousePressEvent(QMouseEvent* event)
+{
+    m_gestures->press(event->position(), event->button(), event->modifiers());
+}
+
+void Timeline::mouseMoveEvent(QMouseEvent* event)
+{
+    if (!m_gestures->isDragging())
+        setCursor(m_gestures->cursorAt(event->position()));
+    m_gestures->move(event->position(), event->modifiers());
+}
+
+void Timeline::mouseReleaseEvent(QMouseEvent* event)
+{
+    m_gestures->release(event->button());
+}
+
+void Timeline::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    m_gestures->doubleClick(event->position(), event->button(), event->modifiers());
+}
+
+void Timeline::leaveEvent(QEvent* event)
+{
+    m_gestures->hover(std::nullopt);
+    QWidget::leaveEvent(event);
+}
+
+void Timeline::wheelEvent(QWheelEvent* event)
+{
+    TimelineScale& scale = m_layout.scale();
+    if (event->modifiers().testFlag(Qt::ControlModifier)) {
+        const double x = event->position().x() - m_layout.headerWidth();
+        scale.zoom(std::pow(1.0015, event->angleDelta().y()), x);
+    } else {
+        const QPoint delta = event->pixelDelta().isNull() ? event->angleDelta() / 2 : event->pixelDelta();
+        const int pixels = std::abs(delta.x()) > std::abs(delta.y()) ? delta.x() : delta.y();
+        scale.scrollTo(scale.firstVisible() - pixels / scale.pixelsPerFrame());
+    }
+    scaleChanged();
+    event->accept();
+}
+
+void Timeline::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Escape && m_gestures->isDragging())
+        m_gestures->cancel();
+    else if (!m_keyboard->press(event->key(), event->modifiers()))
+        QWidget::keyPressEvent(event);
+}
+
+void Timeline::contextMenuEvent(QContextMenuEvent* event)
+{
+    const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
+    const auto span = byKey ? m_content.selected : m_layout.spanAt(event->pos());
+    const TimelineTrack* track =
+        byKey && span ? m_content.track(span->track) : m_layout.trackAt(event->pos());
+    const QString id = track == nullptr ? QString() : track->id;
+    if (span)
+        select(span);
+    const int frame = byKey ? m_content.current : m_layout.frameAt(event->pos().x());
+    const QPoint place = byKey && span ? mapToGlobal(spanRect(*span).center()) : event->globalPos();
+    emit contextMenuRequested(id, span, frame, place);
 }
 
 } // namespace quadrille::widgets

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "widgets/timeline/draggedframes.h"
-#include "widgets/timeline/timelinescale.h"
-#include "widgets/timeline/timelinetrack.h"
+#include "widgets/timeline/timelinelayout.h"
 
 #include <QWidget>
 #include <memory>
@@ -12,6 +11,13 @@
 #include <vector>
 
 namespace quadrille::widgets {
+
+class TimelineDrop;
+class TimelineGestures;
+class TimelineGrowth;
+class TimelineIntents;
+class TimelineKeyboard;
+class TimelineZoomBar;
 
 /// Ruler, playhead, range and strips over the frames of a clip. It changes nothing itself besides the
 /// frame: edits are signals, and come back by setTracks() or setRange(). While something is dragged,
@@ -38,51 +44,51 @@ public:
     ~Timeline() override;
 
     void setFrameCount(int frames);
-    int frameCount() const;
+    int frameCount() const { return scale().frameCount(); }
     void setFps(double fps);
     void setUnit(Unit unit);
-    Unit unit() const;
+    Unit unit() const { return m_content.inSeconds ? Unit::Seconds : Unit::Frames; }
     /// Emits nothing.
     void setCurrentFrame(int frame);
-    int currentFrame() const;
+    int currentFrame() const { return m_content.current; }
     /// The frames that play, both included; none: all.
     void setRange(std::optional<std::pair<int, int>> range);
-    std::pair<int, int> range() const;
+    std::pair<int, int> range() const { return m_layout.range(); }
     /// Whether the range has ends that can be moved; else I and O set the loop.
     void setRangeEditable(bool editable);
     /// The part of the range that plays again and again, both ends included; none: all of the range.
     void setLoop(std::optional<std::pair<int, int>> loop);
-    std::optional<std::pair<int, int>> loop() const;
+    std::optional<std::pair<int, int>> loop() const { return m_content.loop; }
     /// The loop as far as it lies in the range, else the range.
-    std::pair<int, int> playedRange() const;
+    std::pair<int, int> playedRange() const { return m_layout.playedRange(); }
     void setTracks(std::vector<TimelineTrack> tracks);
-    const std::vector<TimelineTrack>& tracks() const;
+    const std::vector<TimelineTrack>& tracks() const { return m_content.tracks; }
     void setSelectedSpan(const std::optional<SpanRef>& span);
-    std::optional<SpanRef> selectedSpan() const;
+    std::optional<SpanRef> selectedSpan() const { return m_content.selected; }
     /// The track of keys that frames can be dropped onto, from anywhere over the timeline; empty for none.
     void setDropTrack(const QString& track);
     /// Lets the ruler go on behind its end while a key is held there.
     void setGrowing(bool growing);
     /// Rows that are not as usual; also of tracks that are not there now.
     void setRows(std::vector<TimelineRow> rows);
-    const std::vector<TimelineRow>& rows() const;
+    const std::vector<TimelineRow>& rows() const { return m_layout.rows().all(); }
     void setFolded(const QString& track, bool folded);
-    bool isFolded(const QString& track) const;
+    bool isFolded(const QString& track) const { return m_layout.rows().of(track).isFolded; }
 
-    const TimelineScale& scale() const;
+    const TimelineScale& scale() const { return m_layout.scale(); }
     void zoomToFit();
     void zoomBy(double factor);
     /// Where something is drawn, in this widget's coordinates; for tests and tool tips.
     /// Of a key, its mark and picture.
-    QRect spanRect(const SpanRef& span) const;
-    QRect trackRect(const QString& track) const;
-    QRect rulerRect() const;
+    QRect spanRect(const SpanRef& span) const { return m_layout.spanRect(span); }
+    QRect trackRect(const QString& track) const { return m_layout.trackRect(track); }
+    QRect rulerRect() const { return m_layout.rulerRect(); }
     /// What a row is called, left of its track.
-    QRect titleRect(const QString& track) const;
-    int xOfFrame(int frame) const;
+    QRect titleRect(const QString& track) const { return m_layout.titleRect(track); }
+    int xOfFrame(int frame) const { return m_layout.x(frame + 0.5); }
 
-    QSize sizeHint() const override;
-    QSize minimumSizeHint() const override;
+    QSize sizeHint() const override { return {640, m_layout.contentHeight()}; }
+    QSize minimumSizeHint() const override { return {160, m_layout.contentHeight()}; }
 
 signals:
     /// Other frames are shown, or the playhead is at another one.
@@ -123,28 +129,24 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void leaveEvent(QEvent* event) override;
-    void dragEnterEvent(QDragEnterEvent* event) override;
-    void dragMoveEvent(QDragMoveEvent* event) override;
-    void dragLeaveEvent(QDragLeaveEvent* event) override;
-    void dropEvent(QDropEvent* event) override;
 
 private:
-    struct Private;
-    std::unique_ptr<Private> d;
+    void follow(const TimelineIntents& intents);
+    void followDrags();
     void scrub(int frame);
     void select(const std::optional<SpanRef>& span);
-    void hover(const std::optional<SpanRef>& span);
-    QString tipOf(const SpanRef& span) const;
+    void editRow(const TimelineRow& row, bool committed);
     void scaleChanged();
+    void placeZoomBar();
     void updateAccessibleText();
-    bool editSelectedByKey(int key, Qt::KeyboardModifiers modifiers);
-    bool moveSelectedByKey(int step, Qt::KeyboardModifiers modifiers);
-    void selectNeighbour(int step);
-    void finishDrag(bool commit);
-    void growUnder(const QPointF& position);
-    void stopGrowing();
-    bool pressTitle(const QPointF& position);
-    void editLoopByKey(bool isStart);
+
+    TimelineContent m_content;
+    TimelineLayout m_layout;
+    std::unique_ptr<TimelineGestures> m_gestures;
+    std::unique_ptr<TimelineKeyboard> m_keyboard;
+    std::unique_ptr<TimelineGrowth> m_growth;
+    std::unique_ptr<TimelineDrop> m_drop;
+    TimelineZoomBar* m_zoomBar;
 };
 
 } // namespace quadrille::widgets

@@ -1,55 +1,80 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "widgets/timeline/timelineprivate.h"
+#include "widgets/timeline/timelinedrop.h"
 
-#include <QDragEnterEvent>
+#include "widgets/timeline/timelinesnapping.h"
+
+#include <QDropEvent>
 #include <QMimeData>
 
 namespace quadrille::widgets {
 
-void Timeline::setDropTrack(const QString& track)
+TimelineDrop::TimelineDrop(TimelineContent& content, const TimelineLayout& layout, TimelineGrowth& growth)
+    : m_content(content), m_layout(layout), m_growth(growth)
 {
-    d->dropTrack = track;
-    setAcceptDrops(!track.isEmpty());
 }
 
-void Timeline::dragEnterEvent(QDragEnterEvent* event)
+bool TimelineDrop::eventFilter(QObject* watched, QEvent* event)
 {
-    const auto frames = draggedFrames(*event->mimeData());
+    switch (event->type()) {
+    case QEvent::DragEnter:
+        enter(*static_cast<QDropEvent*>(event));
+        return true;
+    case QEvent::DragMove:
+        move(*static_cast<QDropEvent*>(event));
+        return true;
+    case QEvent::DragLeave:
+        m_content.dropFrame.reset();
+        m_growth.takeBack();
+        emit changed();
+        return true;
+    case QEvent::Drop:
+        drop(*static_cast<QDropEvent*>(event));
+        return true;
+    default:
+        return QObject::eventFilter(watched, event);
+    }
+}
+
+int TimelineDrop::frameUnder(const QDropEvent& event) const
+{
+    const bool snap = !event.modifiers().testFlag(Qt::AltModifier);
+    return keyFrameAt(m_layout, event.position().x(), snap, std::nullopt);
+}
+
+void TimelineDrop::holdAt(const QPointF& position)
+{
+    if (m_content.dropFrame)
+        m_content.dropFrame = keyFrameAt(m_layout, position.x(), false, std::nullopt);
+}
+
+void TimelineDrop::enter(QDropEvent& event) const
+{
+    const auto frames = draggedFrames(*event.mimeData());
     const bool isTake = !frames.empty() && !frames.front().sequence.isEmpty();
-    if (isTake && !d->isEmpty && d->track(d->dropTrack) != nullptr)
-        event->acceptProposedAction();
+    if (isTake && !m_content.isEmpty && m_content.track(m_content.dropTrack) != nullptr)
+        event.acceptProposedAction();
 }
 
-void Timeline::dragMoveEvent(QDragMoveEvent* event)
+void TimelineDrop::move(QDropEvent& event)
 {
-    const bool isInside = event->position().x() >= d->headerWidth;
-    const bool snap = !event->modifiers().testFlag(Qt::AltModifier);
-    d->dropFrame =
-        isInside ? std::optional(d->frameForKey(event->position(), snap, std::nullopt)) : std::nullopt;
-    event->setAccepted(isInside);
-    growUnder(event->position());
-    update();
+    const bool isInside = event.position().x() >= m_layout.headerWidth();
+    m_content.dropFrame = isInside ? std::optional(frameUnder(event)) : std::nullopt;
+    event.setAccepted(isInside);
+    m_growth.holdAt(event.position());
+    emit changed();
 }
 
-void Timeline::dragLeaveEvent(QDragLeaveEvent* /*event*/)
+void TimelineDrop::drop(QDropEvent& event)
 {
-    d->dropFrame.reset();
-    stopGrowing();
-    update();
-}
-
-void Timeline::dropEvent(QDropEvent* event)
-{
-    const auto frames = draggedFrames(*event->mimeData());
-    d->dropFrame.reset();
-    d->growing.stop();
-    update();
-    if (frames.empty() || event->position().x() < d->headerWidth)
+    const auto frames = draggedFrames(*event.mimeData());
+    m_content.dropFrame.reset();
+    m_growth.stop();
+    emit changed();
+    if (frames.empty() || event.position().x() < m_layout.headerWidth())
         return;
-    event->acceptProposedAction();
-    const bool snap = !event->modifiers().testFlag(Qt::AltModifier);
-    emit framesDropped(d->dropTrack, d->frameForKey(event->position(), snap, std::nullopt), frames.front());
+    event.acceptProposedAction();
+    emit framesDropped(m_content.dropTrack, frameUnder(event), frames.front());
 }
 
 } // namespace quadrille::widgets

@@ -1,60 +1,180 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "widgets/timeline/timelineprivate.h"
+#include "widgets/timeline/timelinelayout.h"
 
+#include <QFont>
 #include <algorithm>
 #include <cmath>
 
 namespace quadrille::widgets {
 
-int Timeline::Private::x(double frame) const
+TimelineLayout::TimelineLayout(const TimelineContent& content) : m_content(content), m_metrics(QFont()) {}
+
+void TimelineLayout::setSize(const QSize& size)
 {
-    return headerWidth + static_cast<int>(std::lround(scale.xOf(frame)));
+    m_size = size;
+    m_scale.setWidth(size.width() - m_headerWidth);
 }
 
-QRect Timeline::Private::rect(const QRect& row, int first, int last) const
+void TimelineLayout::fitHeader()
+{
+    int widest = 0;
+    for (const TimelineTrack& track : m_content.tracks)
+        widest = std::max(widest, m_metrics.horizontalAdvance(track.title));
+    constexpr int widestHeader = 150;
+    constexpr int leastHeader = 76; // lanes below have titles, too
+    constexpr int besideTitle = 32; // the sign that folds, and some room
+    m_headerWidth =
+        m_content.tracks.empty() ? 8 : std::clamp(widest + besideTitle, leastHeader, widestHeader);
+    m_scale.setWidth(m_size.width() - m_headerWidth);
+}
+
+std::pair<int, int> TimelineLayout::range() const
+{
+    return m_content.range.value_or(std::pair{0, lastFrame()});
+}
+
+std::pair<int, int> TimelineLayout::playedRange() const
+{
+    const auto [in, out] = range();
+    const auto& loop = m_content.loop;
+    if (!loop || loop->first > out || loop->second < in)
+        return {in, out};
+    return {std::max(in, loop->first), std::min(out, loop->second)};
+}
+
+int TimelineLayout::x(double frame) const
+{
+    return m_headerWidth + static_cast<int>(std::lround(m_scale.xOf(frame)));
+}
+
+int TimelineLayout::contentHeight() const
+{
+    int height = tracksTop;
+    for (const TimelineTrack& track : m_content.tracks)
+        height += m_rows.heightOf(track) + gap;
+    return height;
+}
+
+QRect TimelineLayout::row(std::size_t index) const
+{
+    int top = tracksTop;
+    for (std::size_t i = 0; i < index; ++i)
+        top += m_rows.heightOf(m_content.tracks[i]) + gap;
+    return {m_headerWidth, top, std::max(1, m_size.width() - m_headerWidth),
+            m_rows.heightOf(m_content.tracks[index])};
+}
+
+QRect TimelineLayout::row(const TimelineTrack& track) const
+{
+    return row(static_cast<std::size_t>(&track - m_content.tracks.data()));
+}
+
+QRect TimelineLayout::trackRect(const QString& id) const
+{
+    const TimelineTrack* track = m_content.track(id);
+    return track == nullptr ? QRect() : row(*track);
+}
+
+QRect TimelineLayout::titleRect(const QString& id) const
+{
+    const QRect place = trackRect(id);
+    return place.isNull() ? QRect() : QRect(0, place.top(), m_headerWidth, place.height());
+}
+
+QRect TimelineLayout::framesRect(const QRect& row, int first, int last) const
 {
     const int left = x(first);
     return {left, row.top(), std::max(2, x(last + 1) - left), row.height()};
 }
 
-const TimelineTrack* Timeline::Private::track(const QString& id) const
+QRect TimelineLayout::keyMarkRect(const QRect& row, double frame) const
 {
-    const auto it = std::find_if(tracks.begin(), tracks.end(), [&](const auto& t) { return t.id == id; });
-    return it == tracks.end() ? nullptr : &*it;
+    const int reach = static_cast<int>(keyReach) + 1;
+    return {x(frame + 0.5) - reach, row.top(), 2 * reach,
+            std::min(TimelineRows::keyMarkHeight, row.height())};
 }
 
-const TimelineSpan* Timeline::Private::span(const SpanRef& ref) const
+QRect TimelineLayout::keyPictureRect(const QRect& row, double frame) const
 {
-    const TimelineTrack* owner = track(ref.track);
+    // Pictures are as high as their row lets them be; a folded one has none.
+    const int side = std::max(0, row.height() - TimelineRows::keyMarkHeight - 2);
+    const int middle = x(frame + 0.5);
+    int left = middle - side / 2;
+    // A picture stays whole while its mark shows.
+    if (middle >= row.left() && middle <= row.right())
+        left = std::clamp(left, row.left() + 1, std::max(row.left() + 1, row.right() - side));
+    return {left, row.top() + TimelineRows::keyMarkHeight, side, side};
+}
+
+QRect TimelineLayout::noteRect(const TimelineTrack& owner, const QRect& row, const TimelineSpan& note) const
+{
+    constexpr int mostWords = 220;
+    const int left = x(note.first + 0.5) - noteReach;
+    int room = mostWords;
+    for (const TimelineSpan& other : owner.spans)
+        if (const int toOther = x(other.first + 0.5) - noteReach - left; other.id != note.id && toOther > 0)
+            room = std::min(room, toOther);
+    const int words = m_metrics.horizontalAdvance(note.text) + 2 * noteReach + 8;
+    return {left, row.top(), std::max(2 * noteReach, std::min(room, words)), row.height()};
+}
+
+QRect TimelineLayout::spanRect(const SpanRef& ref) const
+{
+    const TimelineTrack* owner = m_content.track(ref.track);
     if (owner == nullptr)
-        return nullptr;
-    const auto it = std::find_if(owner->spans.begin(), owner->spans.end(),
-                                 [&](const auto& s) { return s.id == ref.span; });
-    return it == owner->spans.end() ? nullptr : &*it;
+        return {};
+    if (const TimelineKey* key = m_content.key(ref))
+        return keyMarkRect(row(*owner), key->frame).united(keyPictureRect(row(*owner), key->frame));
+    const TimelineSpan* span = m_content.span(ref);
+    if (span == nullptr)
+        return {};
+    return owner->kind == TimelineTrack::Kind::Notes ? noteRect(*owner, row(*owner), *span)
+                                                     : framesRect(row(*owner), span->first, span->last);
 }
 
-const TimelineTrack* Timeline::Private::trackAt(const QPointF& position) const
+QRectF TimelineLayout::playheadFlag(int frame) const
 {
-    for (std::size_t i = 0; i < tracks.size(); ++i)
-        if (row(i).adjusted(0, -gap / 2, 0, gap / 2).contains(position.toPoint()))
-            return &tracks[i];
+    const double place = std::floor(m_headerWidth + m_scale.xOf(frame + 0.5)) + 0.5;
+    const double width = std::max(24.0, m_metrics.horizontalAdvance(m_content.frameText(frame)) + 12.0);
+    // The flag stays whole at both ends.
+    const double left = std::clamp(place - width / 2.0, m_headerWidth + 1.0,
+                                   std::max(m_headerWidth + 1.0, m_size.width() - width - 1.0));
+    return {left, 2.0, width, rulerHeight - 10.0};
+}
+
+QRect TimelineLayout::playheadRect(int frame) const
+{
+    const double place = m_headerWidth + m_scale.xOf(frame + 0.5);
+    const QRectF cell(x(frame), 0, x(frame + 1) - x(frame), m_size.height());
+    const QRectF line(place - 6, 0, 12, m_size.height());
+    // Two more pixels take what is smoothed into the pixels beside it where a point is no whole number of
+    // them.
+    return playheadFlag(frame).united(cell).united(line).toAlignedRect().adjusted(-2, -2, 2, 2);
+}
+
+const TimelineTrack* TimelineLayout::trackAt(const QPointF& position) const
+{
+    for (const TimelineTrack& track : m_content.tracks)
+        if (row(track).adjusted(0, -gap / 2, 0, gap / 2).contains(position.toPoint()))
+            return &track;
     return nullptr;
 }
 
-std::optional<SpanRef> Timeline::Private::spanAt(const QPointF& position) const
+std::optional<SpanRef> TimelineLayout::spanAt(const QPointF& position) const
 {
+    constexpr int slimmest = 6; // pixels that take hold of a span
     const TimelineTrack* owner = trackAt(position);
     if (owner == nullptr)
         return std::nullopt;
     if (owner->kind == TimelineTrack::Kind::Keys)
-        return keyAt(*owner, position);
+        return keyAt(*owner, position.toPoint());
     if (owner->kind == TimelineTrack::Kind::Notes)
-        return noteAt(*owner, position);
-    const QRect place = row(static_cast<std::size_t>(owner - tracks.data()));
+        return noteAt(*owner, position.toPoint());
+    const QRect place = row(*owner);
     // Later spans lie above earlier ones; slim ones are taken hold of beside them too.
     for (auto span = owner->spans.rbegin(); span != owner->spans.rend(); ++span) {
-        const QRect box = rect(place, span->first, span->last);
+        const QRect box = framesRect(place, span->first, span->last);
         const int beside = std::max(0, (slimmest - box.width() + 1) / 2);
         if (box.adjusted(-beside, 0, beside, 0).contains(position.toPoint()))
             return SpanRef{owner->id, span->id};
@@ -62,187 +182,113 @@ std::optional<SpanRef> Timeline::Private::spanAt(const QPointF& position) const
     return std::nullopt;
 }
 
-std::pair<int, int> Timeline::Private::effectiveRange() const
+std::optional<SpanRef> TimelineLayout::keyAt(const TimelineTrack& owner, const QPoint& point) const
 {
-    return range.value_or(std::pair{0, scale.frameCount() - 1});
+    const QRect place = row(owner);
+    const auto isOnMark = [&](const TimelineKey& key) {
+        return keyMarkRect(place, key.frame).contains(point);
+    };
+    const auto isOnPicture = [&](const TimelineKey& key) {
+        return keyPictureRect(place, key.frame).contains(point);
+    };
+    // The selected key lies above all, marks above pictures, later keys above earlier ones.
+    if (m_content.selected && m_content.selected->track == owner.id)
+        if (const TimelineKey* top = m_content.key(*m_content.selected);
+            top != nullptr && (isOnMark(*top) || isOnPicture(*top)))
+            return m_content.selected;
+    for (auto key = owner.keys.rbegin(); key != owner.keys.rend(); ++key)
+        if (isOnMark(*key))
+            return SpanRef{owner.id, key->id};
+    for (auto key = owner.keys.rbegin(); key != owner.keys.rend(); ++key)
+        if (isOnPicture(*key))
+            return SpanRef{owner.id, key->id};
+    return std::nullopt;
 }
 
-TimelineDrag Timeline::Private::dragAt(const QPointF& position) const
+std::optional<SpanRef> TimelineLayout::noteAt(const TimelineTrack& owner, const QPoint& point) const
 {
-    using Kind = TimelineDrag::Kind;
-    TimelineDrag result;
-    result.pressedAt = position;
-    result.grabbed = scale.nearestFrame(position.x() - headerWidth);
-    if (position.x() < headerWidth)
-        return result;
-    const auto near = [&](int edge) { return std::abs(position.x() - edge) <= edgeReach; };
-    const auto [in, out] = effectiveRange();
-    if (position.y() < rulerHeight) {
-        result.first = result.oldFirst = in;
-        result.last = result.oldLast = out;
-        const bool lowerHalf = isRangeEditable && position.y() > rulerHeight / 2.0;
-        const bool atLoop = loop && position.y() <= loopHeight + 2;
-        if (lowerHalf && near(x(out + 1)))
-            result.kind = Kind::RangeEnd;
-        else if (lowerHalf && near(x(in)))
-            result.kind = Kind::RangeStart;
-        else if (atLoop && near(x(loop->second + 1)))
-            result.kind = Kind::LoopEnd;
-        else if (atLoop && near(x(loop->first)))
-            result.kind = Kind::LoopStart;
-        else
-            result.kind = Kind::Playhead;
-        if (result.kind == Kind::LoopStart || result.kind == Kind::LoopEnd) {
-            result.first = result.oldFirst = loop->first;
-            result.last = result.oldLast = loop->second;
-        }
-        return result;
-    }
+    const QRect place = row(owner);
+    for (auto note = owner.spans.rbegin(); note != owner.spans.rend(); ++note)
+        if (noteRect(owner, place, *note).contains(point))
+            return SpanRef{owner.id, note->id};
+    return std::nullopt;
+}
+
+TimelineGrip TimelineLayout::gripAt(const QPointF& position) const
+{
+    using Kind = TimelineGrip::Kind;
+    if (position.x() < m_headerWidth)
+        return titleGripAt(position);
+    if (position.y() < rulerHeight)
+        return rulerGripAt(position);
     const TimelineTrack* owner = trackAt(position);
-    if (owner == nullptr || !owner->editable) {
-        result.kind = Kind::Playhead;
-        return result;
+    if (owner == nullptr || !owner->editable)
+        return {.kind = Kind::Playhead};
+    if (owner->kind != TimelineTrack::Kind::Keys && owner->kind != TimelineTrack::Kind::Notes)
+        return spanGripAt(*owner, position);
+    const auto ref = spanAt(position);
+    if (!ref)
+        return {.kind = Kind::Playhead};
+    const int frame = m_content.startOf(*ref);
+    return {owner->kind == TimelineTrack::Kind::Keys ? Kind::Key : Kind::Span, *ref, frame, frame};
+}
+
+TimelineGrip TimelineLayout::titleGripAt(const QPointF& position) const
+{
+    constexpr double reach = 3.0;
+    for (const TimelineTrack& track : m_content.tracks) {
+        const QRect place = row(track);
+        const double bottom = place.bottom() + 1.0 + gap / 2.0;
+        if (std::abs(position.y() - bottom) <= reach)
+            return {TimelineGrip::Kind::RowEdge, {track.id, 0}, place.height(), 0};
+        if (position.y() >= place.top() && position.y() < bottom)
+            return {.kind = TimelineGrip::Kind::Title, .span = {track.id, 0}};
     }
-    if (owner->kind == TimelineTrack::Kind::Keys) {
-        const auto ref = keyAt(*owner, position);
-        result.kind = ref ? Kind::MoveKey : Kind::Playhead;
-        result.span = ref.value_or(SpanRef{});
-        result.first = result.oldFirst = ref ? startOf(*ref) : result.grabbed;
-        return result;
+    return {};
+}
+
+TimelineGrip TimelineLayout::rulerGripAt(const QPointF& position) const
+{
+    using Kind = TimelineGrip::Kind;
+    const auto near = [&](int frame) { return std::abs(position.x() - x(frame)) <= edgeReach; };
+    const auto [in, out] = range();
+    if (m_content.isRangeEditable && position.y() > rulerHeight / 2.0) {
+        if (near(out + 1))
+            return {Kind::RangeEnd, {}, in, out};
+        if (near(in))
+            return {Kind::RangeStart, {}, in, out};
     }
-    result.span.track = owner->id;
-    if (owner->kind == TimelineTrack::Kind::Notes) {
-        const auto ref = noteAt(*owner, position);
-        result.kind = ref ? Kind::Move : Kind::Playhead;
-        result.span = ref.value_or(SpanRef{});
-        result.first = result.oldFirst = result.last = result.oldLast = ref ? startOf(*ref) : result.grabbed;
-        return result;
+    if (m_content.loop && position.y() <= loopHeight + 2) {
+        const auto [first, last] = *m_content.loop;
+        if (near(last + 1))
+            return {Kind::LoopEnd, {}, first, last};
+        if (near(first))
+            return {Kind::LoopStart, {}, first, last};
     }
-    const QRect place = row(static_cast<std::size_t>(owner - tracks.data()));
-    for (std::size_t i = owner->spans.size(); i-- > 0;) {
-        const TimelineSpan& candidate = owner->spans[i];
-        const QRect box = rect(place, candidate.first, candidate.last);
+    return {.kind = Kind::Playhead};
+}
+
+TimelineGrip TimelineLayout::spanGripAt(const TimelineTrack& owner, const QPointF& position) const
+{
+    using Kind = TimelineGrip::Kind;
+    const QRect place = row(owner);
+    const auto near = [&](int edge) { return std::abs(position.x() - edge) <= edgeReach; };
+    for (auto span = owner.spans.rbegin(); span != owner.spans.rend(); ++span) {
+        const QRect box = framesRect(place, span->first, span->last);
         if (!box.adjusted(-edgeReach, 0, edgeReach, 0).contains(position.toPoint()))
             continue;
-        result.span.span = candidate.id;
-        result.first = result.oldFirst = candidate.first;
-        result.last = result.oldLast = candidate.last;
         // A span too narrow for three zones keeps its ends reachable from outside.
-        const bool narrow = box.width() < 3 * edgeReach;
         const bool inside = box.contains(position.toPoint());
-        if (near(box.right() + 1) && !(narrow && inside))
-            result.kind = Kind::SpanEnd;
-        else if (near(box.left()) && !(narrow && inside))
-            result.kind = Kind::SpanStart;
-        else if (inside)
-            result.kind = Kind::Move;
-        else
-            continue;
-        return result;
+        const bool hasEnds = box.width() >= 3 * edgeReach || !inside;
+        const Kind kind = hasEnds && near(box.right() + 1) ? Kind::SpanEnd
+                          : hasEnds && near(box.left())    ? Kind::SpanStart
+                          : inside                         ? Kind::Span
+                                                           : Kind::None;
+        if (kind != Kind::None)
+            return {kind, {owner.id, span->id}, span->first, span->last};
     }
-    result.kind = Kind::Create;
-    result.first = result.last = result.grabbed;
-    return result;
-}
-
-TimelineSpan Timeline::Private::shown(const QString& owner, const TimelineSpan& span) const
-{
-    using Kind = TimelineDrag::Kind;
-    TimelineSpan result = span;
-    const bool dragged =
-        drag.moved && drag.span == SpanRef{owner, span.id} &&
-        (drag.kind == Kind::Move || drag.kind == Kind::SpanStart || drag.kind == Kind::SpanEnd);
-    if (dragged) {
-        result.first = drag.first;
-        result.last = drag.last;
-    }
-    return result;
-}
-
-int Timeline::Private::snapped(int boundary, const std::optional<SpanRef>& except) const
-{
-    constexpr double reach = 6.0;
-    int best = boundary;
-    double nearest = reach / scale.pixelsPerFrame() + 1e-9;
-    const auto consider = [&](int candidate) {
-        const double distance = std::abs(candidate - boundary);
-        if (distance < nearest) {
-            nearest = distance;
-            best = candidate;
-        }
-    };
-    for (const TimelineTrack& owner : tracks)
-        for (const TimelineSpan& span : owner.spans)
-            if (!except || !(*except == SpanRef{owner.id, span.id})) {
-                consider(span.first);
-                consider(span.last + 1);
-            }
-    const auto [in, out] = effectiveRange();
-    consider(in);
-    consider(out + 1);
-    if (loop && drag.kind != TimelineDrag::Kind::LoopStart && drag.kind != TimelineDrag::Kind::LoopEnd) {
-        consider(loop->first);
-        consider(loop->second + 1);
-    }
-    consider(current);
-    consider(current + 1);
-    return best;
-}
-
-bool Timeline::Private::dragTo(const QPointF& position, bool snap)
-{
-    using Kind = TimelineDrag::Kind;
-    const double place = position.x() - headerWidth;
-    const int frame = scale.nearestFrame(place);
-    const int before[2] = {drag.first, drag.last};
-    const int end = scale.frameCount() - 1;
-    const auto boundary = [&](const std::optional<SpanRef>& except) {
-        const int nearest = static_cast<int>(std::lround(scale.frameAt(place)));
-        return std::clamp(snap ? snapped(nearest, except) : nearest, 0, end + 1);
-    };
-    switch (drag.kind) {
-    case Kind::MoveKey:
-        drag.first = frameForKey({position.x() - drag.pressedAt.x() + x(drag.oldFirst + 0.5), position.y()},
-                                 snap, drag.span);
-        break;
-    case Kind::RangeStart:
-    case Kind::LoopStart:
-        drag.first = std::min(boundary(std::nullopt), drag.last);
-        break;
-    case Kind::RangeEnd:
-    case Kind::LoopEnd:
-        drag.last = std::max(boundary(std::nullopt) - 1, drag.first);
-        break;
-    case Kind::SpanStart:
-        drag.first = std::min(boundary(drag.span), drag.last);
-        break;
-    case Kind::SpanEnd:
-        drag.last = std::max(boundary(drag.span) - 1, drag.first);
-        break;
-    case Kind::Create:
-    case Kind::LoopNew:
-        drag.first = std::min(drag.grabbed, frame);
-        drag.last = std::max(drag.grabbed, frame);
-        break;
-    case Kind::Move: {
-        const int length = drag.oldLast - drag.oldFirst;
-        int first = drag.oldFirst + frame - drag.grabbed;
-        if (snap) {
-            const int atStart = snapped(first, drag.span);
-            const int atEnd = snapped(first + length + 1, drag.span) - length - 1;
-            first = atStart != first ? atStart : atEnd;
-        }
-        drag.first = std::clamp(first, 0, std::max(0, end - length));
-        drag.last = drag.first + length;
-        break;
-    }
-    case Kind::Playhead:
-    case Kind::RowSize:
-    case Kind::Scroll:
-    case Kind::None:
-        return false;
-    }
-    return drag.first != before[0] || drag.last != before[1];
+    const int frame = frameAt(position.x());
+    return {Kind::NewSpan, {owner.id, 0}, frame, frame};
 }
 
 } // namespace quadrille::widgets

@@ -53,6 +53,8 @@ struct TimelineTrack
     std::vector<TimelineSpan> spans;
     std::vector<TimelineKey> keys; ///< of tracks of this kind
     QString hint;                  ///< what belongs there, while it is empty
+    /// Whether what is made there has one frame.
+    bool holdsMoments() const { return kind == Kind::Keys || kind == Kind::Notes; }
     bool operator==(const TimelineTrack&) const = default;
 };
 
