@@ -25,6 +25,8 @@ public:
 
     virtual bool isDragging() const = 0;
     virtual bool isDrawing() const = 0;
+    /// Whether the pointer went far enough from a press for it to be no click.
+    static bool isDrag(const QPointF& pressedAt, const QPointF& position);
 
 protected:
     /// Whether events are for the tool at all.
@@ -52,8 +54,6 @@ protected:
     /// Any other key that wantsKey() takes.
     virtual bool pressOther(const QKeyEvent& event) = 0;
 
-    /// Whether the pointer went far enough from a press for it to be no click.
-    static bool isDrag(const QPointF& pressedAt, const QPointF& position);
     /// The part so many steps from the selected one; a part that is none beyond the ends.
     template <typename Part>
     static Part partAfter(const std::vector<Part>& parts, const Part& selected, int step)

@@ -3,370 +3,397 @@
 #include "widgets/viewport/patheditor.h"
 
 #include "widgets/theme/theme.h"
-#include "widgets/viewport/patheditorprivate.h"
-#include "widgets/viewport/pixeldistances.h"
+#include "widgets/viewport/pathedits.h"
+#include "widgets/viewport/pathmarks.h"
+#include "widgets/viewport/pathpaint.h"
+#include "widgets/viewport/viewport.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include <QKeyEvent>
+#include <QMouseEvent>
 #include <utility>
 
 namespace quadrille::widgets {
 
-namespace {
-
-constexpr double pointReach = 12.0; // pixels
-constexpr double edgeReach = 8.0;
-constexpr double liftDistance = 26.0; // pixels beside its point
-
-} // namespace
+using Part = PathPart::Kind;
 
 PathEditor::PathEditor(Viewport& viewport, QObject* parent)
-    : HandleTool(parent), d(std::make_unique<Private>(*this, viewport))
+    : HandleTool(parent)
+    , m_viewport(viewport)
+    , m_sampler([](PathKind, const std::vector<QVector3D>& points) { return points; })
 {
-    d->sampler = [](PathKind, const std::vector<QVector3D>& points) { return points; };
     connect(&Theme::instance(), &Theme::changed, this, &PathEditor::refreshMarks);
 }
 
-PathEditor::~PathEditor() = default;
-
-void PathEditor::setSampler(PathSampler sampler)
+PathLayout PathEditor::layout() const
 {
-    d->sampler = std::move(sampler);
+    return {m_content, {camera(), viewSize(), m_viewport.groundHeight(), m_viewport.ruler()}};
 }
 
 void PathEditor::setShape(const PathShape& shape)
 {
-    const PathShape& dragged = d->drag.before;
-    const bool isOther = shape.points.size() != dragged.points.size() ||
-                         shape.stretches.size() != dragged.stretches.size() ||
-                         shape.obstacles.size() != dragged.obstacles.size();
-    if (d->drag.kind == PathDrag::Kind::Part && isOther) // undone under the pointer
-        d->drag = {};
-    d->shape = shape;
-    d->curve =
-        SampledCurve(shape.points.empty() ? std::vector<QVector3D>() : d->sampler(shape.kind, shape.points));
+    if (m_drag && (shape.points.size() != m_drag->before().points.size() ||
+                   shape.stretches.size() != m_drag->before().stretches.size() ||
+                   shape.obstacles.size() != m_drag->before().obstacles.size()))
+        m_drag.reset(); // undone under the pointer
+    m_content.shape = shape;
+    m_content.curve =
+        SampledCurve(shape.points.empty() ? std::vector<QVector3D>() : m_sampler(shape.kind, shape.points));
     if (!shape.points.empty())
-        d->firstPoint.reset();
-    if (!d->placeOf(d->selected))
+        m_drawing.forgetFirstPoint();
+    if (!layout().placeOf(selected()))
         setSelected({});
-    d->hovered = {};
+    m_hovered = {};
     refreshMarks();
-}
-
-const PathShape& PathEditor::shape() const
-{
-    return d->shape;
-}
-
-const SampledCurve& PathEditor::curve() const
-{
-    return d->curve;
 }
 
 void PathEditor::setActive(bool active)
 {
-    if (active == d->active)
+    if (active == m_active)
         return;
     if (!active) {
-        d->drag = {};
+        m_drag.reset();
+        m_drawing.dropGesture();
         setMode(Mode::Edit);
         setSelected({});
     }
-    d->active = active;
+    m_active = active;
     refreshMarks();
-}
-
-bool PathEditor::isActive() const
-{
-    return d->active;
 }
 
 void PathEditor::setMode(Mode mode)
 {
-    if (mode == d->mode)
+    if (mode == this->mode())
         return;
-    d->mode = mode;
-    d->firstPoint.reset();
-    d->corners.clear();
-    d->pointer.reset();
-    d->hovered = {};
+    m_drawing.setMode(mode);
+    m_hovered = {};
     if (mode != Mode::Edit)
         setSelected({});
-    emit cursorRequested(Private::cursorFor({}, mode));
+    emit cursorRequested(mode != Mode::Edit ? Qt::CrossCursor : Qt::ArrowCursor);
     emit modeChanged(mode);
     emit repaintRequested();
 }
 
-PathEditor::Mode PathEditor::mode() const
-{
-    return d->mode;
-}
-
 void PathEditor::setSelected(const PathPart& part)
 {
-    if (part == d->selected)
+    if (part == selected())
         return;
-    d->selected = part;
+    m_content.selected = part;
     emit selectionChanged(part);
     emit repaintRequested();
 }
 
-const PathPart& PathEditor::selected() const
+void PathEditor::refreshMarks()
 {
-    return d->selected;
+    m_viewport.setMarks(QStringLiteral("path"), m_active ? pathMarks(layout()) : SceneMarks());
+    emit repaintRequested();
 }
 
-void PathEditor::setUsualHeight(float height)
+void PathEditor::paint(QPainter& painter) const
 {
-    d->usualHeight = height;
+    if (!m_active)
+        return;
+    paintPath(painter, layout(), m_hovered);
+    if (isDrawing())
+        paintPathDrawing(painter, layout(), m_drawing, m_sampler);
 }
 
-bool PathEditor::isDragging() const
+void PathEditor::leave()
 {
-    return d->drag.kind != PathDrag::Kind::None;
+    m_drawing.leave();
+    m_hovered = {};
 }
 
-std::optional<QPointF> PathEditor::pixelOf(const PathPart& part) const
+bool PathEditor::press(const QMouseEvent& event)
 {
-    const auto place = d->placeOf(part);
-    auto pixel = place ? d->project(*place) : std::nullopt;
-    if (pixel && part.kind == PathPart::Kind::Lift)
-        *pixel += QPointF(liftDistance, 0.0);
-    return pixel;
-}
-
-PathPart PathEditor::partAt(const QPointF& position) const
-{
-    PathPart found;
-    double nearest = pointReach;
-    for (const PathPart& part : d->parts()) {
-        const auto pixel = pixelOf(part);
-        if (!pixel)
-            continue;
-        // What is selected lies on top of the others, and points lie on top of ends of stretches.
-        const double advantage = part == d->selected ? 4.0 : part.kind == PathPart::Kind::Point ? 2.0 : 0.0;
-        const double distance = distanceBetween(*pixel, position);
-        if (distance < pointReach && distance - advantage < nearest) {
-            nearest = distance - advantage;
-            found = part;
-        }
+    m_clickOnNothing.reset();
+    if (isDragging())
+        return true;
+    if (event.button() == Qt::RightButton && isDrawing()) {
+        finishMode();
+        return true;
     }
-    if (found.kind != PathPart::Kind::None)
-        return found;
-    for (std::size_t i = 0; i < d->shape.obstacles.size(); ++i) {
-        const PathObstacle& obstacle = d->shape.obstacles[i];
-        if (!obstacle.isDisc())
-            continue;
-        const auto place = d->placeAt(position, d->viewport.groundHeight());
-        if (place && std::abs((*place - obstacle.corners[0]).length() - obstacle.radius) <
-                         static_cast<float>(edgeReach) * d->unitsPerPixel(*place))
-            return {PathPart::Kind::ObstacleRadius, static_cast<int>(i), 0};
+    if (event.button() == Qt::RightButton) {
+        m_isMenuPress = partAt(event.position()).kind != Part::None;
+        return m_isMenuPress;
     }
-    double distance = 0.0;
-    if (d->lengthAt(position, &distance) && distance < edgeReach)
-        return {PathPart::Kind::Curve, 0, 0};
-    return {};
+    if (event.button() != Qt::LeftButton)
+        return false;
+    if (!isDrawing())
+        return pressPart(event);
+    if (m_drawing.press(layout(), event.position(), event.modifiers()))
+        finishMode();
+    emit repaintRequested();
+    return true;
 }
 
-void PathEditor::viewChanged()
+bool PathEditor::pressPart(const QMouseEvent& event)
 {
-    d->pointer.reset();
-}
-
-QVector3D PathEditor::Private::up() const
-{
-    return upIndex() == 1 ? QVector3D(0, 1, 0) : QVector3D(0, 0, 1);
-}
-
-int PathEditor::Private::upIndex() const
-{
-    return owner.camera().upAxis == UpAxis::Y ? 1 : 2;
-}
-
-std::optional<QPointF> PathEditor::Private::project(const QVector3D& point) const
-{
-    QPointF pixel;
-    if (!owner.camera().project(point, owner.viewSize(), &pixel))
-        return std::nullopt;
-    return pixel;
-}
-
-QVector3D PathEditor::Private::onGround(QVector3D point) const
-{
-    point[upIndex()] = viewport.groundHeight();
-    return point;
-}
-
-std::optional<QVector3D> PathEditor::Private::placeAt(const QPointF& pixel, float height) const
-{
-    const Ray ray = owner.camera().rayThrough(pixel, owner.viewSize());
-    const int up = upIndex();
-    constexpr float farthest = 500.0F; // metres; beyond is the horizon
-    const float distance = (height - ray.origin[up]) / ray.direction[up];
-    if (!(distance > 0.0F) || distance > ruler().of(farthest))
-        return std::nullopt;
-    QVector3D place = ray.origin + distance * ray.direction;
-    place[up] = height;
-    return place;
-}
-
-float PathEditor::Private::heightAt(const QPointF& pixel, const QVector3D& foot) const
-{
-    const Ray ray = owner.camera().rayThrough(pixel, owner.viewSize());
-    QVector3D normal = owner.camera().forward();
-    normal[upIndex()] = 0.0F;
-    const float facing = QVector3D::dotProduct(ray.direction, normal);
-    if (std::abs(facing) < 0.02F) // seen from above
-        return -static_cast<float>(pixel.y()) * unitsPerPixel(foot);
-    const float distance = QVector3D::dotProduct(foot - ray.origin, normal) / facing;
-    return (ray.origin + distance * ray.direction)[upIndex()];
-}
-
-float PathEditor::Private::unitsPerPixel(const QVector3D& near) const
-{
-    const Turntable& camera = owner.camera();
-    const float depth = QVector3D::dotProduct(near - camera.position(), camera.forward());
-    return camera.metresPerPixel(owner.viewSize()) * std::max(depth, 0.01F) / camera.distance;
-}
-
-QVector3D PathEditor::Private::constrained(const QVector3D& from, QVector3D place,
-                                           Qt::KeyboardModifiers modifiers) const
-{
-    const int up = upIndex();
-    if (modifiers.testFlag(Qt::ShiftModifier)) {
-        const int second = 3 - up;
-        const QVector3D shift = place - from;
-        const int kept = std::abs(shift[0]) >= std::abs(shift[second]) ? second : 0;
-        place[kept] = from[kept];
+    const PathPart part = partAt(event.position());
+    if (part.kind == Part::None || part.kind == Part::Curve) {
+        m_clickOnNothing = event.position();
+        return false;
     }
-    if (modifiers.testFlag(Qt::ControlModifier)) {
-        constexpr float tenPixels = 10.0F;
-        const auto middle = static_cast<float>(ruler().middle());
-        const float step =
-            unitsPerPixel(place) * tenPixels < middle ? middle : static_cast<float>(ruler().coarse());
-        for (int axis = 0; axis < 3; ++axis)
-            if (axis != up && (place[axis] != from[axis] || !modifiers.testFlag(Qt::ShiftModifier)))
-                place[axis] = std::round(place[axis] / step) * step;
-    }
-    return place;
+    m_drag.emplace(layout(), part, event.position(), event.modifiers());
+    setSelected(part.owner());
+    emit repaintRequested();
+    return true;
 }
 
-std::vector<QVector3D> PathEditor::Private::drawnPoints() const
+bool PathEditor::move(const QMouseEvent& event)
 {
-    return shape.points.empty() && firstPoint ? std::vector<QVector3D>{*firstPoint} : shape.points;
+    if (!isDragging()) {
+        if (event.buttons() == Qt::NoButton)
+            hover(event);
+        return false;
+    }
+    if (!m_drag) {
+        m_drawing.move(layout(), event.position());
+        emit repaintRequested();
+    } else if (const auto shape = m_drag->moveTo(layout(), event.position(), event.modifiers())) {
+        emitEdit(m_drag->part(), *shape, false);
+    }
+    return true;
 }
 
-std::optional<QVector3D> PathEditor::Private::newPlace(const QPointF& pixel,
-                                                       Qt::KeyboardModifiers modifiers) const
+void PathEditor::hover(const QMouseEvent& event)
 {
-    const std::vector<QVector3D> points = drawnPoints();
-    const bool lifts = mode == Mode::Draw && shape.inSpace;
-    const float ground = viewport.groundHeight();
-    const float height = !lifts ? ground : points.empty() ? ground + usualHeight : points.back()[upIndex()];
-    const auto place = placeAt(pixel, height);
-    if (!place)
-        return std::nullopt;
-    const bool isPolygon = mode == Mode::Polygon && !corners.empty();
-    const bool hasLast = isPolygon || (mode == Mode::Draw && !points.empty());
-    const QVector3D last = isPolygon ? corners.back() : hasLast ? points.back() : *place;
-    if (!hasLast)
-        modifiers.setFlag(Qt::ShiftModifier, false);
-    return constrained(last, *place, modifiers);
+    if (isDrawing()) {
+        m_drawing.hover(layout(), event.position(), event.modifiers());
+        emit repaintRequested();
+        return;
+    }
+    const PathPart part = partAt(event.position());
+    if (std::exchange(m_hovered, part) == part)
+        return;
+    emit cursorRequested(cursorFor(part));
+    emit repaintRequested();
 }
 
-std::optional<QVector3D> PathEditor::Private::placeOf(const PathPart& part) const
+bool PathEditor::release(const QMouseEvent& event)
 {
-    const auto index = static_cast<std::size_t>(part.index);
-    switch (part.kind) {
-    case PathPart::Kind::Point:
-    case PathPart::Kind::Lift:
-        return index < shape.points.size() ? std::optional(shape.points[index]) : std::nullopt;
-    case PathPart::Kind::StretchStart:
-    case PathPart::Kind::StretchEnd:
-        if (index >= shape.stretches.size() || curve.isEmpty())
-            return std::nullopt;
-        return curve.at(part.kind == PathPart::Kind::StretchStart ? shape.stretches[index].from
-                                                                  : shape.stretches[index].to);
-    case PathPart::Kind::Obstacle:
-    case PathPart::Kind::ObstacleRadius:
-    case PathPart::Kind::ObstacleCorner: {
-        if (index >= shape.obstacles.size())
-            return std::nullopt;
-        const PathObstacle& obstacle = shape.obstacles[index];
-        if (part.kind == PathPart::Kind::ObstacleCorner)
-            return static_cast<std::size_t>(part.corner) < obstacle.corners.size()
-                       ? std::optional(obstacle.corners[static_cast<std::size_t>(part.corner)])
-                       : std::nullopt;
-        if (part.kind == PathPart::Kind::ObstacleRadius)
-            return obstacle.corners.front() + obstacle.radius * owner.camera().right();
-        QVector3D sum;
-        for (const QVector3D& corner : obstacle.corners)
-            sum += corner;
-        return sum / static_cast<float>(obstacle.corners.size());
+    if (event.button() == Qt::RightButton && std::exchange(m_isMenuPress, false)) {
+        if (const PathPart part = partAt(event.position()); part.kind != Part::None)
+            askMenu(part, event.position(), event.globalPosition().toPoint());
+        return true;
     }
-    case PathPart::Kind::Curve:
-    case PathPart::Kind::None:
-        break;
+    if (!isDragging()) {
+        if (m_clickOnNothing && !isDrag(*m_clickOnNothing, event.position()))
+            setSelected({});
+        m_clickOnNothing.reset();
+        return false;
     }
-    return std::nullopt;
+    if (event.button() == Qt::LeftButton)
+        endDrag(true);
+    return true;
 }
 
-std::optional<double> PathEditor::Private::lengthAt(const QPointF& pixel, double* distance) const
+void PathEditor::endDrag(bool commit)
 {
-    std::optional<double> length;
-    *distance = std::numeric_limits<double>::max();
-    const auto& points = curve.points();
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const auto a = project(points[i]);
-        const auto b = project(points[i + 1]);
-        double t = 0.0;
-        if (!a || !b)
-            continue;
-        const double found = distanceToSegment(pixel, *a, *b, &t);
-        if (found < *distance) {
-            *distance = found;
-            length = curve.lengthAt(i) + t * (curve.lengthAt(i + 1) - curve.lengthAt(i));
-        }
+    if (!m_drag) {
+        const PathDrawing::Outcome outcome = m_drawing.release(layout(), commit);
+        emit repaintRequested();
+        take(outcome);
+        return;
     }
-    return length;
+    const PathDrag drag = *std::exchange(m_drag, std::nullopt);
+    emit repaintRequested();
+    if (drag.hasMoved())
+        emitEdit(drag.part(), commit ? shape() : drag.before(), true);
 }
 
-std::vector<PathPart> PathEditor::Private::parts() const
+void PathEditor::emitEdit(const PathPart& part, const PathShape& shape, bool committed)
 {
-    using Kind = PathPart::Kind;
-    std::vector<PathPart> all;
-    all.reserve(shape.points.size() + 2 * shape.stretches.size() + shape.obstacles.size());
-    for (int i = 0; i < static_cast<int>(shape.points.size()); ++i)
-        all.push_back({Kind::Point, i, 0});
-    if (shape.inSpace && selected.kind == Kind::Point)
-        all.push_back({Kind::Lift, selected.index, 0});
-    for (int i = 0; i < static_cast<int>(shape.stretches.size()); ++i) {
-        all.push_back({Kind::StretchStart, i, 0});
-        all.push_back({Kind::StretchEnd, i, 0});
+    if (part.isPoint()) {
+        emit pointsEdited(shape.points, PathEdit::Move, committed);
+    } else if (part.isStretchEnd()) {
+        const PathStretch& stretch = shape.stretches[part.at()];
+        emit stretchEdited(part.index, stretch.from, stretch.to, committed);
+    } else {
+        emit obstacleEdited(part.index, shape.obstacles[part.at()], committed);
     }
-    for (int i = 0; i < static_cast<int>(shape.obstacles.size()); ++i) {
-        all.push_back({Kind::Obstacle, i, 0});
-        const PathObstacle& obstacle = shape.obstacles[static_cast<std::size_t>(i)];
-        for (int corner = 0; !obstacle.isDisc() && corner < static_cast<int>(obstacle.corners.size());
-             ++corner)
-            all.push_back({Kind::ObstacleCorner, i, corner});
-    }
-    return all;
 }
 
-std::vector<QVector3D> PathEditor::Private::preview() const
+void PathEditor::take(const PathDrawing::Outcome& outcome)
 {
-    if (drag.kind == PathDrag::Kind::Pull) {
-        std::vector<QVector3D> points = appendedPoint(shape.kind, drawnPoints(), drag.start);
-        if (pointer && points.size() > 1)
-            points[points.size() - 2] = 2.0F * drag.start - *pointer;
-        return points;
+    if (!outcome.points.empty())
+        emit pointsEdited(outcome.points, outcome.edit, true);
+    else
+        emit repaintRequested();
+    if (outcome.isDone)
+        setMode(Mode::Edit);
+    if (outcome.obstacle)
+        emit obstacleAdded(*outcome.obstacle);
+}
+
+bool PathEditor::finishMode()
+{
+    if (!isDrawing())
+        return false;
+    take({.points = {}, .obstacle = m_drawing.polygon(), .isDone = true});
+    return true;
+}
+
+bool PathEditor::doubleClick(const QMouseEvent& event)
+{
+    if (event.button() != Qt::LeftButton)
+        return false;
+    if (finishMode())
+        return true;
+    const PathPart part = partAt(event.position());
+    if (part.kind == Part::None)
+        return false;
+    if (part.kind == Part::Curve) {
+        insertPoint(layout().lengthAt(event.position()).value_or(0.0));
+    } else if (part.kind == Part::Point && shape().kind == PathKind::Bezier) {
+        setSelected(part);
+        smoothSelected();
+    } else {
+        emit activated(part);
     }
-    const std::vector<QVector3D> points = drawnPoints();
-    if (mode != Mode::Draw || !pointer || points.empty() || (points.back() - *pointer).length() < 1e-4F)
-        return {};
-    return appendedPoint(shape.kind, points, *pointer);
+    return true;
+}
+
+void PathEditor::askMenu(const PathPart& part, const QPointF& position, const QPoint& globalPosition)
+{
+    if (part.kind != Part::Curve)
+        setSelected(part);
+    emit contextMenuRequested(part, layout().lengthAt(position).value_or(0.0), globalPosition);
+}
+
+void PathEditor::selectPoint(std::size_t point)
+{
+    setSelected({Part::Point, static_cast<int>(point), 0});
+}
+
+void PathEditor::insertPoint(double length)
+{
+    if (curve().isEmpty())
+        return;
+    const PathKind kind = shape().kind;
+    const std::size_t anchor = anchorBefore(layout(), length);
+    const QVector3D place = curve().at(length);
+    const float t = kind == PathKind::Bezier ? nearestParameter(shape().points, anchor, place) : 0.5F;
+    emit pointsEdited(insertedPoint(kind, shape().points, anchor, t, place), PathEdit::Insert, true);
+    selectPoint(anchorIndex(shape().kind, anchor + 1));
+}
+
+void PathEditor::smoothSelected()
+{
+    const PathShape& path = shape();
+    if (selected().kind == Part::Point && path.kind == PathKind::Bezier)
+        emit pointsEdited(smoothedAnchor(path.points, anchorOf(path.kind, selected().at())), PathEdit::Move,
+                          true);
+}
+
+bool PathEditor::deleteSelected()
+{
+    const PathPart part = selected();
+    if (!layout().placeOf(part))
+        return false;
+    if (part.isPoint()) {
+        const std::size_t anchor = anchorOf(shape().kind, part.at());
+        emit pointsEdited(removedAnchor(shape().kind, shape().points, anchor), PathEdit::Delete, true);
+        if (!shape().points.empty())
+            selectPoint(anchorIndex(shape().kind, anchor > 0 ? anchor - 1 : 0));
+    } else if (part.isStretchEnd()) {
+        emit stretchDeletionRequested(part.index);
+    } else if (PathObstacle obstacle = shape().obstacles[part.at()];
+               part.kind == Part::ObstacleCorner && obstacle.corners.size() > 3) {
+        obstacle.corners.erase(obstacle.corners.begin() + part.corner);
+        emit obstacleEdited(part.index, obstacle, true);
+    } else {
+        emit obstacleDeletionRequested(part.index);
+    }
+    return true;
+}
+
+bool PathEditor::wantsKey(const QKeyEvent& event) const
+{
+    const bool hasSelection = layout().placeOf(selected()).has_value();
+    switch (event.key()) {
+    case Qt::Key_Escape:
+        return isDragging() || hasSelection || isDrawing();
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        return isDrawing() || hasSelection;
+    case Qt::Key_Insert:
+        return isDrawing() || !shape().points.empty();
+    case Qt::Key_Tab:
+    case Qt::Key_Backtab:
+        return !layout().parts().empty();
+    case Qt::Key_Delete:
+    case Qt::Key_Backspace:
+        return hasSelection || (isDrawing() && !m_drawing.drawnPoints(shape()).empty());
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+    case Qt::Key_Minus:
+        return selected().kind == Part::Obstacle;
+    case Qt::Key_Menu:
+        return hasSelection;
+    default: // arrows, Page Up and Page Down
+        return event.key() >= Qt::Key_Left && event.key() <= Qt::Key_PageDown && hasSelection;
+    }
+}
+
+void PathEditor::confirm()
+{
+    if (!finishMode())
+        emit activated(selected());
+}
+
+void PathEditor::askMenuByKey()
+{
+    if (const auto pixel = pixelOf(selected()))
+        askMenu(selected(), *pixel, m_viewport.mapToGlobal(pixel->toPoint()));
+}
+
+void PathEditor::insertByKey()
+{
+    const GroundView view = layout().view();
+    const QVector3D target = view.onGround(camera().target);
+    const std::vector<QVector3D> points = m_drawing.drawnPoints(shape());
+    if (mode() == Mode::Disc || mode() == Mode::Polygon) {
+        take({.points = {}, .obstacle = usualObstacle(mode(), target, view), .isDone = true});
+    } else if (selected().kind == Part::Point && selected().at() + 1 < points.size()) {
+        insertPoint(lengthAfter(layout(), selected().at()));
+    } else {
+        const QVector3D first = shape().inSpace ? target + m_drawing.usualHeight() * view.up() : target;
+        take(m_drawing.added(layout(), points.empty() ? first : nextPlace(points, view)));
+        if (!shape().points.empty())
+            selectPoint(shape().points.size() - 1);
+    }
+}
+
+bool PathEditor::removeByKey()
+{
+    if (mode() != Mode::Draw || isDragging())
+        return deleteSelected();
+    // Takes back the last point, as drawing programs do.
+    const std::size_t anchors = anchorCount(shape().kind, shape().points.size());
+    m_drawing.forgetFirstPoint();
+    if (anchors > 0)
+        emit pointsEdited(removedAnchor(shape().kind, shape().points, anchors - 1), PathEdit::Delete, true);
+    emit repaintRequested();
+    return true;
+}
+
+bool PathEditor::selectNext(int step)
+{
+    const PathPart next = partAfter(layout().parts(), selected(), step);
+    setSelected(next);
+    return next.kind != Part::None;
+}
+
+bool PathEditor::pressOther(const QKeyEvent& event)
+{
+    const float radiusStep = m_viewport.ruler().of(0.05F);
+    const bool grows = event.key() == Qt::Key_Plus || event.key() == Qt::Key_Equal;
+    const auto edited = grows || event.key() == Qt::Key_Minus
+                            ? resizedSelection(layout(), grows ? radiusStep : -radiusStep)
+                            : nudgedSelection(layout(), event.key(), event.modifiers());
+    if (edited)
+        emitEdit(selected(), *edited, true);
+    return edited.has_value();
 }
 
 } // namespace quadrille::widgets

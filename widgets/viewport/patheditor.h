@@ -3,51 +3,15 @@
 #pragma once
 
 #include "widgets/viewport/handletool.h"
-#include "widgets/viewport/pathshape.h"
-
-#include <QPointF>
-#include <memory>
-#include <optional>
+#include "widgets/viewport/pathdrag.h"
+#include "widgets/viewport/pathdrawing.h"
 
 class QKeyEvent;
 class QMouseEvent;
 
 namespace quadrille::widgets {
 
-class SampledCurve;
 class Viewport;
-
-/// Something of a path that can be taken hold of.
-struct PathPart
-{
-    enum class Kind
-    {
-        None,
-        Point, ///< or handle, by its index among all points
-        StretchStart,
-        StretchEnd,
-        Obstacle,       ///< its middle
-        ObstacleCorner, ///< of a polygon
-        ObstacleRadius, ///< the edge of a disc
-        Lift,           ///< the arrow that moves a point in space up and down
-        Curve
-    };
-    Kind kind = Kind::None;
-    int index = 0;
-    int corner = 0; ///< of an obstacle
-
-    bool operator==(const PathPart&) const = default;
-};
-
-/// What is done to the points of a path.
-enum class PathEdit
-{
-    Add,
-    Move,
-    Insert,
-    Delete,
-    Draw ///< a stroke by a free hand
-};
 
 /// Draws and edits a path in a viewport, in whose unit all lengths are. It changes nothing itself: edits are
 /// signals, and come back by setShape(). While something is dragged, signals come with `committed` false, at
@@ -63,43 +27,36 @@ class PathEditor : public HandleTool
 {
     Q_OBJECT
 public:
-    enum class Mode
-    {
-        Edit,
-        Draw,
-        Disc,   ///< drag from its middle
-        Polygon ///< corner by corner
-    };
+    using Mode = PathMode;
 
     /// \param viewport  what it draws into; it is to be made the viewport's tool by setViewTool().
     explicit PathEditor(Viewport& viewport, QObject* parent = nullptr);
-    ~PathEditor() override;
 
     /// Makes the curve of points, also of those that are not yet there. \pre set before any shape.
-    void setSampler(PathSampler sampler);
+    void setSampler(PathSampler sampler) { m_sampler = std::move(sampler); }
     void setShape(const PathShape& shape);
-    const PathShape& shape() const;
-    const SampledCurve& curve() const;
+    const PathShape& shape() const { return m_content.shape; }
+    const SampledCurve& curve() const { return m_content.curve; }
     /// Shows nothing and uses no events while false.
     void setActive(bool active);
-    bool isActive() const;
+    bool isActive() const { return m_active; }
     void setMode(Mode mode);
-    Mode mode() const;
+    Mode mode() const { return m_drawing.mode(); }
     void setSelected(const PathPart& part);
-    const PathPart& selected() const;
+    const PathPart& selected() const { return m_content.selected; }
     /// The height above the ground that the first point gets in space.
-    void setUsualHeight(float height);
+    void setUsualHeight(float height) { m_drawing.setUsualHeight(height); }
     /// Whether something is being dragged.
-    bool isDragging() const override;
-    bool isDrawing() const override;
+    bool isDragging() const override { return m_drag || m_drawing.gesture() != PathDrawing::Gesture::None; }
+    bool isDrawing() const override { return m_drawing.isDrawing(); }
     /// Where a part is on the view; none when it is not to be seen or not there.
-    std::optional<QPointF> pixelOf(const PathPart& part) const;
+    std::optional<QPointF> pixelOf(const PathPart& part) const { return layout().pixelOf(part); }
     /// The part that would be dragged from here.
-    PathPart partAt(const QPointF& position) const;
+    PathPart partAt(const QPointF& position) const { return layout().partAt(position); }
 
     /// What double click and Delete do, for menus. \param length  along the curve.
     void insertPoint(double length);
-    void removeSelected();
+    void removeSelected() { deleteSelected(); }
     /// Puts the handles of the selected point of a Bézier path onto one line.
     void smoothSelected();
 
@@ -123,8 +80,8 @@ signals:
                               const QPoint& globalPosition);
 
 protected:
-    void viewChanged() override;
-    bool isReady() const override;
+    void viewChanged() override { m_drawing.leave(); }
+    bool isReady() const override { return m_active; }
     bool press(const QMouseEvent& event) override;
     bool move(const QMouseEvent& event) override;
     bool release(const QMouseEvent& event) override;
@@ -132,8 +89,8 @@ protected:
     void leave() override;
     bool wantsKey(const QKeyEvent& event) const override;
     void endDrag(bool commit) override;
-    void leaveDrawing() override;
-    void clearSelection() override;
+    void leaveDrawing() override { setMode(Mode::Edit); }
+    void clearSelection() override { setSelected({}); }
     void confirm() override;
     void insertByKey() override;
     void askMenuByKey() override;
@@ -142,23 +99,27 @@ protected:
     bool pressOther(const QKeyEvent& event) override;
 
 private:
-    struct Private;
-    std::unique_ptr<Private> d;
+    PathLayout layout() const;
+    bool pressPart(const QMouseEvent& event);
     void hover(const QMouseEvent& event);
-    void addPoint(const QVector3D& place);
-    void insertOnCurve(std::size_t anchor, float t, const QVector3D& place);
-    bool nudge(int key, Qt::KeyboardModifiers modifiers);
-    bool resizeSelected(float by);
-    double shortestStretch() const;
-    float smallestRadius() const;
+    /// Says what became of a part. \pre it is one of the shape's.
+    void emitEdit(const PathPart& part, const PathShape& shape, bool committed);
+    void take(const PathDrawing::Outcome& outcome);
+    bool finishMode();
+    void selectPoint(std::size_t point);
     bool deleteSelected();
     void askMenu(const PathPart& part, const QPointF& position, const QPoint& globalPosition);
-    void dragTo(const QMouseEvent& event);
-    void applyTo(const PathPart& part, const QVector3D& place, bool mirrored, bool committed);
-    void finishStroke(bool commit);
-    void finishObstacle();
-    bool finishMode();
     void refreshMarks();
+
+    Viewport& m_viewport;
+    PathSampler m_sampler;
+    PathContent m_content;
+    bool m_active = true;
+    PathPart m_hovered;
+    std::optional<PathDrag> m_drag;
+    PathDrawing m_drawing;
+    std::optional<QPointF> m_clickOnNothing; ///< where a press was left to the camera
+    bool m_isMenuPress = false;              ///< the right button is down on a part
 };
 
 } // namespace quadrille::widgets
