@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/animationmedia.h"
 
-#include "editor/documents/animationresult.h"
 #include "editor/jobs/jobrunner.h"
 #include "model/project/document/clipdependencies.h"
 #include "model/project/document/framenote.h"
-#include "model/project/steps/variedrepeats.h"
-#include "model/project/steps/walkrequest.h"
+#include "model/project/steps/openanimation.h"
+#include "model/project/steps/projectresults.h"
 
-#include <QElapsedTimer>
 #include <algorithm>
 #include <mutex>
 #include <utility>
@@ -21,11 +19,6 @@ namespace {
 constexpr int searchDelay = 20; // milliseconds
 /// Between the walks that are shown while a better one is sought; making a clip holds the search up.
 constexpr int searchShowing = 700; // milliseconds
-
-using ResultPointer = std::shared_ptr<const AnimationResult>;
-
-/// Walks of an animation that are kept for when the same is asked for again.
-constexpr std::size_t keptWalks = 20;
 
 /// Sound and camera make no other frames.
 AnimationEntry withoutSoundAndCamera(AnimationEntry entry)
@@ -48,43 +41,6 @@ Project drawnFrom(const Project& project, const AnimationEntry& entry)
     return drawn;
 }
 
-using Variations = std::shared_ptr<const std::vector<TakeVariation>>;
-
-/// What repeats are drawn from, where a walk has any.
-Variations openVariations(const Project& project, const std::filesystem::path& file,
-                          const AnimationEntry& entry, const CharacterGraph& graph, const AnimationWalk& walk,
-                          const Progress& progress)
-{
-    const ClipPlan plan = animationPlan(entry, graph, walk.solution, pathOf(entry, graph));
-    if (!entry.post.variations ||
-        std::ranges::none_of(drawRepeats(plan, graph.layout(), {}, playingsOf(entry)), &SpanDraw::isRepeat))
-        return nullptr;
-    return std::make_shared<const std::vector<TakeVariation>>(
-        openTakeVariations(project, file, entry, graph, progress));
-}
-
-ResultPointer makeResult(const AnimationEntry& entry, std::shared_ptr<const OpenedCharacter> character,
-                         AnimationWalk walk, Variations variations, const Progress& progress)
-{
-    auto result = std::make_shared<AnimationResult>();
-    const CharacterGraph& graph = character->graph;
-    AnimationClip made = animationClip(
-        entry, graph, character->frames, animationPlan(entry, graph, walk.solution, pathOf(entry, graph)),
-        variations ? std::span(*variations) : std::span<const TakeVariation>(), progress);
-    PostProcessed& processed = made.processed;
-    result->plan = std::move(made.plan);
-    result->spans = std::move(made.spans);
-    result->variations = std::move(variations);
-    result->origins = processed.clip.origins;
-    result->travel = processed.travel;
-    result->framesBeforeRetime = processed.framesBeforeRetime;
-    result->sequence = toSequence(entry.name, std::move(processed.clip), character->frames);
-    result->entry = entry;
-    result->walk = std::move(walk);
-    result->character = std::move(character);
-    return result;
-}
-
 } // namespace
 
 /// Takes results from the threads that search to the interface, for as long as there is somebody to take
@@ -94,7 +50,7 @@ struct AnimationMedia::Mailbox
     std::mutex mutex;
     AnimationMedia* owner = nullptr;
 
-    void post(const QString& name, int search, ResultPointer result)
+    void post(const QString& name, int search, AnimationResultPointer result)
     {
         const std::scoped_lock lock(mutex);
         if (owner != nullptr)
@@ -266,40 +222,13 @@ void AnimationMedia::solve(const QString& name, Item& item, const AnimationEntry
     item.search = ++m_searches;
     item.medium.state = State::Solving;
     item.medium.error.reset();
-    const ResultPointer& before = item.medium.result;
-    const auto known = std::ranges::find_if(
-        item.walks, [&, settings = walkSettings(entry, item.character->graph.work())](const FoundWalk& each) {
-            return each.settings == settings && each.character.lock() == item.character;
-        });
-    const bool keepsVariations = before != nullptr && before->variations != nullptr &&
-                                 before->character == item.character && before->drawnFrom == item.drawnFrom;
-    const auto work = [entry, character = item.character, mailbox = m_mailbox, name, search = item.search,
-                       drawn = item.drawnFrom, variations = keepsVariations ? before->variations : nullptr,
-                       project = m_document.snapshot(), file = m_document.workingFile(),
-                       walk = known != item.walks.end() ? std::optional(known->walk) : std::nullopt](
-                          const Progress& progress) -> ResultPointer {
-        QElapsedTimer sinceShown;
-        const auto show = [&](const WalkSolution& solution) {
-            if (sinceShown.isValid() && sinceShown.elapsed() < searchShowing)
-                return;
-            mailbox->post(name, search,
-                          makeResult(entry, character, {walkConstraints(entry, character->graph), solution},
-                                     variations, progress.part(0, 0)));
-            sinceShown.start();
+    constexpr double pause = 0.001 * searchShowing;
+    const auto work = [working = m_document.working(), mailbox = m_mailbox, name,
+                       search = item.search](const Progress& progress) {
+        const auto show = [&](AnimationResultPointer better) {
+            mailbox->post(name, search, std::move(better));
         };
-        constexpr double searching = 0.6;
-        constexpr double drawing = 0.8;
-        AnimationWalk found =
-            walk ? *walk : animationWalk(entry, character->graph, progress.part(0, searching), show);
-        Variations shown = variations ? variations
-                                      : openVariations(project, file, entry, character->graph, found,
-                                                       progress.part(searching, drawing));
-        ResultPointer last =
-            makeResult(entry, character, std::move(found), std::move(shown), progress.part(drawing, 1));
-        const auto finished = std::const_pointer_cast<AnimationResult>(last);
-        finished->drawnFrom = drawn;
-        finished->isFinal = true;
-        return last;
+        return openAnimation(working, name.toStdString(), progress, show, pause);
     };
     item.medium.job = m_jobs.start({.name = tr("Animation “%1”").arg(name),
                                     .receiver = this,
@@ -315,7 +244,7 @@ void AnimationMedia::solve(const QString& name, Item& item, const AnimationEntry
                                             medium.error = error;
                                             emit changed(name);
                                         }},
-                                   work, [this, name, search = item.search](ResultPointer result) {
+                                   work, [this, name, search = item.search](AnimationResultPointer result) {
                                        take(name, search, std::move(result));
                                    });
     connect(item.medium.job, &Job::ended, this, [this, name, search = item.search](Job::State state) {
@@ -328,7 +257,7 @@ void AnimationMedia::solve(const QString& name, Item& item, const AnimationEntry
     emit changed(name);
 }
 
-void AnimationMedia::take(const QString& name, int search, ResultPointer result)
+void AnimationMedia::take(const QString& name, int search, AnimationResultPointer result)
 {
     const auto found = m_items.find(name);
     if (found == m_items.end() || found->second.search != search || found->second.isStopped)
@@ -336,22 +265,10 @@ void AnimationMedia::take(const QString& name, int search, ResultPointer result)
     Medium& medium = found->second.medium;
     if (medium.result != nullptr && medium.state == State::Ready && !result->isFinal)
         return;
-    if (result->isFinal) {
+    if (result->isFinal)
         medium.state = State::Ready;
-        keep(found->second.walks, *result);
-    }
     medium.result = std::move(result);
     emit changed(name);
-}
-
-void AnimationMedia::keep(std::vector<FoundWalk>& walks, const AnimationResult& result)
-{
-    std::string settings = walkSettings(result.entry, result.character->graph.work());
-    std::erase_if(
-        walks, [&](const FoundWalk& each) { return each.character.expired() || each.settings == settings; });
-    walks.push_back({result.character, std::move(settings), result.walk});
-    if (walks.size() > keptWalks)
-        walks.erase(walks.begin());
 }
 
 void AnimationMedia::setIdle(const QString& name, Item& item)

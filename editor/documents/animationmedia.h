@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/documents/graphmedia.h"
-#include "model/project/steps/animate.h"
+#include "model/project/document/project.h"
 
 #include <QObject>
 #include <QPointer>
@@ -12,8 +12,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace quadrille {
 
@@ -65,20 +63,13 @@ signals:
 
 private:
     struct Mailbox;
-    struct FoundWalk
-    {
-        std::weak_ptr<const OpenedCharacter> character;
-        std::string settings; ///< see walkSettings()
-        AnimationWalk walk;
-    };
     struct Item
     {
         Medium medium;
         AnimationEntry solved; ///< what the last search was started with
         Project drawnFrom;     ///< and its variations
         std::shared_ptr<const OpenedCharacter> character;
-        std::vector<FoundWalk> walks; ///< the last one found at the end: undo brings them back at once
-        int search = 0;               ///< counts searches, so that late results are known
+        int search = 0; ///< counts searches, so that late results are known
         bool isStopped = false;
     };
 
@@ -88,7 +79,6 @@ private:
     void update(const QString& name, Item& item);
     void solve(const QString& name, Item& item, const AnimationEntry& entry);
     void take(const QString& name, int search, std::shared_ptr<const AnimationResult> result);
-    static void keep(std::vector<FoundWalk>& walks, const AnimationResult& result);
     void setIdle(const QString& name, Item& item);
 
     ProjectDocument& m_document;

@@ -3,28 +3,14 @@
 #pragma once
 
 #include "editor/documents/variationwork.h"
-#include "model/project/steps/variationresults.h"
 
 namespace quadrille {
 
-/// What was drawn of an entry's sets of samples, as the results beside a project hold it.
-struct DrawnDraft
-{
-    std::vector<LatentVariations> latents;
-    std::vector<VariationSelection> selections;
-};
+/// The steps whose results tell what was drawn of an entry.
+std::vector<std::string> drawnSteps(const VariationJob& job);
 
-/// What a selection says of a set, without its variations. \param spreads  of all parts.
-DrawnSet drawnSetOf(const VariationSelection& selection, const std::vector<SampleSpread>& spreads);
-
-/// The variations as a rebuild or the editor kept them. \pre `opened` is learned.
-/// \return null where they are not there, or outdated. \throws Error as ResultStore::load, Cancelled.
+/// The variations as these steps made them. \throws Error ResultReplaced; as ResultStore::load; Cancelled.
 std::shared_ptr<const std::vector<DrawnSet>> readDrawn(const VariationJob& job, const OpenedVariation& opened,
-                                                       const Progress& progress);
-
-/// Puts variations where a rebuild would put what it draws; does nothing where their models are not there.
-/// \throws Error as ResultStore::save, Cancelled.
-void keepDrawn(const VariationJob& job, const OpenedVariation& opened, const LearnedMovement& learned,
-               const DrawnDraft& draft, const Progress& progress);
+                                                       const FreshResults& results, const Progress& progress);
 
 } // namespace quadrille

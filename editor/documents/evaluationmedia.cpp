@@ -104,8 +104,8 @@ void EvaluationMedia::open()
                                                            {OpenedEvaluation::State::Stale, {}}));
              },
          .background = true},
-        [project = m_document.snapshot(), file = m_document.workingFile()](const Progress& progress) {
-            return openEvaluations(project, file, progress);
+        [working = m_document.working()](const Progress& progress) {
+            return openEvaluations(working, progress);
         },
         [this, names](std::vector<OpenedEvaluation> opened) { take(names, std::move(opened)); });
 }
@@ -156,8 +156,8 @@ void EvaluationMedia::compute(const QString& name)
                  failed.error = error;
                  emit changed(name);
              }},
-        [project = m_document.snapshot(), file = m_document.workingFile(), index](const Progress& progress) {
-            return computeEvaluation(project, file, index, progress);
+        [working = m_document.working(), index](const Progress& progress) {
+            return computeEvaluation(working, index, progress);
         },
         [this, name, computed = m_document.project()](OpenedEvaluation opened) {
             take(name, std::move(opened));

@@ -4,8 +4,8 @@
 
 #include "editor/jobs/jobrunner.h"
 #include "model/project/document/madeclips.h"
-#include "model/project/media/opencharacter.h"
 #include "model/project/steps/charactersteps.h"
+#include "model/project/steps/opencharacter.h"
 
 #include <utility>
 
@@ -160,9 +160,8 @@ void GraphMedia::open(const QString& character, Item& item)
                  emit changed(character);
              },
          .background = !item.isWanted},
-        [project = m_document.snapshot(), file = m_document.workingFile(), character,
-         opening](const Progress& progress) {
-            return openCharacter(project, file, character.toStdString(), opening, progress);
+        [working = m_document.working(), character, opening](const Progress& progress) {
+            return openCharacter(working, character.toStdString(), opening, progress);
         },
         [this, character](std::shared_ptr<const OpenedCharacter> opened) {
             Item& done = m_items.at(character);

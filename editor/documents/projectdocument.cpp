@@ -8,6 +8,7 @@
 #include "editor/documents/projectpaths.h"
 #include "model/core/file.h"
 #include "model/project/file/usableproject.h"
+#include "model/project/steps/projectresults.h"
 
 #include <algorithm>
 
@@ -22,7 +23,8 @@ const ProjectCommand* commandAt(const QUndoStack& stack, int index)
 
 } // namespace
 
-ProjectDocument::ProjectDocument(QObject* parent) : QObject(parent)
+ProjectDocument::ProjectDocument(QObject* parent)
+    : QObject(parent), m_session(std::make_shared<ResultSession>())
 {
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, [this] { emit changed(ChangeEvent::file()); });
 }
@@ -194,9 +196,15 @@ void ProjectDocument::apply(const std::function<void(Project&)>& edit, const std
         emit changed(event);
 }
 
+WorkingProject ProjectDocument::working() const
+{
+    return {snapshot(), workingFile(), m_session};
+}
+
 void ProjectDocument::show(Project project, std::filesystem::path file, bool recovered)
 {
     m_undoStack.clear();
+    m_session = std::make_shared<ResultSession>();
     m_project = std::move(project);
     m_file = std::move(file);
     m_recovered = recovered;

@@ -15,6 +15,9 @@
 
 namespace quadrille {
 
+class ResultSession;
+struct WorkingProject;
+
 class ProjectCommand;
 
 /// The open project: its value, its file and the history of its edits. Every edit is a command; whoever shows
@@ -50,6 +53,10 @@ public:
     std::filesystem::path workingFile() const;
     /// The project as its file would hold it, beside workingFile(): for jobs that rebuild parts of it.
     Project snapshot() const;
+    /// The snapshot with its file and what all values of this project share, for jobs that want results.
+    WorkingProject working() const;
+    /// Shared by all values of the open project.
+    ResultSession& session() const { return *m_session; }
     /// The file's name without folder and ending, or "Untitled".
     QString title() const;
     bool isModified() const { return m_recovered || !m_undoStack.isClean(); }
@@ -92,6 +99,7 @@ private:
 
     Project m_project;
     std::filesystem::path m_file;
+    std::shared_ptr<ResultSession> m_session; ///< of the project that is open
     QTemporaryDir m_untitledFolder;
     QUndoStack m_undoStack;
     std::size_t m_historyBytes = defaultHistoryBytes;

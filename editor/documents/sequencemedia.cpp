@@ -7,6 +7,7 @@
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
 #include "model/project/steps/buildstep.h"
+#include "model/project/steps/resultsession.h"
 #include "model/project/store/resultstore.h"
 
 #include <algorithm>
@@ -182,28 +183,21 @@ void SequenceMedia::update()
     }
 }
 
-OpenedSequence SequenceMedia::openWhole(const Source& source, const Progress& progress)
+std::shared_ptr<const OpenedSequence> SequenceMedia::openWhole(const Source& source,
+                                                               const std::shared_ptr<SourceCache>& sources,
+                                                               const Progress& progress)
 {
     if (!source.parts)
-        return openSource(source.entry, &source.character, source.settings, {}, progress);
+        return sources->open(source.entry, &source.character, source.settings, {}, progress);
     Project project = *source.parts;
     project.sequences.push_back(source.entry);
-    return *SequenceOpener(std::move(project), {}, source.results).open(source.entry.name, progress);
+    return SequenceOpener(std::move(project), {}, source.results, sources).open(source.entry.name, progress);
 }
 
 void SequenceMedia::open(const QString& name, Item& item)
 {
     if (item.job)
         item.job->cancel();
-    for (const auto& [otherName, other] : m_items) {
-        if (otherName != name && other.source == item.source && other.medium.whole) {
-            item.medium.whole = other.medium.whole;
-            item.medium.issues = other.medium.issues;
-            shape(item);
-            emit changed(name);
-            return;
-        }
-    }
     item.medium = {};
     // The entry may be renamed while its job runs: it is found again by its source.
     const auto findItem = [this, source = item.source](const Job* job) {
@@ -223,11 +217,14 @@ void SequenceMedia::open(const QString& name, Item& item)
                  found->second.medium.error = error;
                  emit changed(found->first);
              }},
-        [source = item.source](const Progress& progress) { return openWhole(source, progress); },
-        [this, findItem, current](OpenedSequence opened) {
+        [source = item.source, sources = m_document.session().sources()](const Progress& progress) {
+            return openWhole(source, sources, progress);
+        },
+        [this, findItem, current](std::shared_ptr<const OpenedSequence> opened) {
             const auto found = findItem(*current);
-            found->second.medium.whole = std::move(opened.sequence);
-            found->second.medium.issues = std::move(opened.issues);
+            found->second.medium.whole = opened->sequence;
+            found->second.medium.issues = opened->issues;
+            found->second.opened = std::move(opened);
             shape(found->second);
             emit changed(found->first);
         });

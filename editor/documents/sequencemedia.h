@@ -85,13 +85,16 @@ private:
         Source source;
         SequenceEntry entry;
         Medium medium;
+        /// Held, so that nobody opens the source again.
+        std::shared_ptr<const OpenedSequence> opened;
         QPointer<Job> job;
     };
 
     void rename(const ChangeEvent& event);
     void follow(const ChangeEvent& event);
     void update();
-    static OpenedSequence openWhole(const Source& source, const Progress& progress);
+    static std::shared_ptr<const OpenedSequence>
+    openWhole(const Source& source, const std::shared_ptr<SourceCache>& sources, const Progress& progress);
     void open(const QString& name, Item& item);
     void shape(Item& item);
     Source sourceOf(const SequenceEntry& entry) const;

@@ -20,7 +20,7 @@ constexpr int variationShowing = 150; // milliseconds
 
 VariationJob VariationMedia::jobOf(const QString& name) const
 {
-    return {m_document.snapshot(), m_document.workingFile(), name.toStdString()};
+    return {m_document.working(), name.toStdString()};
 }
 
 /// Nothing that is under way counts any more.
@@ -109,19 +109,16 @@ void VariationMedia::learn(const QString& name)
         item.medium.parts.push_back({.part = part.name});
     start(
         tr("Learning “%1”").arg(name), name, item,
-        [job = jobOf(name), opened = item.opened, name, run = item.run, mailbox = m_mailbox,
-         parts = item.medium.parts](const Progress& progress) mutable {
+        [job = jobOf(name), opened = item.opened, name, run = item.run,
+         mailbox = m_mailbox](const Progress& progress) {
             QElapsedTimer sinceShown;
-            const PartWatch watch = [&](std::size_t part, int /*iteration*/, double objective,
-                                        const GpdmState& state) {
-                parts[part].objective.push_back(objective);
-                parts[part].state = state;
+            const auto show = [&](const std::vector<PartProgress>& parts) {
                 if (sinceShown.isValid() && sinceShown.elapsed() < variationShowing)
                     return;
                 mailbox->postProgress(name, run, parts);
                 sinceShown.start();
             };
-            mailbox->postLearned(name, run, learnVariation(job, *opened, progress, watch));
+            mailbox->postLearned(name, run, learnVariation(job, *opened, progress, show));
         },
         [] {});
 }
@@ -134,8 +131,7 @@ void VariationMedia::takeLearned(const QString& name, int run,
         return;
     item->learned = std::move(learned);
     item->medium.parts = item->learned->parts;
-    item->medium.isStopped = std::ranges::any_of(
-        item->medium.parts, [](const PartProgress& part) { return part.stop == GpdmStop::Cancelled; });
+    item->medium.isStopped = item->learned->isStopped();
     item->medium.state = State::NotLearned;
     item->drawing.reset();
     if (item->learned == item->opened->learned && item->opened->drawn != nullptr) {
@@ -158,19 +154,10 @@ void VariationMedia::draw(const QString& name, Item& item)
         [job = jobOf(name), opened = item.opened, learned = item.learned](const Progress& progress) {
             return drawVariations(job, *opened, *learned, progress);
         },
-        [this, name, run = item.run, job = jobOf(name)](const Drawing& drawn) {
+        [this, name, run = item.run](std::shared_ptr<const std::vector<DrawnSet>> drawn) {
             Item& done = *itemOf(name, run);
-            done.medium.drawn = drawn.sets;
+            done.medium.drawn = std::move(drawn);
             done.medium.state = State::Ready;
-            // So that it need not be drawn again.
-            if (!done.medium.isStopped)
-                m_jobs.start(
-                    {.name = tr("Keeping “%1”").arg(name), .receiver = this, .background = true},
-                    [job, opened = done.opened, learned = done.learned,
-                     draft = drawn.draft](const Progress& progress) {
-                        keepDrawn(job, *opened, *learned->movement, *draft, progress);
-                    },
-                    [] {});
             emit changed(name);
         });
 }

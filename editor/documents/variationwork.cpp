@@ -4,16 +4,13 @@
 
 #include "editor/documents/drawnresults.h"
 #include "model/project/document/madeclips.h"
-#include "model/project/document/paths.h"
-#include "model/project/steps/buildstep.h"
-#include "model/project/steps/rebuild.h"
 #include "model/project/steps/variationresults.h"
 #include "model/project/steps/variationsteps.h"
-#include "model/project/store/resultstore.h"
 #include "model/variation/reconstructionerror.h"
 
 #include <algorithm>
-#include <map>
+#include <mutex>
+#include <optional>
 
 namespace quadrille {
 
@@ -23,70 +20,24 @@ using Models = std::vector<GpdmLearning>;
 
 const VariationEntry& entryOf(const VariationJob& job)
 {
-    return *std::ranges::find(job.project.variations, job.name, &VariationEntry::name);
-}
-
-std::shared_ptr<SequenceOpener> openerOf(const VariationJob& job)
-{
-    return std::make_shared<SequenceOpener>(job.project, projectFolder(job.file), cacheFolder(job.file));
+    return *std::ranges::find(job.working.project.variations, job.name, &VariationEntry::name);
 }
 
 std::vector<std::string> modelSteps(const VariationJob& job)
 {
     std::vector<std::string> steps;
-    for (const std::string& part : partNamesOf(job.project, entryOf(job)))
+    for (const std::string& part : partNamesOf(job.working.project, entryOf(job)))
         steps.push_back(modelStepOf(job.name, part));
     return steps;
 }
 
-/// What was learned before; empty where it is not there, or outdated.
-Models readModels(const VariationJob& job, const std::shared_ptr<SequenceOpener>& opener,
-                  const Progress& progress)
+Models modelsOf(const std::vector<std::string>& steps, const FreshResults& results)
 {
-    const std::vector<std::string> steps = modelSteps(job);
-    const RebuildReport report =
-        rebuild(makeSteps({opener, job.file}), job.file, {.targets = steps, .dryRun = true}, progress, {});
-    if (report.hasFailures() || report.count(StepState::Stale) > 0)
-        return {};
-    std::map<std::string, std::string> keys;
-    for (const StepReport& step : report.steps)
-        keys[step.step] = step.key;
-    const ResultStore store(cacheFolder(job.file));
     Models models;
-    for (const std::string& step : steps) {
-        ResultStore::Entry entry = store.load(step, keys.at(step));
-        if (entry.state != ResultStore::State::Fresh) // replaced by somebody else in the meantime
-            return {};
-        models.push_back(learningOf(entry.result));
-    }
+    models.reserve(steps.size());
+    for (const std::string& step : steps)
+        models.push_back(learningOf(*results.resultOf(step)));
     return models;
-}
-
-/// Puts models where a rebuild would put what it learns.
-void keepModels(const VariationJob& job, const OpenedVariation& opened, const Models& models,
-                const Progress& progress)
-{
-    progress.report(0);
-    const std::vector<std::string> names = modelSteps(job);
-    std::vector<BuildStep> steps = makeSteps({openerOf(job), job.file});
-    for (BuildStep& step : steps) {
-        if (step.name == alignmentStepOf(job.name))
-            step.compute = [movement = opened.movement](const StepContext&, const Progress&) {
-                return alignmentResult(*movement);
-            };
-        const auto found = std::ranges::find(names, step.name);
-        if (found == names.end())
-            continue;
-        const auto part = static_cast<std::size_t>(found - names.begin());
-        step.compute = [&, part](const StepContext&, const Progress&) {
-            return modelResult(opened.movement->training[part], models[part], opened.work->takeNames());
-        };
-    }
-    const RebuildReport report = rebuild(steps, job.file, {.targets = names, .force = true}, progress, {});
-    for (const StepReport& step : report.steps) {
-        if (step.error)
-            throw Error(*step.error);
-    }
 }
 
 std::vector<PartProgress> partsOf(const Movement& movement, const Models& models, const Progress& progress)
@@ -109,20 +60,90 @@ std::vector<PartProgress> partsOf(const Movement& movement, const Models& models
     return parts;
 }
 
-std::shared_ptr<const LearnedVariation> learnedOf(const OpenedVariation& opened, Models models,
+std::shared_ptr<const LearnedVariation> learnedOf(const Movement& movement, Models models,
                                                   const Progress& progress)
 {
     auto learned = std::make_shared<LearnedVariation>();
-    std::vector<GpdmState> states;
-    for (const GpdmLearning& model : models)
-        states.push_back(model.state);
-    learned->parts = partsOf(*opened.movement, models, progress);
+    learned->parts = partsOf(movement, models, progress);
     learned->models = std::move(models);
-    learned->movement = std::make_shared<const LearnedMovement>(opened.movement, std::move(states));
     return learned;
 }
 
+/// What is known of models while their steps learn them.
+class LearningWatch
+{
+public:
+    LearningWatch(std::vector<std::string> steps, const Movement& movement,
+                  const std::function<void(const std::vector<PartProgress>&)>& watch)
+        : m_steps(std::move(steps)), m_watch(watch), m_best(m_steps.size())
+    {
+        for (const BodyPart& part : movement.parts.parts)
+            m_parts.push_back({.part = part.name});
+    }
+
+    void take(const std::string& step, const Result& result)
+    {
+        const auto found = std::ranges::find(m_steps, step);
+        if (found == m_steps.end())
+            return;
+        GpdmLearning learning = learningOf(result);
+        const std::scoped_lock lock(m_mutex);
+        const auto part = static_cast<std::size_t>(found - m_steps.begin());
+        m_parts[part].objective = learning.objective;
+        m_parts[part].state = learning.state;
+        m_best[part] = std::move(learning);
+        m_watch(m_parts);
+    }
+
+    /// The best of each part; one that nothing was learned of yet starts.
+    Models stopped(const Movement& movement, const GpdmSettings& settings) const
+    {
+        CancelToken token;
+        token.cancel();
+        Models models;
+        for (std::size_t p = 0; p < m_best.size(); ++p) {
+            const PartTraining& training = movement.training[p];
+            models.push_back(m_best[p] ? *m_best[p]
+                                       : learnGpdm(training.rows, training.spans, settings, Progress(token)));
+        }
+        return models;
+    }
+
+private:
+    std::vector<std::string> m_steps;
+    const std::function<void(const std::vector<PartProgress>&)>& m_watch;
+    std::mutex m_mutex;
+    std::vector<PartProgress> m_parts;
+    std::vector<std::optional<GpdmLearning>> m_best;
+};
+
+/// The project's steps, with models that were stopped in the place of those that a rebuild would learn.
+std::vector<BuildStep> stepsWith(const Models& models, const std::vector<std::string>& names,
+                                 const OpenedVariation& opened, std::vector<BuildStep> steps)
+{
+    for (BuildStep& step : steps) {
+        const auto found = std::ranges::find(names, step.name);
+        if (found == names.end())
+            continue;
+        const auto part = static_cast<std::size_t>(found - names.begin());
+        const GpdmLearning& model = models[part];
+        step.settings += " stopped after " + std::to_string(model.objective.size()) + " at " +
+                         std::to_string(model.objective.empty() ? 0.0 : model.objective.back());
+        step.compute = [model, movement = opened.movement, part](const StepContext&, const Progress&) {
+            const PartTraining& training = movement->training[part];
+            return modelResult(training, model, std::vector<std::string>(training.spans.size()));
+        };
+    }
+    return steps;
+}
+
 } // namespace
+
+bool LearnedVariation::isStopped() const
+{
+    return std::ranges::any_of(models,
+                               [](const GpdmLearning& model) { return model.stop == GpdmStop::Cancelled; });
+}
 
 OpenedVariation openVariation(const VariationJob& job, const Progress& progress)
 {
@@ -130,80 +151,64 @@ OpenedVariation openVariation(const VariationJob& job, const Progress& progress)
     constexpr double reading = 0.8;
     OpenedVariation opened;
     const VariationEntry& entry = entryOf(job);
-    const auto opener = openerOf(job);
-    opened.work = std::make_shared<VariationWork>(opener, entry);
-    opened.movement = opened.work->movement(progress.part(0, aligning));
+    const ProjectResults results(job.working);
+    VariationWork work(results.opener(), entry, job.working.session);
+    opened.movement = work.movement(progress.part(0, aligning));
     for (const TrainingEntry& take : entry.training)
-        opened.takes.push_back(opener->open(take.sequence)->sequence);
-    Models models = readModels(job, opener, progress.part(aligning, reading));
-    if (!models.empty())
-        opened.learned = learnedOf(opened, std::move(models), progress.part(reading, 1));
+        opened.takes.push_back(results.opener()->open(take.sequence)->sequence);
     opened.drawing = drawingOf(entry);
-    if (opened.learned != nullptr)
-        opened.drawn = readDrawn(job, opened, Progress(progress.token()));
+    const std::vector<std::string> steps = modelSteps(job);
+    try {
+        const auto models = results.getIfFresh(steps, progress.part(aligning, reading));
+        if (!models)
+            return opened;
+        opened.learned = learnedOf(*opened.movement, modelsOf(steps, *models), progress.part(reading, 1));
+        if (const auto drawn = results.getIfFresh(drawnSteps(job), Progress(progress.token())))
+            opened.drawn = readDrawn(job, opened, *drawn, Progress(progress.token()));
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::ResultReplaced) // somebody else computes them
+            throw;
+    }
     return opened;
 }
 
-std::shared_ptr<const LearnedVariation> learnVariation(const VariationJob& job, const OpenedVariation& opened,
-                                                       const Progress& progress, const PartWatch& watch)
+std::shared_ptr<const LearnedVariation>
+learnVariation(const VariationJob& job, const OpenedVariation& opened, const Progress& progress,
+               const std::function<void(const std::vector<PartProgress>&)>& watch)
 {
-    constexpr double learning = 0.95;
-    Models models = learnParts(*opened.movement, entryOf(job).learning, progress.part(0, learning), watch);
+    const std::vector<std::string> steps = modelSteps(job);
+    LearningWatch learning(steps, *opened.movement, watch);
+    RebuildOptions options;
+    options.improved = [&](const std::string& step, const Result& result) { learning.take(step, result); };
     try {
-        keepModels(job, opened, models, progress.part(learning, 1));
+        const FreshResults results = ProjectResults(job.working).get(steps, progress, options);
+        return learnedOf(*opened.movement, modelsOf(steps, results), Progress());
     } catch (const Error& error) {
         // Who stops learning wants what was found by then.
         if (error.code() != ErrorCode::Cancelled)
             throw;
+        return learnedOf(*opened.movement, learning.stopped(*opened.movement, entryOf(job).learning),
+                         Progress());
     }
-    return learnedOf(opened, std::move(models), Progress());
 }
 
-Drawing drawVariations(const VariationJob& job, const OpenedVariation& opened,
-                       const LearnedVariation& learned, const Progress& progress)
+std::shared_ptr<const std::vector<DrawnSet>> drawVariations(const VariationJob& job,
+                                                            const OpenedVariation& opened,
+                                                            const LearnedVariation& learned,
+                                                            const Progress& progress)
 {
-    constexpr double preparing = 0.1;
-    const VariationEntry& entry = entryOf(job);
-    const VariationMeter& meter = opened.work->meter(progress.part(0, preparing / 2));
-    const VariationPoses poses = opened.work->poses(entry, progress.part(preparing / 2, preparing));
-    const CharacterFrames takes(opened.takes);
-    auto sets = std::make_shared<std::vector<DrawnSet>>();
-    auto draft = std::make_shared<DrawnDraft>();
-    int before = 0;
-    for (std::size_t s = 0; s < entry.samples.size(); ++s) {
-        const double share = (1 - preparing) / static_cast<double>(entry.samples.size());
-        const double at = preparing + share * static_cast<double>(s);
-        const Progress own = progress.part(at, at + share);
-        const SamplesEntry& samples = entry.samples[s];
-        const VariationSubject subject = opened.work->subject(samples);
-        constexpr double drawing = 0.4;
-        LatentVariations latents =
-            sampleLatents(*learned.movement, subject, candidatesFor(samples.count), samples.seed,
-                          {entry.chain, entry.extent}, own.part(0, drawing));
-        VariationSelection selection =
-            selectVariations(*learned.movement, subject, latents.variations, samples.count, samples.seed,
-                             poses, meter, takes.layout(), entry.limits, own.part(drawing, 1));
-        std::vector<SampleSpread> spreads;
-        for (const std::vector<SampleReport>& part : latents.reports) {
-            for (const SampleReport& report : part)
-                spreads.push_back({report.spread, report.isGuess});
-        }
-        DrawnSet& set = sets->emplace_back(drawnSetOf(selection, spreads));
-        for (std::size_t i = 0; i < selection.accepted.size(); ++i) {
-            const auto candidate = static_cast<std::size_t>(selection.accepted[i]);
-            DrawnVariation drawn{.number = before + static_cast<int>(i) + 1,
-                                 .inSet = static_cast<int>(i) + 1};
-            drawn.sequence = toSequence(variationClip(entry.name, drawn.number),
-                                        opened.work->inProjectUnit(selection.clips[i]), takes);
-            drawn.latents = latents.variations[candidate];
-            drawn.quality = selection.candidates[candidate].quality;
-            set.variations.push_back(std::move(drawn));
-        }
-        before += samples.count;
-        draft->latents.push_back(std::move(latents));
-        draft->selections.push_back(std::move(selection));
+    const ProjectResults results(job.working);
+    if (!learned.isStopped())
+        return readDrawn(job, opened, results.get(drawnSteps(job), progress), Progress(progress.token()));
+    const std::vector<BuildStep> steps = stepsWith(learned.models, modelSteps(job), opened, results.steps());
+    const RebuildReport report = rebuild(
+        steps, job.working.file,
+        {.targets = drawnSteps(job), .session = job.working.session, .onlyInMemory = true}, progress, {});
+    for (const StepReport& step : report.steps) {
+        if (step.error)
+            throw Error(*step.error);
     }
-    return {sets, draft};
+    return readDrawn(job, opened, FreshResults(job.working, steps, report), Progress(progress.token()));
 }
 
 } // namespace quadrille

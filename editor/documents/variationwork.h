@@ -4,36 +4,36 @@
 
 #include "editor/documents/variationbasis.h"
 #include "editor/documents/variationresult.h"
+#include "model/project/steps/projectresults.h"
 #include "model/project/steps/variate.h"
 
-#include <filesystem>
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace quadrille {
 
-struct DrawnDraft;
-
-/// Variations as jobs see them: the project as it was, and the file that results lie beside.
+/// Variations as jobs see them.
 struct VariationJob
 {
-    Project project;
-    std::filesystem::path file;
+    WorkingProject working;
     std::string name;
 };
 
-/// A movement with its models, as it is drawn from.
+/// The models of all parts of a movement.
 struct LearnedVariation
 {
     std::vector<GpdmLearning> models; ///< of each part
     std::vector<PartProgress> parts;  ///< the same, as it is shown
-    std::shared_ptr<const LearnedMovement> movement;
+
+    /// They are the best before learning was stopped.
+    bool isStopped() const;
 };
 
 /// The takes of variations, aligned.
 struct OpenedVariation
 {
-    std::shared_ptr<VariationWork> work;
     std::shared_ptr<const Movement> movement;
     std::vector<MeshSequence> takes; ///< that variations take their textures and contacts from
     /// Null where they are not learned as the project says.
@@ -43,23 +43,22 @@ struct OpenedVariation
     VariationDrawing drawing; ///< what the project said
 };
 
-/// Variations as they are shown, and what of them is kept beside the project.
-struct Drawing
-{
-    std::shared_ptr<const std::vector<DrawnSet>> sets;
-    std::shared_ptr<const DrawnDraft> draft;
-};
-
 /// \throws Error as VariationWork::movement, of reading results, Cancelled.
 OpenedVariation openVariation(const VariationJob& job, const Progress& progress);
 
-/// Learns all parts and keeps the result beside the project, so that it need not be learned again; the best
-/// so far, once it is cancelled, is not kept there. \throws Error of writing results.
-std::shared_ptr<const LearnedVariation> learnVariation(const VariationJob& job, const OpenedVariation& opened,
-                                                       const Progress& progress, const PartWatch& watch);
+/// Learns all parts that are not learned as the project says; the best so far once it is cancelled, which no
+/// result keeps. \param watch  receives how far all parts are, from any thread, one call at a time.
+/// \throws Error of the step that failed.
+std::shared_ptr<const LearnedVariation>
+learnVariation(const VariationJob& job, const OpenedVariation& opened, const Progress& progress,
+               const std::function<void(const std::vector<PartProgress>&)>& watch);
 
-/// Draws all variations of the entry as the project says now. \throws Error Cancelled.
-Drawing drawVariations(const VariationJob& job, const OpenedVariation& opened,
-                       const LearnedVariation& learned, const Progress& progress);
+/// Draws all variations of the entry as the project says now: from the results of its steps; where learning
+/// was stopped, of the models that were there then, which no result keeps.
+/// \throws Error of the step that failed, Cancelled.
+std::shared_ptr<const std::vector<DrawnSet>> drawVariations(const VariationJob& job,
+                                                            const OpenedVariation& opened,
+                                                            const LearnedVariation& learned,
+                                                            const Progress& progress);
 
 } // namespace quadrille

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 // What an export dialog knows of its clips, and how it says it.
 #include "editor/context/editorcontext.h"
-#include "editor/documents/animationresult.h"
 #include "editor/exporting/exportdialog.h"
 #include "editor/exporting/picturefields.h"
 #include "editor/fields/axesfields.h"
 #include "editor/pictures/takepreview.h"
+#include "model/project/steps/openanimation.h"
 #include "widgets/controls/messagestrip.h"
 
 #include <QCheckBox>

@@ -203,9 +203,8 @@ void ExportDialog::write(const Preparation& prepared)
         {.name = tr("Exporting %1").arg(toQString(std::filesystem::path(m_plan.entry.path).filename())),
          .receiver = this,
          .failed = [this](const Error& error) { fail(error); }},
-        [snapshot = m_context.document.snapshot(), file = m_context.document.workingFile(),
-         entries = prepared.entries](const Progress& progress) {
-            return runExports(snapshot, file, entries, progress, {.overwrite = true, .outside = true});
+        [working = m_context.document.working(), entries = prepared.entries](const Progress& progress) {
+            return runExports(working, entries, progress, {.overwrite = true, .outside = true});
         },
         [this, project, entries = prepared.entries](const std::vector<ExportResult>& results) {
             const bool isSame = toQString(m_context.document.workingFile()) == project;

@@ -4,7 +4,7 @@
 
 #include "editor/commands/animationedits.h"
 #include "editor/context/editorcontext.h"
-#include "editor/documents/animationresult.h"
+#include "model/project/steps/openanimation.h"
 
 #include <QLocale>
 #include <algorithm>

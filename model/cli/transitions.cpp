@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/cli/commands.h"
 #include "model/graph/alternatives.h"
-#include "model/project/media/opencharacter.h"
+#include "model/project/steps/opencharacter.h"
 #include "model/project/store/resultplaces.h"
 
 #include <array>
@@ -53,8 +53,9 @@ void list(const TransitionArguments& arguments, Session& session)
         throwUsage("there is no sequence “" + arguments.from + "”");
     const CharacterEntry* character = characterOf(project, *from);
     const Progress progress = session.console.progress(session.cancel, "Computing");
-    const auto opened = openCharacter(project, arguments.project, character == nullptr ? "" : character->name,
-                                      GraphOpening::Compute, progress);
+    const auto opened =
+        openCharacter({project, arguments.project}, character == nullptr ? "" : character->name,
+                      GraphOpening::Compute, progress);
     session.console.endProgress();
     if (!opened)
         throwUsage("the character of “" + arguments.from + "” has no graph");

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "editor/context/editorcontext.h"
-#include "editor/documents/animationresult.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
+#include "model/project/steps/openanimation.h"
 
 #include <QDir>
 #include <cmath>

@@ -142,8 +142,8 @@ private slots:
         compute("fig7");
         context().document.saveAs(m_folder->filePath("again.quadrille").toStdString());
         add("fig4");
-        compute("fig4"); // now beside the file
-        compute("fig7");
+        compute("fig4");                             // now beside the file
+        QTRY_COMPARE(stateOf("fig7"), State::Fresh); // which was kept in memory, and stored there
         context().document.save();
         context().document.load(m_folder->filePath("again.quadrille").toStdString());
         QTRY_COMPARE(stateOf("fig7"), State::Fresh);

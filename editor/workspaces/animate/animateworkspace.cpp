@@ -3,7 +3,6 @@
 #include "editor/workspaces/animate/animateworkspace.h"
 
 #include "editor/context/editorcontext.h"
-#include "editor/documents/animationresult.h"
 #include "editor/errors/errortext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/animationbar.h"
@@ -22,6 +21,7 @@
 #include "editor/workspaces/animate/reportpanel.h"
 #include "editor/workspaces/animate/transitionpreview.h"
 #include "editor/workspaces/sequences/posecomparison.h"
+#include "model/project/steps/openanimation.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/timeline/cliplegend.h"
 

@@ -4,10 +4,10 @@
 
 #include "editor/commands/animationedits.h"
 #include "editor/context/editorcontext.h"
-#include "editor/documents/animationresult.h"
 #include "editor/fields/actionbutton.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
+#include "model/project/steps/openanimation.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/constraintedits.h"
 
-#include "editor/documents/animationresult.h"
+#include "model/project/steps/openanimation.h"
 
 #include <algorithm>
 #include <cmath>

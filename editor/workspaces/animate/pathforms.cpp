@@ -3,10 +3,10 @@
 #include "editor/workspaces/animate/pathforms.h"
 
 #include "editor/context/editorcontext.h"
-#include "editor/documents/animationresult.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathfields.h"
 #include "editor/workspaces/animate/pathtool.h"
+#include "model/project/steps/openanimation.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

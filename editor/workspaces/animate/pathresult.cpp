@@ -3,11 +3,11 @@
 #include "editor/workspaces/animate/pathresult.h"
 
 #include "editor/context/editorcontext.h"
-#include "editor/documents/animationresult.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/framekinds.h"
 #include "editor/workspaces/animate/pathentries.h"
 #include "editor/workspaces/view/sceneview.h"
+#include "model/project/steps/openanimation.h"
 #include "model/synthesis/pathfollowing.h"
 #include "widgets/theme/theme.h"
 

@@ -3,10 +3,10 @@
 #include "editor/workspaces/animate/pathtool.h"
 
 #include "editor/context/editorcontext.h"
-#include "editor/documents/animationresult.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/view/sceneview.h"
+#include "model/project/steps/openanimation.h"
 #include "widgets/viewport/pathgeometry.h"
 #include "widgets/viewport/vtkview.h"
 

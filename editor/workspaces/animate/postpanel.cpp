@@ -3,11 +3,11 @@
 #include "editor/workspaces/animate/postpanel.h"
 
 #include "editor/context/editorcontext.h"
-#include "editor/documents/animationresult.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/verticalscroll.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
+#include "model/project/steps/openanimation.h"
 #include "widgets/charts/curveeditor.h"
 
 #include <QLabel>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 // What frames are drawn from that an animation shows again.
 #include "editor/context/editorcontext.h"
-#include "editor/documents/animationresult.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/postpanel.h"
 #include "model/project/document/madeclips.h"
+#include "model/project/steps/openanimation.h"
 
 #include <QComboBox>
 #include <QScopedValueRollback>

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "editor/context/editorcontext.h"
-#include "editor/documents/animationresult.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathfields.h"
 #include "editor/workspaces/animate/pathforms.h"
 #include "editor/workspaces/animate/pathtool.h"
+#include "model/project/steps/openanimation.h"
 #include "widgets/theme/icons.h"
 
 #include <QComboBox>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/documents/animationresult.h"
+#include "model/project/steps/openanimation.h"
 
 #include <QObject>
 #include <QPointer>

@@ -9,7 +9,7 @@
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/samplespanel.h"
 #include "model/project/document/madeclips.h"
-#include "model/project/steps/rebuild.h"
+#include "model/project/steps/projectresults.h"
 #include "widgets/theme/theme.h"
 
 #include <QComboBox>
@@ -363,13 +363,8 @@ void SamplesPanel::makeClips(std::vector<std::string> clips)
                                .receiver = this};
     context.jobs.start(
         settings,
-        [project = context.document.snapshot(), file = context.document.workingFile(),
-         clips = std::move(clips)](const Progress& progress) {
-            const RebuildReport report = rebuild(project, file, {.targets = clips}, progress);
-            for (const StepReport& step : report.steps) {
-                if (step.error)
-                    throw Error(*step.error);
-            }
+        [working = context.document.working(), clips = std::move(clips)](const Progress& progress) {
+            ProjectResults(working).get(clips, progress);
         },
         [&context] {
             context.media.refresh();

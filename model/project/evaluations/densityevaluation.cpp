@@ -102,7 +102,7 @@ BuildStep densityStep(const CharacterInputs& work, const EvaluationEntry& evalua
     step.compute = [=](const StepContext& context, const Progress& progress) {
         const CharacterGraph graph(work, context);
         const Table<double> liveliness =
-            isLively ? tableOf<double>(context.resultOf(work.stepName(graphstep::liveliness)).arrays.front())
+            isLively ? tableOf<double>(context.resultOf(work.stepName(graphstep::liveliness))->arrays.front())
                      : Table<double>();
         TableBuilder table("density", densityNote);
         table.text("variant").real("quantile").real("longest", "s").real("alpha").whole("takes");

@@ -2,24 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/evaluations/openevaluations.h"
 
-#include "model/project/document/paths.h"
-#include "model/project/steps/rebuild.h"
-#include "model/project/store/resultstore.h"
-
 #include <algorithm>
-#include <map>
-#include <memory>
 
 namespace quadrille {
 
 namespace {
-
-std::vector<BuildStep> stepsOfProject(const Project& project, const std::filesystem::path& projectFile)
-{
-    const auto opener =
-        std::make_shared<SequenceOpener>(project, projectFolder(projectFile), cacheFolder(projectFile));
-    return makeSteps({opener, projectFile});
-}
 
 /// The steps of an evaluation: one for each character that it is about.
 std::vector<const BuildStep*> evaluationStepsOf(const std::vector<BuildStep>& steps, const Project& project,
@@ -43,33 +30,33 @@ std::vector<const BuildStep*> evaluationStepsOf(const std::vector<BuildStep>& st
     return own;
 }
 
-void addTables(OpenedEvaluation& opened, const BuildStep& step, Result result)
+void addTables(OpenedEvaluation& opened, const BuildStep& step, const Result& result)
 {
-    for (DataTable& table : result.tables) {
+    for (const DataTable& table : result.tables) {
         DataItem& item = opened.tables.emplace_back();
         item.name = step.dataPrefix + "/" + table.name;
         item.character = step.character;
         item.isFresh = true;
-        item.content = std::move(table);
+        item.content = table;
     }
 }
 
 OpenedEvaluation openedFrom(const std::vector<const BuildStep*>& steps, const RebuildReport& report,
-                            const ResultStore& store)
+                            const ProjectResults& results)
 {
+    const FreshResults fresh = results.freshOf(report);
     OpenedEvaluation opened;
     for (const BuildStep* step : steps) {
         opened.state = OpenedEvaluation::State::Fresh;
-        const auto found = std::find_if(report.steps.begin(), report.steps.end(),
-                                        [&](const StepReport& each) { return each.step == step->name; });
-        const bool isThere = found != report.steps.end() &&
-                             (found->state == StepState::Fresh || found->state == StepState::Computed);
-        ResultStore::Entry entry;
-        if (isThere)
-            entry = store.load(step->name, found->key);
-        if (entry.state != ResultStore::State::Fresh)
+        if (!fresh.has(step->name))
             return {.state = OpenedEvaluation::State::Stale, .tables = {}};
-        addTables(opened, *step, std::move(entry.result));
+        try {
+            addTables(opened, *step, *fresh.resultOf(step->name));
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::ResultReplaced)
+                throw;
+            return {.state = OpenedEvaluation::State::Stale, .tables = {}};
+        }
     }
     return opened;
 }
@@ -85,41 +72,37 @@ std::vector<std::string> stepNames(const std::vector<const BuildStep*>& steps)
 
 } // namespace
 
-std::vector<OpenedEvaluation>
-openEvaluations(const Project& project, const std::filesystem::path& projectFile, const Progress& progress)
+std::vector<OpenedEvaluation> openEvaluations(const WorkingProject& working, const Progress& progress)
 {
-    const std::vector<BuildStep> steps = stepsOfProject(project, projectFile);
+    const ProjectResults results(working);
     std::vector<std::vector<const BuildStep*>> own;
     std::vector<std::string> targets;
-    for (const EvaluationEntry& evaluation : project.evaluations) {
-        own.push_back(evaluationStepsOf(steps, project, evaluation));
+    for (const EvaluationEntry& evaluation : working.project.evaluations) {
+        own.push_back(evaluationStepsOf(results.steps(), working.project, evaluation));
         for (const std::string& name : stepNames(own.back()))
             targets.push_back(name);
     }
-    RebuildReport report;
-    if (!targets.empty())
-        report = rebuild(steps, projectFile, {.targets = targets, .dryRun = true}, progress, {});
-    const ResultStore store(cacheFolder(projectFile));
+    const RebuildReport report = results.bring(targets, progress, {.dryRun = true});
     std::vector<OpenedEvaluation> opened;
     opened.reserve(own.size());
     for (const auto& each : own)
-        opened.push_back(openedFrom(each, report, store));
+        opened.push_back(openedFrom(each, report, results));
     return opened;
 }
 
-OpenedEvaluation computeEvaluation(const Project& project, const std::filesystem::path& projectFile,
-                                   std::size_t index, const Progress& progress)
+OpenedEvaluation computeEvaluation(const WorkingProject& working, std::size_t index, const Progress& progress)
 {
-    const std::vector<BuildStep> steps = stepsOfProject(project, projectFile);
-    const auto own = evaluationStepsOf(steps, project, project.evaluations.at(index));
+    const ProjectResults results(working);
+    const auto own =
+        evaluationStepsOf(results.steps(), working.project, working.project.evaluations.at(index));
     if (own.empty())
         return {};
-    const RebuildReport report = rebuild(steps, projectFile, {.targets = stepNames(own)}, progress, {});
+    const RebuildReport report = results.bring(stepNames(own), progress);
     for (const StepReport& step : report.steps) {
         if (step.state == StepState::Failed)
             throw Error(*step.error);
     }
-    return openedFrom(own, report, ResultStore(cacheFolder(projectFile)));
+    return openedFrom(own, report, results);
 }
 
 } // namespace quadrille

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/project/steps/projectresults.h"
 #include "model/project/store/projectdata.h"
 
-#include <filesystem>
+#include <cstddef>
 #include <vector>
 
 namespace quadrille {
@@ -23,16 +24,13 @@ struct OpenedEvaluation
 };
 
 /// Looks for the results of all evaluations of a project, in their order; computes nothing.
-/// \param projectFile  the results lie beside it; it need not be there.
 /// \throws Error Cancelled, of opening sequences.
-std::vector<OpenedEvaluation> openEvaluations(const Project& project,
-                                              const std::filesystem::path& projectFile,
-                                              const Progress& progress = {});
+std::vector<OpenedEvaluation> openEvaluations(const WorkingProject& working, const Progress& progress = {});
 
 /// Brings the results of one evaluation up to date first, with all that it needs.
 /// \param index  into Project::evaluations.
 /// \throws Error of the step that failed, of opening sequences, Cancelled.
-OpenedEvaluation computeEvaluation(const Project& project, const std::filesystem::path& projectFile,
-                                   std::size_t index, const Progress& progress = {});
+OpenedEvaluation computeEvaluation(const WorkingProject& working, std::size_t index,
+                                   const Progress& progress = {});
 
 } // namespace quadrille

@@ -153,16 +153,16 @@ BuildStep fig4Step(const CharacterInputs& work, const EvaluationEntry& evaluatio
     step.files = [work](const Progress& progress) { return work.files(progress); };
     step.inputs = {work.stepName(graphstep::poseDistance)};
     step.compute = [=, input = step.inputs.front()](const StepContext& context, const Progress& progress) {
-        const Result poses = context.resultOf(input);
-        const Table<float> distances = tableOf<float>(poses.arrays.front());
-        const FrameLayout layout = layoutOf(poses);
+        const auto poses = context.resultOf(input);
+        const Table<float> distances = tableOf<float>(poses->arrays.front());
+        const FrameLayout layout = layoutOf(*poses);
         const CharacterFrames character = work.open(progress.part(0, 0.1));
         std::vector<FramePair> pairs = drawPairs(layout.frameCount(), count, seed);
         pairs.push_back(furthestPair(distances));
         constexpr std::array lambdas{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
         const auto topology = work.opener->open(work.sequences.front(), progress)->sequence.topology;
         const auto all = interpolatePairs(character, topology, pairs, lambdas, progress.part(0.1, 1));
-        return fig4Result(all, all.size() / pairs.size(), distances, poses.arrays.front().unit, layout,
+        return fig4Result(all, all.size() / pairs.size(), distances, poses->arrays.front().unit, layout,
                           work.sequences);
     };
     return step;
@@ -196,8 +196,8 @@ BuildStep table1Step(const CharacterInputs& work, const EvaluationEntry& evaluat
     };
     step.inputs = {work.stepName(graphstep::poseDistance), work.stepName(graphstep::euclideanDistance)};
     step.compute = [=, inputs = step.inputs](const StepContext& context, const Progress& progress) {
-        const Result poses = context.resultOf(inputs[0]);
-        const FrameLayout layout = layoutOf(poses);
+        const auto poses = context.resultOf(inputs[0]);
+        const FrameLayout layout = layoutOf(*poses);
         std::vector<JointAngles> angles;
         std::vector<NodeIndex> nodes;
         for (const std::size_t sequence : chosen) {
@@ -208,9 +208,9 @@ BuildStep table1Step(const CharacterInputs& work, const EvaluationEntry& evaluat
         }
         const bool isSurface = work.graph.pose.metric == PoseMetric::Surface;
         const Table<float> surface =
-            isSurface ? tableOf<float>(poses.arrays.front())
+            isSurface ? tableOf<float>(poses->arrays.front())
                       : poseDistances(work.open(progress), {}, progress.part(0.1, 0.5)).distances;
-        const Table<float> euclidean = tableOf<float>(context.resultOf(inputs[1]).arrays.front());
+        const Table<float> euclidean = tableOf<float>(context.resultOf(inputs[1])->arrays.front());
         return table1Result(compareMetrics(joined(angles), partOf(euclidean, nodes), partOf(surface, nodes),
                                            progress.part(isSurface ? 0.1 : 0.5, 1)));
     };

@@ -66,12 +66,12 @@ BuildStep fig7Step(const CharacterInputs& work, const EvaluationEntry& evaluatio
     step.files = [work](const Progress& progress) { return work.files(progress); };
     step.inputs = {work.stepName(graphstep::poseDistance)};
     step.compute = [=](const StepContext& context, const Progress& progress) {
-        const Result poses = context.resultOf(step.inputs.front());
+        const auto poses = context.resultOf(step.inputs.front());
         const Table<float> accelerations =
             accelerationDifferences(work.open(progress.part(0, 0.05)), fps, progress.part(0.05, 0.4));
-        return fig7Result(compareTransitions(tableOf<float>(poses.arrays.front()), layoutOf(poses), settings,
-                                             accelerations, progress.part(0.4, 1)),
-                          poses.arrays.front().unit,
+        return fig7Result(compareTransitions(tableOf<float>(poses->arrays.front()), layoutOf(*poses),
+                                             settings, accelerations, progress.part(0.4, 1)),
+                          poses->arrays.front().unit,
                           unitText(work.opener->project().settings.axes.metresPerUnit) + "/s²");
     };
     return step;

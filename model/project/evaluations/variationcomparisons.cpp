@@ -131,7 +131,7 @@ ComparedSet comparedSet(VariationWork& work, std::size_t set, const StepContext&
     for (int number = 1; number <= variationCount(work.entry()); ++number) {
         if (placeOfVariation(work.entry(), number)->set != set)
             continue;
-        auto clip = clipOf(context.resultOf(clipStepOf(variationClip(work.entry().name, number))),
+        auto clip = clipOf(*context.resultOf(clipStepOf(variationClip(work.entry().name, number))),
                            frames.sequences(), movement->alignment.fps);
         if (!clip)
             continue;
@@ -165,7 +165,7 @@ BuildStep variationsStep(const CharacterInputs& work, const EvaluationEntry& eva
         for (std::size_t w = 0; w < works.size(); ++w) {
             progress.report(static_cast<std::int64_t>(w), static_cast<std::int64_t>(works.size()));
             const VariationEntry& entry = works[w]->entry();
-            const auto selections = selectionsOf(context.resultOf(selectionStepOf(entry.name)), entry);
+            const auto selections = selectionsOf(*context.resultOf(selectionStepOf(entry.name)), entry);
             const bool isCycle = works[w]->movement()->alignment.cycle.has_value();
             for (std::size_t s = 0; s < selections.size(); ++s)
                 table.add(entry, entry.samples[s], selections[s], comparedSet(*works[w], s, context),

@@ -40,7 +40,7 @@ BuildStep modelsStep(const CharacterInputs& work, const EvaluationEntry& evaluat
 
 GpdmState stateOf(const VariationWork& work, const BodyPart& part, const StepContext& context)
 {
-    return stateOf(context.resultOf(modelStepOf(work.entry().name, part.name)));
+    return stateOf(*context.resultOf(modelStepOf(work.entry().name, part.name)));
 }
 
 Result reconstructionResult(const Works& works, const StepContext& context, const Progress& progress)

@@ -138,8 +138,8 @@ ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, cons
     const Project& project = opener.project();
     const auto named = variationOfClip(entry.what);
     const VariationEntry& variation = *findVariation(project, named->variation);
-    const Result selection = resultOf(selectionStepOf(variation.name));
-    const std::vector<Member> members = membersOf(variation, selection);
+    const auto selection = resultOf(selectionStepOf(variation.name));
+    const std::vector<Member> members = membersOf(variation, *selection);
     ExportResult written;
     Json json = Json::object();
     json["variations"] = Json::array();
@@ -153,9 +153,9 @@ ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, cons
         own.path = dataSetMember(entry.path, number).generic_string();
         const ExportResult files = writeExport(own, opened->sequence, project, opener.folder(), guard,
                                                progress.part(at, at + share));
-        Json item = rowJson(selection.tables.front(), members[m].row);
+        Json item = rowJson(selection->tables.front(), members[m].row);
         item["file"] = fs::path(own.path).filename().generic_string();
-        item["frames"] = framesJson(resultOf(clipStepOf(clip)));
+        item["frames"] = framesJson(*resultOf(clipStepOf(clip)));
         json["variations"].push_back(std::move(item));
         written.files.insert(written.files.end(), files.files.begin(), files.files.end());
         written.issues.insert(written.issues.end(), files.issues.begin(), files.issues.end());
@@ -165,7 +165,7 @@ ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, cons
     json["latents"] = Json::object();
     for (const std::string& part : partNamesOf(project, variation)) {
         const fs::path file = dataSetLatents(out, part);
-        writeData(latentsItem(resultOf(samplesStepOf(variation.name, part)), members), file, guard);
+        writeData(latentsItem(*resultOf(samplesStepOf(variation.name, part)), members), file, guard);
         json["latents"][part] = file.filename().generic_string();
         written.files.push_back(file);
     }

@@ -26,7 +26,7 @@ std::vector<CameraKey> cameraKeysOf(const Project& project, const ExportEntry& e
 bool isDataSet(const ExportEntry& entry);
 
 /// The result of a step by its name.
-using StepResults = std::function<Result(const std::string& step)>;
+using StepResults = std::function<ResultPointer(const std::string& step)>;
 
 /// Writes what an entry is about: a clip, or a data set of variations.
 /// \param resultOf  results of the steps that stepsOf names.

@@ -16,22 +16,15 @@ namespace quadrille {
 
 namespace {
 
-void computeClips(const Project& project, const std::filesystem::path& projectFile,
-                  const std::vector<ExportEntry>& entries, WritePermissions permissions,
-                  const Progress& progress)
+/// The steps of what is exported.
+std::vector<std::string> stepsOf(const Project& project, const std::vector<ExportEntry>& entries)
 {
-    RebuildOptions options;
-    options.permissions = permissions;
+    std::vector<std::string> steps;
     for (const ExportEntry& entry : entries) {
-        const auto steps = stepsOf(project, entry);
-        options.targets.insert(options.targets.end(), steps.begin(), steps.end());
+        const auto own = stepsOf(project, entry);
+        steps.insert(steps.end(), own.begin(), own.end());
     }
-    if (options.targets.empty())
-        return;
-    for (const StepReport& step : rebuild(project, projectFile, options, progress).steps) {
-        if (step.error)
-            throw *step.error;
-    }
+    return steps;
 }
 
 /// The files of a claim that are there.
@@ -81,25 +74,24 @@ OutputQuestions outputQuestions(const Project& project, const std::filesystem::p
     return questions;
 }
 
-std::vector<ExportResult> runExports(const Project& project, const std::filesystem::path& projectFile,
-                                     const std::vector<ExportEntry>& entries, const Progress& progress,
-                                     WritePermissions permissions)
+std::vector<ExportResult> runExports(const WorkingProject& working, const std::vector<ExportEntry>& entries,
+                                     const Progress& progress, WritePermissions permissions)
 {
-    const auto folder = projectFolder(projectFile);
-    const auto guard = projectGuard(project, projectFile, permissions);
+    const ProjectResults project(working);
+    const auto folder = projectFolder(working.file);
+    const auto guard = projectGuard(working.project, working.file, permissions);
     for (const ExportEntry& entry : entries)
-        checkOutputs(project, entry, entries, folder, *guard);
-    computeClips(project, projectFile, entries, permissions, progress.part(0, 0.5));
-    SequenceOpener opener(project, folder, cacheFolder(projectFile));
-    const ResultStore store(cacheFolder(projectFile));
+        checkOutputs(working.project, entry, entries, folder, *guard);
+    const FreshResults fresh =
+        project.get(stepsOf(working.project, entries), progress.part(0, 0.5), {.permissions = permissions});
     std::vector<ExportResult> results;
     const auto count = static_cast<double>(entries.size());
-    const WrittenNote note(*guard, projectFile);
+    const WrittenNote note(*guard, working.file);
     for (const ExportEntry& entry : entries) {
         const double at = 0.5 + 0.5 * static_cast<double>(results.size()) / count;
         const Progress part = progress.part(at, at + 0.5 / count);
-        const auto resultOf = [&](const std::string& step) { return store.load(step, {}).result; };
-        results.push_back(writeExport(entry, opener, resultOf, *guard, part));
+        const auto resultOf = [&](const std::string& step) { return fresh.resultOf(step); };
+        results.push_back(writeExport(entry, *project.opener(), resultOf, *guard, part));
     }
     return results;
 }

@@ -4,6 +4,7 @@
 
 #include "model/core/writeguard.h"
 #include "model/project/document/project.h"
+#include "model/project/steps/projectresults.h"
 #include "model/sequence/io/format.h"
 
 #include <filesystem>
@@ -13,12 +14,10 @@ namespace quadrille {
 
 /// Writes exports, be they entries of the project or not, and computes first what they show. A rebuild of the
 /// project writes the same bytes.
-/// \param projectFile  results lie beside it; it need not be there.
 /// \param permissions  what the user was asked about, see outputQuestions.
 /// \throws Error of the step that failed, of opening and writing, BadArgument, Cancelled.
-std::vector<ExportResult> runExports(const Project& project, const std::filesystem::path& projectFile,
-                                     const std::vector<ExportEntry>& entries, const Progress& progress = {},
-                                     WritePermissions permissions = {});
+std::vector<ExportResult> runExports(const WorkingProject& working, const std::vector<ExportEntry>& entries,
+                                     const Progress& progress = {}, WritePermissions permissions = {});
 
 /// What is to be asked before exports are written.
 struct OutputQuestions

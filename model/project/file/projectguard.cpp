@@ -48,7 +48,8 @@ void knowWritten(WriteGuard& guard, const Project& project, const fs::path& proj
     const ResultStore store(cacheFolder(projectFile));
     for (const ExportEntry& entry : project.exports) {
         try {
-            for (const WrittenFile& file : store.load("exports/" + entry.name, {}).result.files)
+            const ResultPointer written = store.load("exports/" + entry.name, {}).result;
+            for (const WrittenFile& file : written->files)
                 guard.know(resolvePath(file.path, folder), file.hash);
         } catch (const Error&) {
             continue; // a result that cannot be read knows nothing

@@ -172,8 +172,12 @@ const BodyPartsEntry* bodyPartsOf(const Project& project, const std::string& cha
     return found == project.bodyParts.end() ? nullptr : &*found;
 }
 
-SequenceOpener::SequenceOpener(Project project, fs::path folder, fs::path results)
-    : m_project(std::move(project)), m_folder(std::move(folder)), m_results(std::move(results))
+SequenceOpener::SequenceOpener(Project project, fs::path folder, fs::path results,
+                               std::shared_ptr<SourceCache> sources)
+    : m_project(std::move(project))
+    , m_folder(std::move(folder))
+    , m_results(std::move(results))
+    , m_sources(sources ? std::move(sources) : std::make_shared<SourceCache>())
 {
 }
 
@@ -270,7 +274,12 @@ OpenedSequence SequenceOpener::openEntry(const SequenceEntry& entry, const Progr
 OpenedSequence SequenceOpener::openFile(const SequenceEntry& entry, const CharacterEntry* character,
                                         const Progress& progress)
 {
-    OpenedSequence opened = openSource(entry, character, m_project.settings, m_folder, progress);
+    const auto source = m_sources->open(entry, character, m_project.settings, m_folder, progress);
+    OpenedSequence opened = *source;
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_held.push_back(source);
+    }
     if (character != nullptr)
         shareTopology(opened, *character);
     return opened;

@@ -4,6 +4,7 @@
 
 #include "model/core/progress.h"
 #include "model/project/document/project.h"
+#include "model/project/media/sourcecache.h"
 #include "model/sequence/meshsequence.h"
 
 #include <filesystem>
@@ -26,13 +27,14 @@ struct OpenedSequence
 };
 
 /// Opens the sequences of a project, each once; those of one character share one topology. Safe from any
-/// thread. Holds a copy of the project: a changed project wants a new opener.
+/// thread. Holds a copy of the project: a changed project wants a new opener, which shares the sources.
 class SequenceOpener
 {
 public:
     /// \param results  the folder of the project's results, where clips are found that are computed; empty:
-    /// sequences that show such clips cannot be opened.
-    SequenceOpener(Project project, std::filesystem::path folder, std::filesystem::path results = {});
+    /// sequences that show such clips cannot be opened. \param sources  that are open already; null: none.
+    SequenceOpener(Project project, std::filesystem::path folder, std::filesystem::path results = {},
+                   std::shared_ptr<SourceCache> sources = nullptr);
 
     const Project& project() const { return m_project; }
     const std::filesystem::path& folder() const { return m_folder; }
@@ -70,6 +72,9 @@ private:
     Project m_project;
     std::filesystem::path m_folder;
     std::filesystem::path m_results;
+    std::shared_ptr<SourceCache> m_sources;
+    /// Held for as long as the opener lives.
+    std::vector<std::shared_ptr<const OpenedSequence>> m_held;
     std::mutex m_mutex;
     std::map<std::string, Slot> m_slots;  ///< by clip
     std::map<std::string, Mesh> m_meshes; ///< by character

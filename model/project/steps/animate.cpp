@@ -131,15 +131,20 @@ public:
     {
         std::shared_ptr<const Clip>& made = m_clips[drawnBy(playing)];
         if (!made) {
-            VariedPlan varied =
-                variedPlan(m_frames, m_plan, std::span(m_spans).subspan(playing * m_each, m_each),
-                           m_variations, m_supports, m_settings, progress.part(0, 0.2));
+            VariedPlan varied = planned(playing, progress.part(0, 0.2));
             made = std::make_shared<const Clip>(
                 makeClip(varied.character, varied.plan, m_settings.interpolation, progress.part(0.2, 1)));
             if (playing == 0)
                 m_firstPlan = std::move(varied.plan);
         }
         return made;
+    }
+
+    /// What one playing shows.
+    VariedPlan planned(std::size_t playing, const Progress& progress) const
+    {
+        return variedPlan(m_frames, m_plan, std::span(m_spans).subspan(playing * m_each, m_each),
+                          m_variations, m_supports, m_settings, progress);
     }
 
 private:
@@ -164,6 +169,14 @@ private:
 };
 
 } // namespace
+
+PlannedClip plannedClip(const AnimationEntry& animation, const CharacterGraph& graph,
+                        const CharacterFrames& frames, const ClipPlan& plan,
+                        std::span<const TakeVariation> variations, const Progress& progress)
+{
+    const WalkPlayings playings(animation, graph, frames, plan, variations);
+    return {.plan = playings.planned(0, progress).plan, .spans = playings.spans()};
+}
 
 AnimationClip animationClip(const AnimationEntry& animation, const CharacterGraph& graph,
                             const CharacterFrames& frames, const ClipPlan& plan,

@@ -46,6 +46,17 @@ struct AnimationClip
 /// How often the walk of an animation is played, as a loop.
 int playingsOf(const AnimationEntry& animation);
 
+/// What its clip is made of, without making it.
+struct PlannedClip
+{
+    ClipPlan plan;               ///< before post-processing, with the variations that the first playing shows
+    std::vector<SpanDraw> spans; ///< see AnimationClip
+};
+/// \throws Error as variedPlan.
+PlannedClip plannedClip(const AnimationEntry& animation, const CharacterGraph& graph,
+                        const CharacterFrames& frames, const ClipPlan& plan,
+                        std::span<const TakeVariation> variations = {}, const Progress& progress = {});
+
 /// Its clip, after post-processing. Playings of a loop differ where variations are there to draw from.
 /// \param variations  what repeats are drawn from, of clipsDrawnFrom; origins count them from 1.
 /// \throws Error as variedPlan, makeClip and postProcessed.

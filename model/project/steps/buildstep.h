@@ -3,8 +3,8 @@
 #pragma once
 
 #include "model/core/progress.h"
-#include "model/project/media/filehashes.h"
 #include "model/project/media/opensequence.h"
+#include "model/project/steps/resultsession.h"
 #include "model/project/store/result.h"
 
 #include <filesystem>
@@ -19,9 +19,40 @@ namespace quadrille {
 struct StepContext
 {
     /// The result of a step that this one lists as its input.
-    std::function<Result(const std::string& step)> resultOf;
+    std::function<ResultPointer(const std::string& step)> resultOf;
+    /// The key of such a step: results of the same key are the same.
+    std::function<std::string(const std::string& step)> keyOf;
     /// Something worth telling the user.
     std::function<void(Issue)> tell;
+    /// Takes what may be shown until the result is there: a first part of it, or the best so far. Empty where
+    /// nobody waits for such.
+    std::function<void(const Result&)> improved = {};
+    /// May be null.
+    std::shared_ptr<ResultSession> session = nullptr;
+
+    /// What is made of results of some steps, shared with other steps that want the same. \param settings
+    /// all else that it depends on, as text.
+    template <typename Value, typename Make>
+    std::shared_ptr<Value> shared(const std::vector<std::string>& steps, const std::string& settings,
+                                  const Make& make) const
+    {
+        return session == nullptr ? make() : session->shared<Value>(sharedName(steps, settings), make);
+    }
+    /// What was made so and is still there; null otherwise.
+    template <typename Value>
+    std::shared_ptr<Value> existing(const std::vector<std::string>& steps, const std::string& settings) const
+    {
+        return session == nullptr ? nullptr : session->existing<Value>(sharedName(steps, settings));
+    }
+
+private:
+    std::string sharedName(const std::vector<std::string>& steps, const std::string& settings) const
+    {
+        std::string name = settings + '\n';
+        for (const std::string& step : steps)
+            name += keyOf(step) + '\n';
+        return name;
+    }
 };
 
 /// One step of the rebuild: makes one result out of files, settings and results of other steps. The same
@@ -31,6 +62,8 @@ struct BuildStep
     /// Unique; its beginnings are targets: "sequences/walk/statistics" is rebuilt by `sequences`,
     /// `sequences/walk` and its full name.
     std::string name;
+    /// Steps of one kind and key have the same result, whatever they are called; the name where empty.
+    std::string kind;
     /// What stands before the names of its data: "sequences/walk" + "/bounds"; may be empty.
     std::string dataPrefix;
     /// The character that its data are about, where a name alone would not say.
@@ -60,6 +93,7 @@ struct StepMaking
 {
     std::shared_ptr<SequenceOpener> opener;
     std::filesystem::path projectFile;
+    std::shared_ptr<ResultSession> session = nullptr; ///< may be null
 };
 
 /// All steps of a project, each after its inputs. New capabilities add theirs here.

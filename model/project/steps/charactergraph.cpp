@@ -201,54 +201,70 @@ std::vector<std::string> CharacterGraph::inputs(const CharacterInputs& work)
     return steps;
 }
 
-CharacterGraph::CharacterGraph(const CharacterInputs& work, const StepContext& context) : m_work(work)
+CharacterGraph::Tables::Tables(const CharacterInputs& work, const StepContext& context)
 {
     const auto resultOf = [&](const char* step) { return context.resultOf(work.stepName(step)); };
-    const Result poses = resultOf(graphstep::poseDistance);
-    m_layout = layoutOf(poses);
-    m_distances = tableOf<float>(poses.arrays.front());
-    m_transitions = transitionTableOf(resultOf(graphstep::transitions));
-    m_costs = costsOf(work, context);
-    m_graph = storedGraph(resultOf(graphstep::graphs), "essential-graph", m_layout.frameCount());
+    const auto poses = resultOf(graphstep::poseDistance);
+    layout = layoutOf(*poses);
+    distances = tableOf<float>(poses->arrays.front());
+    transitions = transitionTableOf(*resultOf(graphstep::transitions));
+    costs = costsOf(work, context);
     const ProjectSettings& settings = work.opener->project().settings;
-    m_roots = rootPosesOf(resultOf(graphstep::rootPoses), settings.axes.up);
+    roots = rootPosesOf(*resultOf(graphstep::rootPoses), settings.axes.up);
     if (!work.graph.steps.isNothing())
-        m_steps = weightedSteps(m_distances, stepCosts(m_roots, m_layout, settings.fps), work.graph.steps);
+        steps = weightedSteps(distances, stepCosts(roots, layout, settings.fps), work.graph.steps);
     if (knowsDrifts(work.graph))
-        m_drifts = tableOf<float>(resultOf(graphstep::drifts).arrays.front());
-    m_paths.emplace(steps(), m_layout, transitionSettings(work.graph, settings.fps));
+        drifts = tableOf<float>(resultOf(graphstep::drifts)->arrays.front());
+    paths.emplace(shownSteps(), layout, transitionSettings(work.graph, settings.fps));
+}
+
+CharacterGraph::CharacterGraph(const CharacterInputs& work, const StepContext& context) : m_work(work)
+{
+    std::vector<std::string> steps = costInputs(work);
+    steps.push_back(work.stepName(graphstep::rootPoses));
+    const ProjectSettings& settings = work.opener->project().settings;
+    const std::string others =
+        nlohmann::json({costSettings(work.graph), settings.fps, static_cast<int>(settings.axes.up)}).dump();
+    m_tables = context.shared<const Tables>(steps, others,
+                                            [&] { return std::make_shared<const Tables>(work, context); });
+    const std::string graphs = work.stepName(graphstep::graphs);
+    m_graph = context.shared<const Digraph>({graphs}, {}, [&] {
+        return std::make_shared<const Digraph>(
+            storedGraph(*context.resultOf(graphs), "essential-graph", m_tables->layout.frameCount()));
+    });
 }
 
 CostParts CharacterGraph::partsOf(const FramePair& pair) const
 {
-    const CostSplit split{.distances = m_distances,
+    const CostSplit split{.distances = m_tables->distances,
                           .steps = steps(),
-                          .stances = m_roots.stances,
+                          .stances = m_tables->roots.stances,
                           .contactWeight = m_work.graph.steps.contacts,
-                          .drifts = m_drifts,
-                          .paths = *m_paths,
-                          .transitions = m_transitions,
-                          .costs = *m_costs};
+                          .drifts = m_tables->drifts,
+                          .paths = *m_tables->paths,
+                          .transitions = m_tables->transitions,
+                          .costs = *m_tables->costs};
     return split.of(pair);
 }
 
 WalkMaterial CharacterGraph::material(const BlendSettings& blend, bool isAlongPath) const
 {
     const auto transition = [this](const FramePair& pair) {
-        const auto known = m_paths->of(m_transitions, pair);
-        return known ? *known : m_paths->get(pair);
+        const auto known = m_tables->paths->of(m_tables->transitions, pair);
+        return known ? *known : m_tables->paths->get(pair);
     };
-    return {.graph = m_graph,
-            .costs = *m_costs,
+    return {.graph = *m_graph,
+            .costs = *m_tables->costs,
             .alpha = alpha(),
-            .motion = {.roots = &m_roots,
+            .motion = {.roots = &m_tables->roots,
                        .transition = transition,
                        .blend = blend,
                        .metresPerUnit = metresPerUnit(),
                        .fps = fps()},
             .locomotion = isAlongPath ? locomotion() : std::vector<bool>(),
-            .inAir = framesInAir(m_roots.stances, m_layout, fps()),
-            .paces = isAlongPath ? pacesInHeights(m_roots, m_layout, fps()) : std::vector<double>()};
+            .inAir = framesInAir(m_tables->roots.stances, m_tables->layout, fps()),
+            .paces = isAlongPath ? pacesInHeights(m_tables->roots, m_tables->layout, fps())
+                                 : std::vector<double>()};
 }
 
 WalkSpan CharacterGraph::span(const std::string& sequence, const std::optional<FrameRange>& range) const
@@ -259,15 +275,15 @@ WalkSpan CharacterGraph::span(const std::string& sequence, const std::optional<F
                     {.values = {{"reason", "The graph has no sequence “" + sequence + "”"},
                                 {"remedy", "Correct the name."}}});
     const auto index = static_cast<int>(found - m_work.sequences.begin());
-    const NodeIndex count = m_layout.countOf(index);
+    const NodeIndex count = m_tables->layout.countOf(index);
     if (!range)
-        return {m_layout.firstOf(index), m_layout.lastOf(index)};
+        return {m_tables->layout.firstOf(index), m_tables->layout.lastOf(index)};
     for (const FrameIndex frame : {range->first, range->last}) {
         if (frame.value < 0 || frame.value >= count)
             throwNoFrame(sequence, frame.value, count);
     }
-    return {m_layout.firstOf(index) + static_cast<NodeIndex>(range->first.value),
-            m_layout.firstOf(index) + static_cast<NodeIndex>(range->last.value)};
+    return {m_tables->layout.firstOf(index) + static_cast<NodeIndex>(range->first.value),
+            m_tables->layout.firstOf(index) + static_cast<NodeIndex>(range->last.value)};
 }
 
 NodeIndex CharacterGraph::node(const NamedFrame& frame) const
@@ -277,9 +293,9 @@ NodeIndex CharacterGraph::node(const NamedFrame& frame) const
 
 NamedFrame CharacterGraph::nameOf(NodeIndex node) const
 {
-    const int sequence = m_layout.sequenceOf(node);
+    const int sequence = m_tables->layout.sequenceOf(node);
     return {m_work.sequences[static_cast<std::size_t>(sequence)],
-            FrameIndex(node - m_layout.firstOf(sequence))};
+            FrameIndex(node - m_tables->layout.firstOf(sequence))};
 }
 
 Error CharacterGraph::named(const Error& error) const

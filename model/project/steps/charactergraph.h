@@ -23,7 +23,8 @@ RootPoses rootPosesOf(const Result& result, UpAxis up);
 /// From the result of the step of transitions.
 TransitionTable transitionTableOf(const Result& result);
 
-/// What walks through the frames of a character need, from the results of its graph's steps.
+/// What walks through the frames of a character need, from the results of its graph's steps. What is made of
+/// results alone is shared by the graphs of all values of a project that have the same.
 class CharacterGraph
 {
 public:
@@ -35,19 +36,21 @@ public:
     CharacterGraph& operator=(const CharacterGraph&) = delete;
 
     const CharacterInputs& work() const { return m_work; }
-    const FrameLayout& layout() const { return m_layout; }
-    const Table<float>& distances() const { return m_distances; }
-    const TransitionCosts& costs() const { return *m_costs; }
+    const FrameLayout& layout() const { return m_tables->layout; }
+    const Table<float>& distances() const { return m_tables->distances; }
+    const TransitionCosts& costs() const { return *m_tables->costs; }
     /// What transitions are sought by: the distances, and what else frames that are blended differ in.
-    const Table<float>& steps() const { return m_steps.size() > 0 ? m_steps : m_distances; }
+    const Table<float>& steps() const { return m_tables->shownSteps(); }
     /// What the cost of a transition is made of; adds up to costs().cost() of it. \pre It has a transition.
     CostParts partsOf(const FramePair& pair) const;
-    const WarpPaths& paths() const { return *m_paths; }
+    const WarpPaths& paths() const { return *m_tables->paths; }
     /// All transitions, whatever costs are scaled by.
-    const TransitionTable& transitions() const { return m_transitions; }
-    const RootPoses& roots() const { return m_roots; }
+    const TransitionTable& transitions() const { return m_tables->transitions; }
+    const RootPoses& roots() const { return m_tables->roots; }
     /// The Essential graph.
-    const Digraph& graph() const { return m_graph; }
+    const Digraph& graph() const { return *m_graph; }
+    /// Whether transitions and their costs are the same, and not only equal.
+    bool hasTablesOf(const CharacterGraph& other) const { return m_tables == other.m_tables; }
     double alpha() const { return m_work.graph.alpha; }
     double fps() const { return m_work.opener->project().settings.fps; }
     double metresPerUnit() const { return m_work.opener->project().settings.axes.metresPerUnit; }
@@ -68,16 +71,28 @@ public:
     Error named(const Error& error) const;
 
 private:
+    /// All but the graph itself: α changes none of it.
+    struct Tables
+    {
+        Tables(const CharacterInputs& work, const StepContext& context);
+        Tables(const Tables&) = delete;
+        Tables& operator=(const Tables&) = delete;
+
+        const Table<float>& shownSteps() const { return steps.size() > 0 ? steps : distances; }
+
+        FrameLayout layout;
+        Table<float> distances;
+        Table<float> steps;  ///< empty where they are the distances
+        Table<float> drifts; ///< of footDrifts; empty where costs do not know them
+        std::optional<TransitionCosts> costs;
+        std::optional<WarpPaths> paths;
+        TransitionTable transitions;
+        RootPoses roots;
+    };
+
     CharacterInputs m_work;
-    FrameLayout m_layout;
-    Table<float> m_distances;
-    Table<float> m_steps;  ///< empty where they are the distances
-    Table<float> m_drifts; ///< of footDrifts; empty where costs do not know them
-    std::optional<TransitionCosts> m_costs;
-    std::optional<WarpPaths> m_paths;
-    TransitionTable m_transitions;
-    RootPoses m_roots;
-    Digraph m_graph;
+    std::shared_ptr<const Tables> m_tables;
+    std::shared_ptr<const Digraph> m_graph;
 };
 
 } // namespace quadrille

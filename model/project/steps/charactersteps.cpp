@@ -104,22 +104,22 @@ FrameLayout layoutOf(const Result& distances)
 
 TransitionCosts costsOf(const CharacterInputs& work, const StepContext& context)
 {
-    const Result distances = context.resultOf(work.stepName(graphstep::poseDistance));
-    const Result transitions = context.resultOf(work.stepName(graphstep::transitions));
-    const FrameLayout layout = layoutOf(distances);
-    const Table<float> poses = tableOf<float>(distances.arrays.front());
-    const Table<float> lengths = tableOf<float>(arrayOf(transitions, "transition-length"));
+    const auto distances = context.resultOf(work.stepName(graphstep::poseDistance));
+    const auto transitions = context.resultOf(work.stepName(graphstep::transitions));
+    const FrameLayout layout = layoutOf(*distances);
+    const Table<float> poses = tableOf<float>(distances->arrays.front());
+    const Table<float> lengths = tableOf<float>(arrayOf(*transitions, "transition-length"));
     const double greatest = work.graph.greatestDistance.value_or(poses.size() > 0 ? poses.maxCoeff() : 0.0F);
     const Table<std::uint16_t> counts = lengths.isFinite().select(lengths, 0.0F).cast<std::uint16_t>();
-    Table<float> costs = tableOf<float>(arrayOf(transitions, "transition-cost"));
+    Table<float> costs = tableOf<float>(arrayOf(*transitions, "transition-cost"));
     if (knowsDrifts(work.graph)) {
-        const Result drifts = context.resultOf(work.stepName(graphstep::drifts));
-        addDrifts(costs, tableOf<float>(drifts.arrays.front()), counts,
+        const auto drifts = context.resultOf(work.stepName(graphstep::drifts));
+        addDrifts(costs, tableOf<float>(drifts->arrays.front()), counts,
                   work.graph.cost == TransitionCost::Sum, work.graph.steps);
     }
     if (work.graph.costScale == CostScale::Liveliness) {
-        const Result liveliness = context.resultOf(work.stepName(graphstep::liveliness));
-        costs = costPerLiveliness(costs, layout, tableOf<double>(liveliness.arrays.front()));
+        const auto liveliness = context.resultOf(work.stepName(graphstep::liveliness));
+        costs = costPerLiveliness(costs, layout, tableOf<double>(liveliness->arrays.front()));
     }
     return {std::move(costs), counts, greatest, layout};
 }

@@ -24,6 +24,9 @@ enum Column : std::size_t
     DestinationColumn,
     LambdaColumn,
     MirroredColumn,
+    CentreColumns,
+    VariationColumn = CentreColumns + 3, ///< where anything is drawn from variations
+    OtherVariationColumn,
 };
 
 const DataArray& column(const Result& result, Column which)
@@ -95,7 +98,8 @@ Result clipResult(const Clip& clip, const FrameLayout& layout, const std::vector
     return result;
 }
 
-std::optional<Clip> clipOf(const Result& result, std::span<const MeshSequence> sequences, double fps)
+std::optional<Clip> clipOf(const Result& result, std::span<const MeshSequence> sequences, double fps,
+                           std::span<const std::string> variations)
 {
     if (result.arrays.empty() || result.tables.empty() || sequences.empty())
         return std::nullopt;
@@ -127,6 +131,16 @@ std::optional<Clip> clipOf(const Result& result, std::span<const MeshSequence> s
                                 .lambda = lambdas[f],
                                 .mirrored = texts(MirroredColumn)[f] == "yes"});
     }
+    if (variations.empty())
+        return clip;
+    const auto numberOf = [&](const std::string& name) {
+        return static_cast<std::int32_t>(
+            name.empty() ? 0 : std::ranges::find(variations, name) - variations.begin() + 1);
+    };
+    for (std::size_t f = 0; f < clip.origins.size(); ++f) {
+        clip.origins[f].sourceVariation = numberOf(texts(VariationColumn)[f]);
+        clip.origins[f].destinationVariation = numberOf(texts(OtherVariationColumn)[f]);
+    }
     return clip;
 }
 
@@ -135,7 +149,7 @@ std::optional<MeshSequence> readClip(const std::filesystem::path& results, const
 {
     if (results.empty())
         return std::nullopt;
-    auto clip = clipOf(ResultStore(results).load(clipStepOf(name), {}).result, sequences, fps);
+    auto clip = clipOf(*ResultStore(results).load(clipStepOf(name), {}).result, sequences, fps);
     if (!clip)
         return std::nullopt;
     return toSequence(name.substr(name.find('/') + 1), std::move(*clip), CharacterFrames(sequences));

@@ -21,9 +21,11 @@ namespace quadrille {
 Result clipResult(const Clip& clip, const FrameLayout& layout, const std::vector<std::string>& sequences,
                   const std::string& unit, std::span<const std::string> variations = {});
 
-/// What clipResult made of a clip, without the names of variations; nothing where a clip is not there, or not
-/// of these sequences. \param sequences  as sequencesOfClip has them.
-std::optional<Clip> clipOf(const Result& result, std::span<const MeshSequence> sequences, double fps);
+/// What clipResult made of a clip; nothing where a clip is not there, or not of these sequences.
+/// \param sequences  as sequencesOfClip has them. \param variations  as for clipResult; without any, origins
+/// count none.
+std::optional<Clip> clipOf(const Result& result, std::span<const MeshSequence> sequences, double fps,
+                           std::span<const std::string> variations = {});
 
 /// A made clip from the results of a project, with textures, labels and contacts; nothing where it is not
 /// there. \param clip  "animations/NAME", "variations/NAME/3". \param sequences  as sequencesOfClip has them.

@@ -92,13 +92,13 @@ BuildStep transitionStep(const CharacterInputs& work, const BuildStep& distances
     if (distances.bytes)
         step.bytes = bytesOfTables(work, 4);
     step.compute = [=, inputs = step.inputs](const StepContext& context, const Progress& progress) {
-        const Result poses = context.resultOf(inputs.front());
-        Table<float> steps = tableOf<float>(poses.arrays.front());
+        const auto poses = context.resultOf(inputs.front());
+        Table<float> steps = tableOf<float>(poses->arrays.front());
         if (!weights.isNothing())
             steps = weightedSteps(
-                steps, stepCosts(rootPosesOf(context.resultOf(inputs[1]), up), layoutOf(poses), fps),
+                steps, stepCosts(rootPosesOf(*context.resultOf(inputs[1]), up), layoutOf(*poses), fps),
                 weights);
-        const TransitionTable table = transitionTable(steps, layoutOf(poses), settings, progress);
+        const TransitionTable table = transitionTable(steps, layoutOf(*poses), settings, progress);
         constexpr float none = TransitionTable::none;
         const auto frames = [&](const Table<std::uint16_t>& counts) -> Table<float> {
             return (counts == 0).select(none, counts.cast<float>());
@@ -114,7 +114,7 @@ BuildStep transitionStep(const CharacterInputs& work, const BuildStep& distances
         Result result;
         result.arrays = {matrixOf("transition-cost",
                                   "D, the cost of the best transition from a frame (row) to another.",
-                                  poses.arrays.front().unit, table.cost),
+                                  poses->arrays.front().unit, table.cost),
                          matrixOf("transition-length", "L, the frames that this transition lasts.", "frame",
                                   frames(table.length)),
                          DataArray{.name = "transition-windows",
@@ -138,15 +138,15 @@ BuildStep driftStep(const CharacterInputs& work)
     step.inputs = {work.stepName(graphstep::poseDistance), work.stepName(graphstep::rootPoses),
                    work.stepName(graphstep::transitions)};
     step.compute = [=, inputs = step.inputs](const StepContext& context, const Progress& progress) {
-        const FrameLayout layout = layoutOf(context.resultOf(inputs[0]));
-        const RootPoses roots = rootPosesOf(context.resultOf(inputs[1]), up);
+        const FrameLayout layout = layoutOf(*context.resultOf(inputs[0]));
+        const RootPoses roots = rootPosesOf(*context.resultOf(inputs[1]), up);
         Result result;
         result.arrays = {matrixOf(
             "transition-drift",
             "How far the blend of the best transition from a frame (row) to another drags a foot "
             "that stands.",
             "body heights",
-            footDrifts(roots, layout, transitionTableOf(context.resultOf(inputs[2])), fps, progress))};
+            footDrifts(roots, layout, transitionTableOf(*context.resultOf(inputs[2])), fps, progress))};
         return result;
     };
     return step;
@@ -161,14 +161,14 @@ public:
     {
         const ProjectSettings& settings = work.opener->project().settings;
         const auto resultOf = [&](const char* step) { return context.resultOf(work.stepName(step)); };
-        m_distances = tableOf<float>(resultOf(graphstep::poseDistance).arrays.front());
-        m_transitions = transitionTableOf(resultOf(graphstep::transitions));
-        const RootPoses roots = rootPosesOf(resultOf(graphstep::rootPoses), settings.axes.up);
+        m_distances = tableOf<float>(resultOf(graphstep::poseDistance)->arrays.front());
+        m_transitions = transitionTableOf(*resultOf(graphstep::transitions));
+        const RootPoses roots = rootPosesOf(*resultOf(graphstep::rootPoses), settings.axes.up);
         m_steps =
             weightedSteps(m_distances, stepCosts(roots, costs.layout(), settings.fps), work.graph.steps);
         m_stances = roots.stances;
         if (knowsDrifts(work.graph))
-            m_drifts = tableOf<float>(resultOf(graphstep::drifts).arrays.front());
+            m_drifts = tableOf<float>(resultOf(graphstep::drifts)->arrays.front());
         m_paths.emplace(m_steps, costs.layout(), transitionSettings(work.graph, settings.fps));
     }
 
@@ -243,14 +243,14 @@ BuildStep edgeStep(const CharacterInputs& work)
         const TransitionCosts costs = costsOf(work, context);
         const TransitionParts parts(work, costs, context);
         const EdgeNaming naming{costs, [&](const FramePair& pair) { return parts.of(pair); }, work.sequences};
-        const Result both = context.resultOf(graphs);
+        const auto both = context.resultOf(graphs);
         const NodeIndex frames = costs.layout().frameCount();
         Result result;
         result.tables = {
             edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.",
-                      storedGraph(both, "motion-graph", frames), naming, progress.part(0, 0.1)),
+                      storedGraph(*both, "motion-graph", frames), naming, progress.part(0, 0.1)),
             edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.",
-                      storedGraph(both, "essential-graph", frames), naming, progress.part(0.1, 1))};
+                      storedGraph(*both, "essential-graph", frames), naming, progress.part(0.1, 1))};
         return result;
     };
     return step;

@@ -76,31 +76,31 @@ std::vector<bool> CharacterGraph::locomotion() const
 {
     constexpr double leastPace = 0.15; // heights of the figure a second
     const double greatestReturn = AlignmentSettings().greatestReturnBeside;
-    const std::vector<double> paces = pacesOf(m_roots, m_layout, fps());
+    const std::vector<double> paces = pacesOf(roots(), layout(), fps());
     const auto getsOn = [&](NodeIndex node) {
-        return paces[static_cast<std::size_t>(node)] > leastPace * m_roots.stances.height;
+        return paces[static_cast<std::size_t>(node)] > leastPace * roots().stances.height;
     };
     std::vector<int> cyclic;
-    for (int s = 0; s < m_layout.sequenceCount(); ++s) {
-        const NodeIndex first = m_layout.firstOf(s);
-        const NodeIndex count = m_layout.countOf(s);
-        const Table<float> own = m_distances.block(first, first, count, count);
+    for (int s = 0; s < layout().sequenceCount(); ++s) {
+        const NodeIndex first = layout().firstOf(s);
+        const NodeIndex count = layout().countOf(s);
+        const Table<float> own = distances().block(first, first, count, count);
         bool alwaysGetsOn = true;
-        for (NodeIndex node = first; node <= m_layout.lastOf(s); ++node)
+        for (NodeIndex node = first; node <= layout().lastOf(s); ++node)
             alwaysGetsOn = alwaysGetsOn && getsOn(node);
         if (alwaysGetsOn && findPeriod(own, greatestReturn))
             cyclic.push_back(s);
     }
-    std::vector<bool> isLocomotion = framesLike(cyclic, m_distances, m_layout);
-    for (NodeIndex node = 0; node < m_layout.frameCount(); ++node)
+    std::vector<bool> isLocomotion = framesLike(cyclic, distances(), layout());
+    for (NodeIndex node = 0; node < layout().frameCount(); ++node)
         if (!getsOn(node))
             isLocomotion[static_cast<std::size_t>(node)] = false;
-    for (int s = 0; s < m_layout.sequenceCount(); ++s) {
-        const NodeIndex first = m_layout.firstOf(s);
-        const NodeIndex last = m_layout.lastOf(s);
+    for (int s = 0; s < layout().sequenceCount(); ++s) {
+        const NodeIndex first = layout().firstOf(s);
+        const NodeIndex last = layout().lastOf(s);
         if (std::ranges::find(cyclic, s) == cyclic.end())
             settleTake(isLocomotion.begin() + first, isLocomotion.begin() + last + 1,
-                       jumps(m_roots.stances, first, last, fps()));
+                       jumps(roots().stances, first, last, fps()));
     }
     return isLocomotion;
 }

@@ -45,8 +45,9 @@ public:
         : m_steps(steps)
         , m_projectFile(projectFile)
         , m_folder(projectFolder(projectFile))
-        , m_store(cacheFolder(projectFile))
-        , m_hashes(cacheFolder(projectFile) / "hashes.json")
+        , m_session(options.session ? options.session : std::make_shared<ResultSession>())
+        , m_store(cacheFolder(projectFile), m_session->results())
+        , m_hashes(m_session->hashes(cacheFolder(projectFile)))
         , m_options(options)
         , m_progress(progress)
         , m_listener(listener)
@@ -64,7 +65,7 @@ public:
         m_status = stepStatus(m_steps, m_store, m_folder, m_hashes, m_progress.part(0, planning));
         for (std::size_t i = 0; i < m_steps.size(); ++i)
             plan(i);
-        if (!m_options.dryRun && isAnyStale())
+        if (!m_options.dryRun && !m_options.onlyInMemory && isAnyStale())
             prepare();
         if (!m_options.dryRun)
             compute();
@@ -95,7 +96,7 @@ private:
                 bytes += expectedBytes(m_steps[i]);
         }
         prepareResults(m_projectFile, bytes);
-        m_store = ResultStore(cacheFolder(m_projectFile));
+        m_store = ResultStore(cacheFolder(m_projectFile), m_session->results());
     }
 
     /// What the step says, or what its last result took.
@@ -125,13 +126,46 @@ private:
             report.state = StepState::Failed;
         } else if (status.isFresh && !m_options.force) {
             report.state = StepState::Fresh;
-            addFiles(report, status.result);
+            addFiles(report, status.files);
             if (!m_options.dryRun)
                 m_store.prefer(report.step, report.key);
+        } else if (const auto kept = keptResult(i); kept && !m_options.force) {
+            // Others, who do not share the session, find it then, too.
+            report.state = StepState::Fresh;
+            if (!m_options.onlyInMemory)
+                store(report, kept);
         } else {
             report.state = StepState::Stale;
             report.reason = status.isFresh ? "forced" : status.reason;
         }
+    }
+
+    const std::string& kindOf(std::size_t i) const
+    {
+        return m_steps[i].kind.empty() ? m_steps[i].name : m_steps[i].kind;
+    }
+
+    /// A result that was computed for another state of the project, or another entry; null where there is
+    /// none. Files outside of the store are written when they are asked for.
+    ResultPointer keptResult(std::size_t i) const
+    {
+        const ResultPointer kept = m_session->results()->find(kindOf(i), m_status[i].key);
+        return kept && kept->files.empty() ? kept : nullptr;
+    }
+
+    ResultPointer resultOf(std::size_t i)
+    {
+        if (ResultPointer kept = m_session->results()->find(kindOf(i), m_status[i].key))
+            return kept;
+        ResultPointer stored = m_store.freshResult(m_steps[i].name, m_status[i].key);
+        m_session->results()->keep(kindOf(i), m_status[i].key, stored);
+        return stored;
+    }
+
+    void store(StepReport& report, const ResultPointer& result)
+    {
+        if (!m_store.save(report.step, report.key, result))
+            report.issues.push_back(unstoredIssue(m_store.fileOf(report.step)));
     }
 
     void compute()
@@ -196,20 +230,26 @@ private:
         StepReport& report = m_reports[i];
         const auto begin = std::chrono::steady_clock::now();
         StepContext context;
-        context.resultOf = [this](const std::string& step) {
-            return m_store.freshResult(step, m_status[m_byName.at(step)].key);
-        };
+        context.session = m_session;
+        context.resultOf = [this](const std::string& step) { return resultOf(m_byName.at(step)); };
+        context.keyOf = [this](const std::string& step) { return m_status[m_byName.at(step)].key; };
+        if (m_options.improved)
+            context.improved = [this, &report](const Result& result) {
+                m_options.improved(report.step, result);
+            };
         context.tell = [&report](Issue issue) { report.issues.push_back(std::move(issue)); };
         const Progress own(m_progress.token(), [this, i](double fraction) {
             m_fractions[i] = fraction;
             reportOverall();
         });
         try {
-            const Result result = m_steps[i].compute(context, own);
+            const auto result = std::make_shared<const Result>(m_steps[i].compute(context, own));
             own.report(1);
-            if (!m_store.save(report.step, report.key, result))
-                report.issues.push_back(unstoredIssue(m_store.fileOf(report.step)));
-            addFiles(report, result);
+            m_session->countComputed(report.step);
+            m_session->results()->keep(kindOf(i), report.key, result);
+            if (!m_options.onlyInMemory)
+                store(report, result);
+            addFiles(report, result->files);
             report.state = StepState::Computed;
         } catch (...) {
             report.state = StepState::Failed;
@@ -226,17 +266,18 @@ private:
         m_progress.report(planning + (1 - planning) * sum / static_cast<double>(m_steps.size()));
     }
 
-    void addFiles(StepReport& report, const Result& result) const
+    void addFiles(StepReport& report, const std::vector<WrittenFile>& files) const
     {
-        for (const WrittenFile& file : result.files)
+        for (const WrittenFile& file : files)
             report.files.push_back(resolvePath(file.path, m_folder));
     }
 
     const std::vector<BuildStep>& m_steps;
     fs::path m_projectFile;
     fs::path m_folder;
+    std::shared_ptr<ResultSession> m_session;
     ResultStore m_store;
-    FileHashes m_hashes;
+    FileHashes& m_hashes;
     const RebuildOptions& m_options;
     const Progress& m_progress;
     const StepListener& m_listener;
@@ -288,17 +329,21 @@ RebuildReport rebuild(const Project& project, const fs::path& projectFile, const
 {
     MediaCache::shared()->setBudget(project.settings.cacheBytes());
     const fs::path folder = projectFolder(projectFile);
-    const auto opener = std::make_shared<SequenceOpener>(project, folder, cacheFolder(projectFile));
+    RebuildOptions shared = options;
+    if (shared.session == nullptr)
+        shared.session = std::make_shared<ResultSession>();
+    const auto opener = std::make_shared<SequenceOpener>(project, folder, cacheFolder(projectFile),
+                                                         shared.session->sources());
     const auto guard = projectGuard(project, projectFile, options.permissions);
     const WrittenNote note(*guard, projectFile);
-    std::vector<BuildStep> steps = makeSteps({opener, projectFile});
+    std::vector<BuildStep> steps = makeSteps({opener, projectFile, shared.session});
     std::vector<BuildStep> guarded = exportSteps(opener, guard);
     for (BuildStep& step : guarded) {
         *std::find_if(steps.begin(), steps.end(),
                       [&](const BuildStep& made) { return made.name == step.name; }) = std::move(step);
     }
     refuseMissingInputs(steps);
-    RebuildReport report = rebuild(steps, projectFile, options, progress, listener);
+    RebuildReport report = rebuild(steps, projectFile, shared, progress, listener);
     if (!options.dryRun)
         tryToNoteMedia(project, projectFile, Progress(progress.token()));
     return report;

@@ -17,10 +17,18 @@ struct RebuildOptions
 {
     /// Sections ("sequences"), entries ("exports/walk") or steps; everything when empty.
     std::vector<std::string> targets;
-    int jobs = 0;        ///< threads; 0 for all
-    bool force = false;  ///< compute what is fresh, too
-    bool dryRun = false; ///< only say what would be computed
+    int jobs = 0;       ///< threads; 0 for all
+    bool force = false; ///< compute what is fresh, too
+    /// Only say what would be computed. What the session has is stored all the same.
+    bool dryRun = false;
     WritePermissions permissions;
+    /// What is shared with others who work with the project; null: nothing.
+    std::shared_ptr<ResultSession> session = nullptr;
+    /// Results are kept by the session alone, as far as it has room: stored by a rebuild that comes to the
+    /// same key. \pre There is a session.
+    bool onlyInMemory = false;
+    /// Receives what a step gives before it is through, see StepContext; from any thread.
+    std::function<void(const std::string& step, const Result& result)> improved = {};
 };
 
 enum class StepState

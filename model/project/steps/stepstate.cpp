@@ -55,9 +55,9 @@ std::string hashInputs(const BuildStep& step, FileHashes& hashes, const Progress
 }
 
 /// The first of a result's files that is not as it was written; empty when all are.
-std::string changedFile(const Result& result, const fs::path& folder, FileHashes& hashes)
+std::string changedFile(const std::vector<WrittenFile>& files, const fs::path& folder, FileHashes& hashes)
 {
-    for (const WrittenFile& file : result.files) {
+    for (const WrittenFile& file : files) {
         const fs::path path = resolvePath(file.path, folder);
         std::error_code error;
         if (!fs::exists(path, error) || hashes.of(path) != file.hash)
@@ -69,8 +69,8 @@ std::string changedFile(const Result& result, const fs::path& folder, FileHashes
 void compareWithStore(StepStatus& status, const BuildStep& step, const ResultStore& store,
                       const fs::path& folder, FileHashes& hashes)
 {
-    auto entry = store.load(step.name, status.key);
-    switch (entry.state) {
+    auto standing = store.standing(step.name, status.key);
+    switch (standing.state) {
     case ResultStore::State::Missing:
         status.reason = "there is no result yet";
         return;
@@ -84,18 +84,17 @@ void compareWithStore(StepStatus& status, const BuildStep& step, const ResultSto
     case ResultStore::State::Fresh:
         break;
     }
-    const std::string changed = changedFile(entry.result, folder, hashes);
+    const std::string changed = changedFile(standing.files, folder, hashes);
     status.isFresh = changed.empty();
     if (!status.isFresh)
         status.reason = changed + " is missing or was changed";
-    status.result = std::move(entry.result);
+    status.files = std::move(standing.files);
 }
 
 } // namespace
 
-std::vector<StepStatus> stepStatus(const std::vector<BuildStep>& steps, const ResultStore& store,
-                                   const fs::path& projectFolder, FileHashes& hashes,
-                                   const Progress& progress)
+std::vector<StepStatus> stepKeys(const std::vector<BuildStep>& steps, FileHashes& hashes,
+                                 const Progress& progress)
 {
     std::vector<StepStatus> all(steps.size());
     std::vector<std::string> inputHashes(steps.size());
@@ -123,6 +122,14 @@ std::vector<StepStatus> stepStatus(const std::vector<BuildStep>& steps, const Re
             hasher.add(all[byName.at(input)].key);
         all[i].key = hasher.hex();
     }
+    return all;
+}
+
+std::vector<StepStatus> stepStatus(const std::vector<BuildStep>& steps, const ResultStore& store,
+                                   const fs::path& projectFolder, FileHashes& hashes,
+                                   const Progress& progress)
+{
+    std::vector<StepStatus> all = stepKeys(steps, hashes, progress);
     tbb::parallel_for(std::size_t{0}, steps.size(), [&](std::size_t i) {
         progress.report(1);
         if (!all[i].error)

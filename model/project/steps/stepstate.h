@@ -13,10 +13,15 @@ struct StepStatus
     std::string key;
     bool isFresh = false;
     bool isDamaged = false;
-    std::string reason;         ///< why it is not fresh, English
-    std::optional<Error> error; ///< its inputs cannot be read
-    Result result;              ///< when fresh
+    std::string reason;             ///< why it is not fresh, English
+    std::optional<Error> error;     ///< its inputs cannot be read
+    std::vector<WrittenFile> files; ///< that its result names, when fresh
 };
+
+/// The key of each step, or the error of finding it; `steps` has inputs before what uses them. Reads inputs.
+/// \throws Error Cancelled.
+std::vector<StepStatus> stepKeys(const std::vector<BuildStep>& steps, FileHashes& hashes,
+                                 const Progress& progress);
 
 /// Finds how each step stands; `steps` has inputs before what uses them. Reads inputs and results, computes
 /// nothing.

@@ -68,9 +68,11 @@ VariationSubject subjectOf(const VariationEntry& entry, const SamplesEntry& samp
     return subject;
 }
 
-VariationWork::VariationWork(std::shared_ptr<SequenceOpener> opener, VariationEntry entry)
+VariationWork::VariationWork(std::shared_ptr<SequenceOpener> opener, VariationEntry entry,
+                             std::shared_ptr<ResultSession> session)
     : m_opener(std::move(opener))
     , m_entry(std::move(entry))
+    , m_session(std::move(session))
     , m_character(characterNameOf(m_opener->project(), m_entry))
 {
     if (const BodyPartsEntry* parts = bodyPartsOf(m_opener->project(), m_character))
@@ -91,9 +93,6 @@ std::vector<std::string> VariationWork::takeNames() const
 
 std::vector<TrainingTake> VariationWork::openTakes(const Progress& progress)
 {
-    if (m_entry.training.empty())
-        throwInvalid("The variations “" + m_entry.name + "” have no takes to learn from",
-                     "Name them under “sequences”.");
     const auto metres = static_cast<float>(project().settings.axes.metresPerUnit);
     std::vector<TrainingTake> opened;
     for (std::size_t i = 0; i < m_entry.training.size(); ++i) {
@@ -132,23 +131,50 @@ BodyParts VariationWork::cutParts(const MeshSequence& first, const Progress& pro
     return cutIntoParts(*first.topology, pose, curves, descriptions);
 }
 
+VariationWork::Prepared& VariationWork::prepared(const Progress& progress)
+{
+    const std::scoped_lock lock(m_mutex);
+    if (m_prepared)
+        return *m_prepared;
+    // Sequences that share their source are of the same frames; settings say what is taken of them.
+    std::vector<std::shared_ptr<const OpenedSequence>> opened;
+    const ProjectSettings& settings = project().settings;
+    std::string name = movementSettings() + std::to_string(settings.fps) + ' ' +
+                       std::to_string(settings.axes.metresPerUnit) + ' ' +
+                       std::to_string(static_cast<int>(settings.axes.up));
+    for (const std::string& sequence : sequences()) {
+        opened.push_back(m_opener->open(sequence, Progress(progress.token())));
+        name += ' ' + std::to_string(opened.back()->sequence.source->id().value());
+    }
+    const auto make = [&] {
+        auto made = std::make_shared<Prepared>();
+        made->sequences = opened;
+        return made;
+    };
+    m_prepared = m_session ? m_session->shared<Prepared>(name, make) : make();
+    return *m_prepared;
+}
+
 FrameLayout VariationWork::layout(const Progress& progress)
 {
-    movement(progress);
-    return m_frames->layout();
+    return frames(progress).layout();
 }
 
 const CharacterFrames& VariationWork::frames(const Progress& progress)
 {
     movement(progress);
-    return *m_frames;
+    return *prepared(progress).frames;
 }
 
 std::shared_ptr<const Movement> VariationWork::movement(const Progress& progress)
 {
-    const std::scoped_lock lock(m_mutex);
-    if (m_movement)
-        return m_movement;
+    if (m_entry.training.empty())
+        throwInvalid("The variations “" + m_entry.name + "” have no takes to learn from",
+                     "Name them under “sequences”.");
+    Prepared& own = prepared(progress);
+    const std::scoped_lock lock(own.mutex);
+    if (own.movement)
+        return own.movement;
     constexpr double opening = 0.2;
     const std::vector<TrainingTake> takes = openTakes(progress.part(0, opening));
     MovementSettings settings;
@@ -158,56 +184,61 @@ std::shared_ptr<const Movement> VariationWork::movement(const Progress& progress
     const std::vector<Vec3f> pose =
         m_entry.templatePose ? namedPose(*m_entry.templatePose, progress) : std::vector<Vec3f>();
     const std::size_t reference = m_entry.reference.empty() ? 0 : takeIndex(m_entry, m_entry.reference);
-    m_movement = std::make_shared<const Movement>(
+    auto movement = std::make_shared<const Movement>(
         makeMovement(takes, reference, cutParts(takes.front().sequence, progress), blendsOf(m_entry),
                      settings, pose, progress.part(opening, 1)));
     std::vector<MeshSequence> sequences;
     sequences.reserve(takes.size());
     for (std::size_t t = 0; t < takes.size(); ++t) {
         sequences.push_back(takes[t].sequence);
-        sequences.back().contacts = m_movement->alignment.reports[t].contacts;
+        sequences.back().contacts = movement->alignment.reports[t].contacts;
     }
-    m_frames.emplace(sequences);
-    return m_movement;
+    own.frames.emplace(sequences);
+    own.movement = std::move(movement);
+    return own.movement;
 }
 
 std::shared_ptr<const LearnedMovement> VariationWork::learned(std::vector<GpdmState> states,
                                                               const Progress& progress)
 {
+    const auto made = movement(progress);
     const std::scoped_lock lock(m_mutex);
     if (!m_learned)
-        m_learned = std::make_shared<const LearnedMovement>(movement(progress), std::move(states));
+        m_learned = std::make_shared<const LearnedMovement>(made, std::move(states));
     return m_learned;
 }
 
 const VariationMeter& VariationWork::meter(const Progress& progress)
 {
-    const std::scoped_lock lock(m_mutex);
-    if (!m_meter) {
-        const auto made = movement(progress.part(0, 0.5));
+    const auto made = movement(progress.part(0, 0.5));
+    Prepared& own = prepared(progress);
+    const std::scoped_lock lock(own.mutex);
+    if (!own.meter) {
         std::vector<int> varied(made->capturedCount());
         std::iota(varied.begin(), varied.end(), 0);
-        m_meter.emplace(*m_frames, varied, made->alignment.takes, project().settings.axes.up, made->parts,
-                        poseReaches(*made, progress.part(0.5, 0.6)), progress.part(0.6, 1));
+        own.meter.emplace(*own.frames, varied, made->alignment.takes, project().settings.axes.up, made->parts,
+                          poseReaches(*made, progress.part(0.5, 0.6)), progress.part(0.6, 1));
     }
-    return *m_meter;
+    return *own.meter;
 }
 
 VariationPoses VariationWork::poses(const VariationEntry& entry, const Progress& progress)
 {
-    const std::scoped_lock lock(m_mutex);
+    movement(progress.part(0, 0.7));
+    Prepared& own = prepared(progress);
+    const std::scoped_lock lock(own.mutex);
     const UpAxis up = project().settings.axes.up;
-    if (!m_standing) {
-        movement(progress.part(0, 0.7));
-        m_standing.emplace(CapturedStanding{*m_frames, findSupports(*m_frames, up, progress.part(0.7, 1))});
-    }
-    if (!m_contacts && entry.correctsContacts)
-        m_contacts.emplace(VariationContacts{*m_frames, legsOf(*m_frames, up, Progress(progress.token()))});
+    if (!own.standing)
+        own.standing.emplace(
+            CapturedStanding{*own.frames, findSupports(*own.frames, up, progress.part(0.7, 1))});
+    if (!own.contacts && entry.correctsContacts)
+        own.contacts.emplace(
+            VariationContacts{*own.frames, legsOf(*own.frames, up, Progress(progress.token()))});
     return {.draw = entry.draw,
             .up = up,
-            .standing = &*m_standing,
+            .standing = &*own.standing,
             .tempo = entry.extent.draw == TrajectoryDraw::Smooth ? entry.extent.spread : 0,
-            .contacts = entry.correctsContacts ? &*m_contacts : nullptr};
+            .contacts = entry.correctsContacts ? &*own.contacts : nullptr};
 }
 
 Clip VariationWork::inProjectUnit(Clip clip) const

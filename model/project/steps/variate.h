@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/project/media/opensequence.h"
+#include "model/project/steps/resultsession.h"
 #include "model/transition/characterframes.h"
 #include "model/variation/selection.h"
 
@@ -20,13 +21,14 @@ std::vector<MovementBlend> blendsOf(const VariationEntry& entry);
 /// What a set of samples varies.
 VariationSubject subjectOf(const VariationEntry& entry, const SamplesEntry& samples);
 
-/// What an entry of “variations” is computed from. Takes are opened and aligned at the first use; safe from
-/// any thread.
+/// What an entry of “variations” is computed from. Takes are opened and aligned at the first use, for all who
+/// want the same of the same takes in a session; safe from any thread.
 class VariationWork
 {
 public:
-    /// \param opener  of a project that has the entry.
-    VariationWork(std::shared_ptr<SequenceOpener> opener, VariationEntry entry);
+    /// \param opener  of a project that has the entry. \param session  may be null.
+    VariationWork(std::shared_ptr<SequenceOpener> opener, VariationEntry entry,
+                  std::shared_ptr<ResultSession> session = nullptr);
 
     const VariationEntry& entry() const { return m_entry; }
     const std::string& character() const { return m_character; }
@@ -74,17 +76,28 @@ private:
     std::vector<Vec3f> namedPose(const NamedFrame& frame, const Progress& progress);
     BodyParts cutParts(const MeshSequence& first, const Progress& progress);
 
+    /// What is made of the takes at the first use, whatever is learned and drawn of them.
+    struct Prepared
+    {
+        std::recursive_mutex mutex;
+        std::vector<std::shared_ptr<const OpenedSequence>> sequences; ///< that it is made of
+        std::shared_ptr<const Movement> movement;
+        std::optional<CharacterFrames> frames; ///< of the takes, metres, with their contacts
+        std::optional<VariationMeter> meter;
+        std::optional<CapturedStanding> standing;
+        std::optional<VariationContacts> contacts;
+    };
+    /// \throws Error of opening the sequences.
+    Prepared& prepared(const Progress& progress);
+
     std::shared_ptr<SequenceOpener> m_opener;
     VariationEntry m_entry;
+    std::shared_ptr<ResultSession> m_session;
     std::string m_character;
     BodyPartsEntry m_parts;
-    std::recursive_mutex m_mutex; ///< of all that is prepared at the first use
-    std::shared_ptr<const Movement> m_movement;
+    std::mutex m_mutex; ///< of what follows
+    std::shared_ptr<Prepared> m_prepared;
     std::shared_ptr<const LearnedMovement> m_learned;
-    std::optional<CharacterFrames> m_frames; ///< of the takes, metres, with their contacts
-    std::optional<VariationMeter> m_meter;
-    std::optional<CapturedStanding> m_standing;
-    std::optional<VariationContacts> m_contacts;
 };
 
 } // namespace quadrille

@@ -4,6 +4,7 @@
 
 #include "model/core/error.h"
 #include "model/project/steps/charactersteps.h"
+#include "model/project/steps/variationarrays.h"
 #include "model/project/store/tablebuilder.h"
 #include "model/variation/reconstructionerror.h"
 
@@ -14,29 +15,6 @@
 namespace quadrille {
 
 namespace {
-
-DataArray arrayOfDoubles(std::string name, std::string description, std::string unit,
-                         std::vector<std::int64_t> shape, std::vector<double> values)
-{
-    DataArray array;
-    array.name = std::move(name);
-    array.description = std::move(description);
-    array.unit = std::move(unit);
-    array.shape = std::move(shape);
-    array.values = std::move(values);
-    return array;
-}
-
-DataArray matrixArray(std::string name, std::string description, std::string unit, const RowMatrix& matrix)
-{
-    return arrayOfDoubles(std::move(name), std::move(description), std::move(unit),
-                          {matrix.rows(), matrix.cols()}, {matrix.data(), matrix.data() + matrix.size()});
-}
-
-const std::vector<double>& doublesOf(const Result& result, const std::string& name)
-{
-    return std::get<std::vector<double>>(arrayOf(result, name).values);
-}
 
 std::string toText(TakeUse use)
 {
@@ -53,25 +31,6 @@ std::string toText(TakeUse use)
         return "no cycle found";
     }
     return {};
-}
-
-std::string toText(GpdmStop stop)
-{
-    constexpr std::array<const char*, 4> texts{"converged", "iteration limit", "stalled", "cancelled"};
-    return texts[static_cast<std::size_t>(stop)];
-}
-
-std::array<double, 7> listed(const GpdmHyperparameters& h)
-{
-    return {h.alpha1, h.alpha2, h.alpha3, h.beta1, h.beta2, h.beta3, h.beta4};
-}
-
-std::string joined(const std::vector<std::string>& names)
-{
-    std::string all;
-    for (const std::string& name : names)
-        all += (all.empty() ? "" : ", ") + name;
-    return all;
 }
 
 std::string faultsText(const Candidate& candidate)
@@ -151,88 +110,6 @@ Result alignmentResult(const Movement& movement)
     Result result;
     result.tables = {std::move(takes).table(), std::move(warps).table(), std::move(playback).table()};
     return result;
-}
-
-Result modelResult(const PartTraining& training, const GpdmLearning& learning,
-                   const std::vector<std::string>& takes)
-{
-    Result result;
-    result.arrays = {matrixArray("training",
-                                 "What is learned: a row for each frame, three coordinates for each vertex, "
-                                 "for the root followed by six scaled displacements; their mean subtracted.",
-                                 "m", training.rows),
-                     arrayOfDoubles("mean", "The mean that was subtracted.", "m", {training.mean.size()},
-                                    {training.mean.data(), training.mean.data() + training.mean.size()}),
-                     matrixArray("latents", "Latent position of each row.", "", learning.state.latents)};
-    const auto hyperparameters = listed(learning.state.hyperparameters);
-    DataArray seven = arrayOfDoubles("hyperparameters", "Parameters of both kernels.", "", {7},
-                                     {hyperparameters.begin(), hyperparameters.end()});
-    result.arrays.push_back(std::move(seven));
-    result.arrays.push_back(
-        arrayOfDoubles("objective", "Negative log posterior after each iteration; the last one is final.", "",
-                       {static_cast<std::int64_t>(learning.objective.size())}, learning.objective));
-    DataArray spans;
-    spans.name = "spans";
-    spans.description = "First and last row of each take.";
-    spans.columns = {"first", "last"};
-    spans.shape = {static_cast<std::int64_t>(training.spans.size()), 2};
-    std::vector<std::int64_t> rows;
-    for (const RowSpan& span : training.spans)
-        rows.insert(rows.end(), {span.first, span.last()});
-    spans.values = std::move(rows);
-    result.arrays.push_back(std::move(spans));
-    result.arrays.push_back(arrayOfDoubles(
-        "displacement-scale", "What displacements are multiplied by; 0 where the part has none.", "", {1},
-        {training.blocks.empty() ? 0 : training.blocks.front().scale}));
-    TableBuilder names("takes", "What the spans are of.");
-    names.text("take").whole("first", "row").whole("last", "row");
-    for (std::size_t t = 0; t < training.spans.size(); ++t)
-        names.add({takes.at(t), training.spans[t].first, training.spans[t].last()});
-    TableBuilder learned(
-        "learning", "How learning went, and how far the model reconstructs what it learned: mean distance "
-                    "of a vertex, beside principal components of as many dimensions.");
-    learned.text("stop").whole("iterations").real("objective").text("active-bounds");
-    learned.real("model-error", "m").real("principal-components-error", "m");
-    const Eigen::Index vertices =
-        (training.blocks.empty() ? training.rows.cols() : training.blocks.front().first) / 3;
-    const GpdmState& state = learning.state;
-    learned.add({toText(learning.stop), static_cast<std::int64_t>(learning.objective.size()),
-                 learning.objective.empty() ? 0.0 : learning.objective.back(), joined(learning.activeBounds),
-                 modelError(state, training.rows, vertices),
-                 principalError(training.rows, static_cast<int>(state.latents.cols()), vertices)});
-    result.tables = {std::move(names).table(), std::move(learned).table()};
-    return result;
-}
-
-GpdmState stateOf(const Result& model)
-{
-    const DataArray& latents = arrayOf(model, "latents");
-    GpdmState state;
-    state.latents =
-        Eigen::Map<const RowMatrix>(doublesOf(model, "latents").data(), latents.shape[0], latents.shape[1]);
-    const std::vector<double>& h = doublesOf(model, "hyperparameters");
-    state.hyperparameters = {h.at(0), h.at(1), h.at(2), h.at(3), h.at(4), h.at(5), h.at(6)};
-    return state;
-}
-
-GpdmLearning learningOf(const Result& model)
-{
-    GpdmLearning learning{.state = stateOf(model), .objective = doublesOf(model, "objective")};
-    const DataTable& learned = model.tables.at(1);
-    const auto text = [&](std::size_t column) {
-        return std::get<std::vector<std::string>>(learned.columns.at(column).values).at(0);
-    };
-    constexpr std::size_t stopColumn = 0;
-    constexpr std::size_t boundsColumn = 3;
-    for (const GpdmStop stop :
-         {GpdmStop::Converged, GpdmStop::IterationLimit, GpdmStop::Cancelled, GpdmStop::Stalled}) {
-        if (toText(stop) == text(stopColumn))
-            learning.stop = stop;
-    }
-    std::istringstream bounds(text(boundsColumn));
-    for (std::string name; std::getline(bounds >> std::ws, name, ',');)
-        learning.activeBounds.push_back(name);
-    return learning;
 }
 
 Result samplesResult(const std::vector<PartVariations>& sets, Eigen::Index frames, Eigen::Index dimensions)

@@ -19,6 +19,9 @@ Result alignmentResult(const Movement& movement);
 /// What a part was learned from, and the model. \param takes  names of the takes, pre-blends included.
 Result modelResult(const PartTraining& training, const GpdmLearning& learning,
                    const std::vector<std::string>& takes);
+/// A model that is still being learned: what learningOf reads, without what only all of it tells; as if it
+/// were stopped here.
+Result modelProgressResult(const GpdmLearning& learning);
 /// \pre The result is one of modelResult.
 GpdmState stateOf(const Result& model);
 /// All of it but the objectives of starts that did not win. \pre The result is one of modelResult.

@@ -105,14 +105,25 @@ private:
         made.version = 3;
         made.settings = settingsText(learned);
         made.inputs = {alignmentStepOf(m_name)};
-        made.compute = [work = m_work, name = m_parts[part]](const StepContext&, const Progress& progress) {
+        made.compute = [work = m_work, name = m_parts[part]](const StepContext& context,
+                                                             const Progress& progress) {
             const auto movement = work->movement(progress.part(0, 0.1));
             const PartTraining& training = movement->training.at(movement->parts.indexOf(name));
+            GpdmLearning best{.stop = GpdmStop::Cancelled};
+            const GpdmWatch watch = [&](int /*iteration*/, double objective, const GpdmState& state) {
+                best.objective.push_back(objective);
+                best.state = state;
+                context.improved(modelProgressResult(best));
+            };
             const GpdmLearning learning =
-                learnGpdm(training.rows, training.spans, work->entry().learning, progress.part(0.1, 1));
+                learnGpdm(training.rows, training.spans, work->entry().learning, progress.part(0.1, 1),
+                          context.improved ? watch : GpdmWatch());
+            Result result = modelResult(training, learning, work->takeNames());
+            if (context.improved)
+                context.improved(result);
             // What was cancelled is no result of the settings.
             progress.report(1);
-            return modelResult(training, learning, work->takeNames());
+            return result;
         };
         return made;
     }
@@ -129,7 +140,7 @@ private:
                                                                     const Progress& progress) {
             const auto movement = work->movement(progress.part(0, 0.1));
             const std::size_t index = movement->parts.indexOf(name);
-            const GpdmState state = stateOf(context.resultOf(model));
+            const GpdmState state = stateOf(*context.resultOf(model));
             const std::vector<SamplesEntry>& sets = work->entry().samples;
             const SamplingSettings settings{work->entry().chain, work->entry().extent};
             std::vector<PartVariations> drawn;
@@ -157,29 +168,48 @@ private:
         return made;
     }
 
+    /// What was made of the latents of all parts, and how it was judged.
+    struct Selected
+    {
+        std::vector<VariationSelection> selections; ///< of each set, with their clips
+        std::vector<std::vector<PartSpread>> spreads;
+    };
+
+    /// Clips are made to be judged: their steps need not make them once more.
+    std::string selectedName() const { return selectionSettings(m_work->entry()); }
+
     Result selected(const StepContext& context, const Progress& progress) const
+    {
+        const auto all = context.shared<const Selected>(drawnSteps(), selectedName(), [&] {
+            return std::make_shared<const Selected>(select(context, progress));
+        });
+        const std::vector<SamplesEntry>& sets = m_work->entry().samples;
+        for (std::size_t s = 0; s < sets.size(); ++s) {
+            if (const auto note = noteOn(sets[s], all->selections[s]))
+                context.tell({.severity = note->isShort ? Issue::Severity::Warning : Issue::Severity::Info,
+                              .context = {.values = {{"text", note->text}}}});
+        }
+        return selectionResult(m_work->entry(), all->selections, all->spreads);
+    }
+
+    Selected select(const StepContext& context, const Progress& progress) const
     {
         const auto learned = m_work->learned(models(context), progress.part(0, 0.1));
         const auto latents = allLatents(context);
         const VariationMeter meter = m_work->meter(progress.part(0.1, 0.2));
-        std::vector<VariationSelection> selections;
-        std::vector<std::vector<PartSpread>> spreads;
+        Selected all;
         const std::vector<SamplesEntry>& sets = m_work->entry().samples;
         for (std::size_t s = 0; s < sets.size(); ++s) {
             const double share = 0.8 / static_cast<double>(sets.size());
             const double at = 0.2 + share * static_cast<double>(s);
-            selections.push_back(selectVariations(
+            all.selections.push_back(selectVariations(
                 *learned, m_work->subject(sets[s]), latents[s], sets[s].count, sets[s].seed, m_work->poses(),
                 meter, m_work->layout(), m_work->entry().limits, progress.part(at, at + 0.8 * share)));
-            spreads.push_back(selectionSpread(*learned, latents[s], selections.back(), m_work->poses(),
-                                              sets[s].seed, progress.part(at + 0.8 * share, at + share)));
+            all.spreads.push_back(selectionSpread(*learned, latents[s], all.selections.back(),
+                                                  m_work->poses(), sets[s].seed,
+                                                  progress.part(at + 0.8 * share, at + share)));
         }
-        for (std::size_t s = 0; s < sets.size(); ++s) {
-            if (const auto note = noteOn(sets[s], selections[s]))
-                context.tell({.severity = note->isShort ? Issue::Severity::Warning : Issue::Severity::Info,
-                              .context = {.values = {{"text", note->text}}}});
-        }
-        return selectionResult(m_work->entry(), selections, spreads);
+        return all;
     }
 
     BuildStep clip(int number) const
@@ -201,18 +231,28 @@ private:
 
     Result oneClip(int number, const StepContext& context, const Progress& progress) const
     {
-        const auto learned = m_work->learned(models(context), progress.part(0, 0.2));
         const SamplePlace place = *placeOfVariation(m_work->entry(), number);
         const SamplesEntry& samples = m_work->entry().samples[place.set];
-        const auto candidate = candidateOf(context.resultOf(selectionStepOf(m_name)), number);
+        const auto candidate = candidateOf(*context.resultOf(selectionStepOf(m_name)), number);
         if (!candidate) // the selection has told that it is missing
             return {};
+        if (const auto all = context.existing<const Selected>(drawnSteps(), selectedName())) {
+            const VariationSelection& set = all->selections[place.set];
+            const auto accepted = std::ranges::find(set.accepted, *candidate);
+            return resultOf(set.clips.at(static_cast<std::size_t>(accepted - set.accepted.begin())));
+        }
+        const auto learned = m_work->learned(models(context), progress.part(0, 0.2));
         VariationPoses poses = m_work->poses();
         poses.seed = streamSeed(samples.seed, static_cast<std::uint64_t>(*candidate));
         const Clip made =
             makeVariation(*learned, m_work->subject(samples),
                           allLatents(context)[place.set].at(static_cast<std::size_t>(*candidate)),
                           m_work->layout(), poses, progress.part(0.2, 1));
+        return resultOf(made);
+    }
+
+    Result resultOf(const Clip& made) const
+    {
         std::vector<std::string> takes;
         for (const TrainingEntry& take : m_work->entry().training)
             takes.push_back(take.sequence);
@@ -234,7 +274,7 @@ private:
     {
         std::vector<GpdmState> states;
         for (const BodyPart& part : m_work->movement()->parts.parts)
-            states.push_back(stateOf(context.resultOf(modelStepOf(m_name, part.name))));
+            states.push_back(stateOf(*context.resultOf(modelStepOf(m_name, part.name))));
         return states;
     }
 
@@ -245,7 +285,7 @@ private:
         for (const SamplesEntry& samples : m_work->entry().samples)
             sets.emplace_back(static_cast<std::size_t>(candidatesFor(samples.count)));
         for (const BodyPart& part : m_work->movement()->parts.parts) {
-            std::vector<RowMatrix> all = trajectoriesOf(context.resultOf(samplesStepOf(m_name, part.name)));
+            std::vector<RowMatrix> all = trajectoriesOf(*context.resultOf(samplesStepOf(m_name, part.name)));
             std::size_t next = 0;
             for (auto& set : sets) {
                 for (LatentVariation& variation : set)
@@ -288,7 +328,8 @@ std::vector<BuildStep> makeVariationSteps(const StepMaking& making)
     for (const VariationEntry& entry : making.opener->project().variations) {
         if (entry.training.empty())
             continue;
-        for (BuildStep& step : VariationSteps(std::make_shared<VariationWork>(making.opener, entry)).make())
+        for (BuildStep& step :
+             VariationSteps(std::make_shared<VariationWork>(making.opener, entry, making.session)).make())
             steps.push_back(std::move(step));
     }
     return steps;

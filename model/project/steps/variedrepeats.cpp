@@ -7,12 +7,8 @@
 #include "model/core/message.h"
 #include "model/project/document/clipdependencies.h"
 #include "model/project/document/madeclips.h"
-#include "model/project/document/paths.h"
 #include "model/project/media/opensequence.h"
-#include "model/project/steps/buildstep.h"
 #include "model/project/steps/charactersteps.h"
-#include "model/project/steps/rebuild.h"
-#include "model/project/store/resultstore.h"
 #include "model/project/store/tablebuilder.h"
 
 #include <algorithm>
@@ -101,39 +97,23 @@ std::optional<TakeVariation> takeVariation(const std::string& clip, const Result
     return variation;
 }
 
-std::vector<TakeVariation> openTakeVariations(Project project, const std::filesystem::path& projectFile,
-                                              const AnimationEntry& animation, const CharacterGraph& graph,
-                                              const Progress& progress)
+std::shared_ptr<const std::vector<TakeVariation>>
+takeVariations(const std::vector<std::string>& clips, const CharacterGraph& graph, const StepContext& context)
 {
-    if (isMadeOfItself(project, "animations/" + animation.name))
-        throw Error(ErrorCode::ProjectInvalid,
-                    {.values = {{"reason", "“" + animation.name + "” is drawn from variations of itself"},
-                                {"remedy", QUADRILLE_MESSAGE("Break the circle.")}}});
-    const std::vector<std::string> clips = clipsDrawnFrom(project, animation);
-    if (clips.empty())
-        return {};
-    RebuildOptions options;
-    for (const std::string& clip : clips)
-        options.targets.push_back(clipStepOf(clip));
-    const std::filesystem::path results = cacheFolder(projectFile);
-    const auto opener =
-        std::make_shared<SequenceOpener>(std::move(project), projectFolder(projectFile), results);
-    std::map<std::string, std::string> keys;
-    for (const StepReport& step :
-         rebuild(makeSteps({opener, projectFile}), projectFile, options, progress.part(0, 0.9), {}).steps) {
-        if (step.error)
-            throw Error(*step.error);
-        keys[step.step] = step.key;
+    std::vector<std::string> steps{graph.work().stepName(graphstep::poseDistance)};
+    std::string names;
+    for (const std::string& clip : clips) {
+        steps.push_back(clipStepOf(clip));
+        names += clip + '\n';
     }
-    std::vector<TakeVariation> variations;
-    const ResultStore store(results);
-    for (std::size_t i = 0; i < clips.size(); ++i) {
-        progress.part(0.9, 1).report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(clips.size()));
-        if (auto variation = takeVariation(
-                clips[i], store.freshResult(options.targets[i], keys.at(options.targets[i])), graph))
-            variations.push_back(std::move(*variation));
-    }
-    return variations;
+    return context.shared<const std::vector<TakeVariation>>(steps, names, [&] {
+        std::vector<TakeVariation> variations;
+        for (const std::string& clip : clips) {
+            if (auto variation = takeVariation(clip, *context.resultOf(clipStepOf(clip)), graph))
+                variations.push_back(std::move(*variation));
+        }
+        return std::make_shared<const std::vector<TakeVariation>>(std::move(variations));
+    });
 }
 
 DataTable repeatsTable(std::span<const SpanDraw> spans, std::span<const TakeVariation> variations,

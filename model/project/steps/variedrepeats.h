@@ -30,11 +30,10 @@ std::vector<std::string> clipsDrawnFrom(const Project& project, const AnimationE
 std::optional<TakeVariation> takeVariation(const std::string& clip, const Result& result,
                                            const CharacterGraph& graph);
 
-/// All of them, brought up to date among the results of a project first: models that are not there are
-/// learned. \throws Error of the step that failed; as takeVariation; Cancelled.
-std::vector<TakeVariation> openTakeVariations(Project project, const std::filesystem::path& projectFile,
-                                              const AnimationEntry& animation, const CharacterGraph& graph,
-                                              const Progress& progress = {});
+/// Those of some clips that are there. \param clips  of clipsDrawnFrom. \throws Error as takeVariation.
+std::shared_ptr<const std::vector<TakeVariation>> takeVariations(const std::vector<std::string>& clips,
+                                                                 const CharacterGraph& graph,
+                                                                 const StepContext& context);
 
 /// What each span of an animation is drawn from, as the table “variations”.
 DataTable repeatsTable(std::span<const SpanDraw> spans, std::span<const TakeVariation> variations,

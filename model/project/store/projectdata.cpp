@@ -44,11 +44,12 @@ std::vector<DataItem> projectData(const Project& project, const std::filesystem:
     const auto steps = makeSteps({std::make_shared<SequenceOpener>(project, folder), projectFile});
     const ResultStore store(cacheFolder(projectFile));
     FileHashes hashes(cacheFolder(projectFile) / "hashes.json");
-    const auto status = stepStatus(steps, store, folder, hashes, progress);
+    const auto keys = stepKeys(steps, hashes, progress);
     std::vector<DataItem> items;
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        const bool fresh = status[i].isFresh;
-        Result result = fresh ? status[i].result : store.load(steps[i].name, status[i].key).result;
+        const ResultStore::Entry entry = store.load(steps[i].name, keys[i].key);
+        const bool fresh = entry.state == ResultStore::State::Fresh;
+        Result result = *entry.result;
         for (DataArray& array : result.arrays)
             items.push_back({dataName(steps[i], array.name), steps[i].character, fresh, std::move(array)});
         for (DataTable& table : result.tables)

@@ -11,6 +11,27 @@ std::size_t valueCount(const DataValues& values)
     return std::visit([](const auto& list) { return list.size(); }, values);
 }
 
+std::uint64_t bytesOf(const Result& result)
+{
+    const auto bytesOfArray = [](const DataArray& array) -> std::uint64_t {
+        if (const auto* texts = std::get_if<std::vector<std::string>>(&array.values))
+            return texts->size() * sizeof(std::string);
+        return std::visit(
+            [](const auto& list) {
+                return list.size() * sizeof(typename std::decay_t<decltype(list)>::value_type);
+            },
+            array.values);
+    };
+    std::uint64_t bytes = sizeof(Result);
+    for (const DataArray& array : result.arrays)
+        bytes += bytesOfArray(array);
+    for (const DataTable& table : result.tables) {
+        for (const DataArray& column : table.columns)
+            bytes += bytesOfArray(column);
+    }
+    return bytes;
+}
+
 std::string typeName(const DataValues& values)
 {
     static constexpr std::array<const char*, std::variant_size_v<DataValues>> names{"float32", "float64",

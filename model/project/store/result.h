@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -56,7 +57,11 @@ struct Result
     bool operator==(const Result&) const = default;
 };
 
+using ResultPointer = std::shared_ptr<const Result>;
+
 std::size_t valueCount(const DataValues& values);
+/// Bytes that a result takes, about.
+std::uint64_t bytesOf(const Result& result);
 /// "float32", "float64", "int64", "uint8" or "text".
 std::string typeName(const DataValues& values);
 

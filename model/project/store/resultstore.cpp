@@ -87,27 +87,20 @@ std::vector<fs::path> newestFirst(const std::vector<fs::path>& places, const std
     return sorted;
 }
 
-ResultStore::Entry loadFrom(const fs::path& file, const std::string& step, const std::string& key)
+ResultStore::Entry loadFile(const fs::path& file, const std::string& step, const std::string& key,
+                            ResultMemory* memory)
 {
     try {
         const ResultHeader header = readResultHeader(file);
-        Result result = readResultFile(file);
+        auto result = std::make_shared<const Result>(readResultFile(file));
+        if (memory != nullptr && header.step == step)
+            memory->note(file, header.key, *result);
         const bool fits = header.key == key && header.step == step;
         return {fits ? ResultStore::State::Fresh : ResultStore::State::OtherKey, std::move(result)};
     } catch (const Error& failure) {
         if (failure.code() != ErrorCode::ResultDamaged && failure.code() != ErrorCode::FileEmpty)
             throw;
-        return {ResultStore::State::Damaged, {}};
-    }
-}
-
-/// The results of another place are a help, no more.
-ResultStore::Entry loadIfReadable(const fs::path& file, const std::string& step, const std::string& key)
-{
-    try {
-        return loadFrom(file, step, key);
-    } catch (const Error&) {
-        return {};
+        return {.state = ResultStore::State::Damaged};
     }
 }
 
@@ -142,13 +135,12 @@ ResultStore::Entry ResultStore::load(const std::string& step, const std::string&
     const std::vector<fs::path> places = placesWith(m_folder);
     Entry best;
     if (const auto kept = inMemory(places, step)) {
-        best = {kept->key == key ? State::Fresh : State::OtherKey, *kept->result};
+        best = {kept->key == key ? State::Fresh : State::OtherKey, kept->result};
         if (best.state == State::Fresh || key.empty())
             return best;
     }
     for (const fs::path& place : newestFirst(places, step)) {
-        Entry entry = place == m_folder ? loadFrom(fileOf(step), step, key)
-                                        : loadIfReadable(fileIn(place, step), step, key);
+        Entry entry = loadFrom(place, step, key);
         const bool isUsable = entry.state == State::Fresh || (key.empty() && entry.state == State::OtherKey);
         if (isUsable)
             return entry;
@@ -158,7 +150,35 @@ ResultStore::Entry ResultStore::load(const std::string& step, const std::string&
     return best;
 }
 
-Result ResultStore::freshResult(const std::string& step, const std::string& key) const
+ResultStore::Entry ResultStore::loadFrom(const fs::path& place, const std::string& step,
+                                         const std::string& key) const
+{
+    try {
+        return loadFile(fileIn(place, step), step, key, m_memory.get());
+    } catch (const Error&) {
+        if (place == m_folder)
+            throw;
+        return {}; // the results of another place are a help, no more
+    }
+}
+
+ResultStore::Standing ResultStore::standing(const std::string& step, const std::string& key) const
+{
+    const std::vector<fs::path> places = placesWith(m_folder);
+    if (m_memory != nullptr && !inMemory(places, step)) {
+        for (const fs::path& place : newestFirst(places, step)) {
+            const auto known = m_memory->known(fileIn(place, step));
+            if (!known)
+                break;
+            if (known->key == key)
+                return {State::Fresh, known->files};
+        }
+    }
+    const Entry entry = load(step, key);
+    return {entry.state, entry.result->files};
+}
+
+ResultPointer ResultStore::freshResult(const std::string& step, const std::string& key) const
 {
     Entry entry = load(step, key);
     if (entry.state != State::Fresh)
@@ -166,11 +186,13 @@ Result ResultStore::freshResult(const std::string& step, const std::string& key)
     return std::move(entry.result);
 }
 
-bool ResultStore::save(const std::string& step, const std::string& key, const Result& result) const
+bool ResultStore::save(const std::string& step, const std::string& key, ResultPointer result) const
 {
-    const Unstored unstored{m_folder, step, key, std::make_shared<const Result>(result)};
+    const Unstored unstored{m_folder, step, key, std::move(result)};
     for (fs::path folder = m_folder; !folder.empty(); folder = nextResultFolder(folder)) {
         if (tryToStore(folder, unstored)) {
+            if (m_memory != nullptr)
+                m_memory->note(fileIn(folder, step), key, *unstored.result);
             forget(placesWith(m_folder), step);
             return true;
         }
@@ -187,7 +209,7 @@ void ResultStore::prefer(const std::string& step, const std::string& key) const
     const auto kept = inMemory(places, step);
     if (sorted.size() < 2 && !kept)
         return;
-    if (kept ? kept->key == key : loadFrom(fileIn(sorted.front(), step), step, key).state == State::Fresh)
+    if (kept ? kept->key == key : loadFrom(sorted.front(), step, key).state == State::Fresh)
         return;
     const Entry entry = load(step, key);
     if (entry.state == State::Fresh)

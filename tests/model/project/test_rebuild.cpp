@@ -62,8 +62,8 @@ private:
                 throw Error(ErrorCode::BadArgument, {{}, {}, {{"reason", "It failed"}, {"remedy", ""}}});
             std::vector<std::string> words{name};
             for (const std::string& input : from) {
-                const Result result = context.resultOf(input);
-                const auto& earlier = std::get<std::vector<std::string>>(result.arrays.at(0).values);
+                const auto result = context.resultOf(input);
+                const auto& earlier = std::get<std::vector<std::string>>(result->arrays.at(0).values);
                 words.insert(words.end(), earlier.begin(), earlier.end());
             }
             Result result;
@@ -281,7 +281,7 @@ TEST_F(Rebuild, ManyStepsGiveTheSameBytesForAnyNumberOfThreads)
         step.compute = [i, inputs = step.inputs](const StepContext& context, const Progress&) {
             double sum = i;
             for (const std::string& input : inputs)
-                sum += std::get<std::vector<double>>(context.resultOf(input).arrays[0].values)[0];
+                sum += std::get<std::vector<double>>(context.resultOf(input)->arrays[0].values)[0];
             Result result;
             result.arrays = {columnOf("sum", "", std::vector<double>{sum})};
             return result;

@@ -106,7 +106,7 @@ TEST(ResultStore, TellsFreshFromOtherFromDamagedFromMissing)
     EXPECT_EQ(store.load("sequences/a/statistics", "k").state, ResultStore::State::Missing);
     store.save("sequences/a/statistics", "k", fullResult());
     EXPECT_EQ(store.load("sequences/a/statistics", "k").state, ResultStore::State::Fresh);
-    EXPECT_EQ(store.load("sequences/a/statistics", "k").result, fullResult());
+    EXPECT_EQ(*store.load("sequences/a/statistics", "k").result, fullResult());
     EXPECT_EQ(store.load("sequences/a/statistics", "l").state, ResultStore::State::OtherKey);
     std::ofstream(store.fileOf("sequences/a/statistics"), std::ios::binary).close();
     EXPECT_EQ(store.load("sequences/a/statistics", "k").state, ResultStore::State::Damaged);
@@ -164,10 +164,10 @@ TEST_F(ResultPlacesOf, AProjectThatCannotBeWrittenCountWhenTheyAreBesideIt)
     chooseResultFolder(project, folder / "own");
     EXPECT_EQ(store().load("a/b", "shared").state, ResultStore::State::Fresh);
     EXPECT_TRUE(store().save("a/b", "mine", Result()));
-    EXPECT_EQ(store().load("a/b", "shared").result, fullResult());
-    EXPECT_EQ(store().load("a/b", {}).result, Result()); // the newest
+    EXPECT_EQ(*store().load("a/b", "shared").result, fullResult());
+    EXPECT_EQ(*store().load("a/b", {}).result, Result()); // the newest
     store().prefer("a/b", "shared");
-    EXPECT_EQ(store().load("a/b", {}).result, fullResult());
+    EXPECT_EQ(*store().load("a/b", {}).result, fullResult());
     chooseResultFolder(project, {});
 }
 
@@ -212,7 +212,7 @@ TEST_F(ResultPlacesOf, AProjectThatCannotBeStoredAnywhereStayInMemoryUntilTheyCa
     setResultRoot(folder.write("nowhere", "in the way, too"));
     EXPECT_FALSE(store().save("a/b", "k", fullResult()));
     EXPECT_EQ(unstoredResults(), std::vector<std::string>{"a/b"});
-    EXPECT_EQ(store().load("a/b", "k").result, fullResult());
+    EXPECT_EQ(*store().load("a/b", "k").result, fullResult());
     EXPECT_EQ(storeUnstoredResults(), 1U);
     std::filesystem::remove(folder / "p.quadrille.cache");
     EXPECT_EQ(storeUnstoredResults(), 0U);
@@ -241,7 +241,7 @@ TEST_F(ResultPlacesOf, AProjectAreGivenToItsCopyWhole)
     // Writing one anew leaves the other as it is.
     EXPECT_TRUE(store().save("graph/edges", "l", Result()));
     for (const char* copy : {"linked/q.quadrille", "copied/q.quadrille"})
-        EXPECT_EQ(ResultStore(cacheFolder(folder / copy)).load("graph/edges", "k").result, fullResult());
+        EXPECT_EQ(*ResultStore(cacheFolder(folder / copy)).load("graph/edges", "k").result, fullResult());
     // Cancelled, nothing of it is there.
     CancelToken token;
     const Progress cancelled(token, [&token](double) { token.cancel(); });

@@ -5,7 +5,7 @@
 #include "model/project/document/madeclips.h"
 #include "model/project/document/references.h"
 #include "model/project/file/jsontext.h"
-#include "model/project/media/opencharacter.h"
+#include "model/project/steps/opencharacter.h"
 #include "model/project/steps/variedrepeats.h"
 #include "model/project/store/resultstore.h"
 #include "tests/model/codeof.h"
@@ -219,20 +219,17 @@ TEST_F(VariedRepeatsSteps, DoWithoutVariationsThatAreMissing)
 TEST_F(VariedRepeatsSteps, SayWhenAnotherRebuildReplacesThem)
 {
     told();
-    const std::filesystem::path file = folder / "p.quadrille";
-    const auto character = openCharacter(project, file, {}, GraphOpening::Compute);
-    ASSERT_NE(character, nullptr);
-    const auto open = [&](const Progress& progress) {
-        return openTakeVariations(project, file, animation(), character->graph, progress);
-    };
-    EXPECT_FALSE(open({}).empty());
+    const WorkingProject working{project, folder / "p.quadrille"};
     const std::string step = clipStepOf(clipsDrawnFrom(project, animation()).back());
-    const ResultStore store(cacheFolder(file));
-    const Progress replacing({}, [&](double fraction) {
-        if (fraction >= 0.9)
-            store.save(step, "another key", {});
-    });
-    EXPECT_EQ(codeOf([&] { open(replacing); }), ErrorCode::ResultReplaced);
+    const ResultStore store(cacheFolder(working.file));
+    const FreshResults fresh = ProjectResults(working).get({step});
+    store.save(step, "another key", Result());
+    EXPECT_EQ(codeOf([&] { fresh.resultOf(step); }), ErrorCode::ResultReplaced);
+    // What is in memory stays.
+    const FreshResults again = ProjectResults(working).get({step});
+    EXPECT_FALSE(again.resultOf(step)->arrays.empty());
+    store.save(step, "another key", Result());
+    EXPECT_FALSE(again.resultOf(step)->arrays.empty());
 }
 
 TEST_F(VariedRepeatsSteps, AreRefusedWhereTheyCannotBe)

@@ -3,8 +3,8 @@
 #include "model/core/error.h"
 #include "model/core/file.h"
 #include "model/project/document/project.h"
-#include "model/project/media/opencharacter.h"
 #include "model/project/steps/animate.h"
+#include "model/project/steps/opencharacter.h"
 #include "sampletest.h"
 #include "tests/model/core/temporaryfolder.h"
 
@@ -75,7 +75,7 @@ TEST_F(WriteSample, itsTourStaysWithinTenCentimetresOfItsPath)
     const Project project = loadProject(file);
     const auto tour = std::ranges::find(project.animations, "along an S", &AnimationEntry::name);
     ASSERT_NE(tour, project.animations.end());
-    const auto character = openCharacter(project, file, tour->character, GraphOpening::Compute);
+    const auto character = openCharacter({project, file}, tour->character, GraphOpening::Compute);
     ASSERT_NE(character, nullptr);
     const WalkSolution solution = animationWalk(*tour, character->graph).solution;
     EXPECT_LE(solution.greatestDeviation, 0.1);

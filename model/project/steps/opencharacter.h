@@ -3,9 +3,10 @@
 #pragma once
 
 #include "model/project/steps/charactergraph.h"
+#include "model/project/steps/projectresults.h"
 
-#include <filesystem>
 #include <memory>
+#include <string>
 
 namespace quadrille {
 
@@ -23,11 +24,12 @@ enum class GraphOpening
 };
 
 /// Opens the graph of a character from the results of a project.
-/// \param projectFile  the results lie beside it; it need not be there.
 /// \return null where there are no sequences, or results are missing that were not to be computed.
 /// \throws Error of the step that failed, of opening sequences, Cancelled.
-std::shared_ptr<const OpenedCharacter> openCharacter(Project project,
-                                                     const std::filesystem::path& projectFile,
+std::shared_ptr<const OpenedCharacter> openCharacter(WorkingProject working, const std::string& character,
+                                                     GraphOpening opening, const Progress& progress = {});
+/// \overload of a character that the project has steps for.
+std::shared_ptr<const OpenedCharacter> openCharacter(const ProjectResults& results,
                                                      const std::string& character, GraphOpening opening,
                                                      const Progress& progress = {});
 

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/media/opencharacter.h"
 #include "model/project/steps/animate.h"
+#include "model/project/steps/opencharacter.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,7 +14,7 @@
 
 namespace quadrille {
 
-/// An animation as it was solved, with all that its views show; a value that several threads may hold.
+/// An animation with its clip and all that the clip was made of; a value that several threads may hold.
 struct AnimationResult
 {
     AnimationEntry entry; ///< as it was then
@@ -21,9 +22,8 @@ struct AnimationResult
     AnimationWalk walk;
     ClipPlan plan;               ///< before post-processing, with variations that it shows
     std::vector<SpanDraw> spans; ///< of the walk, and what they are drawn from
-    /// That `spans` and origins count; null where none were asked for, or nothing is shown twice.
+    /// That `spans` and origins count; null where none were asked for.
     std::shared_ptr<const std::vector<TakeVariation>> variations;
-    Project drawnFrom;                    ///< all that the variations depend on beside the character
     MeshSequence sequence;                ///< after it
     std::vector<FrameProvenance> origins; ///< of the frames of `sequence`
     std::optional<GroundMotion> travel;   ///< of a loop, see PostProcessed
@@ -38,5 +38,17 @@ struct AnimationResult
                            : variations->at(static_cast<std::size_t>(number) - 1).name.substr(section);
     }
 };
+
+using AnimationResultPointer = std::shared_ptr<const AnimationResult>;
+
+/// Opens an animation from its results, which are brought up to date first.
+/// \param better  receives the best that there is while a better one is sought, from the thread that seeks.
+/// Whoever has it makes it wait: it is asked for no sooner than `pause` seconds after it came back.
+/// \throws Error of the step that failed; ProjectInvalid where there is no such animation, or it has no
+/// takes; Cancelled.
+AnimationResultPointer openAnimation(WorkingProject working, const std::string& name,
+                                     const Progress& progress = {},
+                                     const std::function<void(AnimationResultPointer)>& better = {},
+                                     double pause = 0);
 
 } // namespace quadrille

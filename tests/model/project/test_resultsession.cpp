@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/document/madeclips.h"
+#include "model/project/exports/runexports.h"
+#include "model/project/steps/openanimation.h"
+#include "model/project/steps/storedwalk.h"
+#include "tests/model/project/tubeproject.h"
+
+#include <gmock/gmock.h>
+
+using namespace quadrille;
+using namespace quadrille::test;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+namespace {
+
+/// Somebody works with one value of a project after the other in one session.
+class ResultSessionTest : public TubeProject
+{
+protected:
+    ResultSessionTest()
+    {
+        project.graphs.resize(1);
+        AnimationEntry animation;
+        animation.name = "dance";
+        animation.constraints = {KeyEntry{.sequence = "calm", .frame = FrameIndex(2)},
+                                 KeyEntry{.sequence = "wild", .frame = FrameIndex(9), .time = 1.2}};
+        project.animations = {animation};
+    }
+    AnimationEntry& animation() { return project.animations.front(); }
+    KeyEntry& secondKey() { return std::get<KeyEntry>(animation().constraints[1]); }
+    WorkingProject working() const { return {project, folder / "p.quadrille", session}; }
+    AnimationResultPointer dance() { return openAnimation(working(), "dance"); }
+
+    /// Steps that were computed since the last call, and no step twice.
+    std::vector<std::string> computedNow()
+    {
+        std::vector<std::string> names;
+        for (const auto& [step, count] : session->computed()) {
+            const int before = std::exchange(m_before[step], count);
+            EXPECT_LE(count - before, 1) << step;
+            if (count > before)
+                names.push_back(step);
+        }
+        return names;
+    }
+    std::int64_t openedNow()
+    {
+        const std::int64_t opened = session->sources()->opened();
+        return opened - std::exchange(m_openedBefore, opened);
+    }
+
+    std::shared_ptr<ResultSession> session = std::make_shared<ResultSession>();
+
+private:
+    std::map<std::string, int> m_before;
+    std::int64_t m_openedBefore = 0;
+};
+
+} // namespace
+
+TEST_F(ResultSessionTest, OpensSourcesOnceWhileSomebodyHoldsThem)
+{
+    const auto first = dance();
+    EXPECT_EQ(openedNow(), 2);
+    secondKey().time = 1.4;
+    project.sequences[0].range = FrameRange{FrameIndex(0), FrameIndex(15)};
+    dance();
+    EXPECT_EQ(openedNow(), 0);
+    // Another axis makes other frames, of all of them.
+    project.settings.axes.up = UpAxis::Z;
+    ProjectResults(working()).opener()->open("calm");
+    EXPECT_EQ(openedNow(), 1);
+}
+
+TEST_F(ResultSessionTest, OpensASourceAgainThatWasWritten)
+{
+    const auto first = dance();
+    EXPECT_EQ(openedNow(), 2);
+    folder.write("wild/f_103.obj", bentTube(0.3, 0.2));
+    dance();
+    EXPECT_EQ(openedNow(), 1);
+}
+
+TEST_F(ResultSessionTest, ComputesAfterAnEditWhatDependsOnIt)
+{
+    dance();
+    EXPECT_THAT(computedNow(), Contains("animations/dance/walk"));
+    dance();
+    EXPECT_THAT(computedNow(), IsEmpty());
+    secondKey().time = 1.4;
+    dance();
+    EXPECT_THAT(computedNow(), ElementsAre("animations/dance/clip", "animations/dance/walk"));
+    animation().post.steps.mirror = true;
+    dance();
+    EXPECT_THAT(computedNow(), ElementsAre("animations/dance/clip"));
+    // Undone: both are in memory still.
+    animation().post.steps.mirror = false;
+    secondKey().time = 1.2;
+    dance();
+    EXPECT_THAT(computedNow(), IsEmpty());
+}
+
+TEST_F(ResultSessionTest, ComputesEachGraphOnceForAnotherAlpha)
+{
+    const auto first = dance();
+    computedNow();
+    project.graphs.front().alpha = 0.02;
+    const auto second = dance();
+    EXPECT_THAT(computedNow(), ElementsAre("animations/dance/clip", "animations/dance/walk", "graph/graphs"));
+    EXPECT_TRUE(first->character->graph.hasTablesOf(second->character->graph));
+    EXPECT_EQ(openCharacter(working(), {}, GraphOpening::Compute)->graph.alpha(), 0.02);
+    EXPECT_THAT(computedNow(), IsEmpty());
+}
+
+TEST_F(ResultSessionTest, ComputesNoWalkForAnExport)
+{
+    dance();
+    computedNow();
+    ExportEntry entry;
+    entry.name = "dance";
+    entry.what = "animations/dance";
+    entry.path = "dance.pc2";
+    runExports(working(), {entry});
+    EXPECT_THAT(computedNow(), IsEmpty());
+}
+
+TEST_F(ResultSessionTest, LeavesNothingToARebuildAndFindsAllThatOneLeft)
+{
+    dance();
+    secondKey().time = 1.4;
+    dance();
+    secondKey().time = 1.2;
+    dance();
+    EXPECT_THAT(computed(run("animations")), IsEmpty());
+    EXPECT_FALSE(computed(run("variations")).empty());
+    // Who only looks whether something is there stores what is kept.
+    animation().post.steps.mirror = true;
+    dance();
+    animation().post.steps.mirror = false;
+    EXPECT_TRUE(ProjectResults(working()).getIfFresh({clipStepOf("animations/dance")}));
+    EXPECT_THAT(computed(run("animations")), IsEmpty());
+    session = std::make_shared<ResultSession>();
+    computedNow();
+    dance();
+    ProjectResults(working()).get({clipStepOf("variations/sway/1")});
+    EXPECT_THAT(computedNow(), IsEmpty());
+}
+
+TEST_F(ResultSessionTest, KnowsAWalkUnderAnotherName)
+{
+    dance();
+    computedNow();
+    animation().name = "ball";
+    openAnimation(working(), "ball");
+    EXPECT_THAT(computedNow(), IsEmpty());
+    EXPECT_THAT(computed(run("animations")), IsEmpty());
+}
+
+TEST_F(ResultSessionTest, ReadsAWalkAsItWasFound)
+{
+    const auto opened = dance();
+    const AnimationWalk found = animationWalk(animation(), opened->character->graph);
+    EXPECT_EQ(opened->walk.solution, found.solution);
+    EXPECT_EQ(opened->walk.constraints, found.constraints);
+    EXPECT_EQ(storedWalk(walkResult(animation(), opened->character->graph, found), animation(),
+                         opened->character->graph)
+                  .solution,
+              found.solution);
+}
+
+TEST_F(ResultSessionTest, OpensAClipAsItWasMade)
+{
+    animation().post.steps.retime = RetimeSettings{.time = RetimeFactor{1.5}};
+    const auto opened = dance();
+    const CharacterGraph& graph = opened->character->graph;
+    const AnimationClip made =
+        animationClip(animation(), graph, opened->character->frames,
+                      animationPlan(animation(), graph, opened->walk.solution, std::nullopt));
+    EXPECT_EQ(opened->framesBeforeRetime, made.processed.framesBeforeRetime);
+    EXPECT_EQ(opened->origins, made.processed.clip.origins);
+    EXPECT_EQ(opened->sequence.frameCount(), made.processed.clip.frameCount());
+    EXPECT_EQ(opened->plan.frameCount(), made.plan.frameCount());
+    EXPECT_EQ(opened->spans.size(), made.spans.size());
+}
+
+TEST_F(ResultSessionTest, TellsTheBestSoFarWhileItSeeks)
+{
+    std::vector<AnimationResultPointer> better;
+    const auto last =
+        openAnimation(working(), "dance", {}, [&](AnimationResultPointer each) { better.push_back(each); });
+    ASSERT_FALSE(better.empty());
+    EXPECT_FALSE(better.front()->isFinal);
+    EXPECT_TRUE(last->isFinal);
+    EXPECT_EQ(better.back()->walk.solution.walk, last->walk.solution.walk);
+    EXPECT_EQ(better.back()->origins, last->origins);
+}
+
+TEST_F(ResultSessionTest, KeepsInMemoryOnlyWhatIsNotToBeStored)
+{
+    const ProjectResults results(working());
+    results.get({"graph/graphs"}, {}, {.onlyInMemory = true});
+    EXPECT_THAT(computedNow(), Contains("graph/graphs"));
+    EXPECT_FALSE(std::filesystem::exists(cacheFolder(working().file) / "graph/graphs.h5"));
+    results.get({"graph/graphs"});
+    EXPECT_THAT(computedNow(), IsEmpty());
+    EXPECT_TRUE(std::filesystem::exists(cacheFolder(working().file) / "graph/graphs.h5"));
+}
+
+TEST_F(ResultSessionTest, LearnsOnAndStopsWithTheBestSoFar)
+{
+    CancelToken token;
+    std::map<std::string, ResultPointer> best;
+    std::mutex mutex;
+    RebuildOptions options;
+    options.improved = [&](const std::string& step, const Result& result) {
+        const std::scoped_lock lock(mutex);
+        best[step] = std::make_shared<const Result>(result);
+        if (best.size() == 2)
+            token.cancel();
+    };
+    const std::vector<std::string> steps{"variations/sway/base/model", "variations/sway/tip/model"};
+    EXPECT_THROW(ProjectResults(working()).get(steps, Progress(token), options), Error);
+    EXPECT_THAT(best, Not(IsEmpty()));
+    EXPECT_THAT(computedNow(), Not(Contains(steps[1])));
+}
