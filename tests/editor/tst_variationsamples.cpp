@@ -94,7 +94,7 @@ private slots:
         QFETCH(bool, isAlone);
         const auto summary = [] { return test::find<QLabel>("samplesSummary")->text(); };
         Project project = test::variedProject(m_folder->path());
-        project.variations.at(0).extent.spread = 0.08; // well within what the model is sure of
+        project.variations.at(0).extent.spread = 0.15; // well within what the model is sure of
         for (std::size_t take = 0; take < 2; ++take)
             project.sequences.at(take).labels = {
                 {.label = isAlone && take > 0 ? "other" : "sway", .frames = {FrameIndex(0), FrameIndex(19)}}};

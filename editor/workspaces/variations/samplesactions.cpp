@@ -53,7 +53,7 @@ QString faultsText(const DrawnSet& set)
 /// for.
 QString spreadText(const DrawnSet& set, const TrajectoryLimits& limits)
 {
-    constexpr double enough = 0.9; // of what was asked for
+    constexpr double enough = 0.8; // of what was asked for: the scale is found from some of the samples
     QString text;
     if (limits.draw == TrajectoryDraw::Smooth && set.spread < enough * limits.spread)
         text +=
