@@ -12,12 +12,14 @@ set(QUADRILLE_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
 # Seconds after which a test is taken to hang. Under a sanitizer all takes many times as long.
 set(QUADRILLE_TEST_TIMEOUT 300)
 set(QUADRILLE_DESKTOP_TEST_TIMEOUT 900)
+# Milliseconds for one function; Qt gives up after five minutes otherwise.
+set(function_timeout 1200000)
 if(QUADRILLE_SANITIZE)
     set(QUADRILLE_TEST_TIMEOUT 7200)
     set(QUADRILLE_DESKTOP_TEST_TIMEOUT 7200)
-    # Milliseconds for one function; Qt gives up after five minutes otherwise.
-    list(APPEND QUADRILLE_QT_TEST_ENVIRONMENT QTEST_FUNCTION_TIMEOUT=set:3000000)
+    set(function_timeout 3000000)
 endif()
+list(APPEND QUADRILLE_QT_TEST_ENVIRONMENT QTEST_FUNCTION_TIMEOUT=set:${function_timeout})
 # The thread sanitizer's detector of deadlocks counts what one library under Qt locks and misses that another unlocks it.
 # And it ends a process that starts threads after another program was started from it.
 if(QUADRILLE_SANITIZE STREQUAL "thread")
