@@ -10,6 +10,7 @@
 #include "editor/errors/issuelog.h"
 #include "editor/results/giveresults.h"
 #include "model/core/file.h"
+#include "model/project/file/projectfile.h"
 #include "model/project/file/usableproject.h"
 
 #include <QFileDialog>

@@ -5,6 +5,7 @@
 #include "editor/documents/projectpaths.h"
 #include "editor/documents/sections.h"
 #include "model/core/file.h"
+#include "model/project/file/projectfile.h"
 #include "model/project/file/usableproject.h"
 
 #include <QCoreApplication>

@@ -5,8 +5,8 @@
 #include "editor/commands/changeproject.h"
 #include "editor/documents/editcheck.h"
 #include "editor/documents/projectpaths.h"
-#include "model/project/file/jsontext.h"
 #include "model/project/file/usableproject.h"
+#include "model/project/json/jsontext.h"
 
 #include <QCoreApplication>
 #include <algorithm>

@@ -3,8 +3,8 @@
 #include "editor/commands/entrynames.h"
 
 #include "model/core/utf8.h"
-#include "model/project/checks/validate.h"
 #include "model/project/document/brokenentry.h"
+#include "model/project/document/entryname.h"
 
 #include <QCoreApplication>
 

@@ -12,8 +12,8 @@
 #include "model/project/checks/validateevaluations.h"
 #include "model/project/document/brokenentry.h"
 #include "model/project/document/framenote.h"
-#include "model/project/document/references.h"
 #include "model/project/fields/entrypaths.h"
+#include "model/project/fields/references.h"
 
 #include <QCoreApplication>
 #include <cmath>

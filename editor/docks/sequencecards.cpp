@@ -7,6 +7,7 @@
 #include "editor/docks/cardpictures.h"
 #include "editor/documents/labelcolors.h"
 #include "editor/errors/errortext.h"
+#include "model/project/document/findentry.h"
 #include "widgets/theme/theme.h"
 #include "widgets/timeline/draggedframes.h"
 

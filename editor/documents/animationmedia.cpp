@@ -4,9 +4,10 @@
 
 #include "editor/jobs/jobrunner.h"
 #include "model/project/document/clipdependencies.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/framenote.h"
-#include "model/project/steps/openanimation.h"
-#include "model/project/steps/projectresults.h"
+#include "model/project/results/openanimation.h"
+#include "model/project/results/projectresults.h"
 
 #include <algorithm>
 #include <mutex>

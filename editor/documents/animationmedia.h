@@ -3,6 +3,7 @@
 #pragma once
 
 #include "editor/documents/graphmedia.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/project.h"
 
 #include <QObject>

@@ -3,9 +3,9 @@
 #include "editor/documents/drawnresults.h"
 
 #include "model/project/document/madeclips.h"
-#include "model/project/steps/clipresult.h"
 #include "model/project/steps/variationresults.h"
 #include "model/project/steps/variationsteps.h"
+#include "model/project/store/clipresult.h"
 
 #include <algorithm>
 

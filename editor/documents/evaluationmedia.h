@@ -4,7 +4,8 @@
 
 #include "editor/documents/projectdocument.h"
 #include "model/core/error.h"
-#include "model/project/evaluations/openevaluations.h"
+#include "model/project/results/openevaluations.h"
+#include "model/project/store/dataitem.h"
 
 #include <QObject>
 #include <QPointer>

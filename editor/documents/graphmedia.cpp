@@ -4,8 +4,8 @@
 
 #include "editor/jobs/jobrunner.h"
 #include "model/project/document/madeclips.h"
+#include "model/project/results/opencharacter.h"
 #include "model/project/steps/charactersteps.h"
-#include "model/project/steps/opencharacter.h"
 
 #include <utility>
 

@@ -7,8 +7,10 @@
 #include "editor/documents/projectcommand.h"
 #include "editor/documents/projectpaths.h"
 #include "model/core/file.h"
+#include "model/project/document/findentry.h"
+#include "model/project/file/projectfile.h"
 #include "model/project/file/usableproject.h"
-#include "model/project/steps/projectresults.h"
+#include "model/project/results/projectresults.h"
 
 #include <algorithm>
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "editor/documents/changeevent.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/project.h"
 
 #include <QObject>

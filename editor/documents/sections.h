@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/project/document/project.h"
-#include "model/project/document/references.h"
+#include "model/project/fields/references.h"
 
 #include <QString>
 #include <QStringList>

@@ -4,10 +4,11 @@
 
 #include "editor/jobs/jobrunner.h"
 #include "model/project/document/clipdependencies.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
-#include "model/project/steps/buildstep.h"
 #include "model/project/steps/resultsession.h"
+#include "model/project/store/resultplaces.h"
 #include "model/project/store/resultstore.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "editor/documents/variationbasis.h"
 #include "editor/documents/variationresult.h"
-#include "model/project/steps/projectresults.h"
+#include "model/project/results/projectresults.h"
 #include "model/project/steps/variate.h"
 
 #include <functional>

@@ -4,6 +4,7 @@
 
 #include "editor/documents/evaluationtexts.h"
 #include "editor/evaluations/evaluationchartplans.h"
+#include "model/project/store/dataitem.h"
 #include "widgets/theme/theme.h"
 
 #include <QCoreApplication>

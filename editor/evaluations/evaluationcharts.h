@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/store/projectdata.h"
+#include "model/project/store/dataitem.h"
 #include "model/sequence/axes.h"
 #include "widgets/graph/barchart.h"
 

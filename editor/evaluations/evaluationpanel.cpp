@@ -8,6 +8,7 @@
 #include "editor/evaluations/evaluationchooser.h"
 #include "editor/evaluations/evaluationtablemodel.h"
 #include "editor/language/retranslate.h"
+#include "model/project/store/dataitem.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/theme.h"
 

@@ -11,7 +11,7 @@
 #include "editor/fields/rightmenu.h"
 #include "editor/workspaces/workspace.h"
 #include "model/core/stagedfiles.h"
-#include "model/project/file/projectguard.h"
+#include "model/project/media/projectguard.h"
 #include "widgets/controls/messagestrip.h"
 
 #include <QClipboard>

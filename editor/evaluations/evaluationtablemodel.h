@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/store/projectdata.h"
+#include "model/project/store/dataitem.h"
 
 #include <QAbstractTableModel>
 #include <vector>

@@ -10,7 +10,7 @@
 #include "editor/language/retranslate.h"
 #include "editor/pictures/takepreview.h"
 #include "model/project/exports/exportentry.h"
-#include "model/project/file/pictureoptions.h"
+#include "model/project/fields/pictureoptions.h"
 #include "model/sequence/io/registry.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/icons.h"

@@ -4,7 +4,7 @@
 
 #include "editor/exporting/exportplan.h"
 #include "editor/exporting/seencamera.h"
-#include "model/project/exports/runexports.h"
+#include "model/project/results/runexports.h"
 
 #include <QDialog>
 #include <QPointer>

@@ -6,7 +6,7 @@
 #include "editor/exporting/picturefields.h"
 #include "editor/fields/axesfields.h"
 #include "editor/pictures/takepreview.h"
-#include "model/project/steps/openanimation.h"
+#include "model/project/results/openanimation.h"
 #include "widgets/controls/messagestrip.h"
 
 #include <QCheckBox>

@@ -10,7 +10,7 @@
 #include "editor/exporting/picturefields.h"
 #include "model/project/document/paths.h"
 #include "model/project/exports/exportclaims.h"
-#include "model/project/file/pictureoptions.h"
+#include "model/project/fields/pictureoptions.h"
 #include "widgets/controls/messagestrip.h"
 
 #include <QCheckBox>

@@ -6,7 +6,7 @@
 #include "editor/documents/projectpaths.h"
 #include "editor/pictures/pictures.h"
 #include "model/core/stagedfiles.h"
-#include "model/project/file/projectguard.h"
+#include "model/project/media/projectguard.h"
 #include "widgets/viewport/viewport.h"
 
 #include <QClipboard>

@@ -4,7 +4,7 @@
 
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectdocument.h"
-#include "model/project/checks/validate.h"
+#include "model/project/document/entryname.h"
 #include "model/sequence/meshsequence.h"
 
 #include <algorithm>

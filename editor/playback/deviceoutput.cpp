@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/playback/deviceoutput.h"
 
+#include "model/project/store/dataitem.h"
+
 #include <QAudioDevice>
 #include <QAudioFormat>
 #include <QAudioSink>

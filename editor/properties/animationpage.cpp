@@ -4,7 +4,8 @@
 
 #include "editor/commands/animationedits.h"
 #include "editor/context/editorcontext.h"
-#include "model/project/steps/openanimation.h"
+#include "model/project/document/findentry.h"
+#include "model/project/results/openanimation.h"
 
 #include <QLocale>
 #include <algorithm>

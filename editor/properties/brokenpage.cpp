@@ -5,7 +5,7 @@
 #include "editor/commands/brokenedits.h"
 #include "editor/context/editorcontext.h"
 #include "model/project/document/brokenentry.h"
-#include "model/project/file/jsontext.h"
+#include "model/project/json/jsontext.h"
 
 #include <QFontDatabase>
 #include <QPlainTextEdit>

@@ -5,6 +5,7 @@
 #include "editor/commands/projectedits.h"
 #include "editor/context/editorcontext.h"
 #include "editor/fields/texturefield.h"
+#include "model/project/document/findentry.h"
 
 #include <QFileInfo>
 #include <QLineEdit>

@@ -8,6 +8,7 @@
 #include "editor/fields/axesfields.h"
 #include "editor/fields/numberfield.h"
 #include "editor/fields/texturefield.h"
+#include "model/project/document/findentry.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

@@ -4,8 +4,8 @@
 
 #include "editor/commands/variationedits.h"
 #include "editor/context/editorcontext.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
-#include "model/project/media/opensequence.h"
 
 namespace quadrille {
 

@@ -4,7 +4,7 @@
 
 #include "model/core/error.h"
 #include "model/project/media/importsurvey.h"
-#include "model/project/steps/buildstep.h"
+#include "model/project/store/resultplaces.h"
 #include "model/sequence/io/sourcefiles.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/checks/check.h"
+#include "model/project/results/check.h"
 
 #include "model/cli/commands.h"
 #include "model/project/store/resultplaces.h"

@@ -6,6 +6,7 @@
 #include "model/core/progress.h"
 #include "model/core/units.h"
 #include "model/project/document/project.h"
+#include "model/project/file/projectfile.h"
 #include "model/sequence/axes.h"
 
 #include <CLI/CLI.hpp>

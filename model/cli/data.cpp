@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/cli/commands.h"
-#include "model/project/file/projectguard.h"
-#include "model/project/store/projectdata.h"
+#include "model/project/file/projectfile.h"
+#include "model/project/media/projectguard.h"
+#include "model/project/results/projectdata.h"
+#include "model/project/store/dataitem.h"
 #include "model/project/store/resultplaces.h"
 
 #include <algorithm>

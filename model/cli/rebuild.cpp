@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/steps/rebuild.h"
+#include "model/project/results/rebuild.h"
 
 #include "model/cli/commands.h"
 #include "model/core/stagedfiles.h"
-#include "model/project/file/projectguard.h"
+#include "model/project/file/projectfile.h"
+#include "model/project/media/projectguard.h"
 #include "model/project/store/resultplaces.h"
 #include "model/project/store/resultstore.h"
 

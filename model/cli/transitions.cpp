@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/cli/commands.h"
 #include "model/graph/alternatives.h"
-#include "model/project/steps/opencharacter.h"
+#include "model/project/document/findentry.h"
+#include "model/project/file/projectfile.h"
+#include "model/project/results/opencharacter.h"
 #include "model/project/store/resultplaces.h"
 
 #include <array>

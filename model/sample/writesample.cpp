@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/file.h"
 #include "model/project/document/project.h"
+#include "model/project/file/projectfile.h"
 #include "model/sample/appearance.h"
 #include "model/sample/entries.h"
 #include "model/sample/groundtruth.h"

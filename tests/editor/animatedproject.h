@@ -5,7 +5,7 @@
 #include "editor/context/editorcontext.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
-#include "model/project/steps/openanimation.h"
+#include "model/project/results/openanimation.h"
 
 #include <QDir>
 #include <cmath>

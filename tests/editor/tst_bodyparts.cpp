@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Curves drawn on a body, and the parts that they bound.
 #include "bodypartsfixture.h"
+#include "model/project/file/projectfile.h"
 #include "tests/qt/viewapplication.h"
 
 namespace quadrille {

@@ -6,9 +6,9 @@
 #include "editor/commands/variationedits.h"
 #include "editor/documents/editcheck.h"
 #include "editor/documents/projectpaths.h"
-#include "model/project/file/jsontext.h"
 #include "model/project/file/projectjson.h"
 #include "model/project/file/usableproject.h"
+#include "model/project/json/jsontext.h"
 #include "tests/qt/registry.h"
 
 #include <QTemporaryDir>

@@ -9,8 +9,8 @@
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
-#include "model/project/steps/buildstep.h"
-#include "model/project/steps/rebuild.h"
+#include "model/project/file/projectfile.h"
+#include "model/project/results/rebuild.h"
 #include "model/sample/sample.h"
 #include "tests/qt/registry.h"
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
+#include "model/project/file/projectfile.h"
 #include "tests/qt/registry.h"
 
 #include <QFile>

@@ -3,7 +3,7 @@
 // Opening and saving when something is wrong: files that cannot be read, that others have open or write.
 #include "editor/commands/projectedits.h"
 #include "editor/documents/projectpaths.h"
-#include "model/project/steps/buildstep.h"
+#include "model/project/store/resultplaces.h"
 #include "model/project/store/resultstore.h"
 #include "projectfilesfixture.h"
 #include "tests/qt/registry.h"

@@ -4,7 +4,7 @@
 #include "editor/relinking/lostmediatable.h"
 #include "editor/relinking/relinkdialog.h"
 #include "editortest.h"
-#include "model/project/steps/rebuild.h"
+#include "model/project/results/rebuild.h"
 #include "model/project/store/resultplaces.h"
 #include "tests/qt/registry.h"
 #include "widgets/controls/messagestrip.h"

@@ -4,7 +4,7 @@
 #include "editor/documents/sequencemedia.h"
 #include "editor/jobs/jobrunner.h"
 #include "editortest.h"
-#include "model/project/steps/rebuild.h"
+#include "model/project/results/rebuild.h"
 #include "tests/qt/registry.h"
 
 #include <numeric>

@@ -12,6 +12,7 @@
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
+#include "model/project/file/projectfile.h"
 #include "tests/qt/registry.h"
 #include "widgets/controls/actionpalette.h"
 #include "widgets/controls/messagestrip.h"

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 // Variations that are drawn: chosen, thrown away, put into the project, exported.
 #include "editor/documents/projectpaths.h"
+#include "model/project/file/projectfile.h"
 #include "model/project/media/opensequence.h"
-#include "model/project/steps/rebuild.h"
+#include "model/project/results/rebuild.h"
+#include "model/project/store/resultplaces.h"
 #include "tests/qt/registry.h"
 #include "variationsfixture.h"
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/document/project.h"
-#include "model/project/file/jsontext.h"
+#include "model/project/file/projectfile.h"
 #include "model/project/file/projectjson.h"
+#include "model/project/json/jsontext.h"
 
 #include <cstdlib>
 

@@ -21,7 +21,7 @@
 #include "editor/workspaces/animate/reportpanel.h"
 #include "editor/workspaces/animate/transitionpreview.h"
 #include "editor/workspaces/sequences/posecomparison.h"
-#include "model/project/steps/openanimation.h"
+#include "model/project/results/openanimation.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/timeline/cliplegend.h"
 

@@ -7,7 +7,7 @@
 #include "editor/fields/actionbutton.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
-#include "model/project/steps/openanimation.h"
+#include "model/project/results/openanimation.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

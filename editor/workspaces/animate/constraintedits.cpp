@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/animate/constraintedits.h"
 
-#include "model/project/steps/openanimation.h"
+#include "model/project/results/openanimation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 
 #include "editor/commands/animationedits.h"
 #include "editor/context/editorcontext.h"
+#include "model/project/document/findentry.h"
 
 namespace quadrille {
 

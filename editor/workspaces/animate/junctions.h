@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/steps/openanimation.h"
+#include "model/project/results/openanimation.h"
 
 #include <optional>
 #include <vector>

@@ -5,6 +5,7 @@
 #include "editor/context/editorcontext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
+#include "model/project/document/findentry.h"
 #include "widgets/theme/icons.h"
 #include "widgets/timeline/draggedframes.h"
 

@@ -6,7 +6,7 @@
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathfields.h"
 #include "editor/workspaces/animate/pathtool.h"
-#include "model/project/steps/openanimation.h"
+#include "model/project/results/openanimation.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

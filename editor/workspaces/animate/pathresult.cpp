@@ -7,7 +7,7 @@
 #include "editor/workspaces/animate/framekinds.h"
 #include "editor/workspaces/animate/pathentries.h"
 #include "editor/workspaces/view/sceneview.h"
-#include "model/project/steps/openanimation.h"
+#include "model/project/results/openanimation.h"
 #include "model/synthesis/pathfollowing.h"
 #include "widgets/theme/theme.h"
 

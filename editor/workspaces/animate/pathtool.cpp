@@ -6,7 +6,7 @@
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/view/sceneview.h"
-#include "model/project/steps/openanimation.h"
+#include "model/project/results/openanimation.h"
 #include "widgets/viewport/pathgeometry.h"
 #include "widgets/viewport/vtkview.h"
 

@@ -7,7 +7,7 @@
 #include "editor/fields/verticalscroll.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
-#include "model/project/steps/openanimation.h"
+#include "model/project/results/openanimation.h"
 #include "widgets/charts/curveeditor.h"
 
 #include <QLabel>

@@ -4,8 +4,9 @@
 #include "editor/context/editorcontext.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/postpanel.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
-#include "model/project/steps/openanimation.h"
+#include "model/project/results/openanimation.h"
 
 #include <QComboBox>
 #include <QScopedValueRollback>

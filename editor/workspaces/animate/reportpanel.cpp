@@ -12,7 +12,7 @@
 #include "editor/workspaces/animate/junctions.h"
 #include "editor/workspaces/view/sceneview.h"
 #include "model/core/stagedfiles.h"
-#include "model/project/file/projectguard.h"
+#include "model/project/media/projectguard.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/graph/linechart.h"
 #include "widgets/theme/icons.h"

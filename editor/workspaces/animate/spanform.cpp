@@ -5,7 +5,7 @@
 #include "editor/workspaces/animate/pathfields.h"
 #include "editor/workspaces/animate/pathforms.h"
 #include "editor/workspaces/animate/pathtool.h"
-#include "model/project/steps/openanimation.h"
+#include "model/project/results/openanimation.h"
 #include "widgets/theme/icons.h"
 
 #include <QComboBox>

@@ -9,7 +9,7 @@
 #include "editor/workspaces/graph/graphworkspace.h"
 #include "editor/workspaces/graph/pairpreview.h"
 #include "editor/workspaces/graph/transitionspeeds.h"
-#include "model/project/file/projectguard.h"
+#include "model/project/media/projectguard.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/graph/logslider.h"
 #include "widgets/graph/matrixview.h"

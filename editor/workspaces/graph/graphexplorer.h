@@ -6,7 +6,7 @@
 #include "editor/workspaces/graph/takefilter.h"
 #include "model/graph/comparison.h"
 #include "model/graph/gaps.h"
-#include "model/project/steps/opencharacter.h"
+#include "model/project/results/opencharacter.h"
 
 #include <QObject>
 #include <QPointer>

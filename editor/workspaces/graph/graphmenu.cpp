@@ -10,6 +10,7 @@
 #include "editor/workspaces/graph/graphmap.h"
 #include "editor/workspaces/graph/graphworkspace.h"
 #include "editor/workspaces/graph/transitionpanel.h"
+#include "model/project/document/findentry.h"
 
 #include <QClipboard>
 #include <QGuiApplication>

@@ -3,7 +3,7 @@
 #include "editor/workspaces/graph/graphtablefiles.h"
 
 #include "model/project/steps/graphtables.h"
-#include "model/project/store/projectdata.h"
+#include "model/project/store/dataitem.h"
 
 namespace quadrille {
 

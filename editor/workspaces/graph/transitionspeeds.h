@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/jobs/job.h"
-#include "model/project/steps/opencharacter.h"
+#include "model/project/results/opencharacter.h"
 
 #include <QObject>
 #include <QPointer>

@@ -4,6 +4,7 @@
 
 #include "editor/context/editorcontext.h"
 #include "editor/workspaces/variations/currentvariation.h"
+#include "model/project/document/findentry.h"
 
 #include <algorithm>
 

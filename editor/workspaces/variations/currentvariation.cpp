@@ -6,6 +6,7 @@
 #include "editor/context/editorcontext.h"
 #include "editor/workspaces/view/sceneview.h"
 #include "model/core/error.h"
+#include "model/project/document/findentry.h"
 #include "model/variation/subject.h"
 #include "widgets/theme/theme.h"
 

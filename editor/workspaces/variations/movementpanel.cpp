@@ -12,6 +12,7 @@
 #include "editor/workspaces/variations/takelist.h"
 #include "editor/workspaces/variations/takeuse.h"
 #include "editor/workspaces/view/sceneview.h"
+#include "model/project/document/findentry.h"
 #include "model/variation/movement.h"
 #include "widgets/controls/elidedbutton.h"
 #include "widgets/theme/theme.h"

@@ -9,7 +9,7 @@
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/samplespanel.h"
 #include "model/project/document/madeclips.h"
-#include "model/project/steps/projectresults.h"
+#include "model/project/results/projectresults.h"
 #include "widgets/theme/theme.h"
 
 #include <QComboBox>

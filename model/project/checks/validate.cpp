@@ -5,12 +5,12 @@
 #include "model/project/checks/validateanimations.h"
 #include "model/project/checks/validateevaluations.h"
 #include "model/project/checks/validatevariations.h"
-#include "model/project/checks/validationtexts.h"
 #include "model/project/document/clipdependencies.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
+#include "model/project/document/problemtexts.h"
 #include "model/project/fields/checkfields.h"
-#include "model/project/media/opensequence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -160,24 +160,6 @@ private:
 };
 
 } // namespace
-
-std::optional<std::string> problemWithName(const std::string& name)
-{
-    if (name.empty())
-        return "The name is empty";
-    if (name == "." || name == "..")
-        return "“" + name + "” cannot be a name";
-    const bool unusable = std::any_of(name.begin(), name.end(), [](char c) {
-        const auto byte = static_cast<unsigned char>(c);
-        return c == '/' || c == '\\' || byte < 0x20 || byte == 0x7F;
-    });
-    if (unusable)
-        return "A name has no slashes and no control characters";
-    if (name.size() > longestName)
-        return "The name is too long: it has " + std::to_string(name.size()) +
-               " bytes, and files of results and exports can be named by " + std::to_string(longestName);
-    return std::nullopt;
-}
 
 ProjectProblems validate(const Project& project)
 {

@@ -3,11 +3,11 @@
 #include "model/project/checks/validateanimations.h"
 
 #include "model/core/contains.h"
-#include "model/project/checks/validationtexts.h"
+#include "model/project/document/clipdependencies.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/groundpoint.h"
 #include "model/project/document/madeclips.h"
-#include "model/project/media/opensequence.h"
-#include "model/project/steps/variedrepeats.h"
+#include "model/project/document/problemtexts.h"
 
 #include <algorithm>
 #include <cmath>

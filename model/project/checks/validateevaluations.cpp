@@ -3,9 +3,9 @@
 #include "model/project/checks/validateevaluations.h"
 
 #include "model/core/contains.h"
-#include "model/project/checks/validationtexts.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
-#include "model/project/media/opensequence.h"
+#include "model/project/document/problemtexts.h"
 
 #include <algorithm>
 #include <set>

@@ -3,10 +3,9 @@
 #include "model/project/checks/validatevariations.h"
 
 #include "model/core/contains.h"
-#include "model/project/checks/validate.h"
-#include "model/project/checks/validationtexts.h"
 #include "model/project/document/blendedges.h"
-#include "model/project/media/opensequence.h"
+#include "model/project/document/findentry.h"
+#include "model/project/document/problemtexts.h"
 
 #include <algorithm>
 #include <array>

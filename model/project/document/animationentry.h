@@ -5,6 +5,7 @@
 #include "model/project/document/constraintentry.h"
 #include "model/render/camerakeys.h"
 #include "model/synthesis/postprocessingsettings.h"
+#include "model/synthesis/searchsettings.h"
 #include "model/transition/interpolationmethod.h"
 
 #include <optional>
@@ -29,6 +30,14 @@ struct SearchEntry
 
     bool operator==(const SearchEntry&) const = default;
 };
+
+/// What counts where SearchEntry::dwell is empty, seconds.
+inline constexpr double usualDwell = 0.5;
+/// What counts where SearchEntry::steering is empty, degrees a metre.
+inline constexpr double usualSteering = 30;
+
+/// What a walk is sought with at a rate, frames per second.
+SearchSettings searchSettings(const SearchEntry& entry, double fps);
 
 /// A frame of a sequence, by name.
 struct NamedFrame

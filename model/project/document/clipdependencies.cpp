@@ -2,16 +2,33 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/document/clipdependencies.h"
 
+#include "model/core/contains.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
-#include "model/project/media/opensequence.h"
-#include "model/project/steps/variedrepeats.h"
 
+#include <algorithm>
+#include <optional>
 #include <set>
 
 namespace quadrille {
 
 namespace {
+
+/// The take that samples vary frame by frame; nothing where it is a blend, which has frames of its own.
+std::optional<std::string> singleTake(const SamplesEntry& samples)
+{
+    return samples.to.empty() ? std::optional(samples.of) : std::nullopt;
+}
+
+/// Whether all takes that variations are learned from are frames of the graph that animations of their
+/// character walk through: animations that draw from any variations draw from these.
+bool isOfGraph(const Project& project, const VariationEntry& variation)
+{
+    const std::vector<std::string> graph = sequencesOfGraph(project, characterNameOf(project, variation));
+    return std::all_of(variation.training.begin(), variation.training.end(),
+                       [&](const TrainingEntry& take) { return contains(graph, take.sequence); });
+}
 
 /// What some clips are made of, directly and through others, and themselves.
 std::set<std::string> withAllParts(const Project& project, std::vector<std::string> waiting)
@@ -29,6 +46,26 @@ std::set<std::string> withAllParts(const Project& project, std::vector<std::stri
 }
 
 } // namespace
+
+std::vector<std::string> clipsDrawnFrom(const Project& project, const AnimationEntry& animation)
+{
+    std::vector<std::string> clips;
+    if (!animation.post.variations)
+        return clips;
+    const std::string& from = animation.post.variations->from;
+    const std::string character = characterNameOf(project, animation);
+    const std::vector<std::string> graph = sequencesOfGraph(project, character);
+    for (const VariationEntry* variation : learnedVariations(project, character)) {
+        if (from.empty() ? !isOfGraph(project, *variation) : variation->name != from)
+            continue;
+        for (int number = 1; number <= variationCount(*variation); ++number) {
+            const auto take = singleTake(variation->samples[placeOfVariation(*variation, number)->set]);
+            if (take && contains(graph, *take) && !isDiscarded(*variation, number))
+                clips.push_back(variationClip(variation->name, number));
+        }
+    }
+    return clips;
+}
 
 std::vector<std::string> shownBy(const Project& project, const std::string& clip)
 {

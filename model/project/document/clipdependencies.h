@@ -9,6 +9,10 @@
 
 namespace quadrille {
 
+/// The variations that the repeats of an animation are drawn from, "variations/NAME/3", in their order: those
+/// of single takes of its graph that were not thrown away. None where it has no such option.
+std::vector<std::string> clipsDrawnFrom(const Project& project, const AnimationEntry& animation);
+
 /// What a clip shows: a sequence its source, a made clip the sequences whose frames it has, and the
 /// variations that it is drawn from.
 std::vector<std::string> shownBy(const Project& project, const std::string& clip);

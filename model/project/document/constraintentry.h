@@ -3,17 +3,14 @@
 #pragma once
 
 #include "model/core/units.h"
+#include "model/project/document/unknownkeys.h"
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace quadrille {
-
-/// Keys of the project file that this version does not know; kept and written again.
-using UnknownKeys = nlohmann::ordered_json;
 
 /// Frames that a constraint speaks of: all with a label, or a sequence, or some of its frames.
 struct FrameChoice

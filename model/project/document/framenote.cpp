@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/document/framenote.h"
 
-#include "model/project/file/jsonmembers.h"
-
 #include <algorithm>
 
 namespace quadrille {
@@ -19,7 +17,7 @@ std::vector<FrameNote> notesOf(const UnknownKeys& entry)
     std::vector<FrameNote> notes;
     if (!entry.is_object() || !entry.contains(notesKey))
         return notes;
-    for (const Json& json : entry[notesKey]) {
+    for (const UnknownKeys& json : entry[notesKey]) {
         FrameNote& note = notes.emplace_back();
         for (const auto& [key, value] : json.items()) {
             if (key == "frame")
@@ -40,7 +38,7 @@ void setNotes(UnknownKeys& entry, std::vector<FrameNote> notes)
         entry.erase(notesKey);
     std::ranges::stable_sort(notes, {}, &FrameNote::frame);
     for (const FrameNote& note : notes) {
-        Json json = Json::object();
+        UnknownKeys json = UnknownKeys::object();
         json["frame"] = note.frame.value;
         json["text"] = note.text;
         addUnknown(json, note.unknown);
@@ -48,30 +46,6 @@ void setNotes(UnknownKeys& entry, std::vector<FrameNote> notes)
     }
     if (entry.is_object() && entry.empty())
         entry = UnknownKeys();
-}
-
-void readNotes(const ObjectReader& reader, UnknownKeys& entry)
-{
-    std::vector<FrameNote> notes;
-    reader.each(notesKey, [&](const Json& json, const std::string& pointer) {
-        const ObjectReader own(json, pointer, reader.problems());
-        FrameNote note;
-        note.text = own.requiredText("text");
-        if (own.find("frame") == nullptr)
-            own.missing("frame");
-        note.frame = FrameIndex(own.wholeNumber("frame").value_or(0));
-        if (note.frame.value < 0)
-            own.invalid(own.pointer("frame"), "The frame of a note is below zero", "Count frames from 0.");
-        note.unknown = own.unknown({"frame", "text"});
-        notes.push_back(std::move(note));
-    });
-    setNotes(entry, std::move(notes));
-}
-
-void addNotes(Json& json, const UnknownKeys& entry)
-{
-    if (entry.is_object() && entry.contains(notesKey))
-        json[notesKey] = entry[notesKey];
 }
 
 } // namespace quadrille

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/file/objectreader.h"
+#include "model/core/units.h"
+#include "model/project/document/unknownkeys.h"
+
+#include <string>
+#include <vector>
 
 namespace quadrille {
 
@@ -22,10 +26,5 @@ struct FrameNote
 /// The notes of an entry in the order of their frames.
 std::vector<FrameNote> notesOf(const UnknownKeys& entry);
 void setNotes(UnknownKeys& entry, std::vector<FrameNote> notes);
-
-/// Reads the member “notes” of an entry, if there is one, into what it carries along.
-void readNotes(const ObjectReader& reader, UnknownKeys& entry);
-/// Writes them in their place, before what is not known.
-void addNotes(Json& json, const UnknownKeys& entry);
 
 } // namespace quadrille

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/document/madeclips.h"
 
+#include "model/project/document/findentry.h"
 #include "model/project/document/paths.h"
-#include "model/project/media/opensequence.h"
 
 #include <algorithm>
 #include <charconv>
@@ -164,6 +164,18 @@ std::vector<std::string> clipStepsOf(const Project& project, const std::string& 
         }
     }
     return steps;
+}
+
+std::vector<std::string> clipInputs(const Project& project, const std::vector<std::string>& sequences)
+{
+    std::vector<std::string> inputs;
+    for (const std::string& name : sequences) {
+        for (std::string& step : clipStepsOf(project, "sequences/" + name)) {
+            if (std::find(inputs.begin(), inputs.end(), step) == inputs.end())
+                inputs.push_back(std::move(step));
+        }
+    }
+    return inputs;
 }
 
 std::optional<std::string> shownClip(const Project& project, const SequenceEntry& entry)

@@ -49,6 +49,9 @@ std::string clipStepOf(const std::string& clip);
 /// discarded; none where it is a sequence that shows a file.
 std::vector<std::string> clipStepsOf(const Project& project, const std::string& clip);
 
+/// The steps of the clips that some sequences show: their inputs.
+std::vector<std::string> clipInputs(const Project& project, const std::vector<std::string>& sequences);
+
 /// The clip that a sequence shows, perhaps through other sequences, where it is made; nothing where it shows
 /// files.
 std::optional<std::string> shownClip(const Project& project, const SequenceEntry& entry);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/core/error.h"
 #include "model/graph/motiongraph.h"
 #include "model/project/document/animationentry.h"
 #include "model/project/document/evaluationentry.h"
@@ -14,7 +13,6 @@
 #include "model/transition/posedistancesettings.h"
 #include "model/transition/transitionsettings.h"
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -160,26 +158,5 @@ struct Project
 
     bool operator==(const Project&) const = default;
 };
-
-/// Reads, migrates and validates a project file.
-/// \throws Error file errors, ProjectSyntax, ProjectInvalid, ProjectNewer, each with line and column.
-Project loadProject(const std::filesystem::path& file);
-
-struct ProjectReading
-{
-    Project project;
-    /// In the order of the file, each with line and column.
-    ProjectProblems problems;
-};
-/// Reads and migrates a project file and reports everything that is wrong with its text. What is wrong is
-/// left at its default. \throws Error file errors, ProjectSyntax, FileEncoding, ProjectNewer, ProjectInvalid
-/// where it is no project.
-ProjectReading readProject(const std::filesystem::path& file);
-/// \overload from text; `file` only names it in problems.
-ProjectReading readProject(std::string_view text, const std::filesystem::path& file);
-
-/// Writes atomically; the file that was there before, if it differs, stays as NAME.quadrille.bak.
-/// \throws Error WriteFailed, PermissionDenied.
-void saveProject(const Project& project, const std::filesystem::path& file);
 
 } // namespace quadrille

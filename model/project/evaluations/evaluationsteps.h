@@ -6,6 +6,9 @@
 
 namespace quadrille {
 
+/// The papers' tables that the section “evaluations” names.
+std::vector<BuildStep> makeEvaluationSteps(const StepMaking& making);
+
 /// The begin of a step for a table of a character: its names.
 BuildStep evaluationStep(const CharacterInputs& work, const EvaluationEntry& evaluation);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/evaluation/metriccomparison.h"
 #include "model/evaluation/shapechange.h"
+#include "model/project/document/findentry.h"
 #include "model/project/evaluations/evaluationsteps.h"
 #include "model/project/media/referenceangles.h"
 #include "model/project/store/tablebuilder.h"

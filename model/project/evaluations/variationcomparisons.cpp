@@ -3,10 +3,10 @@
 #include "model/evaluation/variationmeasures.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/evaluations/evaluationsteps.h"
-#include "model/project/steps/clipresult.h"
 #include "model/project/steps/variate.h"
 #include "model/project/steps/variationresults.h"
 #include "model/project/steps/variationsteps.h"
+#include "model/project/store/clipresult.h"
 #include "model/project/store/tablebuilder.h"
 
 #include <algorithm>

@@ -4,15 +4,16 @@
 
 #include "model/core/seriesname.h"
 #include "model/core/stagedfiles.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
-#include "model/project/file/jsontext.h"
+#include "model/project/json/jsontext.h"
 #include "model/project/steps/charactersteps.h"
-#include "model/project/steps/clipresult.h"
 #include "model/project/steps/variate.h"
 #include "model/project/steps/variationresults.h"
 #include "model/project/steps/variationsteps.h"
-#include "model/project/store/projectdata.h"
+#include "model/project/store/clipresult.h"
+#include "model/project/store/dataitem.h"
 #include "model/project/store/resultstore.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 
 #include "model/core/error.h"
 #include "model/core/seriesname.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
 #include "model/project/exports/dataset.h"

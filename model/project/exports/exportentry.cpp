@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/exports/exportentry.h"
 
+#include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
 #include "model/project/exports/dataset.h"
-#include "model/project/file/pictureoptions.h"
+#include "model/project/fields/pictureoptions.h"
 #include "model/project/media/opensequence.h"
 #include "model/sequence/io/registry.h"
 

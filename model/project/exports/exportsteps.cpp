@@ -3,12 +3,13 @@
 #include "model/project/exports/exportsteps.h"
 
 #include "model/core/contenthash.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/paths.h"
 #include "model/project/exports/exportclaims.h"
 #include "model/project/exports/exportentry.h"
 #include "model/project/fields/writefields.h"
-#include "model/project/file/projectguard.h"
 #include "model/project/file/projectjson.h"
+#include "model/project/media/projectguard.h"
 #include "model/project/media/sequencesettings.h"
 #include "model/project/steps/buildstep.h"
 

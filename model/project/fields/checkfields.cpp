@@ -3,9 +3,9 @@
 #include "model/project/fields/checkfields.h"
 
 #include "model/core/contains.h"
-#include "model/project/checks/validate.h"
-#include "model/project/checks/validationtexts.h"
+#include "model/project/document/entryname.h"
 #include "model/project/document/paths.h"
+#include "model/project/document/problemtexts.h"
 #include "model/project/fields/walker.h"
 
 #include <cmath>

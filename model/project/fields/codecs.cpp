@@ -4,8 +4,8 @@
 
 #include "model/project/document/framenote.h"
 #include "model/project/document/lengthunit.h"
-#include "model/project/file/jsonmembers.h"
-#include "model/project/file/pictureoptions.h"
+#include "model/project/fields/pictureoptions.h"
+#include "model/project/json/jsonmembers.h"
 
 #include <cmath>
 
@@ -153,14 +153,28 @@ void valueSchema(Json& properties, const std::string& key, Type<TextureReference
     properties[key]["$ref"] = "#/definitions/texture";
 }
 
-void readValue(const ObjectReader& reader, const std::string&, UnknownKeys& entry, const FieldContext&)
+void readValue(const ObjectReader& reader, const std::string& key, UnknownKeys& entry, const FieldContext&)
 {
-    readNotes(reader, entry);
+    std::vector<FrameNote> notes;
+    reader.each(key, [&](const Json& json, const std::string& pointer) {
+        const ObjectReader own(json, pointer, reader.problems());
+        FrameNote note;
+        note.text = own.requiredText("text");
+        if (own.find("frame") == nullptr)
+            own.missing("frame");
+        note.frame = FrameIndex(own.wholeNumber("frame").value_or(0));
+        if (note.frame.value < 0)
+            own.invalid(own.pointer("frame"), "The frame of a note is below zero", "Count frames from 0.");
+        note.unknown = own.unknown({"frame", "text"});
+        notes.push_back(std::move(note));
+    });
+    setNotes(entry, std::move(notes));
 }
 
-void writeValue(Json& json, const std::string&, const UnknownKeys& entry, const FieldContext&)
+void writeValue(Json& json, const std::string& key, const UnknownKeys& entry, const FieldContext&)
 {
-    addNotes(json, entry);
+    if (entry.is_object() && entry.contains(key))
+        json[key] = entry[key];
 }
 
 void valueSchema(Json& properties, const std::string& key, Type<UnknownKeys>)

@@ -4,7 +4,6 @@
 
 #include "model/project/fields/describeconstraint.h"
 #include "model/project/fields/describepost.h"
-#include "model/project/steps/walkrequest.h"
 
 namespace quadrille {
 

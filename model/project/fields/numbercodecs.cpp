@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/fields/codecs.h"
-#include "model/project/file/jsonmembers.h"
+#include "model/project/json/jsonmembers.h"
 
 namespace quadrille {
 

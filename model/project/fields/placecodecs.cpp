@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/document/groundpoint.h"
 #include "model/project/fields/codecs.h"
-#include "model/project/file/jsonmembers.h"
+#include "model/project/json/jsonmembers.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/file/objectreader.h"
+#include "model/project/json/objectreader.h"
 #include "model/render/rendersettings.h"
 
 namespace quadrille {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/file/jsontext.h"
+#include "model/project/json/jsontext.h"
 
 namespace quadrille {
 

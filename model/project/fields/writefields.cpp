@@ -4,7 +4,7 @@
 
 #include "model/project/document/framenote.h"
 #include "model/project/fields/visitor.h"
-#include "model/project/file/jsonmembers.h"
+#include "model/project/json/jsonmembers.h"
 
 #include <algorithm>
 #include <variant>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/project/document/project.h"
-#include "model/project/file/jsontext.h"
+#include "model/project/json/jsontext.h"
 #include "model/render/rendersettings.h"
 
 namespace quadrille {

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/file/projectfile.h"
+
 #include "model/core/file.h"
 #include "model/project/checks/validate.h"
 #include "model/project/document/brokenentry.h"
-#include "model/project/document/project.h"
 #include "model/project/fields/readfields.h"
 #include "model/project/file/migration.h"
 #include "model/project/file/projectjson.h"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/project/document/brokenentry.h"
+#include "model/project/file/projectfile.h"
 
 namespace quadrille {
 

@@ -6,7 +6,7 @@
 #include "model/core/error.h"
 #include "model/core/file.h"
 #include "model/core/filestamp.h"
-#include "model/project/file/jsontext.h"
+#include "model/project/json/jsontext.h"
 
 #include <algorithm>
 #include <chrono>

@@ -3,9 +3,11 @@
 #include "model/project/media/importsequences.h"
 
 #include "model/core/message.h"
-#include "model/project/checks/validate.h"
+#include "model/project/document/entryname.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/paths.h"
-#include "model/project/document/references.h"
+#include "model/project/fields/references.h"
+#include "model/project/file/projectfile.h"
 #include "model/project/file/projectlock.h"
 #include "model/project/file/usableproject.h"
 #include "model/project/media/opensequence.h"

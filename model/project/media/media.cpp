@@ -5,7 +5,7 @@
 #include "model/core/error.h"
 #include "model/project/document/paths.h"
 #include "model/project/fields/entrypaths.h"
-#include "model/project/steps/buildstep.h"
+#include "model/project/store/resultplaces.h"
 
 #include <functional>
 #include <map>

@@ -4,7 +4,7 @@
 
 #include "model/core/contenthash.h"
 #include "model/core/file.h"
-#include "model/project/file/jsontext.h"
+#include "model/project/json/jsontext.h"
 #include "model/sequence/io/sourcefiles.h"
 
 #include <algorithm>

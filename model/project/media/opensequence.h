@@ -93,16 +93,4 @@ OpenedSequence openSource(const SequenceEntry& entry, const CharacterEntry* char
                           const ProjectSettings& settings, const std::filesystem::path& folder,
                           const Progress& progress = {});
 
-/// The character of a sequence: the one it names, or the only one; null when the project has none.
-const CharacterEntry* characterOf(const Project& project, const SequenceEntry& entry);
-const SequenceEntry* findSequence(const Project& project, const std::string& name);
-const AnimationEntry* findAnimation(const Project& project, const std::string& name);
-const VariationEntry* findVariation(const Project& project, const std::string& name);
-/// The character of an animation, a variation or parts of a body: the one it names, or the only one; empty
-/// when the project has none.
-std::string characterNameOf(const Project& project, const AnimationEntry& animation);
-std::string characterNameOf(const Project& project, const VariationEntry& variation);
-/// The parts of a character's body; null where the project has none.
-const BodyPartsEntry* bodyPartsOf(const Project& project, const std::string& character);
-
 } // namespace quadrille

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/media/referenceangles.h"
 
+#include "model/project/document/findentry.h"
 #include "model/project/document/paths.h"
 
 namespace quadrille {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/media/sequencesettings.h"
 
+#include "model/project/document/findentry.h"
 #include "model/project/document/paths.h"
-#include "model/project/media/opensequence.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/document/clipdependencies.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/lengthunit.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/fields/writefields.h"
 #include "model/project/steps/animate.h"
 #include "model/project/steps/clippost.h"
-#include "model/project/steps/clipresult.h"
 #include "model/project/steps/storedwalk.h"
 #include "model/project/steps/variedrepeats.h"
 #include "model/project/steps/walkrequest.h"
+#include "model/project/store/clipresult.h"
 
 namespace quadrille {
 

@@ -81,13 +81,6 @@ struct BuildStep
     std::function<Result(const StepContext&, const Progress&)> compute;
 };
 
-/// The steps of the clips that some sequences show: their inputs.
-std::vector<std::string> clipInputs(const Project& project, const std::vector<std::string>& sequences);
-
-/// The folder into which a project's results go: NAME.quadrille.cache beside the project as a rule, see
-/// resultplaces.h.
-std::filesystem::path cacheFolder(const std::filesystem::path& projectFile);
-
 /// What the steps of one rebuild share.
 struct StepMaking
 {
@@ -96,23 +89,14 @@ struct StepMaking
     std::shared_ptr<ResultSession> session = nullptr; ///< may be null
 };
 
-/// All steps of a project, each after its inputs. New capabilities add theirs here.
-std::vector<BuildStep> makeSteps(const StepMaking& making);
-
-/// A step that needs what nothing makes fails with a sentence; its inputs are those that there are.
-void refuseMissingInputs(std::vector<BuildStep>& steps);
-
 std::vector<BuildStep> makeSequenceSteps(const StepMaking& making);
 /// Pose distances, transitions and graphs of the characters that the section “graph” names, or that others
 /// need them for.
 std::vector<BuildStep> makeGraphSteps(const StepMaking& making);
-/// The papers' tables that the section “evaluations” names.
-std::vector<BuildStep> makeEvaluationSteps(const StepMaking& making);
 /// Walks and clips of the section “animations”.
 std::vector<BuildStep> makeAnimationSteps(const StepMaking& making);
 /// Models, variations and their clips of the section “variations”.
 std::vector<BuildStep> makeVariationSteps(const StepMaking& making);
-std::vector<BuildStep> makeExportSteps(const StepMaking& making);
 /// One picture of the project's sequences, contact-sheet.png among the results.
 std::vector<BuildStep> makeSheetSteps(const StepMaking& making);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/steps/charactersteps.h"
 
+#include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/media/sequencesettings.h"
 #include "model/synthesis/liveliness.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/bounds.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/lengthunit.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/media/sequencesettings.h"

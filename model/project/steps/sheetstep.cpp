@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/contenthash.h"
 #include "model/core/image.h"
+#include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
 #include "model/project/media/sequencesettings.h"
 #include "model/project/steps/buildstep.h"
+#include "model/project/store/resultplaces.h"
 #include "model/render/contactsheet.h"
 
 namespace quadrille {

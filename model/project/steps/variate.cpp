@@ -3,10 +3,10 @@
 #include "model/project/steps/variate.h"
 
 #include "model/core/error.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/fields/writefields.h"
 #include "model/project/media/sequencesettings.h"
-#include "model/project/steps/buildstep.h"
 #include "model/synthesis/contactcorrection.h"
 #include "model/variation/posereach.h"
 

@@ -7,10 +7,10 @@
 #include "model/project/document/madeclips.h"
 #include "model/project/fields/writefields.h"
 #include "model/project/steps/buildstep.h"
-#include "model/project/steps/clipresult.h"
 #include "model/project/steps/selectionnote.h"
 #include "model/project/steps/variate.h"
 #include "model/project/steps/variationresults.h"
+#include "model/project/store/clipresult.h"
 #include "model/variation/selectionspread.h"
 
 #include <algorithm>

@@ -7,7 +7,6 @@
 #include "model/core/message.h"
 #include "model/project/document/clipdependencies.h"
 #include "model/project/document/madeclips.h"
-#include "model/project/media/opensequence.h"
 #include "model/project/steps/charactersteps.h"
 #include "model/project/store/tablebuilder.h"
 
@@ -19,12 +18,6 @@ namespace quadrille {
 
 namespace {
 
-/// The take that samples vary frame by frame; nothing where it is a blend, which has frames of its own.
-std::optional<std::string> singleTake(const SamplesEntry& samples)
-{
-    return samples.to.empty() ? std::optional(samples.of) : std::nullopt;
-}
-
 template <typename Value>
 const std::vector<Value>& columnNamed(const DataTable& table, const std::string& name)
 {
@@ -34,33 +27,6 @@ const std::vector<Value>& columnNamed(const DataTable& table, const std::string&
 }
 
 } // namespace
-
-bool isOfGraph(const Project& project, const VariationEntry& variation)
-{
-    const std::vector<std::string> graph = sequencesOfGraph(project, characterNameOf(project, variation));
-    return std::all_of(variation.training.begin(), variation.training.end(),
-                       [&](const TrainingEntry& take) { return contains(graph, take.sequence); });
-}
-
-std::vector<std::string> clipsDrawnFrom(const Project& project, const AnimationEntry& animation)
-{
-    std::vector<std::string> clips;
-    if (!animation.post.variations)
-        return clips;
-    const std::string& from = animation.post.variations->from;
-    const std::string character = characterNameOf(project, animation);
-    const std::vector<std::string> graph = sequencesOfGraph(project, character);
-    for (const VariationEntry* variation : learnedVariations(project, character)) {
-        if (from.empty() ? !isOfGraph(project, *variation) : variation->name != from)
-            continue;
-        for (int number = 1; number <= variationCount(*variation); ++number) {
-            const auto take = singleTake(variation->samples[placeOfVariation(*variation, number)->set]);
-            if (take && contains(graph, *take) && !isDiscarded(*variation, number))
-                clips.push_back(variationClip(variation->name, number));
-        }
-    }
-    return clips;
-}
 
 std::optional<TakeVariation> takeVariation(const std::string& clip, const Result& result,
                                            const CharacterGraph& graph)

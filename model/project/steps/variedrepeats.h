@@ -16,17 +16,9 @@
 
 namespace quadrille {
 
-/// Whether all takes that variations are learned from are frames of the graph that animations of their
-/// character walk through: animations that draw from any variations draw from these.
-bool isOfGraph(const Project& project, const VariationEntry& variation);
-
-/// The variations that the repeats of an animation are drawn from, "variations/NAME/3", in their order: those
-/// of single takes of its graph that were not thrown away. None where it has no such option.
-std::vector<std::string> clipsDrawnFrom(const Project& project, const AnimationEntry& animation);
-
-/// One of them; nothing where too few were good enough for it to be there. \param clip  its name. \param
-/// result  of the step of its clip.
-/// \throws Error ProjectInvalid (its take is not in the graph, or is another by now).
+/// A variation that repeats are drawn from, see clipsDrawnFrom; nothing where too few were good enough for it
+/// to be there. \param clip  its name. \param result  of the step of its clip. \throws Error ProjectInvalid
+/// (its take is not in the graph, or is another by now).
 std::optional<TakeVariation> takeVariation(const std::string& clip, const Result& result,
                                            const CharacterGraph& graph);
 

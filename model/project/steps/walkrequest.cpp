@@ -3,6 +3,7 @@
 #include "model/project/steps/walkrequest.h"
 
 #include "model/core/message.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/groundpoint.h"
 #include "model/project/document/pathcurve.h"
 #include "model/project/fields/writefields.h"
@@ -147,25 +148,6 @@ std::optional<PathConstraint> pathOf(const AnimationEntry& animation, const Char
         if (const auto* path = std::get_if<PathEntry>(&constraint))
             return curveInMetres(*path, graph.metresPerUnit());
     return std::nullopt;
-}
-
-SearchSettings searchSettings(const SearchEntry& entry, double fps)
-{
-    SearchSettings settings;
-    if (!entry.isPaper) {
-        settings = SearchSettings::calm();
-        settings.leastRun = static_cast<int>(std::lround(entry.dwell.value_or(usualDwell) * fps));
-        settings.charging.deadZone = entry.deadZone.value_or(settings.charging.deadZone);
-        // As much in a second as in a metre and a half, which a brisk walker goes in it.
-        constexpr double briskWalk = 1.5;
-        settings.steering.perMetre = entry.steering.value_or(usualSteering) * std::numbers::pi / 180;
-        settings.steering.perFrame = briskWalk * settings.steering.perMetre / fps;
-    }
-    settings.beta = entry.beta;
-    settings.mu = entry.mu.value_or(settings.mu);
-    settings.budget = entry.budget.value_or(settings.budget);
-    settings.globalKeys = entry.globalKeys;
-    return settings;
 }
 
 CostWeights costWeights(const AnimationEntry& animation, const CharacterGraph& graph)

@@ -4,7 +4,6 @@
 
 #include "model/project/steps/charactergraph.h"
 #include "model/synthesis/constraints.h"
-#include "model/synthesis/searchsettings.h"
 
 namespace quadrille {
 
@@ -13,11 +12,6 @@ namespace quadrille {
 WalkConstraints walkConstraints(const AnimationEntry& animation, const CharacterGraph& graph);
 /// The curve of its path alone; nothing where it has none.
 std::optional<PathConstraint> pathOf(const AnimationEntry& animation, const CharacterGraph& graph);
-/// Between two transitions, seconds.
-inline constexpr double usualDwell = 0.5;
-/// Degrees a metre.
-inline constexpr double usualSteering = 30;
-SearchSettings searchSettings(const SearchEntry& entry, double fps);
 
 /// What costs of a walk are counted by.
 struct CostWeights

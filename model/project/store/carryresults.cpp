@@ -3,7 +3,6 @@
 #include "model/project/store/carryresults.h"
 
 #include "model/core/file.h"
-#include "model/project/steps/buildstep.h"
 #include "model/project/store/resultplaces.h"
 #include "model/project/store/resultstore.h"
 

@@ -5,7 +5,6 @@
 #include "model/core/contenthash.h"
 #include "model/core/file.h"
 #include "model/core/message.h"
-#include "model/project/steps/buildstep.h"
 
 #include <algorithm>
 #include <cstdlib>

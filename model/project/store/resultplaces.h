@@ -23,6 +23,9 @@ struct ResultPlaces
 };
 ResultPlaces resultPlaces(const std::filesystem::path& projectFile);
 
+/// The folder into which a project's results go: ResultPlaces::written.
+std::filesystem::path cacheFolder(const std::filesystem::path& projectFile);
+
 /// Results of this project go into a folder from now on; an empty one undoes it.
 void chooseResultFolder(const std::filesystem::path& projectFile, const std::filesystem::path& folder);
 

@@ -3,7 +3,6 @@
 #include "model/project/store/resultstore.h"
 
 #include "model/core/error.h"
-#include "model/project/steps/buildstep.h"
 #include "model/project/store/resultplaces.h"
 
 #include <algorithm>

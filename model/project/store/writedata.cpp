@@ -4,8 +4,8 @@
 #include "model/core/message.h"
 #include "model/core/npy.h"
 #include "model/core/stagedfiles.h"
-#include "model/project/file/jsontext.h"
-#include "model/project/store/projectdata.h"
+#include "model/project/json/jsontext.h"
+#include "model/project/store/dataitem.h"
 #include "model/sequence/io/sourcefiles.h"
 
 #include <algorithm>

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/file/jsontext.h"
+#include "model/project/file/projectfile.h"
+#include "model/project/json/jsontext.h"
 #include "tests/model/cli/runquadrille.h"
 #include "tests/model/onejoint.h"
 

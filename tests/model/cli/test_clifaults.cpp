@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/file/projectfile.h"
 #include "tests/model/cli/clifixture.h"
 
 #include <cstdlib>

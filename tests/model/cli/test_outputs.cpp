@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What the program writes for its user, and what it never writes over.
 #include "model/core/image.h"
+#include "model/project/file/projectfile.h"
 #include "tests/model/cli/clifixture.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/file/jsontext.h"
+#include "model/project/file/projectfile.h"
+#include "model/project/json/jsontext.h"
 #include "model/render/camera.h"
 #include "model/sequence/io/registry.h"
 #include "tests/model/cli/runquadrille.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/project/document/findentry.h"
 #include "model/project/document/framenote.h"
 #include "tests/model/project/fullvariation.h"
 #include "tests/model/project/testproject.h"

@@ -3,8 +3,9 @@
 #pragma once
 
 #include "model/core/table.h"
-#include "model/project/steps/rebuild.h"
-#include "model/project/store/projectdata.h"
+#include "model/project/results/projectdata.h"
+#include "model/project/results/rebuild.h"
+#include "model/project/store/dataitem.h"
 #include "model/transition/characterframes.h"
 #include "tests/model/project/testproject.h"
 

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/checks/validate.h"
+#include "model/project/document/findentry.h"
 #include "model/project/exports/exportentry.h"
 #include "model/project/media/media.h"
-#include "model/project/steps/clipresult.h"
+#include "model/project/store/clipresult.h"
+#include "model/project/store/resultplaces.h"
 #include "tests/model/audio/tone.h"
 #include "tests/model/project/stripproject.h"
 

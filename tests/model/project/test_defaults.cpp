@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/graph/comparison.h"
-#include "model/project/file/pictureoptions.h"
+#include "model/project/fields/pictureoptions.h"
 #include "model/project/file/projectjson.h"
 #include "model/project/steps/walkrequest.h"
 #include "tests/model/project/fullproject.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/graph/comparison.h"
+#include "model/project/document/findentry.h"
 #include "model/transition/acceleration.h"
 #include "model/transition/posedistance.h"
 #include "model/transition/transitioncomparison.h"

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/document/findentry.h"
 #include "model/project/media/media.h"
-#include "model/project/steps/buildstep.h"
+#include "model/project/store/resultplaces.h"
 #include "tests/model/project/testproject.h"
 
 #include <gmock/gmock.h>

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/checks/check.h"
+#include "model/project/document/findentry.h"
+#include "model/project/file/projectfile.h"
 #include "model/project/media/importsequences.h"
 #include "model/project/media/media.h"
 #include "model/project/media/opensequence.h"
+#include "model/project/results/check.h"
 #include "model/sequence/io/registry.h"
 #include "tests/model/project/testproject.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/file/jsontext.h"
-#include "model/project/store/projectdata.h"
+#include "model/project/json/jsontext.h"
+#include "model/project/store/dataitem.h"
 #include "tests/model/project/testproject.h"
 
 #include <cmath>

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/file/jsontext.h"
+#include "model/project/document/findentry.h"
 #include "model/project/file/migration.h"
+#include "model/project/file/projectfile.h"
+#include "model/project/json/jsontext.h"
 #include "tests/model/project/fullproject.h"
 #include "tests/model/withoutroot.h"
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/file/projectfile.h"
 #include "model/project/file/projectlock.h"
 #include "model/project/media/importsequences.h"
 #include "tests/model/project/testproject.h"

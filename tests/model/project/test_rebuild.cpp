@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/contenthash.h"
 #include "model/core/mediacache.h"
-#include "model/project/steps/rebuild.h"
+#include "model/project/results/rebuild.h"
+#include "model/project/store/resultplaces.h"
 #include "model/project/store/resultstore.h"
 #include "tests/model/project/testproject.h"
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/document/findentry.h"
 #include "model/project/media/referenceangles.h"
 #include "tests/model/project/testproject.h"
 

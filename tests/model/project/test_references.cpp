@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/checks/validate.h"
-#include "model/project/document/references.h"
-#include "model/project/file/jsontext.h"
+#include "model/project/document/findentry.h"
+#include "model/project/fields/references.h"
 #include "model/project/file/projectjson.h"
+#include "model/project/json/jsontext.h"
 #include "tests/model/project/fullproject.h"
 
 #include <gmock/gmock.h>

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/document/madeclips.h"
-#include "model/project/exports/runexports.h"
-#include "model/project/steps/openanimation.h"
+#include "model/project/results/openanimation.h"
+#include "model/project/results/runexports.h"
 #include "model/project/steps/storedwalk.h"
+#include "model/project/store/resultplaces.h"
 #include "tests/model/project/tubeproject.h"
 
 #include <gmock/gmock.h>

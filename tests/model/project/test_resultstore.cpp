@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/project/steps/buildstep.h"
 #include "model/project/store/carryresults.h"
 #include "model/project/store/resultplaces.h"
 #include "model/project/store/resultstore.h"

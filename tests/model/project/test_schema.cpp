@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/fields/schema.h"
-#include "model/project/file/jsontext.h"
+#include "model/project/file/projectfile.h"
 #include "model/project/file/projectjson.h"
+#include "model/project/json/jsontext.h"
 #include "tests/model/project/fullproject.h"
 
 #include <cstdlib>

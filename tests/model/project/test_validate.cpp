@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/checks/validate.h"
-#include "model/project/checks/validationtexts.h"
+#include "model/project/document/entryname.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/paths.h"
+#include "model/project/document/problemtexts.h"
 #include "tests/model/project/fullproject.h"
 
 #include <gmock/gmock.h>

@@ -3,7 +3,7 @@
 // What each setting of variations changes, and what stays.
 #include "model/core/random.h"
 #include "model/project/document/madeclips.h"
-#include "model/project/file/jsontext.h"
+#include "model/project/json/jsontext.h"
 #include "model/project/steps/variate.h"
 #include "model/variation/selection.h"
 #include "tests/model/largestdistance.h"

@@ -3,7 +3,7 @@
 // Blends of four takes at the corners of a square.
 #include "model/project/checks/validate.h"
 #include "model/project/document/madeclips.h"
-#include "model/project/document/references.h"
+#include "model/project/fields/references.h"
 #include "tests/model/largestdistance.h"
 #include "tests/model/project/fullproject.h"
 #include "tests/model/project/tubeproject.h"

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/checks/validate.h"
 #include "model/project/document/madeclips.h"
-#include "model/project/file/jsontext.h"
+#include "model/project/json/jsontext.h"
 #include "model/project/steps/selectionnote.h"
+#include "model/project/store/dataitem.h"
 #include "tests/model/codeof.h"
 #include "tests/model/project/tubeproject.h"
 

@@ -3,8 +3,9 @@
 #pragma once
 
 #include "model/core/file.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/project.h"
-#include "model/project/file/pictureoptions.h"
+#include "model/project/fields/pictureoptions.h"
 #include "tests/model/core/temporaryfolder.h"
 
 #include <gtest/gtest.h>

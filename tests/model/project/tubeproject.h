@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/project/store/resultplaces.h"
 #include "tests/model/project/stripproject.h"
 
 #include <cmath>

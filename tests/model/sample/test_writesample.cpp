@@ -3,8 +3,9 @@
 #include "model/core/error.h"
 #include "model/core/file.h"
 #include "model/project/document/project.h"
+#include "model/project/file/projectfile.h"
+#include "model/project/results/opencharacter.h"
 #include "model/project/steps/animate.h"
-#include "model/project/steps/opencharacter.h"
 #include "sampletest.h"
 #include "tests/model/core/temporaryfolder.h"
 

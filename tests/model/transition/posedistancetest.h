@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/core/error.h"
+#include "model/project/document/findentry.h"
 #include "model/transition/posedistance.h"
 #include "tests/model/codeof.h"
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/document/findentry.h"
 #include "tests/model/transition/plainposedistance.h"
 #include "tests/model/transition/posedistancetest.h"
 #include "tests/model/transition/swayingtube.h"
