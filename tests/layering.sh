@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: 2026 The Quadrille developers
 # SPDX-License-Identifier: MIT
-# Fails when an include points against the layers: editor → widgets, editor → model, nothing else; or when the folders
-# of a layer include each other in a circle.
+# Fails when an include points against the layers: editor → widgets, editor → model, nothing else; or when folders
+# include others than cmake/folders.txt says.
 set -euo pipefail
 cd "${1:-$(dirname "$0")/..}"
 status=0
@@ -25,16 +25,25 @@ if [ -n "$found" ]; then
     printf '%s\n%s\n' "error: VTK headers belong into sources of widgets, not headers" "$found"
     status=1
 fi
-# The folders of a layer stand above each other: none includes what includes it.
-for layer in model widgets editor; do
-    found=$(grep -rE "^#include \"$layer/" "$layer" --include='*.h' --include='*.cpp' |
-        sed -E 's|^(.*)/[^/]+:#include "(.*)/[^/]+"|\1 \2|' |
-        awk '$1 != $2' | sort -u | tsort 2>&1 >/dev/null || true)
-    if [ -n "$found" ]; then
-        printf '%s\n%s\n' "error: folders of $layer include each other in a circle" "$found"
-        status=1
-    fi
-done
+# What the table of folders says is so: each stands below those that include it, and includes those that it names.
+table=cmake/folders.txt
+declared=$(awk '/^[a-z]/ { folder = $1 } /^ / { for (i = 2; i <= NF; ++i) print folder, $1 "/" $i }' $table | sort)
+included=$(grep -rE '^[[:space:]]*#[[:space:]]*include "(model|widgets|editor)/' model widgets editor --include='*.h' --include='*.cpp' |
+    sed -E 's|^(.*)/[^/]+:[^"]*"(.*)/[^/]+"|\1 \2|' | awk '$1 != $2' | sort -u)
+# complain TEXT LINES: an error for some lines, if there are any.
+complain() {
+    [ -z "$2" ] && return
+    printf '%s\n%s\n' "error: $1" "$2"
+    status=1
+}
+complain "$table names, below a folder, one that does not stand above it in the list" "$(awk '
+    /^[a-z]/ { known[folder] = 1; folder = $1 }
+    /^ / { for (i = 2; i <= NF; ++i) if (!($1 "/" $i in known)) print folder, $1 "/" $i }' $table)"
+complain "folders include others that $table does not name" "$(comm -13 <(echo "$declared") <(echo "$included") |
+    while read -r folder used; do grep -rnE "^[[:space:]]*#[[:space:]]*include \"$used/[^/]+\"" "$folder"/*.*; done)"
+complain "$table names folders that are not included" "$(comm -23 <(echo "$declared") <(echo "$included"))"
+complain "folders with sources and those of $table differ" "$(comm -3 <(grep -E '^[a-z]' $table | sort) \
+    <(find model widgets editor \( -name '*.h' -o -name '*.cpp' \) -printf '%h\n' | sort -u))"
 if grep -nE '(Qt6|VTK|Quadrille::Widgets)' -r model --include=CMakeLists.txt; then
     echo "error: model must not link Qt, VTK or the widgets"
     status=1
