@@ -167,10 +167,10 @@ void MainWindow::connectAll()
     connect(m_context.document.undoStack(), &QUndoStack::indexChanged, this,
             [this] { followDocument(ChangeEvent::file()); });
     connect(&m_context.media, &SequenceMedia::changed, this, [this](const QString& name) {
-        const auto* medium = m_context.media.medium(name);
+        const auto* resultState = m_context.media.resultState(name);
         m_context.issues.clear(name);
-        if (medium && medium->error)
-            m_context.issues.add(*medium->error, name);
+        if (resultState && resultState->error)
+            m_context.issues.add(*resultState->error, name);
     });
     connect(m_import, &ImportFlow::imported, this,
             [this](const QStringList& names) { m_context.selection.selectSequences(names.mid(0, 1)); });

@@ -35,9 +35,9 @@ CardPictures::CardPictures(EditorContext& context, QObject* parent) : QObject(pa
 
 QList<QImage> CardPictures::pictures(const QString& sequence)
 {
-    const MeshSequence* medium = m_context.media.sequence(sequence);
+    const MeshSequence* opened = m_context.media.sequence(sequence);
     Item& item = m_items[sequence];
-    if (medium != nullptr && (item.isDue || item.source != medium->source || item.range != medium->range)) {
+    if (opened != nullptr && (item.isDue || item.source != opened->source || item.range != opened->range)) {
         item.isDue = true;
         if (!m_soon.isActive()) {
             ++m_asked;

@@ -261,8 +261,8 @@ void CardsPanel::addLooking(QMenu& menu, const QString& name)
 /// What helps where a file is elsewhere or cannot be read.
 void CardsPanel::addMending(QMenu& menu, const QString& name)
 {
-    const auto* medium = m_context.media.medium(name);
-    if (medium != nullptr && medium->error)
+    const auto* resultState = m_context.media.resultState(name);
+    if (resultState != nullptr && resultState->error)
         menu.addAction(tr("Try again"), m_view, [this, name] { m_context.media.retry(name); });
     menu.addAction(m_context.actions.action(QStringLiteral("file.findMissing")));
     if (const SequenceEntry* sequence = m_context.document.sequence(name); sequence != nullptr) {

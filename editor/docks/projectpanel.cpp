@@ -41,46 +41,46 @@ bool isAtWork(VariationMedia::State state)
 
 /// Of animations and variations alike.
 template <typename Media>
-ProjectTreeModel::EntryStatus statusOf(const typename Media::Medium* medium)
+ProjectTreeModel::EntryStatus statusOf(const typename Media::ResultState* resultState)
 {
     using State = typename Media::State;
     ProjectTreeModel::EntryStatus status{.state = EntryState::Stale, .problem = {}};
-    if (medium == nullptr)
+    if (resultState == nullptr)
         return status;
-    if (medium->state == State::Ready)
+    if (resultState->state == State::Ready)
         status.state = EntryState::Fresh;
-    else if (medium->state == State::Failed)
+    else if (resultState->state == State::Failed)
         status.state = EntryState::Failed;
-    else if (isAtWork(medium->state))
+    else if (isAtWork(resultState->state))
         status.state = EntryState::Computing;
-    if (medium->error)
-        status.problem = describe(*medium->error).oneLine();
+    if (resultState->error)
+        status.problem = describe(*resultState->error).oneLine();
     return status;
 }
 
-ProjectTreeModel::EntryStatus statusOf(const EvaluationMedia::Medium* medium)
+ProjectTreeModel::EntryStatus statusOf(const EvaluationMedia::ResultState* resultState)
 {
     using State = EvaluationMedia::State;
     ProjectTreeModel::EntryStatus status{.state = EntryState::Stale, .problem = {}};
-    if (medium == nullptr)
+    if (resultState == nullptr)
         return status;
-    if (medium->state == State::Fresh)
+    if (resultState->state == State::Fresh)
         status.state = EntryState::Fresh;
-    else if (medium->state == State::Computing)
+    else if (resultState->state == State::Computing)
         status.state = EntryState::Computing;
-    else if (medium->state == State::Failed && medium->error)
-        status = {.state = EntryState::Failed, .problem = describe(*medium->error).oneLine()};
+    else if (resultState->state == State::Failed && resultState->error)
+        status = {.state = EntryState::Failed, .problem = describe(*resultState->error).oneLine()};
     return status;
 }
 
 ProjectTreeModel::EntryStatus statusOf(const EditorContext& context, const EntryRef& entry)
 {
     if (entry.section == Section::Evaluations)
-        return statusOf(context.evaluations.medium(entry.name));
+        return statusOf(context.evaluations.resultState(entry.name));
     if (entry.section == Section::Animations)
-        return statusOf<AnimationMedia>(context.animations.medium(entry.name));
+        return statusOf<AnimationMedia>(context.animations.resultState(entry.name));
     if (entry.section == Section::Variations)
-        return statusOf<VariationMedia>(context.variations.medium(entry.name));
+        return statusOf<VariationMedia>(context.variations.resultState(entry.name));
     if (entry.section == Section::BodyParts) {
         const QString problem = context.bodies.problemOf(entry.name);
         return {.state = problem.isEmpty() ? EntryState::Fresh : EntryState::Failed, .problem = problem};
@@ -94,12 +94,13 @@ ProjectTreeModel::EntryStatus statusOf(const EditorContext& context, const Entry
     }
     const SequenceMedia& media = context.media;
     ProjectTreeModel::EntryStatus status;
-    const auto* medium = entry.section == Section::Sequences ? media.medium(entry.name) : nullptr;
-    if (!medium || medium->state == SequenceMedia::State::Ready)
+    const auto* resultState = entry.section == Section::Sequences ? media.resultState(entry.name) : nullptr;
+    if (!resultState || resultState->state == SequenceMedia::State::Ready)
         return status;
-    status.state = medium->state == SequenceMedia::State::Failed ? EntryState::Failed : EntryState::Computing;
-    if (medium->error)
-        status.problem = describe(*medium->error).oneLine();
+    status.state =
+        resultState->state == SequenceMedia::State::Failed ? EntryState::Failed : EntryState::Computing;
+    if (resultState->error)
+        status.problem = describe(*resultState->error).oneLine();
     return status;
 }
 
@@ -278,8 +279,9 @@ void ProjectPanel::duplicateSelected()
 void ProjectPanel::activate(const QModelIndex& index)
 {
     const EntryRef entry = m_model->entry(index);
-    const auto* medium = entry.section == Section::Sequences ? m_context.media.medium(entry.name) : nullptr;
-    if (medium != nullptr && medium->state == SequenceMedia::State::Failed)
+    const auto* resultState =
+        entry.section == Section::Sequences ? m_context.media.resultState(entry.name) : nullptr;
+    if (resultState != nullptr && resultState->state == SequenceMedia::State::Failed)
         m_context.media.retry(entry.name);
     else if (const SectionInfo* section = findSection(entry.section);
              !entry.name.isEmpty() && section->opening != nullptr)
@@ -338,8 +340,9 @@ void ProjectPanel::fillEntryMenu(QMenu& menu, const EntryRef& entry)
                 menu.addAction(action);
         }
     }
-    const auto* medium = entry.section == Section::Sequences ? m_context.media.medium(entry.name) : nullptr;
-    if (medium != nullptr && medium->state == SequenceMedia::State::Failed) {
+    const auto* resultState =
+        entry.section == Section::Sequences ? m_context.media.resultState(entry.name) : nullptr;
+    if (resultState != nullptr && resultState->state == SequenceMedia::State::Failed) {
         menu.addAction(tr("Try again"), m_tree, [this, name = entry.name] { m_context.media.retry(name); });
         menu.addAction(m_context.actions.action("file.findMissing"));
     }

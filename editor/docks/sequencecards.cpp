@@ -111,7 +111,7 @@ QMimeData* SequenceCards::mimeData(const QModelIndexList& indexes) const
 QVariant SequenceCards::data(const QModelIndex& index, int role) const
 {
     const QString shown = name(index);
-    const auto* medium = m_context.media.medium(shown);
+    const auto* resultState = m_context.media.resultState(shown);
     if (shown.isEmpty())
         return {};
     const SequenceEntry& entry = entries()[static_cast<std::size_t>(index.row())];
@@ -137,7 +137,7 @@ QVariant SequenceCards::data(const QModelIndex& index, int role) const
     case LabelsRole:
         return QVariant::fromValue(labels(entry));
     case StateRole:
-        return static_cast<int>(medium == nullptr ? SequenceMedia::State::Loading : medium->state);
+        return static_cast<int>(resultState == nullptr ? SequenceMedia::State::Loading : resultState->state);
     case SearchRole:
         return shown + QLatin1Char('\n') + labelNames(entry).join(QLatin1Char('\n'));
     default:
@@ -155,8 +155,8 @@ bool SequenceCards::setData(const QModelIndex& index, const QVariant& value, int
 
 QString SequenceCards::length(const QString& name) const
 {
-    const auto* medium = m_context.media.medium(name);
-    if (medium != nullptr && medium->state == SequenceMedia::State::Failed)
+    const auto* resultState = m_context.media.resultState(name);
+    if (resultState != nullptr && resultState->state == SequenceMedia::State::Failed)
         return tr("Cannot be opened");
     const MeshSequence* sequence = m_context.media.sequence(name);
     if (sequence == nullptr)
@@ -169,9 +169,9 @@ QString SequenceCards::length(const QString& name) const
 /// What is wrong with it, or what there is no room for on the card.
 QString SequenceCards::tip(const QString& name, const SequenceEntry& entry) const
 {
-    const auto* medium = m_context.media.medium(name);
-    if (medium != nullptr && medium->error)
-        return describe(*medium->error).oneLine();
+    const auto* resultState = m_context.media.resultState(name);
+    if (resultState != nullptr && resultState->error)
+        return describe(*resultState->error).oneLine();
     const QStringList labels = labelNames(entry);
     return labels.isEmpty() ? name : name + QLatin1Char('\n') + labels.join(QStringLiteral(" · "));
 }

@@ -280,10 +280,10 @@ void TexturePanel::showTexture(const MeshSequence& sequence, const LoadedFrame& 
 /// What is to be said where a sequence cannot be shown (yet).
 QString TexturePanel::stateText() const
 {
-    const SequenceMedia::Medium* medium = m_context.media.medium(m_name);
-    if (medium == nullptr)
+    const SequenceMedia::ResultState* resultState = m_context.media.resultState(m_name);
+    if (resultState == nullptr)
         return tr("The texture of the selected sequence is shown here.");
-    if (medium->state == SequenceMedia::State::Failed)
+    if (resultState->state == SequenceMedia::State::Failed)
         return tr("“%1” cannot be shown.").arg(m_name);
     return tr("Opening “%1”…").arg(m_name);
 }

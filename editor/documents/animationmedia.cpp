@@ -95,15 +95,15 @@ void AnimationMedia::want(const QStringList& names)
     update();
 }
 
-const AnimationMedia::Medium* AnimationMedia::medium(const QString& name) const
+const AnimationMedia::ResultState* AnimationMedia::resultState(const QString& name) const
 {
     const auto found = m_items.find(name);
-    return found == m_items.end() ? nullptr : &found->second.medium;
+    return found == m_items.end() ? nullptr : &found->second.resultState;
 }
 
 std::shared_ptr<const AnimationResult> AnimationMedia::result(const QString& name) const
 {
-    const Medium* found = medium(name);
+    const ResultState* found = resultState(name);
     return found == nullptr ? nullptr : found->result;
 }
 
@@ -127,10 +127,10 @@ void AnimationMedia::retry(const QString& name)
 void AnimationMedia::stop(const QString& name)
 {
     const auto found = m_items.find(name);
-    if (found == m_items.end() || !found->second.medium.job)
+    if (found == m_items.end() || !found->second.resultState.job)
         return;
     found->second.isStopped = true;
-    found->second.medium.job->cancel();
+    found->second.resultState.job->cancel();
     setIdle(name, found->second);
 }
 
@@ -156,8 +156,8 @@ void AnimationMedia::rename(const ChangeEvent& event)
     if (node.empty())
         return;
     // A search answers to the old name: another one makes the clip under the new one.
-    if (node.mapped().medium.job)
-        node.mapped().medium.job->cancel();
+    if (node.mapped().resultState.job)
+        node.mapped().resultState.job->cancel();
     node.mapped().character.reset();
     node.key() = event.entry.name;
     m_items.insert(std::move(node));
@@ -171,8 +171,8 @@ void AnimationMedia::update()
             ++it;
             continue;
         }
-        if (it->second.medium.job)
-            it->second.medium.job->cancel();
+        if (it->second.resultState.job)
+            it->second.resultState.job->cancel();
         const QString gone = it->first;
         it = m_items.erase(it);
         emit changed(gone);
@@ -188,18 +188,18 @@ void AnimationMedia::update(const QString& name, Item& item)
     const AnimationEntry entry = withoutSoundAndCamera(*m_document.animation(name));
     if (!entry.asksForSomething()) {
         item.solved = entry;
-        item.medium.result.reset();
+        item.resultState.result.reset();
         setIdle(name, item);
         return;
     }
     const QString character = characterOf(name);
-    const GraphMedia::Medium* graph = m_graphs.medium(character);
+    const GraphMedia::ResultState* graph = m_graphs.resultState(character);
     if (graph == nullptr || graph->state != GraphMedia::State::Ready) {
-        if (item.medium.job)
-            item.medium.job->cancel();
-        item.medium.job.clear();
-        item.medium.error = graph == nullptr ? std::nullopt : graph->error;
-        item.medium.state = item.medium.error ? State::Failed : State::Waiting;
+        if (item.resultState.job)
+            item.resultState.job->cancel();
+        item.resultState.job.clear();
+        item.resultState.error = graph == nullptr ? std::nullopt : graph->error;
+        item.resultState.state = item.resultState.error ? State::Failed : State::Waiting;
         item.character.reset();
         if (graph != nullptr && graph->state != GraphMedia::State::Failed)
             m_graphs.ask(character);
@@ -217,12 +217,12 @@ void AnimationMedia::update(const QString& name, Item& item)
 
 void AnimationMedia::solve(const QString& name, Item& item, const AnimationEntry& entry)
 {
-    if (item.medium.job)
-        item.medium.job->cancel();
+    if (item.resultState.job)
+        item.resultState.job->cancel();
     item.solved = entry;
     item.search = ++m_searches;
-    item.medium.state = State::Solving;
-    item.medium.error.reset();
+    item.resultState.state = State::Solving;
+    item.resultState.error.reset();
     constexpr double pause = 0.001 * searchShowing;
     const auto work = [working = m_document.working(), mailbox = m_mailbox, name,
                        search = item.search](const Progress& progress) {
@@ -231,24 +231,25 @@ void AnimationMedia::solve(const QString& name, Item& item, const AnimationEntry
         };
         return openAnimation(working, name.toStdString(), progress, show, pause);
     };
-    item.medium.job = m_jobs.start({.name = tr("Animation “%1”").arg(name),
-                                    .receiver = this,
-                                    .stillStands =
-                                        [this, name, search = item.search] {
-                                            const auto found = m_items.find(name);
-                                            return found != m_items.end() && found->second.search == search;
-                                        },
-                                    .failed =
-                                        [this, name](const Error& error) {
-                                            Medium& medium = m_items.at(name).medium;
-                                            medium.state = State::Failed;
-                                            medium.error = error;
-                                            emit changed(name);
-                                        }},
-                                   work, [this, name, search = item.search](AnimationResultPointer result) {
-                                       take(name, search, std::move(result));
-                                   });
-    connect(item.medium.job, &Job::ended, this, [this, name, search = item.search](Job::State state) {
+    item.resultState.job =
+        m_jobs.start({.name = tr("Animation “%1”").arg(name),
+                      .receiver = this,
+                      .stillStands =
+                          [this, name, search = item.search] {
+                              const auto found = m_items.find(name);
+                              return found != m_items.end() && found->second.search == search;
+                          },
+                      .failed =
+                          [this, name](const Error& error) {
+                              ResultState& resultState = m_items.at(name).resultState;
+                              resultState.state = State::Failed;
+                              resultState.error = error;
+                              emit changed(name);
+                          }},
+                     work, [this, name, search = item.search](AnimationResultPointer result) {
+                         take(name, search, std::move(result));
+                     });
+    connect(item.resultState.job, &Job::ended, this, [this, name, search = item.search](Job::State state) {
         const auto found = m_items.find(name);
         if (state != Job::State::Cancelled || found == m_items.end() || found->second.search != search)
             return;
@@ -263,22 +264,22 @@ void AnimationMedia::take(const QString& name, int search, AnimationResultPointe
     const auto found = m_items.find(name);
     if (found == m_items.end() || found->second.search != search || found->second.isStopped)
         return;
-    Medium& medium = found->second.medium;
-    if (medium.result != nullptr && medium.state == State::Ready && !result->isFinal)
+    ResultState& resultState = found->second.resultState;
+    if (resultState.result != nullptr && resultState.state == State::Ready && !result->isFinal)
         return;
     if (result->isFinal)
-        medium.state = State::Ready;
-    medium.result = std::move(result);
+        resultState.state = State::Ready;
+    resultState.result = std::move(result);
     emit changed(name);
 }
 
 void AnimationMedia::setIdle(const QString& name, Item& item)
 {
-    if (item.medium.job && !item.isStopped)
-        item.medium.job->cancel();
-    item.medium.job.clear();
-    item.medium.error.reset();
-    item.medium.state = State::Idle;
+    if (item.resultState.job && !item.isStopped)
+        item.resultState.job->cancel();
+    item.resultState.job.clear();
+    item.resultState.error.reset();
+    item.resultState.state = State::Idle;
     emit changed(name);
 }
 

@@ -34,7 +34,7 @@ public:
         Ready,
         Failed,
     };
-    struct Medium
+    struct ResultState
     {
         State state = State::Idle;
         std::shared_ptr<const AnimationResult> result; ///< the last one; may be null, may be outdated
@@ -48,7 +48,7 @@ public:
     /// The animations that somebody looks at: these are solved.
     void want(const QStringList& names);
     /// Null when the project has no such animation, or nobody ever wanted it.
-    const Medium* medium(const QString& name) const;
+    const ResultState* resultState(const QString& name) const;
     /// The last result of an animation; null without one.
     std::shared_ptr<const AnimationResult> result(const QString& name) const;
     /// The character that an animation is of; empty in a project without characters.
@@ -66,7 +66,7 @@ private:
     struct Mailbox;
     struct Item
     {
-        Medium medium;
+        ResultState resultState;
         AnimationEntry solved; ///< what the last search was started with
         Project drawnFrom;     ///< and its variations
         std::shared_ptr<const OpenedCharacter> character;

@@ -48,7 +48,7 @@ EvaluationMedia::EvaluationMedia(ProjectDocument& document, JobRunner& jobs, QOb
 
 EvaluationMedia::~EvaluationMedia() = default;
 
-const EvaluationMedia::Medium* EvaluationMedia::medium(const QString& name) const
+const EvaluationMedia::ResultState* EvaluationMedia::resultState(const QString& name) const
 {
     const auto found = m_media.find(name);
     return found == m_media.end() ? nullptr : &found->second;
@@ -59,9 +59,9 @@ void EvaluationMedia::follow(const ChangeEvent& event)
     if (event.kind == ChangeEvent::Kind::File)
         return;
     if (event.kind == ChangeEvent::Kind::Reset) {
-        for (const auto& [name, medium] : m_media) {
-            if (medium.job)
-                medium.job->cancel();
+        for (const auto& [name, resultState] : m_media) {
+            if (resultState.job)
+                resultState.job->cancel();
         }
         m_media.clear();
     }
@@ -124,11 +124,11 @@ void EvaluationMedia::take(const QStringList& names, std::vector<OpenedEvaluatio
 
 void EvaluationMedia::take(const QString& name, OpenedEvaluation opened)
 {
-    Medium& medium = m_media.at(name);
-    medium.state = stateOf(opened);
-    medium.error.reset();
-    if (medium.state == State::Fresh)
-        medium.tables = std::move(opened.tables);
+    ResultState& resultState = m_media.at(name);
+    resultState.state = stateOf(opened);
+    resultState.error.reset();
+    if (resultState.state == State::Fresh)
+        resultState.tables = std::move(opened.tables);
     emit changed(name);
 }
 
@@ -137,21 +137,21 @@ void EvaluationMedia::compute(const QString& name)
     const auto found = m_media.find(name);
     if (found == m_media.end() || found->second.state == State::Computing)
         return;
-    Medium& medium = found->second;
-    medium.state = State::Computing;
-    medium.error.reset();
+    ResultState& resultState = found->second;
+    resultState.state = State::Computing;
+    resultState.error.reset();
     const auto index = static_cast<std::size_t>(evaluationsOf(m_document.project()).indexOf(name));
     const auto isThere = [this, name] {
         const auto own = m_media.find(name);
         return own != m_media.end() && own->second.state == State::Computing;
     };
-    medium.job = m_jobs.start(
+    resultState.job = m_jobs.start(
         {.name = tr("Evaluation “%1”").arg(evaluationTitle(name)),
          .receiver = this,
          .stillStands = isThere,
          .failed =
              [this, name](const Error& error) {
-                 Medium& failed = m_media.at(name);
+                 ResultState& failed = m_media.at(name);
                  failed.state = State::Failed;
                  failed.error = error;
                  emit changed(name);
@@ -164,7 +164,7 @@ void EvaluationMedia::compute(const QString& name)
             if (computed != m_document.project()) // whether it is of what the project is now
                 m_delay.start();
         });
-    connectEnd(name, medium.job);
+    connectEnd(name, resultState.job);
     emit changed(name);
 }
 

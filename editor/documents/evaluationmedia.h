@@ -34,7 +34,7 @@ public:
         Fresh,
         Failed,
     };
-    struct Medium
+    struct ResultState
     {
         State state = State::Opening;
         std::vector<DataItem> tables; ///< the last ones; of other inputs unless fresh, none at first
@@ -46,7 +46,7 @@ public:
     ~EvaluationMedia() override;
 
     /// Null when the project has no such evaluation. \param name  see evaluationName().
-    const Medium* medium(const QString& name) const;
+    const ResultState* resultState(const QString& name) const;
     /// Computes it and what it needs, as a rebuild does. Nothing happens while it is being computed.
     void compute(const QString& name);
     void stop(const QString& name);
@@ -67,7 +67,7 @@ private:
     JobRunner& m_jobs;
     QTimer m_delay; ///< edits follow each other quickly
     QPointer<Job> m_opening;
-    std::map<QString, Medium> m_media;
+    std::map<QString, ResultState> m_media;
 };
 
 } // namespace quadrille

@@ -29,10 +29,10 @@ GraphMedia::GraphMedia(ProjectDocument& document, JobRunner& jobs, QObject* pare
 
 GraphMedia::~GraphMedia() = default;
 
-const GraphMedia::Medium* GraphMedia::medium(const QString& character) const
+const GraphMedia::ResultState* GraphMedia::resultState(const QString& character) const
 {
     const auto found = m_items.find(character);
-    return found == m_items.end() ? nullptr : &found->second.medium;
+    return found == m_items.end() ? nullptr : &found->second.resultState;
 }
 
 QStringList GraphMedia::characters() const
@@ -61,18 +61,18 @@ void GraphMedia::ask(const QString& character)
     if (found == m_items.end())
         return;
     Item& item = found->second;
-    const bool isOnlyOpening = item.medium.state == State::Computing && !item.isWanted;
+    const bool isOnlyOpening = item.resultState.state == State::Computing && !item.isWanted;
     item.isWanted = true;
-    if (item.medium.state == State::Missing || item.medium.state == State::Failed || isOnlyOpening)
+    if (item.resultState.state == State::Missing || item.resultState.state == State::Failed || isOnlyOpening)
         open(character, item);
 }
 
 void GraphMedia::cancel(const QString& character)
 {
     const auto found = m_items.find(character);
-    if (found == m_items.end() || !found->second.medium.job)
+    if (found == m_items.end() || !found->second.resultState.job)
         return;
-    found->second.medium.job->cancel();
+    found->second.resultState.job->cancel();
     forget(character, found->second);
 }
 
@@ -80,8 +80,8 @@ void GraphMedia::follow(const ChangeEvent& event)
 {
     if (event.kind == ChangeEvent::Kind::Reset) {
         for (const auto& [character, item] : m_items) {
-            if (item.medium.job)
-                item.medium.job->cancel();
+            if (item.resultState.job)
+                item.resultState.job->cancel();
         }
         const auto before = std::exchange(m_items, {});
         for (const auto& [character, item] : before)
@@ -101,8 +101,8 @@ void GraphMedia::update()
             ++it;
             continue;
         }
-        if (it->second.medium.job)
-            it->second.medium.job->cancel();
+        if (it->second.resultState.job)
+            it->second.resultState.job->cancel();
         const QString gone = it->first;
         it = m_items.erase(it);
         emit changed(gone);
@@ -139,24 +139,24 @@ GraphMedia::Source GraphMedia::sourceOf(const QString& character) const
 
 void GraphMedia::open(const QString& character, Item& item)
 {
-    if (item.medium.job)
-        item.medium.job->cancel();
-    item.medium.state = State::Computing;
-    item.medium.error.reset();
+    if (item.resultState.job)
+        item.resultState.job->cancel();
+    item.resultState.state = State::Computing;
+    item.resultState.error.reset();
     const auto isCurrent = [this, character, source = item.source, wanted = item.isWanted] {
         const auto found = m_items.find(character);
         return found != m_items.end() && found->second.source == source && found->second.isWanted == wanted;
     };
     const auto opening = item.isWanted ? GraphOpening::Compute : GraphOpening::IfFresh;
-    item.medium.job = m_jobs.start(
+    item.resultState.job = m_jobs.start(
         {.name = character.isEmpty() ? tr("Graph") : tr("Graph of “%1”").arg(character),
          .receiver = this,
          .stillStands = isCurrent,
          .failed =
              [this, character](const Error& error) {
-                 Medium& medium = m_items.at(character).medium;
-                 medium.state = State::Failed;
-                 medium.error = error;
+                 ResultState& resultState = m_items.at(character).resultState;
+                 resultState.state = State::Failed;
+                 resultState.error = error;
                  emit changed(character);
              },
          .background = !item.isWanted},
@@ -165,26 +165,28 @@ void GraphMedia::open(const QString& character, Item& item)
         },
         [this, character](std::shared_ptr<const OpenedCharacter> opened) {
             Item& done = m_items.at(character);
-            done.medium.state = opened == nullptr ? State::Missing : State::Ready;
+            done.resultState.state = opened == nullptr ? State::Missing : State::Ready;
             if (opened != nullptr) {
                 done.isWanted = true;
-                done.medium.opened = std::move(opened);
+                done.resultState.opened = std::move(opened);
             }
             emit changed(character);
         });
-    connect(item.medium.job, &Job::ended, this, [this, character, job = item.medium.job](Job::State state) {
-        const auto found = m_items.find(character);
-        if (state == Job::State::Cancelled && found != m_items.end() && found->second.medium.job == job)
-            forget(character, found->second);
-    });
+    connect(item.resultState.job, &Job::ended, this,
+            [this, character, job = item.resultState.job](Job::State state) {
+                const auto found = m_items.find(character);
+                if (state == Job::State::Cancelled && found != m_items.end() &&
+                    found->second.resultState.job == job)
+                    forget(character, found->second);
+            });
     emit changed(character);
 }
 
 void GraphMedia::forget(const QString& character, Item& item)
 {
     item.isWanted = false;
-    item.medium.job.clear();
-    item.medium.state = State::Missing;
+    item.resultState.job.clear();
+    item.resultState.state = State::Missing;
     emit changed(character);
 }
 

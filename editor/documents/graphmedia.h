@@ -31,7 +31,7 @@ public:
         Ready,     ///< as the project says
         Failed,
     };
-    struct Medium
+    struct ResultState
     {
         State state = State::Missing;
         /// The last one that was opened, when ready that of the project as it is; may be null.
@@ -44,7 +44,7 @@ public:
     ~GraphMedia() override;
 
     /// Null where no sequence has this character. A project without characters has one called "".
-    const Medium* medium(const QString& character) const;
+    const ResultState* resultState(const QString& character) const;
     /// The characters that have sequences, in project order.
     QStringList characters() const;
     /// The character that a graph is of when nobody chooses: the first; empty without any.
@@ -75,7 +75,7 @@ private:
     struct Item
     {
         Source source;
-        Medium medium;
+        ResultState resultState;
         bool isWanted = false; ///< to be computed; otherwise only opened where the results are there
     };
 

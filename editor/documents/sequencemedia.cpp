@@ -26,34 +26,34 @@ SequenceMedia::SequenceMedia(ProjectDocument& document, JobRunner& jobs, QObject
 
 SequenceMedia::~SequenceMedia() = default;
 
-const SequenceMedia::Medium* SequenceMedia::medium(const QString& name) const
+const SequenceMedia::ResultState* SequenceMedia::resultState(const QString& name) const
 {
     const auto found = m_items.find(name);
-    return found == m_items.end() ? nullptr : &found->second.medium;
+    return found == m_items.end() ? nullptr : &found->second.resultState;
 }
 
 const MeshSequence* SequenceMedia::sequence(const QString& name) const
 {
-    const Medium* found = medium(name);
+    const ResultState* found = resultState(name);
     return found != nullptr && found->sequence ? &*found->sequence : nullptr;
 }
 
 const MeshSequence* SequenceMedia::untrimmed(const QString& name) const
 {
-    const Medium* found = medium(name);
+    const ResultState* found = resultState(name);
     return found != nullptr && found->untrimmed ? &*found->untrimmed : nullptr;
 }
 
 FrameRange SequenceMedia::usedFrames(const QString& name) const
 {
     const auto found = m_items.find(name);
-    if (found == m_items.end() || !found->second.medium.untrimmed)
+    if (found == m_items.end() || !found->second.resultState.untrimmed)
         return {};
-    const Medium& medium = found->second.medium;
-    const FrameRange all = FrameRange::all(medium.untrimmed->frameCount());
+    const ResultState& resultState = found->second.resultState;
+    const FrameRange all = FrameRange::all(resultState.untrimmed->frameCount());
     if (!found->second.entry.range)
         return all;
-    const double rate = medium.untrimmed->fps / medium.whole->fps;
+    const double rate = resultState.untrimmed->fps / resultState.whole->fps;
     const auto place = [&](FrameIndex frame) {
         const auto moved = std::llround(static_cast<double>(frame.value) * rate);
         return FrameIndex(std::clamp<std::int64_t>(moved, 0, all.last.value));
@@ -63,7 +63,7 @@ FrameRange SequenceMedia::usedFrames(const QString& name) const
 
 std::optional<FrameRange> SequenceMedia::sourceRange(const QString& name, FrameRange used) const
 {
-    const Medium* found = medium(name);
+    const ResultState* found = resultState(name);
     if (found == nullptr || !found->untrimmed || used == FrameRange::all(found->untrimmed->frameCount()))
         return std::nullopt;
     const double rate = found->whole->fps / found->untrimmed->fps;
@@ -76,14 +76,14 @@ std::optional<FrameRange> SequenceMedia::sourceRange(const QString& name, FrameR
 
 bool SequenceMedia::isLoading() const
 {
-    return std::ranges::any_of(m_items,
-                               [](const auto& item) { return item.second.medium.state == State::Loading; });
+    return std::ranges::any_of(
+        m_items, [](const auto& item) { return item.second.resultState.state == State::Loading; });
 }
 
 void SequenceMedia::retry(const QString& name)
 {
     const auto found = m_items.find(name);
-    if (found != m_items.end() && found->second.medium.state == State::Failed)
+    if (found != m_items.end() && found->second.resultState.state == State::Failed)
         open(name, found->second);
 }
 
@@ -199,7 +199,7 @@ void SequenceMedia::open(const QString& name, Item& item)
 {
     if (item.job)
         item.job->cancel();
-    item.medium = {};
+    item.resultState = {};
     // The entry may be renamed while its job runs: it is found again by its source.
     const auto findItem = [this, source = item.source](const Job* job) {
         return std::ranges::find_if(m_items, [&](const auto& each) {
@@ -214,8 +214,8 @@ void SequenceMedia::open(const QString& name, Item& item)
          .failed =
              [this, findItem, current](const Error& error) {
                  const auto found = findItem(*current);
-                 found->second.medium.state = State::Failed;
-                 found->second.medium.error = error;
+                 found->second.resultState.state = State::Failed;
+                 found->second.resultState.error = error;
                  emit changed(found->first);
              }},
         [source = item.source, sources = m_document.session().sources()](const Progress& progress) {
@@ -223,8 +223,8 @@ void SequenceMedia::open(const QString& name, Item& item)
         },
         [this, findItem, current](std::shared_ptr<const OpenedSequence> opened) {
             const auto found = findItem(*current);
-            found->second.medium.whole = opened->sequence;
-            found->second.medium.issues = opened->issues;
+            found->second.resultState.whole = opened->sequence;
+            found->second.resultState.issues = opened->issues;
             found->second.opened = std::move(opened);
             shape(found->second);
             emit changed(found->first);
@@ -235,24 +235,25 @@ void SequenceMedia::open(const QString& name, Item& item)
 
 void SequenceMedia::shape(Item& item)
 {
-    Medium& medium = item.medium;
-    if (!medium.whole)
+    ResultState& resultState = item.resultState;
+    if (!resultState.whole)
         return;
-    medium.sequence.reset();
-    medium.error.reset();
+    resultState.sequence.reset();
+    resultState.error.reset();
     try {
-        medium.untrimmed = resampled(*medium.whole, item.source.settings.fps);
-        medium.untrimmed->name = item.entry.name;
-        MeshSequence sequence = item.entry.range ? medium.whole->cutTo(*item.entry.range) : *medium.whole;
+        resultState.untrimmed = resampled(*resultState.whole, item.source.settings.fps);
+        resultState.untrimmed->name = item.entry.name;
+        MeshSequence sequence =
+            item.entry.range ? resultState.whole->cutTo(*item.entry.range) : *resultState.whole;
         sequence = resampled(sequence, item.source.settings.fps);
         sequence.name = item.entry.name;
         sequence.labels = item.entry.labels;
         sequence.contacts = item.entry.contacts;
-        medium.sequence = std::move(sequence);
-        medium.state = State::Ready;
+        resultState.sequence = std::move(sequence);
+        resultState.state = State::Ready;
     } catch (const Error& error) {
-        medium.error = error;
-        medium.state = State::Failed;
+        resultState.error = error;
+        resultState.state = State::Failed;
     }
 }
 

@@ -30,7 +30,7 @@ public:
         Ready,
         Failed,
     };
-    struct Medium
+    struct ResultState
     {
         State state = State::Loading;
         /// All frames of the source, at its own rate; there when ready, and when only the range failed.
@@ -47,7 +47,7 @@ public:
     ~SequenceMedia() override;
 
     /// Null when the project has no such sequence.
-    const Medium* medium(const QString& name) const;
+    const ResultState* resultState(const QString& name) const;
     /// The sequence when it is ready, else null.
     const MeshSequence* sequence(const QString& name) const;
     /// The sequence with all frames of its source, at the project's rate, else null.
@@ -64,7 +64,7 @@ public:
     UpAxis upAxis() const { return m_document.project().settings.axes.up; }
 
 signals:
-    /// The medium of a sequence has another state or another content.
+    /// What is held of a sequence has another state or another content.
     void changed(const QString& name);
 
 private:
@@ -84,7 +84,7 @@ private:
     {
         Source source;
         SequenceEntry entry;
-        Medium medium;
+        ResultState resultState;
         /// Held, so that nobody opens the source again.
         std::shared_ptr<const OpenedSequence> opened;
         QPointer<Job> job;

@@ -45,15 +45,15 @@ void VariationMedia::want(const QStringList& names)
     update();
 }
 
-const VariationMedia::Medium* VariationMedia::medium(const QString& name) const
+const VariationMedia::ResultState* VariationMedia::resultState(const QString& name) const
 {
     const auto found = m_items.find(name);
-    return found == m_items.end() ? nullptr : &found->second->medium;
+    return found == m_items.end() ? nullptr : &found->second->resultState;
 }
 
 const MeshSequence* VariationMedia::clip(const QString& name, int number) const
 {
-    const Medium* found = medium(name);
+    const ResultState* found = resultState(name);
     if (found == nullptr || found->drawn == nullptr)
         return nullptr;
     for (const DrawnSet& set : *found->drawn) {
@@ -79,7 +79,7 @@ void VariationMedia::rename(const ChangeEvent& event)
     if (node.empty())
         return;
     Item& item = *node.mapped();
-    if (item.medium.job) {
+    if (item.resultState.job) {
         // It would answer to the old name.
         end(item);
         item.basis.reset();
@@ -129,7 +129,7 @@ void VariationMedia::Item::forget(VariationMedia& media)
         const bool isKept = isThere && item->wantedAt >= 0;
         if (isThere && media.m_wanted.contains(name))
             continue;
-        if (isKept && item->medium.state == State::Learning)
+        if (isKept && item->resultState.state == State::Learning)
             continue;
         unwanted.emplace_back(isKept ? item->wantedAt : -1, name);
         item->rest(media);
@@ -149,13 +149,15 @@ void VariationMedia::Item::forget(VariationMedia& media)
 /// somebody does.
 void VariationMedia::Item::rest(VariationMedia& media)
 {
-    if (!medium.job || medium.job->isOver())
+    if (!resultState.job || resultState.job->isOver())
         return;
     media.end(*this);
-    if (medium.state == State::Opening)
+    if (resultState.state == State::Opening)
         basis.reset();
     drawing.reset();
-    medium.state = opened == nullptr ? State::Idle : learned == nullptr ? State::NotLearned : State::Ready;
+    resultState.state = opened == nullptr    ? State::Idle
+                        : learned == nullptr ? State::NotLearned
+                                             : State::Ready;
 }
 
 /// Does what is to be done next, one thing after the other.
@@ -181,7 +183,7 @@ void VariationMedia::readStopped()
 {
     for (const auto& [name, item] : m_items) {
         const VariationEntry* entry = m_document.variation(name);
-        if (!item->medium.isStopped || entry == nullptr ||
+        if (!item->resultState.isStopped || entry == nullptr ||
             item->basis != basisOf(m_document.project(), *entry))
             continue;
         item->stopped = item->learned;

@@ -40,7 +40,7 @@ public:
         Ready,
         Failed,
     };
-    struct Medium
+    struct ResultState
     {
         State state = State::Idle;
         std::shared_ptr<const Movement> movement; ///< may be null
@@ -57,7 +57,7 @@ public:
     /// The variations that somebody looks at.
     void want(const QStringList& names);
     /// Null where the project has none of this name, or nobody wanted them lately.
-    const Medium* medium(const QString& name) const;
+    const ResultState* resultState(const QString& name) const;
     /// A variation by its number among all of an entry's, from 1; null until it is drawn.
     const MeshSequence* clip(const QString& name, int number) const;
     /// Learns the models of all parts, anew where they are there.

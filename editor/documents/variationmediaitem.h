@@ -14,7 +14,7 @@ namespace quadrille {
 /// A variation with the work on it.
 struct VariationMedia::Item
 {
-    Medium medium;
+    ResultState resultState;
     std::optional<VariationBasis> basis; ///< of `opened` and `learned`
     std::shared_ptr<const OpenedVariation> opened;
     std::shared_ptr<const LearnedVariation> learned; ///< null before learning
@@ -37,9 +37,9 @@ struct VariationMedia::Mailbox
     {
         post([this, name, run, parts = std::move(parts)]() mutable {
             Item* item = owner->itemOf(name, run);
-            if (item == nullptr || item->medium.state != State::Learning)
+            if (item == nullptr || item->resultState.state != State::Learning)
                 return;
-            item->medium.parts = std::move(parts);
+            item->resultState.parts = std::move(parts);
             emit owner->changed(name);
         });
     }

@@ -27,34 +27,35 @@ VariationJob VariationMedia::jobOf(const QString& name) const
 void VariationMedia::end(Item& item)
 {
     item.run = ++m_runs;
-    if (item.medium.job)
-        item.medium.job->cancel();
-    item.medium.job.clear();
-    item.medium.error.reset();
+    if (item.resultState.job)
+        item.resultState.job->cancel();
+    item.resultState.job.clear();
+    item.resultState.error.reset();
 }
 
 template <typename Work, typename Done>
 void VariationMedia::start(const QString& text, const QString& name, Item& item, Work work, Done done)
 {
     const int run = item.run;
-    item.medium.job = m_jobs.start({.name = text,
-                                    .receiver = this,
-                                    .stillStands = [this, name, run] { return itemOf(name, run) != nullptr; },
-                                    .failed =
-                                        [this, name, run](const Error& error) {
-                                            Medium& medium = itemOf(name, run)->medium;
-                                            medium.state = State::Failed;
-                                            medium.error = error;
-                                            emit changed(name);
-                                        }},
-                                   std::move(work), std::move(done));
-    connect(item.medium.job, &Job::ended, this, [this, name, run](Job::State state) {
+    item.resultState.job =
+        m_jobs.start({.name = text,
+                      .receiver = this,
+                      .stillStands = [this, name, run] { return itemOf(name, run) != nullptr; },
+                      .failed =
+                          [this, name, run](const Error& error) {
+                              ResultState& resultState = itemOf(name, run)->resultState;
+                              resultState.state = State::Failed;
+                              resultState.error = error;
+                              emit changed(name);
+                          }},
+                     std::move(work), std::move(done));
+    connect(item.resultState.job, &Job::ended, this, [this, name, run](Job::State state) {
         Item* ended = itemOf(name, run);
         if (state != Job::State::Cancelled || ended == nullptr)
             return;
-        ended->medium.state = ended->opened == nullptr    ? State::Idle
-                              : ended->learned == nullptr ? State::NotLearned
-                                                          : State::Ready;
+        ended->resultState.state = ended->opened == nullptr    ? State::Idle
+                                   : ended->learned == nullptr ? State::NotLearned
+                                                               : State::Ready;
         emit changed(name);
     });
     emit changed(name);
@@ -64,7 +65,7 @@ void VariationMedia::open(const QString& name, Item& item, const VariationBasis&
 {
     end(item);
     item.basis = basis;
-    item.medium.state = State::Opening;
+    item.resultState.state = State::Opening;
     start(
         tr("Aligning “%1”").arg(name), name, item,
         [job = jobOf(name)](const Progress& progress) {
@@ -73,12 +74,12 @@ void VariationMedia::open(const QString& name, Item& item, const VariationBasis&
         [this, name, run = item.run](std::shared_ptr<const OpenedVariation> opened) {
             Item& done = *itemOf(name, run);
             done.opened = std::move(opened);
-            done.medium.movement = done.opened->movement;
-            done.medium.state = State::NotLearned;
+            done.resultState.movement = done.opened->movement;
+            done.resultState.state = State::NotLearned;
             done.drawing.reset();
-            done.medium.drawn.reset();
-            done.medium.parts.clear();
-            done.medium.isStopped = false;
+            done.resultState.drawn.reset();
+            done.resultState.parts.clear();
+            done.resultState.isStopped = false;
             done.learned.reset();
             const auto stopped = std::exchange(done.stopped, nullptr);
             if (const auto learned = done.opened->learned != nullptr ? done.opened->learned : stopped)
@@ -93,7 +94,7 @@ void VariationMedia::learn(const QString& name)
     if (m_delay.isActive())
         update();
     const auto found = m_items.find(name);
-    if (found == m_items.end() || found->second->medium.state == State::Opening)
+    if (found == m_items.end() || found->second->resultState.state == State::Opening)
         return;
     if (found->second->opened == nullptr) {
         retry(name);
@@ -101,12 +102,12 @@ void VariationMedia::learn(const QString& name)
     }
     Item& item = *found->second;
     end(item);
-    item.medium.state = State::Learning;
-    item.medium.isStopped = false;
-    item.medium.parts.clear();
+    item.resultState.state = State::Learning;
+    item.resultState.isStopped = false;
+    item.resultState.parts.clear();
     item.learned.reset();
-    for (const BodyPart& part : item.medium.movement->parts.parts)
-        item.medium.parts.push_back({.part = part.name});
+    for (const BodyPart& part : item.resultState.movement->parts.parts)
+        item.resultState.parts.push_back({.part = part.name});
     start(
         tr("Learning “%1”").arg(name), name, item,
         [job = jobOf(name), opened = item.opened, name, run = item.run,
@@ -130,14 +131,14 @@ void VariationMedia::takeLearned(const QString& name, int run,
     if (item == nullptr)
         return;
     item->learned = std::move(learned);
-    item->medium.parts = item->learned->parts;
-    item->medium.isStopped = item->learned->isStopped();
-    item->medium.state = State::NotLearned;
+    item->resultState.parts = item->learned->parts;
+    item->resultState.isStopped = item->learned->isStopped();
+    item->resultState.state = State::NotLearned;
     item->drawing.reset();
     if (item->learned == item->opened->learned && item->opened->drawn != nullptr) {
-        item->medium.drawn = item->opened->drawn;
+        item->resultState.drawn = item->opened->drawn;
         item->drawing = item->opened->drawing;
-        item->medium.state = State::Ready;
+        item->resultState.state = State::Ready;
     }
     if (m_wanted.contains(name))
         update(name, *item);
@@ -148,7 +149,7 @@ void VariationMedia::draw(const QString& name, Item& item)
 {
     end(item);
     item.drawing = drawingOf(*m_document.variation(name));
-    item.medium.state = State::Drawing;
+    item.resultState.state = State::Drawing;
     start(
         tr("Drawing “%1”").arg(name), name, item,
         [job = jobOf(name), opened = item.opened, learned = item.learned](const Progress& progress) {
@@ -156,8 +157,8 @@ void VariationMedia::draw(const QString& name, Item& item)
         },
         [this, name, run = item.run](std::shared_ptr<const std::vector<DrawnSet>> drawn) {
             Item& done = *itemOf(name, run);
-            done.medium.drawn = std::move(drawn);
-            done.medium.state = State::Ready;
+            done.resultState.drawn = std::move(drawn);
+            done.resultState.state = State::Ready;
             emit changed(name);
         });
 }
@@ -165,8 +166,8 @@ void VariationMedia::draw(const QString& name, Item& item)
 void VariationMedia::stop(const QString& name)
 {
     const auto found = m_items.find(name);
-    if (found != m_items.end() && found->second->medium.job)
-        found->second->medium.job->cancel();
+    if (found != m_items.end() && found->second->resultState.job)
+        found->second->resultState.job->cancel();
 }
 
 } // namespace quadrille

@@ -54,9 +54,9 @@ EvaluationPanel::EvaluationPanel(EditorContext& context, QWidget* parent)
     });
 }
 
-const EvaluationMedia::Medium* EvaluationPanel::medium() const
+const EvaluationMedia::ResultState* EvaluationPanel::resultState() const
 {
-    return m_name.isEmpty() ? nullptr : m_context.evaluations.medium(m_name);
+    return m_name.isEmpty() ? nullptr : m_context.evaluations.resultState(m_name);
 }
 
 void EvaluationPanel::connectParts()
@@ -76,7 +76,7 @@ void EvaluationPanel::connectParts()
         m_compute->setFocus();
     });
     connect(m_message, &widgets::MessageStrip::actionTriggered, this, [this] {
-        const auto* shown = medium();
+        const auto* shown = resultState();
         const bool computes = shown != nullptr && shown->state == State::Computing;
         m_context.actions.action(computes ? "evaluations.stop" : "evaluations.compute")->trigger();
     });
@@ -116,7 +116,7 @@ void EvaluationPanel::showChooser()
 
 void EvaluationPanel::refresh()
 {
-    const auto* shown = medium();
+    const auto* shown = resultState();
     updateActions();
     if (shown == nullptr)
         return;
@@ -126,7 +126,7 @@ void EvaluationPanel::refresh()
     showTables();
 }
 
-void EvaluationPanel::showState(const EvaluationMedia::Medium& shown)
+void EvaluationPanel::showState(const EvaluationMedia::ResultState& shown)
 {
     using Kind = widgets::MessageStrip::Kind;
     const bool isComputing = shown.state == State::Computing;
@@ -187,7 +187,7 @@ void EvaluationPanel::showTables()
 {
     const QString evaluation = m_name.section(QLatin1Char('/'), 0, 0);
     QStringList names;
-    for (const DataItem& item : medium()->tables) {
+    for (const DataItem& item : resultState()->tables) {
         const QString name = QString::fromStdString(item.name).section(QLatin1Char('/'), 1);
         if (!names.contains(name))
             names += name;
@@ -213,7 +213,7 @@ void EvaluationPanel::showTable(int tab)
 {
     const std::string name = "evaluation/" + m_tabs->tabData(tab).toString().toStdString();
     std::vector<DataItem> shown;
-    if (const auto* evaluation = medium())
+    if (const auto* evaluation = resultState())
         for (const DataItem& item : evaluation->tables)
             if (item.name == name)
                 shown.push_back(item);
@@ -225,7 +225,7 @@ void EvaluationPanel::showTable(int tab)
 
 void EvaluationPanel::showCharts()
 {
-    const auto* evaluation = medium();
+    const auto* evaluation = resultState();
     if (evaluation == nullptr)
         return;
     const QString before = m_chartChoice->currentText();

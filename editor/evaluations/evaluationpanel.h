@@ -56,7 +56,7 @@ private:
     using QWidget::show;
     void showChooser();
     void refresh();
-    void showState(const EvaluationMedia::Medium& medium);
+    void showState(const EvaluationMedia::ResultState& resultState);
     void showProgress();
     void showTables();
     void showTable(int tab);
@@ -65,7 +65,7 @@ private:
     void updateActions();
     void copy() const;
     void askAndSave();
-    const EvaluationMedia::Medium* medium() const;
+    const EvaluationMedia::ResultState* resultState() const;
 
     EditorContext& m_context;
     QString m_name; ///< see evaluationName()

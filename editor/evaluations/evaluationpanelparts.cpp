@@ -249,7 +249,7 @@ void EvaluationPanel::arrangeWidgets()
 
 void EvaluationPanel::updateActions()
 {
-    const auto* shown = medium();
+    const auto* shown = resultState();
     const bool isComputing = shown != nullptr && shown->state == EvaluationMedia::State::Computing;
     const bool hasTables = shown != nullptr && !shown->tables.empty();
     const auto enable = [this](const char* id, bool on) {

@@ -53,17 +53,17 @@ FramePictures::FramePictures(ProjectDocument& document, SequenceMedia& media, Jo
 
 QImage FramePictures::picture(const QString& sequence, FrameIndex frame)
 {
-    const MeshSequence* medium = m_media.sequence(sequence);
-    if (medium == nullptr || frame.value < 0 || frame.value >= medium->frameCount())
+    const MeshSequence* resultState = m_media.sequence(sequence);
+    if (resultState == nullptr || frame.value < 0 || frame.value >= resultState->frameCount())
         return {};
     const Key key(sequence, frame.value);
     const auto found = m_items.find(key);
-    if (found != m_items.end() && found->second.source == medium->source &&
-        found->second.range == medium->range)
+    if (found != m_items.end() && found->second.source == resultState->source &&
+        found->second.range == resultState->range)
         return found->second.image;
     if (m_items.size() >= mostPictures)
         m_items.clear();
-    m_items[key] = {medium->source, medium->range, {}};
+    m_items[key] = {resultState->source, resultState->range, {}};
     m_asked.push_back(key);
     m_soon.start();
     return {};

@@ -145,44 +145,44 @@ void SequencePage::show(const QString& name)
                                : QFileInfo(QString::fromStdString(entry.jointAngles)).fileName());
     m_marks->setText(tr("%1 · %2").arg(tr("%n labels", nullptr, static_cast<int>(entry.labels.size())),
                                        tr("%n contacts", nullptr, static_cast<int>(entry.contacts.size()))));
-    showMedium(entry);
+    showResultState(entry);
 }
 
-void SequencePage::showMedium(const SequenceEntry& entry)
+void SequencePage::showResultState(const SequenceEntry& entry)
 {
-    const SequenceMedia::Medium* medium = m_context.media.medium(m_name);
-    const bool isOpen = medium != nullptr && medium->whole.has_value();
+    const SequenceMedia::ResultState* resultState = m_context.media.resultState(m_name);
+    const bool isOpen = resultState != nullptr && resultState->whole.has_value();
     m_first->setEnabled(isOpen);
     m_last->setEnabled(isOpen);
     m_notes->clear();
     if (!isOpen) {
-        const bool hasFailed = medium != nullptr && medium->error;
-        m_length->setText(hasFailed ? breakable(describe(*medium->error).oneLine()) : tr("opening…"));
+        const bool hasFailed = resultState != nullptr && resultState->error;
+        m_length->setText(hasFailed ? breakable(describe(*resultState->error).oneLine()) : tr("opening…"));
         return;
     }
-    const auto last = static_cast<int>(medium->whole->frameCount() - 1);
+    const auto last = static_cast<int>(resultState->whole->frameCount() - 1);
     const FrameRange range = entry.range.value_or(FrameRange::all(last + 1));
     m_first->setRange(0, static_cast<int>(range.last.value));
     m_last->setRange(static_cast<int>(range.first.value), last);
     m_first->setValue(static_cast<int>(range.first.value));
     m_last->setValue(static_cast<int>(range.last.value));
-    const MeshSequence& shown = medium->sequence ? *medium->sequence : *medium->whole;
+    const MeshSequence& shown = resultState->sequence ? *resultState->sequence : *resultState->whole;
     m_length->setText(
         tr("%n frames, %1 s", nullptr, static_cast<int>(shown.frameCount()))
             .arg(QLocale().toString(static_cast<double>(shown.frameCount()) / shown.fps, 'f', 2)));
     QStringList notes;
-    for (const Issue& issue : medium->issues)
+    for (const Issue& issue : resultState->issues)
         notes += describe(issue).oneLine();
     m_notes->setText(notes.isEmpty() ? tr("none", "findings") : breakable(notes.join(QLatin1Char('\n'))));
 }
 
 void SequencePage::editRange()
 {
-    const SequenceMedia::Medium* medium = m_context.media.medium(m_name);
-    if (medium == nullptr || !medium->whole)
+    const SequenceMedia::ResultState* resultState = m_context.media.resultState(m_name);
+    if (resultState == nullptr || !resultState->whole)
         return;
     const FrameRange range{FrameIndex(m_first->value()), FrameIndex(m_last->value())};
-    const bool isAll = range == FrameRange::all(medium->whole->frameCount());
+    const bool isAll = range == FrameRange::all(resultState->whole->frameCount());
     setSequenceRange(m_context.document, m_name, isAll ? std::nullopt : std::optional(range));
 }
 

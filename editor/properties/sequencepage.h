@@ -32,7 +32,7 @@ protected:
 private:
     void makeFields();
     void connectFields();
-    void showMedium(const SequenceEntry& entry);
+    void showResultState(const SequenceEntry& entry);
     void editRange();
     void editAxes();
     void chooseJointAngles();

@@ -86,9 +86,9 @@ inline bool waitForResult(EditorContext& context, const QString& name)
 {
     return QTest::qWaitFor(
         [&] {
-            const auto* medium = context.animations.medium(name);
-            return medium != nullptr && medium->state == AnimationMedia::State::Ready &&
-                   medium->result->entry == *context.document.animation(name);
+            const auto* resultState = context.animations.resultState(name);
+            return resultState != nullptr && resultState->state == AnimationMedia::State::Ready &&
+                   resultState->result->entry == *context.document.animation(name);
         },
         patience);
 }

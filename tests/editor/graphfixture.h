@@ -32,8 +32,8 @@ protected:
     void compute()
     {
         auto* button = test::find<QPushButton>("graphStateButton");
-        QTRY_VERIFY(context().graphs.medium("spire") != nullptr);
-        QTRY_VERIFY(context().graphs.medium("spire")->state == GraphMedia::State::Missing);
+        QTRY_VERIFY(context().graphs.resultState("spire") != nullptr);
+        QTRY_VERIFY(context().graphs.resultState("spire")->state == GraphMedia::State::Missing);
         QTest::mouseClick(button, Qt::LeftButton);
         QTRY_VERIFY(explorer().character() != nullptr);
         waitForPaths();

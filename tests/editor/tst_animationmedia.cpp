@@ -22,8 +22,8 @@ private:
     using State = AnimationMedia::State;
 
     EditorContext& context() { return *m_context; }
-    const GraphMedia::Medium& graph() { return *context().graphs.medium("spire"); }
-    const AnimationMedia::Medium& dance() { return *context().animations.medium("dance"); }
+    const GraphMedia::ResultState& graph() { return *context().graphs.resultState("spire"); }
+    const AnimationMedia::ResultState& dance() { return *context().animations.resultState("dance"); }
     bool waitForGraph()
     {
         return QTest::qWaitFor([&] { return graph().state == GraphState::Ready; }, test::patience);
@@ -194,10 +194,10 @@ private slots:
         QVERIFY(waitForDance());
         QVERIFY(renameEntry(context().document, {Section::Animations, "dance"}, "waltz"));
         QVERIFY(test::waitForResult(context(), "waltz"));
-        QVERIFY(context().animations.medium("dance") == nullptr);
+        QVERIFY(context().animations.resultState("dance") == nullptr);
         QCOMPARE(context().animations.result("waltz")->sequence.name, std::string("waltz"));
         removeEntries(context().document, Section::Animations, {"waltz"});
-        QTRY_VERIFY(context().animations.medium("waltz") == nullptr);
+        QTRY_VERIFY(context().animations.resultState("waltz") == nullptr);
     }
 
     void closingWhileSearchingIsSafe()

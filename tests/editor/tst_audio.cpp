@@ -164,7 +164,7 @@ private slots:
         QSignalSpy changes(&context().animations, &AnimationMedia::changed);
         QVERIFY(!changes.wait(100)); // longer than edits are gathered
         QCOMPARE(context().animations.result("dance"), before);
-        QCOMPARE(context().animations.medium("dance")->state, AnimationMedia::State::Ready);
+        QCOMPARE(context().animations.resultState("dance")->state, AnimationMedia::State::Ready);
     }
 
     void aFileThatIsNoSoundSaysSo()

@@ -39,8 +39,8 @@ private:
     QAbstractItemModel& table() { return *test::find<QTableView>("evaluationTable")->model(); }
     State stateOf(const char* name)
     {
-        const auto* medium = context().evaluations.medium(name);
-        return medium != nullptr ? medium->state : State::Opening;
+        const auto* resultState = context().evaluations.resultState(name);
+        return resultState != nullptr ? resultState->state : State::Opening;
     }
     QModelIndex treeIndex(const QString& name)
     {

@@ -89,7 +89,7 @@ private slots:
         QTest::mouseClick(test::find<WelcomeTile>("welcome.transitions"), Qt::LeftButton);
         QTRY_COMPARE(m_window->workspaces().current(), QString("graph"));
         GraphMedia& graphs = m_window->context().graphs;
-        QTRY_VERIFY(graphs.medium(graphs.firstCharacter())->state == GraphMedia::State::Ready);
+        QTRY_VERIFY(graphs.resultState(graphs.firstCharacter())->state == GraphMedia::State::Ready);
     }
 
     void whatIsShippedIsNotMadeAgain()

@@ -126,7 +126,7 @@ private slots:
     {
         const QString character = context().graphs.firstCharacter();
         context().graphs.ask(character);
-        QTRY_VERIFY(context().graphs.medium(character)->state == GraphMedia::State::Ready);
+        QTRY_VERIFY(context().graphs.resultState(character)->state == GraphMedia::State::Ready);
         m_window->workspaces().select("graph");
         GraphWorkspace& workspace = m_window->graph();
         QTRY_VERIFY(workspace.explorer().paths() != nullptr);

@@ -43,7 +43,10 @@ private:
         for (const StepReport& step : report.steps)
             QVERIFY2(!step.error, step.error ? step.error->what() : "");
     }
-    SequenceMedia::State state(const char* name) const { return m_media->medium(QLatin1String(name))->state; }
+    SequenceMedia::State state(const char* name) const
+    {
+        return m_media->resultState(QLatin1String(name))->state;
+    }
     std::int64_t frames(const char* name) const
     {
         const MeshSequence* sequence = m_media->sequence(QLatin1String(name));
@@ -78,7 +81,7 @@ private slots:
     void aClipThatIsNotComputedSaysSo()
     {
         QTRY_COMPARE(state("stroll"), SequenceMedia::State::Failed);
-        QVERIFY(QString(m_media->medium(QStringLiteral("stroll"))->error->what())
+        QVERIFY(QString(m_media->resultState(QStringLiteral("stroll"))->error->what())
                     .contains(QStringLiteral("not computed yet")));
         QTRY_COMPARE(state("part"), SequenceMedia::State::Failed);
         QTRY_COMPARE(frames("walk"), 16);

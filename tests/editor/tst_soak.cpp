@@ -74,8 +74,9 @@ private:
         context().graphs.ask("spire");
         QVERIFY(QTest::qWaitFor(
             [&] {
-                const auto* medium = context().graphs.medium("spire");
-                return medium->state == GraphMedia::State::Ready && medium->opened->graph.alpha() == alpha;
+                const auto* resultState = context().graphs.resultState("spire");
+                return resultState->state == GraphMedia::State::Ready &&
+                       resultState->opened->graph.alpha() == alpha;
             },
             test::patience));
     }

@@ -129,10 +129,10 @@ private slots:
         // Their graph, and what moving α changes.
         key(Qt::Key_F6);
         const QString character = context().graphs.firstCharacter();
-        QTRY_VERIFY(context().graphs.medium(character) != nullptr);
-        QTRY_VERIFY(context().graphs.medium(character)->state == GraphMedia::State::Missing);
+        QTRY_VERIFY(context().graphs.resultState(character) != nullptr);
+        QTRY_VERIFY(context().graphs.resultState(character)->state == GraphMedia::State::Missing);
         press("graphStateButton");
-        QTRY_VERIFY(context().graphs.medium(character)->state == GraphMedia::State::Ready);
+        QTRY_VERIFY(context().graphs.resultState(character)->state == GraphMedia::State::Ready);
         auto* density = test::find<QLabel>("essentialDensity");
         QTRY_VERIFY(density->text().contains("%"));
         const QString before = density->text();
@@ -218,7 +218,7 @@ private slots:
     {
         document().reset(test::swayingProject(m_folder->path()));
         key(Qt::Key_F6);
-        QTRY_VERIFY(context().graphs.medium("spire") != nullptr);
+        QTRY_VERIFY(context().graphs.resultState("spire") != nullptr);
         context().graphs.ask("spire");
         QVERIFY(!context().jobs.jobs().empty());
         // Whatever shows the media is gone before they are.
@@ -242,17 +242,17 @@ private slots:
 
         // The graph, before it is there.
         key(Qt::Key_F6);
-        QTRY_VERIFY(context().graphs.medium("spire")->state == GraphMedia::State::Missing);
+        QTRY_VERIFY(context().graphs.resultState("spire")->state == GraphMedia::State::Missing);
         press("graphStateButton");
         press("graphStateButton");
-        QTRY_VERIFY(context().graphs.medium("spire")->state == GraphMedia::State::Missing);
+        QTRY_VERIFY(context().graphs.resultState("spire")->state == GraphMedia::State::Missing);
 
         // The search, once it has found something: that stays.
         key(Qt::Key_F7);
         QTRY_VERIFY(context().animations.result("dance") != nullptr);
-        QVERIFY(context().animations.medium("dance")->state == AnimationMedia::State::Solving);
+        QVERIFY(context().animations.resultState("dance")->state == AnimationMedia::State::Solving);
         key(Qt::Key_Period, Qt::ControlModifier);
-        QVERIFY(context().animations.medium("dance")->state == AnimationMedia::State::Idle);
+        QVERIFY(context().animations.resultState("dance")->state == AnimationMedia::State::Idle);
         QTRY_VERIFY(context().jobs.jobs().empty());
         QVERIFY(context().animations.result("dance") != nullptr);
         QVERIFY(m_window->animate().scene().frameCount() > 0);

@@ -87,7 +87,7 @@ private slots:
         row("blends", 0)->setText(1, "nothing");
         QCOMPARE(entry().blends[0].weights, (std::vector<double>{0.25, 0.75}));
         QVERIFY(test::waitForState(context(), "sways", State::NotLearned));
-        QTRY_COMPARE(medium().movement->alignment.takes.size(), 4U);
+        QTRY_COMPARE(resultState().movement->alignment.takes.size(), 4U);
         auto* blends = test::find<QTreeWidget>("blends");
         blends->setCurrentItem(blends->topLevelItem(0));
         QTest::keyClick(blends, Qt::Key_Delete);
@@ -97,7 +97,7 @@ private slots:
     void takesAreAlignedByThemselvesAndTheirWarpsShown()
     {
         open();
-        QCOMPARE(medium().movement->capturedCount(), 2U);
+        QCOMPARE(resultState().movement->capturedCount(), 2U);
         show("warpPanel");
         auto* chart = test::find<widgets::LineChart>("warpChart");
         QCOMPARE(chart->series().size(), 2U);
@@ -139,11 +139,11 @@ private slots:
     void limitsAreAskedOfDrawingsAlone()
     {
         learn();
-        const auto movement = medium().movement;
+        const auto movement = resultState().movement;
         variation().edit("strict", "limits", [](VariationEntry& after) { after.limits.poseDistance = 1e-6; });
-        QTRY_VERIFY(medium().drawn->at(0).variations.empty());
-        QCOMPARE(medium().movement, movement);
-        const DrawnSet& set = medium().drawn->at(0);
+        QTRY_VERIFY(resultState().drawn->at(0).variations.empty());
+        QCOMPARE(resultState().movement, movement);
+        const DrawnSet& set = resultState().drawn->at(0);
         QVERIFY(set.rejected > 0);
         QCOMPARE(set.faults[static_cast<std::size_t>(VariationFault::PoseDistance)], set.rejected);
         QVERIFY(test::find<QLabel>("samplesSummary")->text().contains("3 were asked for"));
@@ -172,37 +172,37 @@ private slots:
         endless.learning.window = 1'000'000;
         endless.learning.greatestIterations = 1'000'000;
         endless.learning.restarts = 100;
-        const auto aligned = medium().movement;
+        const auto aligned = resultState().movement;
         variation().edit("endless", "learning", [&](VariationEntry& after) { after = endless; });
-        QTRY_VERIFY(medium().movement != aligned);
-        QCOMPARE(medium().state, State::NotLearned);
+        QTRY_VERIFY(resultState().movement != aligned);
+        QCOMPARE(resultState().state, State::NotLearned);
         show("learningPanel");
         action("variations.learn")->trigger();
-        QCOMPARE(medium().state, State::Learning);
+        QCOMPARE(resultState().state, State::Learning);
         auto* chart = test::find<widgets::LineChart>("objectiveChart");
         QTRY_VERIFY(!chart->isEmpty() && chart->series()[0].points.size() > 3);
         QVERIFY(action("variations.stop")->isEnabled());
         action("variations.stop")->trigger();
         QVERIFY(test::waitForVariations(context(), "sways"));
-        QVERIFY(medium().isStopped);
-        QVERIFY(medium().parts[0].error);
-        QCOMPARE(medium().drawn->at(0).variations.size(), 3U);
+        QVERIFY(resultState().isStopped);
+        QVERIFY(resultState().parts[0].error);
+        QCOMPARE(resultState().drawn->at(0).variations.size(), 3U);
         QVERIFY(test::find<widgets::MessageStrip>("variationsViewMessage")->text().contains("stopped"));
         // Reading again finds nothing better: the best so far stays.
         context().variations.readStopped();
-        QCOMPARE(medium().state, State::Opening);
+        QCOMPARE(resultState().state, State::Opening);
         QVERIFY(test::waitForVariations(context(), "sways"));
-        QVERIFY(medium().isStopped);
+        QVERIFY(resultState().isStopped);
 
-        const auto stopped = medium().movement;
+        const auto stopped = resultState().movement;
         document().undo();
-        QTRY_VERIFY(medium().movement != stopped);
-        QCOMPARE(medium().state, State::NotLearned);
+        QTRY_VERIFY(resultState().movement != stopped);
+        QCOMPARE(resultState().state, State::NotLearned);
         action("variations.learn")->trigger();
         QVERIFY(test::waitForVariations(context(), "sways"));
-        QVERIFY(!medium().isStopped);
-        QVERIFY(medium().parts[0].stop && *medium().parts[0].stop != GpdmStop::Cancelled);
-        QVERIFY(medium().parts[0].objective.back() < medium().parts[0].objective.front());
+        QVERIFY(!resultState().isStopped);
+        QVERIFY(resultState().parts[0].stop && *resultState().parts[0].stop != GpdmStop::Cancelled);
+        QVERIFY(resultState().parts[0].objective.back() < resultState().parts[0].objective.front());
     }
 
     void whatWasLearnedIsThereAgainWhenTheProjectIsOpened()
@@ -214,13 +214,13 @@ private slots:
         QVERIFY(test::waitForState(context(), "sways", State::NotLearned));
         action("variations.learn")->trigger();
         QVERIFY(test::waitForVariations(context(), "sways"));
-        const double objective = medium().parts[0].objective.back();
+        const double objective = resultState().parts[0].objective.back();
         document().reset({});
         document().load(file);
         m_window->workspaces().select("sequences");
         m_window->workspaces().select("variations");
         QVERIFY(test::waitForVariations(context(), "sways"));
-        QCOMPARE(medium().parts[0].objective.back(), objective);
+        QCOMPARE(resultState().parts[0].objective.back(), objective);
     }
 
     void whatWasDrawnIsThereAgainWhenTheProjectIsOpened()
@@ -232,14 +232,14 @@ private slots:
         QVERIFY(test::waitForState(context(), "sways", State::NotLearned));
         action("variations.learn")->trigger();
         QVERIFY(test::waitForVariations(context(), "sways"));
-        const auto before = medium().drawn;
+        const auto before = resultState().drawn;
         // What is drawn is kept in the background.
         QTRY_VERIFY(context().jobs.jobs().empty());
         document().reset({});
-        QVERIFY(context().variations.medium("sways") == nullptr);
+        QVERIFY(context().variations.resultState("sways") == nullptr);
         bool wasDrawn = false;
         connect(&context().variations, &VariationMedia::changed, this, [&] {
-            const auto* now = context().variations.medium("sways");
+            const auto* now = context().variations.resultState("sways");
             wasDrawn = wasDrawn || (now != nullptr && now->state == State::Drawing);
         });
         document().load(file);
@@ -248,7 +248,7 @@ private slots:
         QVERIFY(test::waitForVariations(context(), "sways"));
         QVERIFY(!wasDrawn);
         const DrawnSet& was = before->at(0);
-        const DrawnSet& is = medium().drawn->at(0);
+        const DrawnSet& is = resultState().drawn->at(0);
         QCOMPARE(is.rejected, was.rejected);
         QCOMPARE(is.variations.size(), was.variations.size());
         QVERIFY(was.spread > 0);
@@ -265,24 +265,24 @@ private slots:
         QCOMPARE(report.count(StepState::Stale), 0U);
         // Other settings are drawn anew.
         variation().edit("more", "count", [](VariationEntry& after) { after.samples[0].count = 4; });
-        QTRY_VERIFY(wasDrawn && medium().state == State::Ready);
-        QCOMPARE(medium().drawn->at(0).variations.size(), 4U);
+        QTRY_VERIFY(wasDrawn && resultState().state == State::Ready);
+        QCOMPARE(resultState().drawn->at(0).variations.size(), 4U);
     }
 
     void otherVariationsAreLookedAtAndTheFirstAreStillThere()
     {
         learn();
-        const auto drawn = medium().drawn;
+        const auto drawn = resultState().drawn;
         action("variations.duplicate")->trigger();
         const QString copy = context().selection.shownVariation();
         QVERIFY(copy != "sways");
         QVERIFY(test::waitForState(context(), copy, State::NotLearned));
-        QVERIFY(medium().drawn == drawn);
+        QVERIFY(resultState().drawn == drawn);
         context().selection.select({Section::Variations, "sways"});
-        QCOMPARE(medium().state, State::Ready);
-        QVERIFY(medium().drawn == drawn);
+        QCOMPARE(resultState().state, State::Ready);
+        QVERIFY(resultState().drawn == drawn);
         document().undo();
-        QTRY_VERIFY(context().variations.medium(copy) == nullptr);
+        QTRY_VERIFY(context().variations.resultState(copy) == nullptr);
     }
 
     void theLatentViewGoesToTheFrameThatIsClicked()
@@ -307,7 +307,7 @@ private slots:
         document().reset(project);
         m_window->workspaces().select("variations");
         QVERIFY(test::waitForState(context(), "sways", State::Failed));
-        QCOMPARE(medium().error->code(), ErrorCode::TakeTooShort);
+        QCOMPARE(resultState().error->code(), ErrorCode::TakeTooShort);
         QVERIFY(test::find<QWidget>("variationsViewMessage")->isVisible());
         document().reset(test::variedProject(m_folder->path()));
         context().selection.select({Section::Variations, "sways"});

@@ -54,19 +54,19 @@ private slots:
         QTest::keyClick(drawn, Qt::Key_Delete);
         QCOMPARE(entry().samples[0].discarded, std::vector<int>{2});
         QTRY_COMPARE(scene().size(), 4);
-        QCOMPARE(medium().state, State::Ready);
+        QCOMPARE(resultState().state, State::Ready);
         clickBox("drawnVariations", 0);
         QTRY_COMPARE(scene().size(), 3);
         QTest::keyClick(drawn, Qt::Key_Insert);
         QVERIFY(entry().samples[0].discarded.empty());
         document().undo();
         QCOMPARE(entry().samples[0].discarded, std::vector<int>{2});
-        const auto before = medium().drawn;
+        const auto before = resultState().drawn;
         action("variations.again")->trigger();
         QCOMPARE(entry().samples[0].seed, 2U);
-        QTRY_VERIFY(medium().drawn != before);
+        QTRY_VERIFY(resultState().drawn != before);
         QVERIFY(test::waitForVariations(context(), "sways"));
-        QVERIFY(medium().drawn->at(0).variations[0].latents != before->at(0).variations[0].latents);
+        QVERIFY(resultState().drawn->at(0).variations[0].latents != before->at(0).variations[0].latents);
     }
 
     void theSpreadStandsWhereSamplesAreDrawn()
@@ -77,10 +77,10 @@ private slots:
         QVERIFY(spread->isVisible());
         QVERIFY(test::find<QWidget>("samplesPanel")->isAncestorOf(spread));
         QCOMPARE(spread->value(), entry().extent.spread);
-        const auto before = medium().drawn;
+        const auto before = resultState().drawn;
         spread->setValue(0.4);
         QCOMPARE(entry().extent.spread, 0.4);
-        QTRY_VERIFY(medium().drawn != before);
+        QTRY_VERIFY(resultState().drawn != before);
         document().undo();
         QCOMPARE(spread->value(), TrajectoryLimits().spread);
     }
@@ -106,26 +106,26 @@ private slots:
         action("variations.learn")->trigger();
         QVERIFY(test::waitForVariations(context(), "sways"));
         show("samplesPanel");
-        QCOMPARE(medium().drawn->at(0).isSpreadGuess, isAlone);
+        QCOMPARE(resultState().drawn->at(0).isSpreadGuess, isAlone);
         QCOMPARE(summary().contains("a guess"), isAlone);
         QVERIFY2(!summary().contains("apart by"), qPrintable(summary()));
-        const auto before = medium().drawn;
+        const auto before = resultState().drawn;
         variation().edit("far", "spread", [](VariationEntry& after) { after.extent.spread = 3; });
-        QTRY_VERIFY(medium().drawn != before);
+        QTRY_VERIFY(resultState().drawn != before);
         QVERIFY(test::waitForVariations(context(), "sways"));
-        QVERIFY(medium().drawn->at(0).spread < 2);
+        QVERIFY(resultState().drawn->at(0).spread < 2);
         QVERIFY2(summary().contains("apart by"), qPrintable(summary()));
     }
 
     void theTakesOfABlendShowTheFramesThatAreLearnedFrom()
     {
         learn();
-        const auto blended = medium().drawn;
+        const auto blended = resultState().drawn;
         variation().edit("blend", "to", [](VariationEntry& after) {
             after.samples[0].to = "second";
             after.samples[0].weight = 0.5;
         });
-        QTRY_VERIFY(medium().drawn != blended);
+        QTRY_VERIFY(resultState().drawn != blended);
         QVERIFY(test::waitForVariations(context(), "sways"));
         action("variations.original")->setChecked(true);
         QTRY_VERIFY(scene().contains("first") && scene().contains("second"));
@@ -145,7 +145,7 @@ private slots:
         QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
         QVERIFY(!entry().correctsContacts);
         // What was learned stays; variations are drawn again.
-        QVERIFY(medium().state == State::Drawing || medium().state == State::Ready);
+        QVERIFY(resultState().state == State::Drawing || resultState().state == State::Ready);
         QVERIFY(test::waitForVariations(context(), "sways"));
         document().undo();
         QVERIFY(entry().correctsContacts && box->isChecked());
@@ -166,7 +166,7 @@ private slots:
     {
         learn();
         show("samplesPanel");
-        const auto before = medium().drawn;
+        const auto before = resultState().drawn;
         auto* towards = test::find<QComboBox>("sampleTo");
         towards->setCurrentIndex(1);
         emit towards->activated(1);
@@ -176,9 +176,9 @@ private slots:
         slider->setFocus();
         QTest::keyClick(slider, Qt::Key_Right);
         QCOMPARE(entry().samples[0].weight, 0.51);
-        QTRY_VERIFY(medium().drawn != before);
+        QTRY_VERIFY(resultState().drawn != before);
         QVERIFY(test::waitForVariations(context(), "sways"));
-        QCOMPARE(medium().drawn->at(0).variations.size(), 3U);
+        QCOMPARE(resultState().drawn->at(0).variations.size(), 3U);
     }
 
     void aVariationBecomesASequence()

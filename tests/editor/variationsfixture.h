@@ -22,7 +22,7 @@ protected:
     ProjectDocument& document() { return context().document; }
     CurrentVariation& variation() { return m_window->variations().variation(); }
     const VariationEntry& entry() { return *document().variation("sways"); }
-    const VariationMedia::Medium& medium() { return *context().variations.medium("sways"); }
+    const VariationMedia::ResultState& resultState() { return *context().variations.resultState("sways"); }
     QAction* action(const char* id) { return context().actions.action(QLatin1String(id)); }
     void show(const char* panel) { Workspace::showPanel(test::find<QWidget>(QLatin1String(panel))); }
     QStringList scene() { return m_window->variations().scene().shown(); }

@@ -41,8 +41,8 @@ inline bool waitForVariations(EditorContext& context, const QString& name)
 {
     return QTest::qWaitFor(
         [&] {
-            const auto* medium = context.variations.medium(name);
-            return medium != nullptr && medium->state == VariationMedia::State::Ready;
+            const auto* resultState = context.variations.resultState(name);
+            return resultState != nullptr && resultState->state == VariationMedia::State::Ready;
         },
         patience);
 }
@@ -52,8 +52,8 @@ inline bool waitForState(EditorContext& context, const QString& name, VariationM
 {
     return QTest::qWaitFor(
         [&] {
-            const auto* medium = context.variations.medium(name);
-            return medium != nullptr && medium->state == state;
+            const auto* resultState = context.variations.resultState(name);
+            return resultState != nullptr && resultState->state == state;
         },
         milliseconds);
 }

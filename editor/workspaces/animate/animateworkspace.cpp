@@ -37,8 +37,10 @@ ClipScene::Source sourceOf(const EditorContext& context, JunctionPanel* const& j
     return {.clip = [&context, &junctions](const QString& name, bool) -> const MeshSequence* {
                 if (name == TransitionPreview::name())
                     return junctions->preview().clip();
-                const auto* medium = context.animations.medium(name);
-                return medium == nullptr || medium->result == nullptr ? nullptr : &medium->result->sequence;
+                const auto* resultState = context.animations.resultState(name);
+                return resultState == nullptr || resultState->result == nullptr
+                           ? nullptr
+                           : &resultState->result->sequence;
             },
             .upAxis = [&context] { return context.media.upAxis(); },
             .ghostColor =
@@ -188,7 +190,7 @@ void AnimateWorkspace::followResult(const QString& name)
 void AnimateWorkspace::showState()
 {
     using State = AnimationMedia::State;
-    const auto* medium = m_context.animations.medium(m_animation->name());
+    const auto* resultState = m_context.animations.resultState(m_animation->name());
     const AnimationEntry* entry = m_animation->entry();
     QString notice;
     if (m_context.document.project().sequences.empty())
@@ -197,16 +199,16 @@ void AnimateWorkspace::showState()
         notice = tr("No animation yet.");
     else if (!entry->asksForSomething())
         notice = tr("Draw a path, drop poses onto the timeline, or line up takes in the storyboard.");
-    else if (medium != nullptr && medium->result == nullptr && medium->state == State::Waiting)
+    else if (resultState != nullptr && resultState->result == nullptr && resultState->state == State::Waiting)
         notice = tr("Computing the graph of transitions…");
-    else if (medium != nullptr && medium->result == nullptr && medium->state == State::Solving)
+    else if (resultState != nullptr && resultState->result == nullptr && resultState->state == State::Solving)
         notice = tr("Seeking a walk…");
     if (m_path->editor().mode() != widgets::PathEditor::Mode::Edit)
         notice.clear();
     viewport().setNotice(notice);
     widgets::MessageStrip& message = m_view->message();
-    if (medium != nullptr && medium->error) {
-        const ErrorText text = describe(*medium->error);
+    if (resultState != nullptr && resultState->error) {
+        const ErrorText text = describe(*resultState->error);
         message.show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
         message.setAction(tr("Try again"));
     } else if (m_junctions->preview().clip() != nullptr) {

@@ -38,8 +38,8 @@ const AnimationEntry* CurrentAnimation::entry() const
 
 AnimationMedia::State CurrentAnimation::state() const
 {
-    const auto* medium = m_context.animations.medium(name());
-    return medium == nullptr ? AnimationMedia::State::Idle : medium->state;
+    const auto* resultState = m_context.animations.resultState(name());
+    return resultState == nullptr ? AnimationMedia::State::Idle : resultState->state;
 }
 
 std::shared_ptr<const AnimationResult> CurrentAnimation::result() const
@@ -51,8 +51,8 @@ std::shared_ptr<const OpenedCharacter> CurrentAnimation::character() const
 {
     const QString character =
         entry() == nullptr ? m_context.graphs.firstCharacter() : m_context.animations.characterOf(name());
-    const auto* medium = m_context.graphs.medium(character);
-    return medium == nullptr ? nullptr : medium->opened;
+    const auto* resultState = m_context.graphs.resultState(character);
+    return resultState == nullptr ? nullptr : resultState->opened;
 }
 
 void CurrentAnimation::edit(const QString& text, const QString& property, const Edit& edit, EditPhase phase)

@@ -112,8 +112,8 @@ void PostPanel::keepResetButtonsWhole()
 /// Says beside a setting why it does nothing, or why the clip could not be made with it.
 void PostPanel::refreshProblems(const AnimationEntry& entry)
 {
-    const auto* medium = m_animation.context().animations.medium(m_animation.name());
-    const std::optional<Error> error = medium == nullptr ? std::nullopt : medium->error;
+    const auto* resultState = m_animation.context().animations.resultState(m_animation.name());
+    const std::optional<Error> error = resultState == nullptr ? std::nullopt : resultState->error;
     const auto failure = [&](std::initializer_list<ErrorCode> codes) {
         const bool isOurs = error && std::ranges::find(codes, error->code()) != codes.end();
         return isOurs ? describe(*error).oneLine() : QString();

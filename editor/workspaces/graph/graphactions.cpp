@@ -184,18 +184,19 @@ void GraphWorkspace::makeShowingActions()
 
 void GraphWorkspace::updateActions()
 {
-    const auto* medium = m_context.graphs.medium(m_bar->character());
-    const bool computes = medium != nullptr && medium->state == GraphMedia::State::Computing;
+    const auto* resultState = m_context.graphs.resultState(m_bar->character());
+    const bool computes = resultState != nullptr && resultState->state == GraphMedia::State::Computing;
     const bool isThere = m_explorer->character() != nullptr;
     const auto enable = [this](const char* id, bool on) { m_context.actions.action(id)->setEnabled(on); };
-    enable("graph.compute", medium != nullptr && medium->state != GraphMedia::State::Ready && !computes);
+    enable("graph.compute",
+           resultState != nullptr && resultState->state != GraphMedia::State::Ready && !computes);
     enable("graph.stop", computes);
     enable("graph.play", isThere && m_chosen.has_value());
     enable("graph.frames", isThere && m_chosen.has_value());
     enable("graph.copyFrames", isThere && m_chosen.has_value());
     enable("graph.saveTables", isThere && m_explorer->paths() != nullptr);
     for (const char* id : {"graph.alphaDown", "graph.alphaUp"})
-        enable(id, medium != nullptr);
+        enable(id, resultState != nullptr);
 }
 
 void GraphWorkspace::stepAlpha(double factor)

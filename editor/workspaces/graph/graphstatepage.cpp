@@ -79,10 +79,10 @@ void GraphStatePage::show(const QString& character)
 
 void GraphStatePage::act()
 {
-    const auto* medium = m_context.graphs.medium(m_character);
-    if (medium == nullptr)
+    const auto* resultState = m_context.graphs.resultState(m_character);
+    if (resultState == nullptr)
         m_context.actions.action(QStringLiteral("file.import"))->trigger();
-    else if (medium->state == State::Computing)
+    else if (resultState->state == State::Computing)
         m_context.graphs.cancel(m_character);
     else
         m_context.graphs.ask(m_character);
@@ -116,13 +116,13 @@ QString GraphStatePage::memoryText() const
 
 void GraphStatePage::refresh()
 {
-    const auto* medium = m_context.graphs.medium(m_character);
-    const State state = medium != nullptr ? medium->state : State::Missing;
+    const auto* resultState = m_context.graphs.resultState(m_character);
+    const State state = resultState != nullptr ? resultState->state : State::Missing;
     QString title = tr("No graph yet");
     QString text = tr("The graph holds every transition from one frame to another. It is computed from all "
                       "sequences of the character.");
     QString button = tr("&Compute the graph");
-    if (medium == nullptr) {
+    if (resultState == nullptr) {
         title = tr("No sequences yet");
         text = tr("Transitions lead from one sequence to another: import some first.");
         button = tr("&Import sequences…");
@@ -130,18 +130,18 @@ void GraphStatePage::refresh()
         title = tr("Computing the graph");
         text = tr("Pose distances, transitions and both graphs. You can go on working meanwhile.");
         button = tr("&Stop");
-    } else if (state == State::Failed && medium->error) {
-        const ErrorText error = describe(*medium->error);
+    } else if (state == State::Failed && resultState->error) {
+        const ErrorText error = describe(*resultState->error);
         title = error.sentence;
         text = error.where.isEmpty() ? error.remedy : tr("%1 (%2)").arg(error.remedy, error.where);
         button = tr("&Try again");
     }
     m_title->setText(title);
     m_text->setText(text);
-    m_memory->setText(medium != nullptr ? memoryText() : QString());
+    m_memory->setText(resultState != nullptr ? memoryText() : QString());
     m_button->setText(button);
     m_progress->setVisible(state == State::Computing);
-    Job* job = state == State::Computing ? medium->job.data() : nullptr;
+    Job* job = state == State::Computing ? resultState->job.data() : nullptr;
     if (job != m_job) {
         m_job = job;
         if (job != nullptr)

@@ -200,8 +200,8 @@ void GraphWorkspace::connectParts()
         m_view->message().show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
     });
     connect(m_message, &widgets::MessageStrip::actionTriggered, this, [this] {
-        const auto* medium = m_context.graphs.medium(m_bar->character());
-        const bool computes = medium != nullptr && medium->state == GraphMedia::State::Computing;
+        const auto* resultState = m_context.graphs.resultState(m_bar->character());
+        const bool computes = resultState != nullptr && resultState->state == GraphMedia::State::Computing;
         m_context.actions.action(computes ? "graph.stop" : "graph.compute")->trigger();
     });
     connect(&m_dwell, &QTimer::timeout, this, [this] {
@@ -229,8 +229,8 @@ void GraphWorkspace::followGraph()
     m_transition->setFps(fps);
     m_settings->showCharacter(character);
     m_statePage->show(character);
-    const auto* medium = m_context.graphs.medium(character);
-    m_explorer->setCharacter(medium != nullptr ? medium->opened : nullptr);
+    const auto* resultState = m_context.graphs.resultState(character);
+    m_explorer->setCharacter(resultState != nullptr ? resultState->opened : nullptr);
     m_charts->setAlpha(m_explorer->alpha());
     showState();
     updateActions();
@@ -245,19 +245,19 @@ void GraphWorkspace::showState()
     viewport().setNotice(!isThere || !scene().shown().isEmpty()
                              ? QString()
                              : tr("Point at the map to see two frames; click to play the transition."));
-    const auto* medium = isThere ? m_context.graphs.medium(m_bar->character()) : nullptr;
-    const bool isReady = medium == nullptr || medium->state == State::Ready;
+    const auto* resultState = isThere ? m_context.graphs.resultState(m_bar->character()) : nullptr;
+    const bool isReady = resultState == nullptr || resultState->state == State::Ready;
     // A graph for another α alone comes so soon that a message would only flicker.
     const bool computesQuietly =
-        !isReady && medium->state == State::Computing &&
-        (medium->opened == nullptr || medium->job.isNull() || medium->job->isBackground());
+        !isReady && resultState->state == State::Computing &&
+        (resultState->opened == nullptr || resultState->job.isNull() || resultState->job->isBackground());
     if (isReady || computesQuietly) {
         m_message->clear();
-    } else if (medium->state == State::Failed && medium->error) {
-        const ErrorText text = describe(*medium->error);
+    } else if (resultState->state == State::Failed && resultState->error) {
+        const ErrorText text = describe(*resultState->error);
         m_message->show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
         m_message->setAction(tr("Try again"));
-    } else if (medium->state == State::Computing) {
+    } else if (resultState->state == State::Computing) {
         m_message->show(widgets::MessageStrip::Kind::Info,
                         tr("The graph is computed anew; this is the one before."));
         m_message->setAction(tr("Stop"));

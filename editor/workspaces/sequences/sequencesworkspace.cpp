@@ -166,18 +166,18 @@ void SequencesWorkspace::followScene()
 void SequencesWorkspace::showState()
 {
     const QString& name = m_context.selection.shownSequence();
-    const auto* medium = m_context.media.medium(name);
+    const auto* resultState = m_context.media.resultState(name);
     widgets::MessageStrip& message = m_view->message();
     QString notice;
-    if (medium == nullptr)
+    if (resultState == nullptr)
         notice = tr("No sequences yet. Drop files here, or import them from the File menu.");
-    else if (medium->state == SequenceMedia::State::Loading && scene().isEmpty())
+    else if (resultState->state == SequenceMedia::State::Loading && scene().isEmpty())
         notice = tr("Opening “%1”…").arg(name);
-    else if (medium->state == SequenceMedia::State::Failed && scene().isEmpty())
+    else if (resultState->state == SequenceMedia::State::Failed && scene().isEmpty())
         notice = tr("“%1” cannot be shown.").arg(name);
     viewport().setNotice(notice);
-    if (medium != nullptr && medium->error) {
-        const ErrorText text = describe(*medium->error);
+    if (resultState != nullptr && resultState->error) {
+        const ErrorText text = describe(*resultState->error);
         const QString sentence =
             text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where);
         message.show(widgets::MessageStrip::Kind::Error, sentence, text.remedy);

@@ -63,20 +63,20 @@ BodyPartsEntry CurrentVariation::body() const
     return bodyPartsEntry(m_context.document.project(), character());
 }
 
-const VariationMedia::Medium* CurrentVariation::medium() const
+const VariationMedia::ResultState* CurrentVariation::resultState() const
 {
-    return m_context.variations.medium(name());
+    return m_context.variations.resultState(name());
 }
 
 std::shared_ptr<const Movement> CurrentVariation::movement() const
 {
-    return medium() == nullptr ? nullptr : medium()->movement;
+    return resultState() == nullptr ? nullptr : resultState()->movement;
 }
 
 const std::vector<PartProgress>& CurrentVariation::parts() const
 {
     static const std::vector<PartProgress> none;
-    return medium() == nullptr ? none : medium()->parts;
+    return resultState() == nullptr ? none : resultState()->parts;
 }
 
 QString CurrentVariation::stateText() const
@@ -86,9 +86,9 @@ QString CurrentVariation::stateText() const
         return tr("Add variations, then choose the takes to learn from.");
     if (entry()->training.empty())
         return tr("Check the takes to learn from in the panel Movement.");
-    if (medium() == nullptr)
+    if (resultState() == nullptr)
         return {};
-    switch (medium()->state) {
+    switch (resultState()->state) {
     case State::Idle:
         return tr("Aligning the takes was stopped.");
     case State::Opening:
@@ -100,7 +100,7 @@ QString CurrentVariation::stateText() const
     case State::Drawing:
         return tr("Drawing variations…");
     case State::Ready:
-        return medium()->isStopped ? tr("Learning was stopped.") : QString();
+        return resultState()->isStopped ? tr("Learning was stopped.") : QString();
     case State::Failed:
         return tr("It did not work.");
     }
@@ -141,9 +141,9 @@ std::vector<DrawnVariation> CurrentVariation::drawn() const
 
 const DrawnSet* CurrentVariation::drawnSet() const
 {
-    if (samples() == nullptr || medium() == nullptr || medium()->drawn == nullptr)
+    if (samples() == nullptr || resultState() == nullptr || resultState()->drawn == nullptr)
         return nullptr;
-    const auto& sets = *medium()->drawn;
+    const auto& sets = *resultState()->drawn;
     const auto place = static_cast<std::size_t>(set());
     return place < sets.size() ? &sets[place] : nullptr;
 }

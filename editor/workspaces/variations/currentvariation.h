@@ -38,7 +38,7 @@ public:
     /// The parts of its body.
     BodyPartsEntry body() const;
     /// How far it is; null without an entry.
-    const VariationMedia::Medium* medium() const;
+    const VariationMedia::ResultState* resultState() const;
     /// The aligned takes; null without any.
     std::shared_ptr<const Movement> movement() const;
     /// What is known of the parts' models.

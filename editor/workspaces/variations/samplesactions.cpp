@@ -356,7 +356,7 @@ void SamplesPanel::makeClips(std::vector<std::string> clips)
 {
     EditorContext& context = m_variation.context();
     const auto count = static_cast<int>(clips.size());
-    const bool isStopped = m_variation.medium() != nullptr && m_variation.medium()->isStopped;
+    const bool isStopped = m_variation.resultState() != nullptr && m_variation.resultState()->isStopped;
     const JobSettings settings{.name = isStopped
                                            ? tr("Learning to the end, making %n clip(s)", nullptr, count)
                                            : tr("Making %n clip(s)", nullptr, count),

@@ -121,12 +121,12 @@ void VariationBar::refresh()
 void VariationBar::refreshState()
 {
     using State = VariationMedia::State;
-    const VariationMedia::Medium* medium = m_variation.medium();
-    const State state = medium == nullptr ? State::Idle : medium->state;
+    const VariationMedia::ResultState* resultState = m_variation.resultState();
+    const State state = resultState == nullptr ? State::Idle : resultState->state;
     const bool isLearning = state == State::Learning;
     ActionRegistry& actions = m_variation.context().actions;
     actions.action("variations.learn")
-        ->setEnabled(medium != nullptr && !m_variation.entry()->training.empty() && !isLearning &&
+        ->setEnabled(resultState != nullptr && !m_variation.entry()->training.empty() && !isLearning &&
                      state != State::Opening);
     actions.action("variations.stop")->setEnabled(isLearning);
     m_learn->setVisible(!isLearning);

@@ -79,8 +79,8 @@ VariationsWorkspace::VariationsWorkspace(EditorContext& context, QWidget* parent
     connect(m_variation, &CurrentVariation::changed, this, &VariationsWorkspace::follow);
     connect(m_variation, &CurrentVariation::resultChanged, this, &VariationsWorkspace::followResult);
     connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this, [this] {
-        const VariationMedia::Medium* medium = m_variation->medium();
-        if (medium != nullptr && medium->isStopped)
+        const VariationMedia::ResultState* resultState = m_variation->resultState();
+        if (resultState != nullptr && resultState->isStopped)
             m_context.variations.learn(m_variation->name());
         else
             m_context.variations.retry(m_variation->name());
@@ -273,15 +273,15 @@ void VariationsWorkspace::showState()
     if (m_context.document.project().sequences.empty())
         notice = tr("Import sequences first: variations are learned from them.");
     viewport().setNotice(notice);
-    const VariationMedia::Medium* medium = m_variation->medium();
+    const VariationMedia::ResultState* resultState = m_variation->resultState();
     widgets::MessageStrip& message = m_view->message();
-    if (medium != nullptr && medium->error) {
-        const ErrorText text = describe(*medium->error);
+    if (resultState != nullptr && resultState->error) {
+        const ErrorText text = describe(*resultState->error);
         const QString sentence =
             text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where);
         message.show(widgets::MessageStrip::Kind::Error, sentence, text.remedy);
         message.setAction(tr("Try again"));
-    } else if (medium != nullptr && medium->isStopped) {
+    } else if (resultState != nullptr && resultState->isStopped) {
         message.show(widgets::MessageStrip::Kind::Info,
                      tr("Learning was stopped: these variations are drawn from the best so far."),
                      tr("What is exported or added as sequences is learned to the end first, so that the "
