@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: MIT
 """lint.py BUILD_DIR [FILE…]: clang-tidy over the sources of model, widgets, editor and resources.
 
-Sources that are compiled together (see quadrille_unity) are read together. What passed is not read again until one of
-its sources, a header of ours that they include, its compiler flags or .clang-tidy change; it is kept in BUILD_DIR/lint.
+The sources of a folder are read together where the build may join them (see quadrille_unity): most of the time goes
+into headers. What passed is not read again until one of its sources, a header of ours that they include, its compiler
+flags or .clang-tidy change; it is kept in BUILD_DIR/lint.
 Jobs: QUADRILLE_JOBS, or all cores.
 """
 import concurrent.futures
@@ -53,22 +54,21 @@ def dependencies(build):
 
 
 class Unit:
-    """What the compiler reads at once: a source, or several that one file of the build includes."""
+    """What is read at once: a source, or all those of a folder that the build joins and compiles with the same flags."""
 
-    def __init__(self, entry, build, deps, common):
-        self.path = Path(entry["file"])
-        self.sources = [self.path]
-        if self.path.is_relative_to(build):
-            self.sources = [Path(name) for name in re.findall(r'#include "(/.*\.cpp)"', self.path.read_text())]
-        self.flags, target = flags_of(entry["command"])
+    def __init__(self, path, sources, flags):
+        self.path = path
+        self.sources = sources
+        self.flags = flags
+        self.headers = set()
+        self.key = ""
+
+    def sign(self, common):
+        """Makes the key that says what was read."""
         digest = hashlib.sha256(common)
-        for source in self.sources:
-            digest.update(source.read_bytes())
+        for path in (*self.sources, *sorted(self.headers)):
+            digest.update(path.read_bytes())
         digest.update("\0".join((self.path.name, *self.flags)).encode())
-        for dependency in sorted(deps.get(target, [])):
-            path = (build / dependency).resolve()
-            if path.is_relative_to(ROOT) and not path.is_relative_to(build):
-                digest.update(path.read_bytes())
         self.key = digest.hexdigest()[:24] + " " + self.path.name
 
     def names(self):
@@ -76,6 +76,30 @@ class Unit:
 
     def is_ours(self):
         return any(name.startswith(FOLDERS) for name in self.names())
+
+
+def units_of(build, folder):
+    """All units of the build's compile commands; those with several sources are written into the folder given."""
+    deps = dependencies(build)
+    units = {}
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        path = Path(entry["file"])
+        if path.suffix not in (".cpp", ".cxx") or not path.exists():
+            continue
+        flags, target = flags_of(entry["command"])
+        sources = [path]
+        if path.is_relative_to(build):
+            sources = [Path(name) for name in re.findall(r'#include "(/.*\.cpp)"', path.read_text())]
+        key = path
+        if len(sources) > 1 or "Unity" in path.parts:
+            key = folder / (re.sub(r"_\d+_cxx$", "", path.stem) + "-" + Path(target).parts[-3].removesuffix(".dir") + ".cxx")
+        unit = units.setdefault((key, flags), Unit(key, [], flags))
+        unit.sources += sources
+        for dependency in deps.get(target, []):
+            header = (build / dependency).resolve()
+            if header.is_relative_to(ROOT) and not header.is_relative_to(build):
+                unit.headers.add(header)
+    return [unit for unit in units.values() if unit.is_ours()]
 
 
 def tidy(unit, build):
@@ -91,20 +115,22 @@ def main():
     chosen = {str(Path(name).resolve().relative_to(ROOT)) for name in sys.argv[2:]}
     version = subprocess.run([CLANG_TIDY, "--version"], capture_output=True, check=True).stdout
     common = version + (ROOT / ".clang-tidy").read_bytes()
-    deps = dependencies(build)
-    entries = json.loads((build / "compile_commands.json").read_text())
-    sources = [entry for entry in entries if Path(entry["file"]).suffix in (".cpp", ".cxx")]
-    units = [Unit(entry, build, deps, common) for entry in sources if Path(entry["file"]).exists()]
-    units = [unit for unit in units if unit.is_ours()]
+    folder = build / "lint"
+    folder.mkdir(exist_ok=True)
+    units = units_of(build, folder)
+    for unit in units:
+        unit.sign(common)
+        if unit.path.parent == folder:
+            unit.path.write_text("".join(f'#include "{source}"\n' for source in unit.sources))
     known = set().union(*(unit.names() for unit in units))
     for name in chosen - known:
         sys.exit(f"error: {name} is not compiled, so it cannot be checked")
 
-    (build / "lint").mkdir(exist_ok=True)
-    stamps = build / "lint" / "passed"
+    stamps = folder / "passed"
     passed = set(stamps.read_text().splitlines()) if stamps.exists() else set()
     stamps.write_text("".join(unit.key + "\n" for unit in units if unit.key in passed))
     waiting = [unit for unit in units if (unit.names() & chosen if chosen else unit.key not in passed)]
+    waiting.sort(key=lambda unit: -len(unit.sources))  # the longest first, or one core waits for it at the end
     failed = False
     with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("QUADRILLE_JOBS", os.cpu_count()))) as pool:
         for unit, output in zip(waiting, pool.map(lambda unit: tidy(unit, build), waiting)):
