@@ -39,19 +39,21 @@ if(QUADRILLE_COVERAGE)
     target_link_options(quadrille_options INTERFACE --coverage)
 endif()
 
-# quadrille_unity(target): compiles the sources of each folder together, a dozen at a time, once the target is complete.
+# quadrille_unity(target [SIZE]): compiles the sources of each folder together, a dozen or SIZE at a time, once the target
+# is complete.
 # Reading the headers of Qt, VTK, Eigen and the standard library takes longer than compiling what is ours, so this builds
 # from nothing in a third of the time; configure with -DQUADRILLE_UNITY=OFF to compile each source for itself. Names in
 # unnamed namespaces must be unique within a folder. Sources with compiler flags of their own stay alone.
-set(QUADRILLE_UNITY_SIZE 12)
 function(quadrille_unity target)
     if(QUADRILLE_UNITY)
+        set(sizes 12 ${ARGN})
+        list(GET sizes -1 size)
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-        cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY \"${CMAKE_SOURCE_DIR}\" CALL quadrille_group_sources ${target})")
+        cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY \"${CMAKE_SOURCE_DIR}\" CALL quadrille_group_sources ${target} ${size})")
     endif()
 endfunction()
 
-function(quadrille_group_sources target)
+function(quadrille_group_sources target size)
     get_target_property(sources ${target} SOURCES)
     get_target_property(folder ${target} SOURCE_DIR)
     list(FILTER sources INCLUDE REGEX "\\.cpp$")
@@ -61,7 +63,7 @@ function(quadrille_group_sources target)
         cmake_path(RELATIVE_PATH place BASE_DIRECTORY "${CMAKE_SOURCE_DIR}")
         string(MAKE_C_IDENTIFIER "${place}" place)
         math(EXPR count_${place} "0${count_${place}} + 1")
-        math(EXPR lot "(${count_${place}} - 1) / ${QUADRILLE_UNITY_SIZE}")
+        math(EXPR lot "(${count_${place}} - 1) / ${size}")
         set_source_files_properties("${source}" TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP "${place}_${lot}")
     endforeach()
 endfunction()

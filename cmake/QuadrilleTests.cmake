@@ -8,6 +8,8 @@ set(QUADRILLE_DATA_DIR "${CMAKE_SOURCE_DIR}/../shared/data" CACHE PATH "Folder o
 
 # The sources of tests take longest to compile and shortest to run: what they test is optimized, they are a little.
 set(QUADRILLE_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
+# The headers of GoogleTest and QtTest take longer still, so many sources are compiled at a time (see quadrille_unity).
+set(QUADRILLE_TEST_UNITY_SIZE 32)
 
 # Seconds after which a test is taken to hang. Under a sanitizer all takes many times as long.
 set(QUADRILLE_TEST_TIMEOUT 300)
@@ -35,7 +37,7 @@ function(quadrille_model_test name)
     target_compile_options(${name} PRIVATE ${QUADRILLE_TEST_OPTIONS})
     target_compile_definitions(${name} PRIVATE
         QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}")
-    quadrille_unity(${name})
+    quadrille_unity(${name} ${QUADRILLE_TEST_UNITY_SIZE})
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
         PROPERTIES LABELS model TIMEOUT ${QUADRILLE_TEST_TIMEOUT})
 endfunction()
@@ -58,7 +60,7 @@ function(quadrille_qt_program name)
     target_compile_options(${name} PRIVATE ${QUADRILLE_TEST_OPTIONS})
     target_compile_definitions(${name} PRIVATE
         QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}")
-    quadrille_unity(${name})
+    quadrille_unity(${name} ${QUADRILLE_TEST_UNITY_SIZE})
 endfunction()
 
 # quadrille_qt_tests(PROGRAM test …): test classes of a program, each run for itself on a private X display. Their label is
