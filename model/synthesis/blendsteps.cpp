@@ -15,7 +15,7 @@ constexpr double longestStep = 0.4; // seconds
 constexpr double shortestStep = 0.2;
 
 /// Frames of the clip: of a blend, or of a foot that stands in it.
-struct Stretch
+struct BlendStretch
 {
     std::size_t first;
     std::size_t last;
@@ -23,9 +23,9 @@ struct Stretch
     std::size_t count() const { return last + 1 - first; }
 };
 
-std::vector<Stretch> blendsOf(const std::vector<FrameProvenance>& origins)
+std::vector<BlendStretch> blendsOf(const std::vector<FrameProvenance>& origins)
 {
-    std::vector<Stretch> blends;
+    std::vector<BlendStretch> blends;
     for (std::size_t f = 0; f < origins.size(); ++f) {
         if (origins[f].isSingle())
             continue;
@@ -40,12 +40,12 @@ std::vector<Stretch> blendsOf(const std::vector<FrameProvenance>& origins)
 struct CarriedFoot
 {
     std::uint32_t bit;
-    Stretch frames;
+    BlendStretch frames;
     double way;
 };
 
 /// Those that are carried far, farthest first.
-std::vector<CarriedFoot> carriedFeet(const std::vector<std::uint32_t>& standing, const Stretch& blend,
+std::vector<CarriedFoot> carriedFeet(const std::vector<std::uint32_t>& standing, const BlendStretch& blend,
                                      const Clip& clip, const Stances& stances)
 {
     std::vector<CarriedFoot> feet;
@@ -68,10 +68,10 @@ std::vector<CarriedFoot> carriedFeet(const std::vector<std::uint32_t>& standing,
 }
 
 /// Lets feet step one after the other in the middle of frames in which all of them stand.
-class Steps
+class FootSteps
 {
 public:
-    Steps(std::vector<std::uint32_t>& standing, double fps)
+    FootSteps(std::vector<std::uint32_t>& standing, double fps)
         : m_standing(standing)
         , m_longest(static_cast<std::size_t>(std::lround(longestStep * fps)))
         , m_shortest(static_cast<std::size_t>(std::ceil(shortestStep * fps)))
@@ -81,7 +81,7 @@ public:
     /// \return whether there is time for all.
     bool add(std::span<const CarriedFoot> feet)
     {
-        Stretch common = feet.front().frames;
+        BlendStretch common = feet.front().frames;
         for (const CarriedFoot& foot : feet)
             common = {std::max(common.first, foot.frames.first), std::min(common.last, foot.frames.last)};
         // Before, between and behind steps all feet stand for a frame.
@@ -115,8 +115,8 @@ private:
 
 void addSteps(std::vector<std::uint32_t>& standing, const Clip& clip, const Stances& stances)
 {
-    Steps steps(standing, clip.fps);
-    for (const Stretch& blend : blendsOf(clip.origins)) {
+    FootSteps steps(standing, clip.fps);
+    for (const BlendStretch& blend : blendsOf(clip.origins)) {
         const std::vector<CarriedFoot> feet = carriedFeet(standing, blend, clip, stances);
         if (feet.empty())
             continue;

@@ -14,15 +14,7 @@ namespace {
 
 /// Deviations of the worst frames from a mean one, and of a take alone from itself.
 constexpr double worstOfMean = 3;
-constexpr double shareOfOneTake = 0.15;
-
-std::vector<Positions> posesOf(const AlignedTake& take)
-{
-    std::vector<Positions> poses;
-    for (std::size_t f = 0; f < take.placements.size(); ++f)
-        poses.push_back(take.pose(f));
-    return poses;
-}
+constexpr double reachOfOneTake = 0.15;
 
 /// Of the frames of a take the greatest distance from the nearest pose of some others.
 double farthest(const Movement& movement, std::size_t take, std::span<const std::size_t> takes,
@@ -31,10 +23,10 @@ double farthest(const Movement& movement, std::size_t take, std::span<const std:
     std::vector<Positions> others;
     for (const std::size_t other : takes) {
         if (other != take)
-            std::ranges::copy(posesOf(movement.take(other)), std::back_inserter(others));
+            std::ranges::copy(movement.take(other).allPoses(), std::back_inserter(others));
     }
     double most = 0;
-    for (const NearestPose& nearest : nearestPoses(posesOf(movement.take(take)), others, progress))
+    for (const NearestPose& nearest : nearestPoses(movement.take(take).allPoses(), others, progress))
         most = std::max(most, nearest.distance);
     return most;
 }
@@ -54,7 +46,7 @@ std::vector<double> poseReaches(const Movement& movement, const Progress& progre
         const Progress own =
             progress.part(share * static_cast<double>(t), share * static_cast<double>(t + 1));
         if (group.size() < 2) {
-            reaches[t] = worstOfMean * shareOfOneTake * rangeOfMotion(movement.take(t));
+            reaches[t] = worstOfMean * reachOfOneTake * rangeOfMotion(movement.take(t));
             continue;
         }
         for (std::size_t i = 0; i < group.size(); ++i)

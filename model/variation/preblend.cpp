@@ -25,14 +25,6 @@ void requireVertices(const PoissonSystem& system, const AlignedTake& take)
                                 {"expected", std::to_string(system.vertexCount())}}});
 }
 
-std::vector<Positions> posesOf(const AlignedTake& take)
-{
-    std::vector<Positions> poses;
-    for (std::size_t f = 0; f < take.placements.size(); ++f)
-        poses.push_back(take.pose(f));
-    return poses;
-}
-
 /// Between two poses that lie on the template a pose lies beside it: its centre keeps to a straight line,
 /// around which its anchor moves as limbs swing.
 void layOnto(const AlignmentTemplate& target, std::size_t frames, std::vector<Vec3f>& poses)
@@ -88,7 +80,7 @@ AlignedTake blendedTake(const std::shared_ptr<const PoissonSystem>& system, std:
             steps.push_back({static_cast<int>(f), static_cast<int>(f), some[t].share / share, {}, {}});
         const auto done = static_cast<double>(t);
         const auto steppings = static_cast<double>(some.size() - 1);
-        blend.poses = blendPoses(system, posesOf(blend), posesOf(take), steps, settings.method,
+        blend.poses = blendPoses(system, blend.allPoses(), take.allPoses(), steps, settings.method,
                                  progress.part((done - 1) / steppings, done / steppings));
         if (blend.laidOnto != take.laidOnto)
             blend.laidOnto = nullptr;

@@ -114,6 +114,14 @@ Positions AlignedTake::pose(std::size_t frame) const
     return Positions(poses).subspan(frame * vertices, vertices);
 }
 
+std::vector<Positions> AlignedTake::allPoses() const
+{
+    std::vector<Positions> all;
+    for (std::size_t f = 0; f < placements.size(); ++f)
+        all.push_back(pose(f));
+    return all;
+}
+
 std::vector<Displacement> displacementsOf(std::span<const RigidMotion> placements)
 {
     assert(placements.size() >= 2);

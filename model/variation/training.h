@@ -44,6 +44,8 @@ struct AlignedTake
 
     /// Pose of a reference frame. \pre frame < placements.size().
     Positions pose(std::size_t frame) const;
+    /// Poses of all reference frames, views of `poses`.
+    std::vector<Positions> allPoses() const;
 };
 
 /// Displacement of a frame relative to the one before, in its frame: translation, metres, then exponential

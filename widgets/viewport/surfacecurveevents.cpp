@@ -12,7 +12,7 @@ namespace quadrille::widgets {
 
 namespace {
 
-using Part = SurfaceCurvePart;
+using CurvePart = SurfaceCurvePart;
 
 /// Where an arrow key points on the view; null for other keys.
 QPointF directionOf(int key)
@@ -65,19 +65,20 @@ bool SurfaceCurveEditor::press(const QMouseEvent& event)
             d->pressedAt = event.position();
         return false;
     }
-    const Part part = partAt(event.position());
+    const CurvePart part = partAt(event.position());
     if (event.button() == Qt::RightButton) {
-        d->isMenuPress = part.kind != Part::Kind::None;
+        d->isMenuPress = part.kind != CurvePart::Kind::None;
         return d->isMenuPress;
     }
     if (event.button() != Qt::LeftButton)
         return false;
-    if (part.kind == Part::Kind::Curve && event.modifiers().testFlag(Qt::ControlModifier)) {
+    if (part.kind == CurvePart::Kind::Curve && event.modifiers().testFlag(Qt::ControlModifier)) {
         if (const auto place = d->placeAt(event.position(), event.modifiers()))
-            insertAt({Part::Kind::Point, part.curve, d->pointBefore(part.curve, event.position())}, *place);
+            insertAt({CurvePart::Kind::Point, part.curve, d->pointBefore(part.curve, event.position())},
+                     *place);
         return true;
     }
-    if (part.kind != Part::Kind::Point) {
+    if (part.kind != CurvePart::Kind::Point) {
         d->pressedAt = event.position();
         return false;
     }
@@ -111,22 +112,23 @@ void SurfaceCurveEditor::hover(const QMouseEvent& event)
     if (d->mode == Mode::Draw) {
         d->cursor.reset();
         const auto before = d->hovered;
-        d->hovered = d->closesAt(event.position()) ? Part{Part::Kind::Point, d->drawn, 0} : Part{};
+        d->hovered =
+            d->closesAt(event.position()) ? CurvePart{CurvePart::Kind::Point, d->drawn, 0} : CurvePart{};
         if (before != d->hovered)
-            emit cursorRequested(d->hovered.kind == Part::Kind::Point ? Qt::PointingHandCursor
-                                                                      : Qt::CrossCursor);
+            emit cursorRequested(d->hovered.kind == CurvePart::Kind::Point ? Qt::PointingHandCursor
+                                                                           : Qt::CrossCursor);
         d->pointer = d->placeAt(event.position(), event.modifiers());
         emit pointerMoved(d->pointer);
         emit repaintRequested();
         return;
     }
-    const Part part = partAt(event.position());
+    const CurvePart part = partAt(event.position());
     if (part == d->hovered)
         return;
     d->hovered = part;
-    emit cursorRequested(part.kind == Part::Kind::Point   ? Qt::OpenHandCursor
-                         : part.kind == Part::Kind::Curve ? Qt::PointingHandCursor
-                                                          : Qt::ArrowCursor);
+    emit cursorRequested(part.kind == CurvePart::Kind::Point   ? Qt::OpenHandCursor
+                         : part.kind == CurvePart::Kind::Curve ? Qt::PointingHandCursor
+                                                               : Qt::ArrowCursor);
     emit repaintRequested();
 }
 
@@ -136,14 +138,14 @@ void SurfaceCurveEditor::dragTo(const QMouseEvent& event)
     if (!place) // beside the body: it stays where it was last
         return;
     d->drag->last = place;
-    const Part part = d->drag->part;
+    const CurvePart part = d->drag->part;
     emit pointMoved(part.curve, part.point, *place, false);
 }
 
 bool SurfaceCurveEditor::release(const QMouseEvent& event)
 {
     if (event.button() == Qt::RightButton && std::exchange(d->isMenuPress, false)) {
-        if (const Part part = partAt(event.position()); part.kind != Part::Kind::None) {
+        if (const CurvePart part = partAt(event.position()); part.kind != CurvePart::Kind::None) {
             setSelected(part);
             emit contextMenuRequested(part, event.globalPosition().toPoint());
         }
@@ -180,12 +182,13 @@ bool SurfaceCurveEditor::doubleClick(const QMouseEvent& event)
         finishDrawing();
         return true;
     }
-    const Part part = partAt(event.position());
-    if (part.kind == Part::Kind::Curve) {
+    const CurvePart part = partAt(event.position());
+    if (part.kind == CurvePart::Kind::Curve) {
         if (const auto place = d->placeAt(event.position(), event.modifiers()))
-            insertAt({Part::Kind::Point, part.curve, d->pointBefore(part.curve, event.position())}, *place);
+            insertAt({CurvePart::Kind::Point, part.curve, d->pointBefore(part.curve, event.position())},
+                     *place);
     }
-    return part.kind != Part::Kind::None;
+    return part.kind != CurvePart::Kind::None;
 }
 
 void SurfaceCurveEditor::endDrag(bool commit)
@@ -209,10 +212,10 @@ void SurfaceCurveEditor::finishDrawing()
     setMode(Mode::Edit);
 }
 
-void SurfaceCurveEditor::insertAt(const Part& part, const SurfacePlace& place)
+void SurfaceCurveEditor::insertAt(const CurvePart& part, const SurfacePlace& place)
 {
     emit pointInserted(part.curve, part.point, place);
-    setSelected({Part::Kind::Point, part.curve, part.point + 1});
+    setSelected({CurvePart::Kind::Point, part.curve, part.point + 1});
 }
 
 void SurfaceCurveEditor::insertByKey()
@@ -233,20 +236,20 @@ void SurfaceCurveEditor::insertByKey()
                                : curve.vertices.size() + (curve.points.empty() ? 0 : curve.points.front());
     const std::size_t middle = ((from + to) / 2) % curve.vertices.size();
     if (const auto place = d->placeAt(curve.vertices[middle], Qt::AltModifier); place && to > from + 1)
-        insertAt({Part::Kind::Point, d->selected.curve, d->selected.point}, *place);
+        insertAt({CurvePart::Kind::Point, d->selected.curve, d->selected.point}, *place);
 }
 
 bool SurfaceCurveEditor::selectNext(int step)
 {
-    const Part next = partAfter(d->points(), d->selected, step);
+    const CurvePart next = partAfter(d->points(), d->selected, step);
     setSelected(next);
     reveal(next);
-    return next.kind != Part::Kind::None;
+    return next.kind != CurvePart::Kind::None;
 }
 
 void SurfaceCurveEditor::nudge(int key, Qt::KeyboardModifiers modifiers)
 {
-    const Part part = d->selected;
+    const CurvePart part = d->selected;
     const std::uint32_t from = d->vertexOf(part);
     const std::uint32_t to = d->neighbourAt(from, directionOf(key), stepsOf(modifiers));
     // Snapping would take small steps back.
@@ -268,10 +271,10 @@ void SurfaceCurveEditor::moveCursor(int key, Qt::KeyboardModifiers modifiers)
 
 void SurfaceCurveEditor::removeSelected()
 {
-    const Part part = d->selected;
+    const CurvePart part = d->selected;
     if (!d->isThere(part))
         return;
-    if (part.kind == Part::Kind::Curve)
+    if (part.kind == CurvePart::Kind::Curve)
         emit curveRemovalRequested(part.curve);
     else
         emit pointRemovalRequested(part.curve, part.point);
@@ -280,7 +283,7 @@ void SurfaceCurveEditor::removeSelected()
 bool SurfaceCurveEditor::wantsKey(const QKeyEvent& event) const
 {
     const bool hasSelection = d->isThere(d->selected);
-    const bool hasPoint = hasSelection && d->selected.kind == Part::Kind::Point;
+    const bool hasPoint = hasSelection && d->selected.kind == CurvePart::Kind::Point;
     switch (event.key()) {
     case Qt::Key_Escape:
         return isDrawing() || isDragging() || hasSelection;

@@ -13,14 +13,14 @@ namespace quadrille {
 
 namespace {
 
-constexpr double aroundSeconds = 0.6; ///< that is shown before and behind a transition
+constexpr double previewSeconds = 0.6; ///< that is shown before and behind a transition
 
 MeshSequence blend(const OpenedCharacter& character, const FramePair& transition, const AnimationEntry& entry,
                    const Progress& progress)
 {
     const FrameLayout& layout = character.graph.layout();
     const double fps = character.frames.sequences().front().fps;
-    const auto around = static_cast<NodeIndex>(std::lround(aroundSeconds * fps));
+    const auto around = static_cast<NodeIndex>(std::lround(previewSeconds * fps));
     const NodeIndex first =
         std::max(transition.source - around, layout.firstOf(layout.sequenceOf(transition.source)));
     const NodeIndex last =

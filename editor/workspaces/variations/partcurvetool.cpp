@@ -35,7 +35,7 @@ std::vector<std::uint32_t> numbersOf(std::span<const VertexIndex> vertices)
     return numbers;
 }
 
-bool isWhole(const SurfaceGraph& graph, std::span<const VertexIndex> vertices)
+bool isWholeCurve(const SurfaceGraph& graph, std::span<const VertexIndex> vertices)
 {
     const std::size_t count = vertices.size();
     if (count < 3)
@@ -135,7 +135,7 @@ double PartCurveTool::lengthOfCurve(const std::string& name) const
 {
     const PartCurveEntry* entry = findCurve(m_body, name);
     const auto graph = m_surface->graph();
-    return graph && entry != nullptr && isWhole(*graph, entry->curve.vertices)
+    return graph && entry != nullptr && isWholeCurve(*graph, entry->curve.vertices)
                ? lengthOf(*graph, entry->curve.vertices)
                : 0.0;
 }
@@ -215,7 +215,7 @@ ShownCurve PartCurveTool::shown(const PartCurveEntry& entry) const
     curve.name = QString::fromStdString(entry.curve.name);
     curve.color = widgets::Theme::color(widgets::ColorRole::ViewportText);
     const auto& vertices = entry.curve.vertices;
-    if (m_shownGraph && isWhole(*m_shownGraph, vertices)) {
+    if (m_shownGraph && isWholeCurve(*m_shownGraph, vertices)) {
         try {
             SurfaceCurve route(m_shownGraph);
             route.restore(entry.points.empty() ? guidesOf(m_shownGraph, vertices) : entry.points, vertices);

@@ -24,7 +24,7 @@ namespace {
 
 /// As in the latent view.
 constexpr int firstWarpColor = 7;
-constexpr double whole = 100; // percent
+constexpr double percentOfAll = 100; // percent
 constexpr double degrees = 57.29577951308232;
 
 /// Where in the frames that are used of a take each reference frame lies.
@@ -34,7 +34,8 @@ std::vector<QPointF> lineOf(const TakeWarp& warp)
     const auto first = static_cast<double>(warp.frames.first.value);
     const auto length = static_cast<double>(std::max<std::int64_t>(warp.frames.count() - 1, 1));
     for (std::size_t frame = 0; frame < warp.positions.size(); ++frame)
-        points.emplace_back(static_cast<double>(frame), whole * (warp.positions[frame] - first) / length);
+        points.emplace_back(static_cast<double>(frame),
+                            percentOfAll * (warp.positions[frame] - first) / length);
     return points;
 }
 

@@ -13,7 +13,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr std::uint64_t headerBytes = 12;
+constexpr std::uint64_t animeHeaderBytes = 12;
 
 /// The first frame in memory, the offsets of the others read when asked for.
 class AnimeFrames : public FrameSource
@@ -75,8 +75,8 @@ Header readHeader(const InputFile& file)
         throw Error(ErrorCode::NoFaces, {file.path(), {}, {}});
     const auto frameBytes = static_cast<std::uint64_t>(header.vertices) * sizeof(Vec3f);
     const auto triangleBytes = static_cast<std::uint64_t>(header.triangles) * sizeof(Triangle);
-    if (headerBytes + frameBytes + triangleBytes > file.size()) {
-        const bool tooMany = headerBytes + frameBytes > file.size();
+    if (animeHeaderBytes + frameBytes + triangleBytes > file.size()) {
+        const bool tooMany = animeHeaderBytes + frameBytes > file.size();
         throw Error(ErrorCode::CountTooLarge,
                     {file.path(),
                      {.byte = tooMany ? 4 : 8},
@@ -84,7 +84,7 @@ Header readHeader(const InputFile& file)
                       {"what", tooMany ? "vertices" : "triangles"}}});
     }
     const std::uint64_t expected =
-        headerBytes + triangleBytes + static_cast<std::uint64_t>(header.frames) * frameBytes;
+        animeHeaderBytes + triangleBytes + static_cast<std::uint64_t>(header.frames) * frameBytes;
     if (expected > file.size()) {
         throw Error(ErrorCode::FileTruncated, {file.path(),
                                                {},
@@ -139,10 +139,10 @@ ImportResult AnimeImporter::open(const SourceFiles& source, const ImportOptions&
     const auto file = std::make_shared<const InputFile>(source.files.front());
     const Header header = readHeader(*file);
     std::vector<Vec3f> first(static_cast<std::size_t>(header.vertices));
-    const std::uint64_t trianglesAt = headerBytes + first.size() * sizeof(Vec3f);
+    const std::uint64_t trianglesAt = animeHeaderBytes + first.size() * sizeof(Vec3f);
     const std::uint64_t offsetsAt =
         trianglesAt + static_cast<std::uint64_t>(header.triangles) * sizeof(Triangle);
-    file->read(headerBytes, std::as_writable_bytes(std::span(first)));
+    file->read(animeHeaderBytes, std::as_writable_bytes(std::span(first)));
     ImportResult result;
     auto data = readTriangles(*file, header, trianglesAt, result.issues);
     progress.report(0.5);

@@ -14,7 +14,7 @@ namespace quadrille {
 
 namespace {
 
-using Node = pugi::xml_node;
+using XmlNode = pugi::xml_node;
 
 /// Where an <accessor> finds its values.
 struct Accessor
@@ -22,7 +22,7 @@ struct Accessor
     std::int64_t count = 0;
     std::int64_t stride = 1;
     std::int64_t offset = 0;
-    Node array;
+    XmlNode array;
 };
 
 /// An <input> of a primitive or of weights: which number of each corner it takes, and how many there are.
@@ -41,16 +41,16 @@ public:
     std::vector<PolygonGeometry> run()
     {
         checkArrays();
-        for (const Node accessor : m_document.all("accessor"))
+        for (const XmlNode accessor : m_document.all("accessor"))
             readAccessor(accessor);
         checkNumbers();
-        for (const Node weights : m_document.all("vertex_weights"))
+        for (const XmlNode weights : m_document.all("vertex_weights"))
             checkWeights(weights);
-        for (const Node sampler : m_document.all("sampler"))
+        for (const XmlNode sampler : m_document.all("sampler"))
             checkSampler(sampler);
         checkCircles();
         std::vector<PolygonGeometry> geometries;
-        for (const Node mesh : m_document.all("mesh")) {
+        for (const XmlNode mesh : m_document.all("mesh")) {
             if (auto geometry = readMesh(mesh))
                 geometries.push_back(std::move(*geometry));
         }
@@ -61,17 +61,17 @@ private:
     /// Lists hold numbers, as many as they say.
     void checkArrays()
     {
-        for (const Node array : m_document.all("float_array"))
+        for (const XmlNode array : m_document.all("float_array"))
             checkCount(array, m_document.numbers(array).size());
         for (const char* name : {"Name_array", "IDREF_array"}) {
-            for (const Node array : m_document.all(name))
+            for (const XmlNode array : m_document.all(name))
                 checkCount(array, wordCount(array.child_value()));
         }
-        for (const Node array : m_document.all("int_array"))
+        for (const XmlNode array : m_document.all("int_array"))
             checkCount(array, m_document.integers(array).size());
     }
 
-    void checkCount(Node array, std::size_t found)
+    void checkCount(XmlNode array, std::size_t found)
     {
         const auto promised = m_document.count(array, "count", 0);
         m_held[array] = promised;
@@ -94,7 +94,7 @@ private:
         return words;
     }
 
-    Accessor readAccessor(Node element) const
+    Accessor readAccessor(XmlNode element) const
     {
         Accessor accessor{.count = m_document.count(element, "count", 0),
                           .stride = m_document.count(element, "stride", 1),
@@ -116,10 +116,10 @@ private:
     }
 
     /// The accessor of the <source> that an element names.
-    Accessor accessorOf(Node input) const
+    Accessor accessorOf(XmlNode input) const
     {
-        const Node source = m_document.find(input, input.attribute("source").value(), "source");
-        const Node accessor = source.child("technique_common").child("accessor");
+        const XmlNode source = m_document.find(input, input.attribute("source").value(), "source");
+        const XmlNode accessor = source.child("technique_common").child("accessor");
         if (!accessor)
             m_document.fail(source, QUADRILLE_MESSAGE("a <source> has no <accessor>"));
         return readAccessor(accessor);
@@ -135,7 +135,7 @@ private:
                                        : std::string_view(name) == "skew"         ? 7
                                        : std::string_view(name) == "rotate"       ? 4
                                                                                   : 3;
-            for (const Node element : m_document.all(name)) {
+            for (const XmlNode element : m_document.all(name)) {
                 if (m_document.numbers(element).size() != needed)
                     m_document.fail(element, "<" + std::string(name) + "> needs " + std::to_string(needed) +
                                                  " numbers");
@@ -143,30 +143,30 @@ private:
         }
     }
 
-    Node verticesOf(Node input) const
+    XmlNode verticesOf(XmlNode input) const
     {
         return m_document.find(input, input.attribute("source").value(), "vertices");
     }
 
-    Node positionInput(Node vertices) const
+    XmlNode positionInput(XmlNode vertices) const
     {
-        for (const Node input : vertices.children("input")) {
+        for (const XmlNode input : vertices.children("input")) {
             if (std::string_view(input.attribute("semantic").value()) == "POSITION")
                 return input;
         }
         m_document.fail(vertices, QUADRILLE_MESSAGE("<vertices> has no positions"));
     }
 
-    std::vector<Input> readInputs(Node element) const
+    std::vector<Input> readInputs(XmlNode element) const
     {
         std::vector<Input> inputs;
         constexpr std::int64_t largestOffset = 64;
-        for (const Node input : element.children("input")) {
+        for (const XmlNode input : element.children("input")) {
             const std::string_view semantic = input.attribute("semantic").value();
             const std::int64_t offset = m_document.count(input, "offset", 0);
             if (offset > largestOffset)
                 m_document.fail(input, QUADRILLE_MESSAGE("the offset of an <input> is too large"));
-            const Node values = semantic == "VERTEX" ? positionInput(verticesOf(input)) : input;
+            const XmlNode values = semantic == "VERTEX" ? positionInput(verticesOf(input)) : input;
             inputs.push_back({semantic, offset, accessorOf(values).count});
         }
         return inputs;
@@ -181,7 +181,7 @@ private:
     }
 
     /// \param lowest  −1 where the format allows "none", otherwise 0.
-    void checkIndices(Node element, const std::vector<std::int64_t>& indices,
+    void checkIndices(XmlNode element, const std::vector<std::int64_t>& indices,
                       const std::vector<Input>& inputs, std::int64_t lowest) const
     {
         const auto stride = static_cast<std::size_t>(strideOf(inputs));
@@ -200,7 +200,7 @@ private:
     }
 
     /// The lengths of polygons or of weight lists, whose sum must be what the list of indices has.
-    std::vector<std::int64_t> readLengths(Node element, std::size_t indices, std::int64_t stride) const
+    std::vector<std::int64_t> readLengths(XmlNode element, std::size_t indices, std::int64_t stride) const
     {
         auto lengths = m_document.integers(element.child("vcount"));
         std::int64_t sum = 0;
@@ -216,7 +216,7 @@ private:
         return lengths;
     }
 
-    void checkWeights(Node weights) const
+    void checkWeights(XmlNode weights) const
     {
         const auto inputs = readInputs(weights);
         const auto indices = m_document.integers(weights.child("v"));
@@ -229,10 +229,10 @@ private:
     }
 
     /// Keys and values of an animation: as many of one as of the other.
-    void checkSampler(Node sampler) const
+    void checkSampler(XmlNode sampler) const
     {
         std::optional<std::int64_t> keys;
-        for (const Node input : sampler.children("input")) {
+        for (const XmlNode input : sampler.children("input")) {
             const std::string_view semantic = input.attribute("semantic").value();
             if (semantic != "INPUT" && semantic != "OUTPUT")
                 continue;
@@ -247,16 +247,16 @@ private:
     /// Nodes that contain themselves through <instance_node>, controllers that deform themselves.
     void checkCircles() const
     {
-        std::set<Node> finished;
+        std::set<XmlNode> finished;
         for (const char* name : {"node", "controller"}) {
-            for (const Node start : m_document.all(name)) {
-                std::vector<Node> path;
+            for (const XmlNode start : m_document.all(name)) {
+                std::vector<XmlNode> path;
                 followReferences(start, path, finished);
             }
         }
     }
 
-    void followReferences(Node at, std::vector<Node>& path, std::set<Node>& finished) const
+    void followReferences(XmlNode at, std::vector<XmlNode>& path, std::set<XmlNode>& finished) const
     {
         if (finished.contains(at))
             return;
@@ -264,15 +264,15 @@ private:
         if (std::find(path.begin(), path.end(), at) != path.end() || path.size() > longestChain)
             m_document.fail(at, QUADRILLE_MESSAGE("elements refer to each other in a circle"));
         path.push_back(at);
-        for (const Node child : at.children()) {
+        for (const XmlNode child : at.children()) {
             const std::string_view name = child.name();
-            Node next = name == "node" || name == "skin" || name == "morph" ? child : Node();
+            XmlNode next = name == "node" || name == "skin" || name == "morph" ? child : XmlNode();
             if (name == "instance_node")
                 next = m_document.lookUp(child.attribute("url").value());
             if (next)
                 followReferences(next, path, finished);
         }
-        if (const Node source = m_document.lookUp(at.attribute("source").value());
+        if (const XmlNode source = m_document.lookUp(at.attribute("source").value());
             std::string_view(source.name()) == "controller")
             followReferences(source, path, finished);
         path.pop_back();
@@ -281,13 +281,13 @@ private:
 
     /// Checks every primitive of a mesh.
     /// \return nothing where it has strips, fans or no polygons, or two lists of positions.
-    std::optional<PolygonGeometry> readMesh(Node mesh) const
+    std::optional<PolygonGeometry> readMesh(XmlNode mesh) const
     {
         PolygonGeometry geometry;
-        std::set<Node> vertices;
+        std::set<XmlNode> vertices;
         bool isPlain = true;
         std::int32_t material = 0;
-        for (const Node primitive : mesh.children()) {
+        for (const XmlNode primitive : mesh.children()) {
             const std::string_view name = primitive.name();
             const bool isList = name == "triangles" || name == "polylist" || name == "polygons";
             const bool isOther =
@@ -295,7 +295,7 @@ private:
             if (!isList && !isOther)
                 continue;
             isPlain = isPlain && isList;
-            for (const Node input : primitive.children("input")) {
+            for (const XmlNode input : primitive.children("input")) {
                 if (std::string_view(input.attribute("semantic").value()) == "VERTEX")
                     vertices.insert(verticesOf(input));
             }
@@ -307,9 +307,9 @@ private:
         return geometry;
     }
 
-    std::vector<double> readPositions(Node vertices) const
+    std::vector<double> readPositions(XmlNode vertices) const
     {
-        const Node input = positionInput(vertices);
+        const XmlNode input = positionInput(vertices);
         const Accessor accessor = accessorOf(input);
         const auto values = m_document.numbers(accessor.array);
         if (accessor.stride < 3)
@@ -329,7 +329,7 @@ private:
         return points;
     }
 
-    void readPrimitive(Node primitive, std::int32_t material, PolygonGeometry& geometry) const
+    void readPrimitive(XmlNode primitive, std::int32_t material, PolygonGeometry& geometry) const
     {
         const auto inputs = readInputs(primitive);
         const auto vertex = std::find_if(inputs.begin(), inputs.end(),
@@ -337,7 +337,7 @@ private:
         if (vertex == inputs.end())
             m_document.fail(primitive, QUADRILLE_MESSAGE("a list of polygons names no vertices"));
         const std::int64_t stride = strideOf(inputs);
-        for (const Node list : primitive.children("p")) {
+        for (const XmlNode list : primitive.children("p")) {
             const auto indices = m_document.integers(list);
             checkIndices(list, indices, inputs, 0);
             const auto corners = static_cast<std::int64_t>(indices.size()) / stride;
@@ -354,7 +354,7 @@ private:
         }
     }
 
-    std::vector<std::int64_t> polygonLengths(Node primitive, std::size_t indices, std::int64_t corners,
+    std::vector<std::int64_t> polygonLengths(XmlNode primitive, std::size_t indices, std::int64_t corners,
                                              std::int64_t stride) const
     {
         const std::string_view name = primitive.name();
@@ -368,7 +368,7 @@ private:
     }
 
     ColladaDocument m_document;
-    std::map<Node, std::int64_t> m_held; ///< values that each list says it has
+    std::map<XmlNode, std::int64_t> m_held; ///< values that each list says it has
 };
 
 } // namespace

@@ -15,7 +15,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr std::size_t headerBytes = 84; ///< of a binary file: 80 free ones and the count
+constexpr std::size_t stlHeaderBytes = 84; ///< of a binary file: 80 free ones and the count
 constexpr std::size_t triangleBytes = 50;
 
 struct PlaceHash
@@ -77,7 +77,7 @@ private:
 std::uint32_t countOf(std::string_view content)
 {
     std::uint32_t count = 0;
-    if (content.size() >= headerBytes)
+    if (content.size() >= stlHeaderBytes)
         std::memcpy(&count, content.data() + 80, sizeof count);
     return count;
 }
@@ -85,8 +85,9 @@ std::uint32_t countOf(std::string_view content)
 /// Binary files may begin with "solid", too: their size tells.
 bool isBinary(std::string_view content)
 {
-    const bool fits = content.size() == headerBytes + std::uint64_t{countOf(content)} * triangleBytes;
-    return fits || !content.starts_with("solid") || content.substr(0, headerBytes).find('\0') < headerBytes;
+    const bool fits = content.size() == stlHeaderBytes + std::uint64_t{countOf(content)} * triangleBytes;
+    return fits || !content.starts_with("solid") ||
+           content.substr(0, stlHeaderBytes).find('\0') < stlHeaderBytes;
 }
 
 MeshFile parseBinary(std::string_view content, const std::filesystem::path& file)
@@ -96,10 +97,10 @@ MeshFile parseBinary(std::string_view content, const std::filesystem::path& file
                                                {.byte = static_cast<std::int64_t>(content.size())},
                                                {{"expected", expected}, {"found", std::to_string(found)}}});
     };
-    if (content.size() < headerBytes)
+    if (content.size() < stlHeaderBytes)
         truncated("a header of 84 bytes", content.size());
     const std::uint32_t count = countOf(content);
-    const std::uint64_t held = (content.size() - headerBytes) / triangleBytes;
+    const std::uint64_t held = (content.size() - stlHeaderBytes) / triangleBytes;
     if (count > held) {
         // Far more than a cut-off copy explains: then it is no STL.
         if (count / 16 > held) {
@@ -109,7 +110,7 @@ MeshFile parseBinary(std::string_view content, const std::filesystem::path& file
         truncated(std::to_string(count) + " triangles", held);
     }
     Joiner joiner;
-    const char* at = content.data() + headerBytes;
+    const char* at = content.data() + stlHeaderBytes;
     for (std::uint32_t t = 0; t < count; ++t, at += triangleBytes) {
         std::array<Vec3f, 3> corners;
         for (std::size_t c = 0; c < 3; ++c)
