@@ -3,19 +3,13 @@
 #include "model/graph/essentialgraph.h"
 
 #include "model/graph/detours.h"
+#include "model/graph/replaceableedges.h"
 
 #include <algorithm>
-#include <functional>
-#include <queue>
 #include <tbb/parallel_for.h>
 
 namespace quadrille {
 namespace {
-
-constexpr double tie = 1e-7;
-/// Two edges can stand in for each other only where a round trip costs no more than the tolerance of their
-/// ties; a chain of edges, that many times as much.
-constexpr double nearlyFree = 1e-3;
 
 /// The frame that an original edge leads to; −1 at the end of a sequence.
 NodeIndex nextOf(const FrameLayout& layout, NodeIndex frame)
@@ -95,12 +89,12 @@ std::vector<Candidate> candidatesFrom(NodeIndex i, const TransitionCosts& costs,
     for (NodeIndex j = 0; j < layout.frameCount(); ++j) {
         const double weight = weights(i, j);
         const double detour = detours(i, j);
-        if (weight == unreachable || (detour < weight * (1 - tie) && j != next))
+        if (weight == unreachable || (detour < weight * (1 - edgeTie) && j != next))
             continue;
         const Edge edge{i, j, weight, j == next ? EdgeKind::Original : EdgeKind::Transition};
-        if (j == next || detour > weight * (1 + tie))
+        if (j == next || detour > weight * (1 + edgeTie))
             candidates.push_back({edge, false});
-        else if (std::min(detours(i, i), detours(j, j)) <= nearlyFree * weight)
+        else if (std::min(detours(i, i), detours(j, j)) <= nearlyFreeTrip * weight)
             candidates.push_back({edge, true});
     }
     return candidates;
@@ -123,86 +117,6 @@ Digraph join(const std::vector<std::vector<Candidate>>& candidates, std::vector<
             if (candidates[row][c].isDoubtful)
                 doubtful.push_back(firstOf[row] + c);
     return {static_cast<NodeIndex>(candidates.size()), std::move(edges)};
-}
-
-/// Takes edges out of a graph one by one.
-class EdgeRemoval
-{
-public:
-    explicit EdgeRemoval(const Digraph& graph)
-        : m_graph(graph)
-        , m_isRemoved(graph.edges().size())
-        , m_costs(static_cast<std::size_t>(graph.nodeCount()), unreachable)
-    {
-    }
-
-    /// Removes an edge if the rest holds a walk between its ends that costs no more than `limit`.
-    void removeIfReplaced(const Edge& edge, double limit)
-    {
-        m_isRemoved[indexOf(edge)] = true;
-        m_isRemoved[indexOf(edge)] = isReachable(edge.from, edge.to, limit);
-    }
-
-    Digraph rest() const
-    {
-        std::vector<Edge> edges;
-        for (const Edge& edge : m_graph.edges())
-            if (!m_isRemoved[indexOf(edge)])
-                edges.push_back(edge);
-        return {m_graph.nodeCount(), std::move(edges)};
-    }
-
-private:
-    std::size_t indexOf(const Edge& edge) const
-    {
-        return static_cast<std::size_t>(&edge - m_graph.edges().data());
-    }
-
-    bool isReachable(NodeIndex from, NodeIndex to, double limit)
-    {
-        using Entry = std::pair<double, NodeIndex>;
-        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-        open.emplace(0, from);
-        m_costs[static_cast<std::size_t>(from)] = 0;
-        m_touched.assign(1, from);
-        bool isFound = false;
-        while (!open.empty() && !isFound) {
-            const auto [cost, node] = open.top();
-            open.pop();
-            isFound = node == to;
-            if (cost > m_costs[static_cast<std::size_t>(node)])
-                continue;
-            for (const Edge& edge : m_graph.edgesFrom(node)) {
-                double& known = m_costs[static_cast<std::size_t>(edge.to)];
-                const double reached = cost + edge.weight;
-                if (reached > limit || reached >= known || m_isRemoved[indexOf(edge)])
-                    continue;
-                known = reached;
-                m_touched.push_back(edge.to);
-                open.emplace(reached, edge.to);
-            }
-        }
-        for (const NodeIndex node : m_touched)
-            m_costs[static_cast<std::size_t>(node)] = unreachable;
-        return isFound;
-    }
-
-    const Digraph& m_graph;
-    std::vector<bool> m_isRemoved;
-    std::vector<double> m_costs;
-    std::vector<NodeIndex> m_touched;
-};
-
-Digraph withoutReplaceable(const Digraph& graph, const std::vector<std::size_t>& doubtful,
-                           const Progress& progress)
-{
-    EdgeRemoval removal(graph);
-    for (std::size_t d = 0; d < doubtful.size(); ++d) {
-        progress.report(static_cast<double>(d) / static_cast<double>(doubtful.size()));
-        const Edge& edge = graph.edges()[doubtful[d]];
-        removal.removeIfReplaced(edge, edge.weight * (1 + tie));
-    }
-    return removal.rest();
 }
 
 } // namespace

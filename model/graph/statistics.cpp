@@ -48,11 +48,16 @@ PathCostSummary summarizePathCosts(const Table<double>& pathCosts)
 GraphStatistics graphStatistics(const Digraph& graph, const Table<double>& pathCosts)
 {
     assert(pathCosts.rows() == graph.nodeCount());
+    return graphStatistics(graph, summarizePathCosts(pathCosts));
+}
+
+GraphStatistics graphStatistics(const Digraph& graph, const PathCostSummary& pathCosts)
+{
     return {.nodes = graph.nodeCount(),
             .edges = static_cast<std::int64_t>(graph.edges().size()),
             .transitions = graph.count(EdgeKind::Transition),
             .density = graph.density(),
-            .pathCosts = summarizePathCosts(pathCosts),
+            .pathCosts = pathCosts,
             .connectivity = connectivity(graph)};
 }
 

@@ -34,5 +34,6 @@ struct GraphStatistics
 
 /// \param pathCosts  of that graph, see shortestPathCosts; the Essential graph brings its own.
 GraphStatistics graphStatistics(const Digraph& graph, const Table<double>& pathCosts);
+GraphStatistics graphStatistics(const Digraph& graph, const PathCostSummary& pathCosts);
 
 } // namespace quadrille

@@ -38,15 +38,15 @@ void requireCosts(const Table<float>& cost)
 
 } // namespace
 
-TransitionCosts::TransitionCosts(Table<float> cost, Table<std::uint16_t> length, double largestDistance,
-                                 FrameLayout layout)
+TransitionCosts::TransitionCosts(FrameLayout layout, double largestDistance, Table<float> cost,
+                                 SharedTable<std::uint16_t> length)
     : m_cost(std::move(cost))
     , m_length(std::move(length))
     , m_largestDistance(largestDistance)
     , m_layout(std::move(layout))
 {
     assert(m_cost.rows() == m_layout.frameCount() && m_cost.cols() == m_layout.frameCount());
-    assert(m_length.rows() == m_layout.frameCount() && m_length.cols() == m_layout.frameCount());
+    assert(m_length->rows() == m_layout.frameCount() && m_length->cols() == m_layout.frameCount());
     requireCosts(m_cost);
     const bool allAlike = largestDistance == 0 && (m_cost == 0 || m_cost == infinite).all();
     if (!allAlike && !(std::isfinite(largestDistance) && largestDistance > 0))
@@ -54,27 +54,31 @@ TransitionCosts::TransitionCosts(Table<float> cost, Table<std::uint16_t> length,
                       "It must be above 0, unless all transitions cost nothing.");
     if (allAlike)
         m_largestDistance = 1;
-    assert((m_cost == infinite || m_length >= std::uint16_t{1}).all());
+    assert((m_cost == infinite || *m_length >= std::uint16_t{1}).all());
 }
 
 Table<double> completeWeights(const TransitionCosts& costs, double alpha)
 {
     requireAlpha(alpha);
-    const FrameLayout& layout = costs.layout();
-    const NodeIndex frames = layout.frameCount();
+    const NodeIndex frames = costs.layout().frameCount();
     Table<double> weights(frames, frames);
-    tbb::parallel_for(NodeIndex{0}, frames, [&](NodeIndex i) {
-        for (NodeIndex j = 0; j < frames; ++j)
-            weights(i, j) = costs.weight(i, j, alpha);
-        weights(i, i) = unreachable;
-        const NodeIndex last = layout.lastOf(layout.sequenceOf(i));
-        if (i < last)
-            weights(i, i + 1) = alpha;
-        for (NodeIndex j = i + 2; j <= last; ++j)
-            if (weights(i, j) > alpha * (j - i))
-                weights(i, j) = unreachable;
-    });
+    tbb::parallel_for(NodeIndex{0}, frames,
+                      [&](NodeIndex i) { completeWeightsFrom(costs, i, alpha, &weights(i, 0)); });
     return weights;
+}
+
+void completeWeightsFrom(const TransitionCosts& costs, NodeIndex from, double alpha, double* row)
+{
+    const FrameLayout& layout = costs.layout();
+    for (NodeIndex j = 0; j < layout.frameCount(); ++j)
+        row[j] = costs.weight(from, j, alpha);
+    row[from] = unreachable;
+    const NodeIndex last = layout.lastOf(layout.sequenceOf(from));
+    if (from < last)
+        row[from + 1] = alpha;
+    for (NodeIndex j = from + 2; j <= last; ++j)
+        if (row[j] > alpha * (j - from))
+            row[j] = unreachable;
 }
 
 void requireAlpha(double alpha)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/core/sharedtable.h"
 #include "model/core/table.h"
 #include "model/graph/digraph.h"
 #include "model/transition/framelayout.h"
@@ -23,23 +24,30 @@ public:
     /// \pre Both tables are as large as the layout.
     /// \throws Error BadArgument for a cost that is negative or NaN, and for d_max.
     TransitionCosts(Table<float> cost, Table<std::uint16_t> length, double largestDistance,
-                    FrameLayout layout);
+                    FrameLayout layout)
+        : TransitionCosts(std::move(layout), largestDistance, std::move(cost),
+                          SharedTable<std::uint16_t>(std::move(length)))
+    {
+    }
+    /// The same without a copy of lengths that others have. \throws Error, \pre as the constructor.
+    TransitionCosts(FrameLayout layout, double largestDistance, Table<float> cost,
+                    SharedTable<std::uint16_t> length);
 
     const FrameLayout& layout() const { return m_layout; }
     const Table<float>& cost() const { return m_cost; }
-    const Table<std::uint16_t>& length() const { return m_length; }
+    const Table<std::uint16_t>& length() const { return *m_length; }
     double largestDistance() const { return m_largestDistance; }
     bool hasTransition(NodeIndex from, NodeIndex to) const { return m_cost(from, to) < infinite; }
     /// E(i,j) = D/d_max + α·L; `unreachable` where there is no transition. Original edges weigh α.
     double weight(NodeIndex from, NodeIndex to, double alpha) const
     {
-        return m_cost(from, to) / m_largestDistance + alpha * m_length(from, to);
+        return m_cost(from, to) / m_largestDistance + alpha * (*m_length)(from, to);
     }
 
 private:
     static constexpr float infinite = std::numeric_limits<float>::infinity();
     Table<float> m_cost;
-    Table<std::uint16_t> m_length;
+    SharedTable<std::uint16_t> m_length;
     double m_largestDistance;
     FrameLayout m_layout;
 };
@@ -49,6 +57,9 @@ private:
 /// Where an original edge has a transition beside it, the original stands: no transition is cheaper.
 /// \throws Error BadArgument (see requireAlpha).
 Table<double> completeWeights(const TransitionCosts& costs, double alpha);
+
+/// One row of them, from a frame to all. \param row  out: `frames` weights. \pre α is valid.
+void completeWeightsFrom(const TransitionCosts& costs, NodeIndex from, double alpha, double* row);
 
 /// \throws Error BadArgument unless α is finite and not negative.
 void requireAlpha(double alpha);

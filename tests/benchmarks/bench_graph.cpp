@@ -4,6 +4,8 @@
 // every edge ("equal" is 1 when both have the same edges); what the editor waits for when α changes; growth.
 // Takes of 50 frames at 25 fps that walk, so that the tables are as smooth as those of real takes.
 #include "model/graph/comparison.h"
+#include "model/graph/essentialedges.h"
+#include "model/graph/measuredgraph.h"
 #include "model/graph/shortestpath.h"
 #include "model/transition/transitiontable.h"
 #include "tests/model/transition/transitiontables.h"
@@ -101,13 +103,36 @@ void essential(benchmark::State& state)
     state.SetComplexityN(state.range(0));
 }
 
+/// The same edges without tables of all pairs ("equal" is 1 when they are); beside `growth`.
+void edgesAlone(benchmark::State& state)
+{
+    const TransitionCosts& costs = costsOf(state.range(0));
+    tbb::task_arena arena(static_cast<int>(state.range(2)));
+    Digraph edges;
+    for (auto _ : state)
+        arena.execute([&] { edges = essentialEdges(costs, alphaOf(state)); });
+    state.counters["edges"] = static_cast<double>(edges.edges().size());
+    state.counters["equal"] = edges == essentialGraph(costs, alphaOf(state)).graph;
+}
+
+/// What the shortest paths of the Essential graph cost: in a table of all pairs, or some rows at a time.
+void pathCosts(benchmark::State& state)
+{
+    const Digraph graph = essentialGraph(costsOf(state.range(0)), alphaOf(state)).graph;
+    const auto tabledFrames = static_cast<NodeIndex>(state.range(2) != 0 ? state.range(0) : 0);
+    double mean = 0;
+    for (auto _ : state)
+        mean = measuredPathCosts(graph, {}, tabledFrames).mean;
+    state.counters["mean"] = mean;
+}
+
 /// Edges and density of both graphs.
 void edgesOfBoth(benchmark::State& state)
 {
     const TransitionCosts& costs = costsOf(state.range(0));
     const auto minima = costMinima(costs);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(essentialGraph(costs, alphaOf(state)).graph.density());
+        benchmark::DoNotOptimize(essentialEdges(costs, alphaOf(state)).density());
         benchmark::DoNotOptimize(motionGraph(costs, minima, alphaOf(state)).density());
     }
 }
@@ -154,6 +179,16 @@ BENCHMARK(essential)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->Complexity();
+BENCHMARK(edgesAlone)
+    ->ArgNames({"frames", "alpha_1000", "cores"})
+    ->ArgsProduct({{1000, 2000, 4000}, {10, 200}, {4}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(pathCosts)
+    ->ArgNames({"frames", "alpha_1000", "tabled"})
+    ->ArgsProduct({{1000, 2000, 4000}, {10}, {0, 1}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK(edgesOfBoth)
     ->ArgNames({"frames", "alpha_1000"})
     ->Args({1000, 10})

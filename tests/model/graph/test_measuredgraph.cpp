@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/core/error.h"
+#include "model/graph/essentialgraph.h"
+#include "model/graph/measuredgraph.h"
+#include "model/graph/shortestpath.h"
+#include "model/graph/walkrows.h"
+#include "tests/model/graph/randomtransitions.h"
+
+#include <gtest/gtest.h>
+#include <mutex>
+
+using namespace quadrille;
+
+namespace {
+
+constexpr NodeIndex withoutTables = 0;
+
+Table<double> allRows(const Digraph& graph)
+{
+    Table<double> all = Table<double>::Constant(graph.nodeCount(), graph.nodeCount(), -1);
+    std::mutex mutex;
+    forEachWalkRows(graph, [&](NodeIndex first, const Table<double>& rows) {
+        const std::scoped_lock lock(mutex);
+        all.middleRows(first, rows.rows()) = rows;
+    });
+    return all;
+}
+
+void expectSameSummary(const PathCostSummary& given, const PathCostSummary& expected)
+{
+    EXPECT_EQ(given.reachablePairs, expected.reachablePairs);
+    EXPECT_EQ(given.unreachablePairs, expected.unreachablePairs);
+    EXPECT_NEAR(given.mean, expected.mean, 1e-12); // sums in another order
+    EXPECT_NEAR(given.standardDeviation, expected.standardDeviation, 1e-12);
+}
+
+} // namespace
+
+TEST(WalkRows, AreThoseOfThePlainPathCosts)
+{
+    // Weights are multiples of a power of two: sums are exact in any order.
+    for (const double density : {0.0, 0.01, 0.05, 0.5}) {
+        for (const NodeIndex nodes : {1, 31, 32, 33, 100}) {
+            const Digraph graph = randomDigraph(7, nodes, density, 64);
+            EXPECT_TRUE((allRows(graph) == plainPathCosts(weightTable(graph))).all())
+                << nodes << " nodes, density " << density;
+        }
+    }
+    EXPECT_EQ(allRows(Digraph()).size(), 0);
+}
+
+TEST(WalkRows, StopWhenCancelled)
+{
+    const Digraph graph = randomDigraph(1, 100, 0.1, 64);
+    CancelToken token;
+    const Progress progress(token, [&](double fraction) {
+        if (fraction > 0.4)
+            token.cancel();
+    });
+    EXPECT_THROW(forEachWalkRows(
+                     graph, [](NodeIndex, const Table<double>&) { /* not needed */ }, progress),
+                 Error);
+}
+
+TEST(MeasuredGraph, IsTheSameWithTablesAndWithout)
+{
+    for (const double missing : {0.05, 0.6, 0.97, 1.0}) {
+        const TransitionCosts costs =
+            makeTransitions({.seed = 3, .counts = {40, 1, 50, 22}, .missing = missing});
+        const MeasuredGraph tabled = measuredEssentialGraph(costs, 0.02);
+        const MeasuredGraph batched = measuredEssentialGraph(costs, 0.02, {}, withoutTables);
+        const EssentialGraph plain = essentialGraph(costs, 0.02);
+        EXPECT_EQ(tabled.graph, plain.graph);
+        EXPECT_EQ(tabled.pathCosts, summarizePathCosts(plain.pathCosts));
+        EXPECT_EQ(batched.graph, plain.graph);
+        expectSameSummary(batched.pathCosts, tabled.pathCosts);
+        expectSameSummary(measuredPathCosts(plain.graph, {}, withoutTables),
+                          summarizePathCosts(shortestPathCosts(plain.graph)));
+    }
+}
