@@ -28,8 +28,7 @@ Table<double> livelinessOf(std::span<const FrameMeasure> measures, const FrameLa
     return liveliness;
 }
 
-Table<float> costPerLiveliness(const Table<float>& cost, const FrameLayout& layout,
-                               const Table<double>& liveliness)
+Table<float> costPerLiveliness(Table<float> cost, const FrameLayout& layout, const Table<double>& liveliness)
 {
     std::vector<double> known;
     for (int a = 0; a < layout.sequenceCount(); ++a) {
@@ -39,15 +38,14 @@ Table<float> costPerLiveliness(const Table<float>& cost, const FrameLayout& layo
         }
     }
     const double typical = quantile(std::move(known), 0.5);
-    Table<float> scaled = cost;
     for (int a = 0; a < layout.sequenceCount(); ++a) {
         for (int b = 0; b < layout.sequenceCount(); ++b) {
             if (liveliness(a, b) > 0)
-                scaled.block(layout.firstOf(a), layout.firstOf(b), layout.countOf(a), layout.countOf(b)) *=
+                cost.block(layout.firstOf(a), layout.firstOf(b), layout.countOf(a), layout.countOf(b)) *=
                     static_cast<float>(typical / liveliness(a, b));
         }
     }
-    return scaled;
+    return cost;
 }
 
 } // namespace quadrille

@@ -18,7 +18,6 @@ Table<double> livelinessOf(std::span<const FrameMeasure> measures, const FrameLa
 /// liveliness over that of its two sequences. A blend that nobody sees between two runs is a jerk between two
 /// people who stand. Warp paths and windows stay the same, as the factor is one for all windows of a pair.
 /// \param cost  D, frames × frames. \param liveliness  of livelinessOf; pairs where it is 0 keep their cost.
-Table<float> costPerLiveliness(const Table<float>& cost, const FrameLayout& layout,
-                               const Table<double>& liveliness);
+Table<float> costPerLiveliness(Table<float> cost, const FrameLayout& layout, const Table<double>& liveliness);
 
 } // namespace quadrille

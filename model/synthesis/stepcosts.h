@@ -30,6 +30,41 @@ struct StepCosts
 /// The share of the feet that stand in one of both frames only; 0 where nothing is known of feet.
 double differingFeet(const Stances& stances, NodeIndex i, NodeIndex j);
 
+/// The same for single pairs of frames. Refers to the root poses. Safe from several threads.
+class StepDifferences
+{
+public:
+    /// Cost: O(frames · feet).
+    StepDifferences(const RootPoses& roots, const FrameLayout& layout, double fps);
+
+    /// Whether anything is known of feet; nothing differs otherwise.
+    bool areKnown() const { return m_points > 1 && m_stances.height > 0; }
+    /// As in StepCosts. \pre areKnown(), i ≠ j.
+    float contacts(NodeIndex i, NodeIndex j) const;
+    float velocity(NodeIndex i, NodeIndex j) const;
+    /// What transitions are sought by, of the distance between both poses.
+    float step(float distance, const StepWeights& weights, NodeIndex i, NodeIndex j) const
+    {
+        if (i == j || !areKnown())
+            return distance;
+        return distance + static_cast<float>(weights.contacts) * contacts(i, j) +
+               static_cast<float>(weights.velocity) * velocity(i, j);
+    }
+
+private:
+    /// How a point moves over the ground, and up.
+    struct Velocity
+    {
+        Vec2d over = Vec2d::Zero();
+        double up = 0;
+    };
+
+    const Stances& m_stances;
+    const Table<float>& m_turns;
+    std::size_t m_points;           ///< the centre and the feet
+    std::vector<Velocity> m_moving; ///< by frame, point after point
+};
+
 /// \param roots  with turns and known stances; zeros where nothing is known of feet.
 /// \return both frames × frames, symmetric, zeros on the diagonal.
 /// Cost: O(frames² · feet).
@@ -46,5 +81,7 @@ void addDrifts(Table<float>& cost, const Table<float>& drifts, const Table<std::
 
 /// What transitions are sought by: pose distances with both parts by their weights.
 Table<float> weightedSteps(const Table<float>& distances, const StepCosts& parts, const StepWeights& weights);
+/// The same without tables of the parts. \param distances  in: of poses; out: with both parts.
+void addStepCosts(Table<float>& distances, const StepDifferences& differences, const StepWeights& weights);
 
 } // namespace quadrille

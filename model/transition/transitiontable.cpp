@@ -15,14 +15,7 @@ namespace quadrille {
 
 namespace {
 
-/// What a task computes for a pair of frames.
-struct Entry
-{
-    float cost = TransitionTable::none;
-    std::uint16_t length = 0;
-    std::uint16_t sourceWindow = 0;
-    std::uint16_t destinationWindow = 0;
-};
+using Entry = KnownTransition; ///< what a task computes for a pair of frames
 
 /// Source frames of one sequence that are computed together.
 struct Rows
@@ -132,8 +125,7 @@ TransitionTable emptyTable(NodeIndex frames)
 {
     return {.cost = Table<float>::Constant(frames, frames, TransitionTable::none),
             .length = Table<std::uint16_t>::Zero(frames, frames),
-            .sourceWindow = Table<std::uint16_t>::Zero(frames, frames),
-            .destinationWindow = Table<std::uint16_t>::Zero(frames, frames)};
+            .windows = Table<std::uint16_t>::Zero(frames, 2 * frames)};
 }
 
 void store(TransitionTable& table, Rows rows, std::span<const Entry> entries)
@@ -144,8 +136,8 @@ void store(TransitionTable& table, Rows rows, std::span<const Entry> entries)
             const Entry& entry = entries[static_cast<std::size_t>(r * frames + j)];
             table.cost(rows.first + r, j) = entry.cost;
             table.length(rows.first + r, j) = entry.length;
-            table.sourceWindow(rows.first + r, j) = entry.sourceWindow;
-            table.destinationWindow(rows.first + r, j) = entry.destinationWindow;
+            table.windows(rows.first + r, 2 * j) = entry.sourceWindow;
+            table.windows(rows.first + r, 2 * j + 1) = entry.destinationWindow;
         }
     }
 }
@@ -203,13 +195,12 @@ TransitionTable linearTransitionTable(const Table<float>& distances, const Frame
                         sum += static_cast<double>(distances(i + k, j - window + 1 + k));
                     table.cost(i, j) = static_cast<float>(mean ? sum / window : sum);
                     table.length(i, j) = static_cast<std::uint16_t>(window);
+                    table.windows(i, 2 * j) = table.windows(i, 2 * j + 1) = table.length(i, j);
                 }
             }
         }
     }
     progress.report(1);
-    table.sourceWindow = table.length;
-    table.destinationWindow = table.length;
     return table;
 }
 

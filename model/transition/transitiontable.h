@@ -6,6 +6,7 @@
 #include "model/core/progress.h"
 #include "model/core/table.h"
 #include "model/transition/framelayout.h"
+#include "model/transition/framepair.h"
 #include "model/transition/transitionsettings.h"
 
 #include <cstdint>
@@ -13,9 +14,18 @@
 
 namespace quadrille {
 
+/// What is known of a transition without its warp path, see TransitionTable.
+struct KnownTransition
+{
+    float cost = std::numeric_limits<float>::infinity();
+    std::uint16_t length = 0;
+    std::uint16_t sourceWindow = 0;
+    std::uint16_t destinationWindow = 0;
+};
+
 /// The best transition from every frame (row) to every frame (column) of a character. All tables are frames ×
-/// frames. From i to j the source window is [i, i + sourceWindow − 1], the destination window
-/// [j − destinationWindow + 1, j].
+/// frames, but the windows. From i to j the source window is [i, i + sourceWindow − 1], the destination
+/// window [j − destinationWindow + 1, j].
 struct TransitionTable
 {
     /// D: cost of the warp path, in the unit of the pose distances; infinite where no windows fit and on the
@@ -24,8 +34,16 @@ struct TransitionTable
     /// L: frames that the transition lasts, by TransitionSettings::length; 0 where the cost is infinite, as
     /// are the two windows.
     Table<std::uint16_t> length;
-    Table<std::uint16_t> sourceWindow;      ///< lᵢ, frames
-    Table<std::uint16_t> destinationWindow; ///< lⱼ, frames
+    /// Both windows, frames: frames × 2 · frames, lᵢ and lⱼ of each pair side by side.
+    Table<std::uint16_t> windows;
+
+    std::uint16_t sourceWindow(NodeIndex i, NodeIndex j) const { return windows(i, 2 * j); }
+    std::uint16_t destinationWindow(NodeIndex i, NodeIndex j) const { return windows(i, 2 * j + 1); }
+    KnownTransition at(const FramePair& pair) const
+    {
+        const auto [i, j] = pair;
+        return {cost(i, j), length(i, j), sourceWindow(i, j), destinationWindow(i, j)};
+    }
 
     static constexpr float none = std::numeric_limits<float>::infinity();
 };

@@ -25,12 +25,19 @@ std::size_t evenly(int t, int length, int cells)
 } // namespace
 
 WarpPaths::WarpPaths(const Table<float>& distances, FrameLayout layout, const TransitionSettings& settings)
-    : m_distances(distances)
-    , m_layout(std::move(layout))
-    , m_settings((checkSettings(settings), settings))
-    , m_grid(distances.size() == 0 ? 0 : distances.maxCoeff(), settings)
+    : WarpPaths([&distances](NodeIndex i, NodeIndex j) { return distances(i, j); },
+                distances.size() == 0 ? 0 : distances.maxCoeff(), std::move(layout), settings)
 {
     assert(distances.rows() == m_layout.frameCount() && distances.cols() == m_layout.frameCount());
+}
+
+WarpPaths::WarpPaths(DistanceOf distance, float largest, FrameLayout layout,
+                     const TransitionSettings& settings)
+    : m_distance(std::move(distance))
+    , m_layout(std::move(layout))
+    , m_settings((checkSettings(settings), settings))
+    , m_grid(largest, settings)
+{
 }
 
 int WarpPaths::framesFrom(NodeIndex source) const
@@ -55,7 +62,7 @@ std::optional<Transition> WarpPaths::solve(FramePair frames, int rows, int colum
     for (double rest = -1; rest != 0;) {
         for (int r = 0; r < rows; ++r) {
             for (int c = 0; c < columns; ++c) {
-                const double cell = m_grid.stepsOf(m_distances(frames.source + r, firstDestination + c));
+                const double cell = m_grid.stepsOf(m_distance(frames.source + r, firstDestination + c));
                 programme.key(r, c) = (guess.length * cell - guess.steps) * m_grid.lengthOne + 1;
             }
         }
@@ -129,19 +136,17 @@ std::optional<Transition> WarpPaths::between(FramePair frames, int sourceWindow,
     return solve(frames, sourceWindow, destinationWindow, sourceWindow, destinationWindow, {});
 }
 
-std::optional<Transition> WarpPaths::of(const TransitionTable& table, FramePair frames) const
+std::optional<Transition> WarpPaths::of(const KnownTransition& known, FramePair frames) const
 {
-    const int sourceWindow = table.sourceWindow(frames.source, frames.destination);
-    if (sourceWindow == 0)
+    if (known.sourceWindow == 0)
         return std::nullopt;
-    const int destinationWindow = table.destinationWindow(frames.source, frames.destination);
     Mean guess;
     if (m_settings.cost == TransitionCost::Mean) {
-        guess.length = table.length(frames.source, frames.destination);
-        guess.steps = std::round(static_cast<double>(table.cost(frames.source, frames.destination)) *
-                                 guess.length / m_grid.unit);
+        guess.length = known.length;
+        guess.steps = std::round(static_cast<double>(known.cost) * guess.length / m_grid.unit);
     }
-    return solve(frames, sourceWindow, destinationWindow, sourceWindow, destinationWindow, guess);
+    return solve(frames, known.sourceWindow, known.destinationWindow, known.sourceWindow,
+                 known.destinationWindow, guess);
 }
 
 std::optional<Transition> WarpPaths::linear(FramePair frames) const
@@ -156,7 +161,7 @@ std::optional<Transition> WarpPaths::linear(FramePair frames) const
     for (int k = 0; k < window; ++k) {
         found.path.push_back(
             {.source = frames.source + k, .destination = frames.destination - window + 1 + k});
-        sum += static_cast<double>(m_distances(found.path.back().source, found.path.back().destination));
+        sum += static_cast<double>(m_distance(found.path.back().source, found.path.back().destination));
     }
     found.cost = static_cast<float>(m_settings.cost == TransitionCost::Mean ? sum / window : sum);
     return found;

@@ -9,6 +9,7 @@
 #include "model/transition/transitionsettings.h"
 #include "model/transition/transitiontable.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -35,9 +36,15 @@ struct Transition
 class WarpPaths
 {
 public:
+    using DistanceOf = std::function<float(NodeIndex, NodeIndex)>;
+
     /// \param distances  as for transitionTable.
     /// \throws Error BadArgument from checkSettings. Cost: O(frames²), for the largest distance.
     WarpPaths(const Table<float>& distances, FrameLayout layout, const TransitionSettings& settings);
+
+    /// The same of distances that are known pair by pair. \param distance  called from several threads.
+    /// \param largest  of all distances. \throws Error BadArgument from checkSettings.
+    WarpPaths(DistanceOf distance, float largest, FrameLayout layout, const TransitionSettings& settings);
 
     /// The best transition between two frames over all windows; nothing where no windows fit, or i = j.
     /// \throws Error BadArgument where a frame does not exist. Cost: O(l_max²).
@@ -47,8 +54,12 @@ public:
     /// The best warp path of given windows; nothing where the slope lets no path span them.
     /// \pre They lie in their sequences, of 1 … l_max frames.
     std::optional<Transition> between(FramePair frames, int sourceWindow, int destinationWindow) const;
-    /// That of a table of the same distances and settings; nothing where it has none.
-    std::optional<Transition> of(const TransitionTable& table, FramePair frames) const;
+    /// That of which the rest is known, from the same distances and settings; nothing where there is none.
+    std::optional<Transition> of(const KnownTransition& known, FramePair frames) const;
+    std::optional<Transition> of(const TransitionTable& table, FramePair frames) const
+    {
+        return of(table.at(frames), frames);
+    }
     /// That of a linear table: both windows advance together.
     std::optional<Transition> linear(FramePair frames) const;
 
@@ -65,7 +76,7 @@ private:
     std::optional<Transition> solve(FramePair frames, int rows, int columns, int shortestRows,
                                     int shortestColumns, Mean guess) const;
 
-    const Table<float>& m_distances;
+    DistanceOf m_distance;
     FrameLayout m_layout;
     TransitionSettings m_settings;
     CostGrid m_grid;

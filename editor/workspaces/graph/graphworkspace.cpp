@@ -293,9 +293,9 @@ void GraphWorkspace::activate(const FramePair& pair)
 QString GraphWorkspace::readOut(const FramePair& pair) const
 {
     const CharacterGraph& graph = m_explorer->character()->graph;
-    const TransitionTable& table = graph.transitions();
     QString text = m_map->matrix().cellText({pair.source, pair.destination});
-    if (!graph.costs().hasTransition(pair.source, pair.destination))
+    const auto transition = graph.transition(pair);
+    if (!transition)
         return text;
     const double fps = m_context.document.project().settings.fps;
     const int length = graph.costs().length()(pair.source, pair.destination);
@@ -304,8 +304,8 @@ QString GraphWorkspace::readOut(const FramePair& pair) const
                .arg(text)
                .arg(length)
                .arg(QLocale().toString((length - 1) / fps, 'f', 2))
-               .arg(table.sourceWindow(pair.source, pair.destination))
-               .arg(table.destinationWindow(pair.source, pair.destination));
+               .arg(transition->sourceWindow)
+               .arg(transition->destinationWindow);
     const auto& graphs = m_explorer->graphs();
     if (graphs && graphs->essential.find(pair.source, pair.destination) != nullptr)
         text = tr("%1 · Essential graph").arg(text);

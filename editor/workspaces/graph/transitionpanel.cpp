@@ -179,10 +179,11 @@ void TransitionPanel::showCost()
         tr("%1 = %2 × %3").arg(chartNumber(alpha * length), chartNumber(alpha), QLocale().toString(length)));
     m_length->setText(
         tr("%n frame(s), %1 s", nullptr, length).arg(QLocale().toString((length - 1) / m_fps, 'f', 2)));
-    const TransitionTable& table = graph.transitions();
+    const auto transition = graph.transition(*m_pair);
     //: frames of the source window and of the destination window
     m_windows->setText(
-        tr("%1 and %2 frames").arg(table.sourceWindow(i, j)).arg(table.destinationWindow(i, j)));
+        transition ? tr("%1 and %2 frames").arg(transition->sourceWindow).arg(transition->destinationWindow)
+                   : QString());
     const CostParts parts = graph.partsOf(*m_pair);
     const double sum = parts.sum();
     const auto part = [&](double value) {

@@ -73,7 +73,7 @@ TransitionCosts costsOf(const Variant& variant, const CharacterGraph& graph, con
         addDrifts(table.cost, footDrifts(graph.roots(), layout, table, graph.fps()), table.length,
                   entry.cost == TransitionCost::Sum, entry.steps);
     if (entry.costScale == CostScale::Liveliness && !variant.isJoined && liveliness.size() > 0)
-        table.cost = costPerLiveliness(table.cost, layout, liveliness);
+        table.cost = costPerLiveliness(std::move(table.cost), layout, liveliness);
     const double greatest = variant.quantile
                                 ? quantileOf(graph.distances(), *variant.quantile)
                                 : work.graph.greatestDistance.value_or(graph.distances().maxCoeff());

@@ -224,12 +224,15 @@ BuildStep junctionsStep(const CharacterInputs& work, const EvaluationEntry& eval
     step.compute = [=](const StepContext& context, const Progress& progress) {
         const CharacterGraph graph(work, context);
         const CharacterFrames character = work.open(progress.part(0, 0.05));
+        const Table<float> steps = graph.steps();
+        const TransitionTable transitions =
+            transitionTableOf(context.resultOf(work.stepName(graphstep::transitions)));
         const Table<float> accelerations = accelerationDifferences(character, fps, progress.part(0.05, 0.4));
         const JunctionInputs inputs{.character = character,
                                     .roots = graph.roots(),
-                                    .distances = graph.steps(),
+                                    .distances = steps,
                                     .accelerations = accelerations,
-                                    .transitions = graph.transitions(),
+                                    .transitions = transitions,
                                     .settings = transitionSettings(work.graph, fps),
                                     .graph = graph.graph(),
                                     .costs = graph.costs(),

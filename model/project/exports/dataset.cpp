@@ -65,7 +65,7 @@ std::vector<Member> membersOf(const VariationEntry& variation, const Result& sel
 
 Json cellOf(const DataArray& column, std::size_t row)
 {
-    return std::visit([row](const auto& values) { return Json(values.at(row)); }, column.values);
+    return std::visit([row](const auto& values) { return Json(values[row]); }, column.values);
 }
 
 Json rowJson(const DataTable& table, std::size_t row)

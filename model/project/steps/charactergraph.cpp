@@ -108,6 +108,15 @@ std::vector<double> pacesInHeights(const RootPoses& roots, const FrameLayout& la
     return paces;
 }
 
+constexpr int bitsOfWindow = 8;
+constexpr std::uint16_t greatestPacked = (1U << bitsOfWindow) - 1;
+
+std::uint16_t packedWindows(std::uint16_t source, std::uint16_t destination)
+{
+    const bool fits = source <= greatestPacked && destination <= greatestPacked;
+    return fits ? static_cast<std::uint16_t>(source << bitsOfWindow | destination) : std::uint16_t{0};
+}
+
 [[noreturn]] void throwNoFrame(const std::string& sequence, std::int64_t frame, NodeIndex count)
 {
     throw Error(ErrorCode::ProjectInvalid,
@@ -156,9 +165,10 @@ Result rootPosesResult(const RootPoses& roots, const std::string& unit)
     return result;
 }
 
-RootPoses rootPosesOf(const Result& result, UpAxis up)
+RootPoses rootPosesOf(ResultPointer pointer, UpAxis up)
 {
-    RootPoses roots{.up = up, .turns = tableOf<float>(arrayOf(result, "root-turns"))};
+    const Result& result = *pointer;
+    RootPoses roots{.up = up};
     const auto& centres = std::get<std::vector<double>>(arrayOf(result, "root-centres").values);
     for (std::size_t node = 0; node < centres.size() / 3; ++node)
         roots.centres.emplace_back(centres[3 * node], centres[3 * node + 1], centres[3 * node + 2]);
@@ -174,23 +184,29 @@ RootPoses rootPosesOf(const Result& result, UpAxis up)
         }
     }
     roots.stances = stancesOf(result);
+    roots.turns = takeTable<float>(std::move(pointer), "root-turns");
     return roots;
 }
 
-TransitionTable transitionTableOf(const Result& result)
+TransitionTable transitionTableOf(ResultPointer result)
 {
-    const auto countsOf = [](const Table<float>& counts) -> Table<std::uint16_t> {
-        return counts.isFinite().select(counts, 0.0F).cast<std::uint16_t>();
-    };
-    const DataArray& array = arrayOf(result, "transition-windows");
-    const auto& values = std::get<std::vector<float>>(array.values);
-    using Windows = Eigen::Map<const Table<float>, 0, Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>>;
-    const Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic> everySecond(2 * array.shape[1], 2);
-    return {.cost = tableOf<float>(arrayOf(result, "transition-cost")),
-            .length = countsOf(tableOf<float>(arrayOf(result, "transition-length"))),
-            .sourceWindow = countsOf(Windows(values.data(), array.shape[0], array.shape[1], everySecond)),
-            .destinationWindow =
-                countsOf(Windows(values.data() + 1, array.shape[0], array.shape[1], everySecond))};
+    SharedTable<float> cost = sharedTableOf<float>(arrayOf(*result, "transition-cost"));
+    TransitionTable table = transitionWindowsOf(std::move(result));
+    table.cost = std::move(cost).take();
+    return table;
+}
+
+TransitionTable transitionWindowsOf(ResultPointer result)
+{
+    SharedTable<std::uint16_t> length = sharedTableOf<std::uint16_t>(arrayOf(*result, "transition-length"));
+    TransitionTable table{.windows = takeTable<std::uint16_t>(std::move(result), "transition-windows")};
+    table.length = std::move(length).take();
+    return table;
+}
+
+float greatestStepOf(const Result& transitions)
+{
+    return std::get<std::vector<float>>(arrayOf(transitions, "greatest-step").values).front();
 }
 
 std::vector<std::string> CharacterGraph::inputs(const CharacterInputs& work)
@@ -202,20 +218,28 @@ std::vector<std::string> CharacterGraph::inputs(const CharacterInputs& work)
 }
 
 CharacterGraph::Tables::Tables(const CharacterInputs& work, const StepContext& context)
+    : weights(work.graph.steps)
 {
     const auto resultOf = [&](const char* step) { return context.resultOf(work.stepName(step)); };
-    const auto poses = resultOf(graphstep::poseDistance);
-    layout = layoutOf(*poses);
-    distances = tableOf<float>(poses->arrays.front());
-    transitions = transitionTableOf(*resultOf(graphstep::transitions));
-    costs = costsOf(work, context);
     const ProjectSettings& settings = work.opener->project().settings;
-    roots = rootPosesOf(*resultOf(graphstep::rootPoses), settings.axes.up);
-    if (!work.graph.steps.isNothing())
-        steps = weightedSteps(distances, stepCosts(roots, layout, settings.fps), work.graph.steps);
+    costs = costsOf(work, context);
+    layout = costs->layout();
+    auto transitions = resultOf(graphstep::transitions);
+    const float greatest = greatestStepOf(*transitions);
+    const SharedTable<std::uint16_t> both =
+        sharedTableOf<std::uint16_t>(arrayOf(*transitions, "transition-windows"));
+    transitions.reset();
+    windows = Table<std::uint16_t>::Zero(layout.frameCount(), layout.frameCount());
+    for (Eigen::Index i = 0; i < windows.rows(); ++i)
+        for (Eigen::Index j = 0; j < windows.cols(); ++j)
+            windows(i, j) = packedWindows((*both)(i, 2 * j), (*both)(i, 2 * j + 1));
+    roots = rootPosesOf(resultOf(graphstep::rootPoses), settings.axes.up);
+    distances = sharedTableOf<float>(resultOf(graphstep::poseDistance)->arrays.front());
+    differences.emplace(roots, layout, settings.fps);
     if (knowsDrifts(work.graph))
-        drifts = tableOf<float>(resultOf(graphstep::drifts)->arrays.front());
-    paths.emplace(shownSteps(), layout, transitionSettings(work.graph, settings.fps));
+        drifts.emplace(roots, layout, settings.fps);
+    paths.emplace([this](NodeIndex i, NodeIndex j) { return step(i, j); }, greatest, layout,
+                  transitionSettings(work.graph, settings.fps));
 }
 
 CharacterGraph::CharacterGraph(const CharacterInputs& work, const StepContext& context) : m_work(work)
@@ -234,23 +258,44 @@ CharacterGraph::CharacterGraph(const CharacterInputs& work, const StepContext& c
     });
 }
 
+Table<float> CharacterGraph::steps() const
+{
+    Table<float> steps = distances();
+    addStepCosts(steps, *m_tables->differences, m_tables->weights);
+    return steps;
+}
+
+std::optional<Transition> CharacterGraph::transition(const FramePair& pair) const
+{
+    if (!m_tables->costs->hasTransition(pair.source, pair.destination))
+        return std::nullopt;
+    const std::uint16_t windows = m_tables->windows(pair.source, pair.destination);
+    return windows == 0 ? paths().find(pair)
+                        : paths().between(pair, windows >> bitsOfWindow, windows & greatestPacked);
+}
+
 CostParts CharacterGraph::partsOf(const FramePair& pair) const
 {
-    const CostSplit split{.distances = m_tables->distances,
-                          .steps = steps(),
+    const auto transition = this->transition(pair);
+    if (!transition)
+        return {};
+    const WarpPaths::DistanceOf step = [this](NodeIndex i, NodeIndex j) { return m_tables->step(i, j); };
+    const CostSplit split{.distances = distances(),
+                          .step = step,
                           .stances = m_tables->roots.stances,
-                          .contactWeight = m_work.graph.steps.contacts,
-                          .drifts = m_tables->drifts,
-                          .paths = *m_tables->paths,
-                          .transitions = m_tables->transitions,
-                          .costs = *m_tables->costs};
-    return split.of(pair);
+                          .contactWeight = m_work.graph.steps.contacts};
+    const KnownTransition known{.length = static_cast<std::uint16_t>(transition->length()),
+                                .sourceWindow = static_cast<std::uint16_t>(transition->sourceWindow),
+                                .destinationWindow =
+                                    static_cast<std::uint16_t>(transition->destinationWindow)};
+    const float drift = m_tables->drifts ? m_tables->drifts->of(known, pair) : 0;
+    return split.of(*transition, drift, costs().cost()(pair.source, pair.destination));
 }
 
 WalkMaterial CharacterGraph::material(const BlendSettings& blend, bool isAlongPath) const
 {
     const auto transition = [this](const FramePair& pair) {
-        const auto known = m_tables->paths->of(m_tables->transitions, pair);
+        const auto known = this->transition(pair);
         return known ? *known : m_tables->paths->get(pair);
     };
     return {.graph = *m_graph,

@@ -6,7 +6,9 @@
 #include "model/project/steps/charactersteps.h"
 #include "model/project/steps/costparts.h"
 #include "model/synthesis/findwalk.h"
+#include "model/synthesis/footdrift.h"
 #include "model/synthesis/rootposes.h"
+#include "model/synthesis/stepcosts.h"
 #include "model/synthesis/walk.h"
 #include "model/transition/warppath.h"
 
@@ -19,9 +21,14 @@ Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nod
 
 /// \param unit  of lengths.
 Result rootPosesResult(const RootPoses& roots, const std::string& unit);
-RootPoses rootPosesOf(const Result& result, UpAxis up);
-/// From the result of the step of transitions.
-TransitionTable transitionTableOf(const Result& result);
+/// Takes the turns out of the result where nobody else has it.
+RootPoses rootPosesOf(ResultPointer result, UpAxis up);
+/// From the result of the step of transitions, out of which it is taken where nobody else has it.
+TransitionTable transitionTableOf(ResultPointer result);
+/// The same without costs.
+TransitionTable transitionWindowsOf(ResultPointer result);
+/// What transitions were sought by is at most so much.
+float greatestStepOf(const Result& transitions);
 
 /// What walks through the frames of a character need, from the results of its graph's steps. What is made of
 /// results alone is shared by the graphs of all values of a project that have the same.
@@ -37,15 +44,17 @@ public:
 
     const CharacterInputs& work() const { return m_work; }
     const FrameLayout& layout() const { return m_tables->layout; }
-    const Table<float>& distances() const { return m_tables->distances; }
+    const Table<float>& distances() const { return *m_tables->distances; }
     const TransitionCosts& costs() const { return *m_tables->costs; }
     /// What transitions are sought by: the distances, and what else frames that are blended differ in.
-    const Table<float>& steps() const { return m_tables->shownSteps(); }
+    /// Cost: O(frames² · feet).
+    Table<float> steps() const;
     /// What the cost of a transition is made of; adds up to costs().cost() of it. \pre It has a transition.
     CostParts partsOf(const FramePair& pair) const;
     const WarpPaths& paths() const { return *m_tables->paths; }
-    /// All transitions, whatever costs are scaled by.
-    const TransitionTable& transitions() const { return m_tables->transitions; }
+    /// A transition with its path, whatever costs are scaled by; nothing where there is none.
+    /// Cost: O(l_max²).
+    std::optional<Transition> transition(const FramePair& pair) const;
     const RootPoses& roots() const { return m_tables->roots; }
     /// The Essential graph.
     const Digraph& graph() const { return *m_graph; }
@@ -78,16 +87,22 @@ private:
         Tables(const Tables&) = delete;
         Tables& operator=(const Tables&) = delete;
 
-        const Table<float>& shownSteps() const { return steps.size() > 0 ? steps : distances; }
+        float step(NodeIndex i, NodeIndex j) const
+        {
+            return differences->step((*distances)(i, j), weights, i, j);
+        }
 
         FrameLayout layout;
-        Table<float> distances;
-        Table<float> steps;  ///< empty where they are the distances
-        Table<float> drifts; ///< of footDrifts; empty where costs do not know them
-        std::optional<TransitionCosts> costs;
-        std::optional<WarpPaths> paths;
-        TransitionTable transitions;
+        SharedTable<float> distances;
+        StepWeights weights;
         RootPoses roots;
+        std::optional<StepDifferences> differences;
+        std::optional<FootDrifts> drifts; ///< nothing where costs do not know them
+        std::optional<TransitionCosts> costs;
+        /// Both windows of each transition in a byte each; 0 where there is none, or one is too long for
+        /// that.
+        Table<std::uint16_t> windows;
+        std::optional<WarpPaths> paths; ///< of the steps
     };
 
     CharacterInputs m_work;

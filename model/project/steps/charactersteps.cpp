@@ -103,26 +103,33 @@ FrameLayout layoutOf(const Result& distances)
     return FrameLayout(std::get<std::vector<std::int64_t>>(arrayOf(distances, "sequence-lengths").values));
 }
 
+float greatestOf(const Result& distances)
+{
+    const SharedTable<float> table = sharedTableOf<float>(distances.arrays.front());
+    return table->size() > 0 ? table->maxCoeff() : 0.0F;
+}
+
 TransitionCosts costsOf(const CharacterInputs& work, const StepContext& context)
 {
-    const auto distances = context.resultOf(work.stepName(graphstep::poseDistance));
-    const auto transitions = context.resultOf(work.stepName(graphstep::transitions));
+    // One after the other, so that no more of these tables are in memory than are needed at once.
+    auto distances = context.resultOf(work.stepName(graphstep::poseDistance));
     const FrameLayout layout = layoutOf(*distances);
-    const Table<float> poses = tableOf<float>(distances->arrays.front());
-    const Table<float> lengths = tableOf<float>(arrayOf(*transitions, "transition-length"));
-    const double greatest = work.graph.greatestDistance.value_or(poses.size() > 0 ? poses.maxCoeff() : 0.0F);
-    const Table<std::uint16_t> counts = lengths.isFinite().select(lengths, 0.0F).cast<std::uint16_t>();
-    Table<float> costs = tableOf<float>(arrayOf(*transitions, "transition-cost"));
+    const double greatest = work.graph.greatestDistance.value_or(greatestOf(*distances));
+    distances.reset();
+    auto transitions = context.resultOf(work.stepName(graphstep::transitions));
+    SharedTable<std::uint16_t> lengths =
+        sharedTableOf<std::uint16_t>(arrayOf(*transitions, "transition-length"));
+    Table<float> costs = takeTable<float>(std::move(transitions), "transition-cost");
     if (knowsDrifts(work.graph)) {
         const auto drifts = context.resultOf(work.stepName(graphstep::drifts));
-        addDrifts(costs, tableOf<float>(drifts->arrays.front()), counts,
+        addDrifts(costs, *sharedTableOf<float>(drifts->arrays.front()), *lengths,
                   work.graph.cost == TransitionCost::Sum, work.graph.steps);
     }
     if (work.graph.costScale == CostScale::Liveliness) {
         const auto liveliness = context.resultOf(work.stepName(graphstep::liveliness));
-        costs = costPerLiveliness(costs, layout, tableOf<double>(liveliness->arrays.front()));
+        costs = costPerLiveliness(std::move(costs), layout, tableOf<double>(liveliness->arrays.front()));
     }
-    return {std::move(costs), counts, greatest, layout};
+    return {layout, greatest, std::move(costs), std::move(lengths)};
 }
 
 bool knowsDrifts(const GraphEntry& graph)

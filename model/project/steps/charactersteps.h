@@ -53,33 +53,49 @@ GraphEntry graphOf(const Project& project, const std::string& character);
 
 CharacterInputs characterWork(const std::shared_ptr<SequenceOpener>& opener, const GraphEntry& graph);
 
+/// \pre There is one.
+const DataArray& arrayOf(const Result& result, const std::string& name);
+
 /// A square or other table as data.
 template <typename Value>
-DataArray matrixOf(std::string name, std::string description, std::string unit, const Table<Value>& table)
+DataArray matrixOf(std::string name, std::string description, std::string unit, Table<Value> table)
 {
     DataArray array;
     array.name = std::move(name);
     array.description = std::move(description);
     array.unit = std::move(unit);
     array.shape = {table.rows(), table.cols()};
-    array.values = std::vector<float>(table.data(), table.data() + table.size());
+    array.values = SharedTable<Value>(std::move(table));
     return array;
 }
 
-/// \pre There is one.
-const DataArray& arrayOf(const Result& result, const std::string& name);
+/// A matrix of single precision, or of counts; shared with the result. \pre The array is of that type.
+template <typename Value>
+SharedTable<Value> sharedTableOf(const DataArray& array)
+{
+    return std::get<SharedTable<Value>>(array.values);
+}
 
-/// A matrix of single precision.
+/// A matrix of a result, to be changed: without a copy where nobody else has the result.
+template <typename Value>
+Table<Value> takeTable(ResultPointer result, const std::string& name)
+{
+    SharedTable<Value> table = sharedTableOf<Value>(arrayOf(*result, name));
+    result.reset();
+    return std::move(table).take();
+}
+
+/// A copy of a matrix of single precision.
 template <typename Value>
 Table<Value> tableOf(const DataArray& array)
 {
-    const auto& values = std::get<std::vector<float>>(array.values);
-    return Eigen::Map<const Table<float>>(values.data(), array.shape[0], array.shape[1])
-        .template cast<Value>();
+    return sharedTableOf<float>(array)->template cast<Value>();
 }
 
 /// \param distances  the result of the step of pose distances.
 FrameLayout layoutOf(const Result& distances);
+/// The largest of these distances; 0 where there are none.
+float greatestOf(const Result& distances);
 
 /// Whether costs know how far feet are dragged, by the step of drifts.
 bool knowsDrifts(const GraphEntry& graph);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/graph/transitioncosts.h"
 #include "model/synthesis/stances.h"
 #include "model/transition/warppath.h"
 
@@ -22,17 +21,15 @@ struct CostParts
 struct CostSplit
 {
     const Table<float>& distances; ///< of poses
-    const Table<float>& steps;     ///< what transitions were sought by
+    /// What transitions were sought by. \pre Safe from several threads.
+    const WarpPaths::DistanceOf& step;
     const Stances& stances;
     double contactWeight = 0;
-    const Table<float>& drifts; ///< of footDrifts; empty: the costs do not know them
-    const WarpPaths& paths;     ///< of the steps
-    const TransitionTable& transitions;
-    const TransitionCosts& costs;
 
-    /// Adds up to the cost of the transition; zeros where there is none. Safe from several threads.
-    /// Cost: O(l_max²).
-    CostParts of(const FramePair& pair) const;
+    /// Adds up to the cost of the transition. Safe from several threads. \param transition  with its path.
+    /// \param drift  of footDrifts; 0 where costs do not know it. \param cost  as TransitionCosts has it.
+    /// Cost: O(l_max).
+    CostParts of(const Transition& transition, float drift, float cost) const;
 };
 
 } // namespace quadrille

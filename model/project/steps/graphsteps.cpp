@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/graph/comparison.h"
-#include "model/graph/shortestpath.h"
+#include "model/graph/measuredgraph.h"
 #include "model/project/document/findentry.h"
 #include "model/project/document/lengthunit.h"
 #include "model/project/document/madeclips.h"
@@ -80,6 +79,7 @@ BuildStep transitionStep(const CharacterInputs& work, const BuildStep& distances
 {
     const TransitionSettings settings = transitionSettings(work.graph, work.opener->project().settings.fps);
     BuildStep step = work.step(graphstep::transitions);
+    step.version = 2;
     const StepWeights weights = work.graph.steps;
     const double fps = settings.fps;
     const UpAxis up = work.opener->project().settings.axes.up;
@@ -92,38 +92,30 @@ BuildStep transitionStep(const CharacterInputs& work, const BuildStep& distances
     if (!weights.isNothing())
         step.inputs.push_back(work.stepName(graphstep::rootPoses));
     if (distances.bytes)
-        step.bytes = bytesOfTables(work, 4);
+        step.bytes = bytesOfTables(work, 2.5);
     step.compute = [=, inputs = step.inputs](const StepContext& context, const Progress& progress) {
-        const auto poses = context.resultOf(inputs.front());
-        Table<float> steps = tableOf<float>(poses->arrays.front());
-        if (!weights.isNothing())
-            steps = weightedSteps(
-                steps, stepCosts(rootPosesOf(*context.resultOf(inputs[1]), up), layoutOf(*poses), fps),
-                weights);
-        const TransitionTable table = transitionTable(steps, layoutOf(*poses), settings, progress);
-        constexpr float none = TransitionTable::none;
-        const auto frames = [&](const Table<std::uint16_t>& counts) -> Table<float> {
-            return (counts == 0).select(none, counts.cast<float>());
-        };
-        const auto n = static_cast<std::size_t>(table.cost.size());
-        const Table<float> source = frames(table.sourceWindow);
-        const Table<float> destination = frames(table.destinationWindow);
-        std::vector<float> windows(2 * n);
-        for (std::size_t pair = 0; pair < n; ++pair) {
-            windows[2 * pair] = source.data()[pair];
-            windows[2 * pair + 1] = destination.data()[pair];
+        auto poses = context.resultOf(inputs.front());
+        const FrameLayout layout = layoutOf(*poses);
+        const std::string unit = poses->arrays.front().unit;
+        Table<float> steps = takeTable<float>(std::move(poses), graphstep::poseDistance);
+        if (!weights.isNothing()) {
+            const RootPoses roots = rootPosesOf(context.resultOf(inputs[1]), up);
+            addStepCosts(steps, StepDifferences(roots, layout, fps), weights);
         }
+        const float greatest = steps.size() > 0 ? steps.maxCoeff() : 0.0F;
+        TransitionTable table = transitionTable(steps, layout, settings, progress);
+        steps.resize(0, 0);
         Result result;
         result.arrays = {matrixOf("transition-cost",
-                                  "D, the cost of the best transition from a frame (row) to another.",
-                                  poses->arrays.front().unit, table.cost),
+                                  "D, the cost of the best transition from a frame (row) to another.", unit,
+                                  std::move(table.cost)),
                          matrixOf("transition-length", "L, the frames that this transition lasts.", "frame",
-                                  frames(table.length)),
-                         DataArray{.name = "transition-windows",
-                                   .description = "Frames of its source and destination window.",
-                                   .unit = "frame",
-                                   .shape = {table.cost.rows(), table.cost.cols(), 2},
-                                   .values = std::move(windows)}};
+                                  std::move(table.length)),
+                         matrixOf("transition-windows", "Frames of its source and destination window.",
+                                  "frame", std::move(table.windows)),
+                         columnOf("greatest-step", unit, std::vector{greatest})};
+        result.arrays[2].shape = {layout.frameCount(), layout.frameCount(), 2};
+        result.arrays[3].description = "The greatest cost of showing two frames together.";
         return result;
     };
     return step;
@@ -141,62 +133,110 @@ BuildStep driftStep(const CharacterInputs& work)
                    work.stepName(graphstep::transitions)};
     step.compute = [=, inputs = step.inputs](const StepContext& context, const Progress& progress) {
         const FrameLayout layout = layoutOf(*context.resultOf(inputs[0]));
-        const RootPoses roots = rootPosesOf(*context.resultOf(inputs[1]), up);
+        const RootPoses roots = rootPosesOf(context.resultOf(inputs[1]), up);
         Result result;
         result.arrays = {matrixOf(
             "transition-drift",
             "How far the blend of the best transition from a frame (row) to another drags a foot "
             "that stands.",
             "body heights",
-            footDrifts(roots, layout, transitionTableOf(*context.resultOf(inputs[2])), fps, progress))};
+            footDrifts(roots, layout, transitionWindowsOf(context.resultOf(inputs[2])), fps, progress))};
         return result;
     };
     return step;
 }
 
-/// The parts of costs, from the results that the graphs are made of.
+/// What the parts of the cost of an edge are made of beside paths.
+struct EdgeCost
+{
+    KnownTransition transition;
+    float drift = 0;
+    float cost = 0;
+};
+
+/// The parts of the costs of some transitions, from the results that the graphs are made of.
 class TransitionParts
 {
 public:
-    TransitionParts(const CharacterInputs& work, const TransitionCosts& costs, const StepContext& context)
-        : m_costs(costs), m_contactWeight(work.graph.steps.contacts)
+    /// \param pairs  sorted by source, then destination.
+    TransitionParts(const CharacterInputs& work, const TransitionCosts& costs, std::vector<FramePair> pairs,
+                    const StepContext& context)
+        : m_contactWeight(work.graph.steps.contacts), m_pairs(std::move(pairs)), m_edges(m_pairs.size())
     {
         const ProjectSettings& settings = work.opener->project().settings;
         const auto resultOf = [&](const char* step) { return context.resultOf(work.stepName(step)); };
-        m_distances = tableOf<float>(resultOf(graphstep::poseDistance)->arrays.front());
-        m_transitions = transitionTableOf(*resultOf(graphstep::transitions));
-        const RootPoses roots = rootPosesOf(*resultOf(graphstep::rootPoses), settings.axes.up);
-        m_steps =
-            weightedSteps(m_distances, stepCosts(roots, costs.layout(), settings.fps), work.graph.steps);
-        m_stances = roots.stances;
-        if (knowsDrifts(work.graph))
-            m_drifts = tableOf<float>(resultOf(graphstep::drifts)->arrays.front());
-        m_paths.emplace(m_steps, costs.layout(), transitionSettings(work.graph, settings.fps));
+        const auto set = [this](const auto& setOne) {
+            for (std::size_t e = 0; e < m_edges.size(); ++e)
+                setOne(m_edges[e], m_pairs[e]);
+        };
+        // One table after the other: all of them at once take too much room.
+        set([&](EdgeCost& edge, const FramePair& pair) {
+            edge.cost = costs.cost()(pair.source, pair.destination);
+        });
+        {
+            const TransitionTable table = transitionTableOf(resultOf(graphstep::transitions));
+            set([&](EdgeCost& edge, const FramePair& pair) { edge.transition = table.at(pair); });
+        }
+        if (knowsDrifts(work.graph)) {
+            const SharedTable<float> drifts =
+                sharedTableOf<float>(resultOf(graphstep::drifts)->arrays.front());
+            set([&](EdgeCost& edge, const FramePair& pair) {
+                edge.drift = (*drifts)(pair.source, pair.destination);
+            });
+        }
+        m_distances = sharedTableOf<float>(resultOf(graphstep::poseDistance)->arrays.front());
+        m_roots = rootPosesOf(resultOf(graphstep::rootPoses), settings.axes.up);
+        m_differences.emplace(m_roots, costs.layout(), settings.fps);
+        m_step = [this, weights = work.graph.steps](NodeIndex i, NodeIndex j) {
+            return m_differences->step((*m_distances)(i, j), weights, i, j);
+        };
+        m_paths.emplace(m_step, greatestStepOf(*resultOf(graphstep::transitions)), costs.layout(),
+                        transitionSettings(work.graph, settings.fps));
     }
+    TransitionParts(const TransitionParts&) = delete;
+    TransitionParts& operator=(const TransitionParts&) = delete;
 
     CostParts of(const FramePair& pair) const
     {
-        const CostSplit split{.distances = m_distances,
-                              .steps = m_steps,
-                              .stances = m_stances,
-                              .contactWeight = m_contactWeight,
-                              .drifts = m_drifts,
-                              .paths = *m_paths,
-                              .transitions = m_transitions,
-                              .costs = m_costs};
-        return split.of(pair);
+        const auto found = std::lower_bound(
+            m_pairs.begin(), m_pairs.end(), pair, [](const FramePair& a, const FramePair& b) {
+                return a.source != b.source ? a.source < b.source : a.destination < b.destination;
+            });
+        const EdgeCost& edge = m_edges[static_cast<std::size_t>(found - m_pairs.begin())];
+        const auto transition = m_paths->of(edge.transition, pair);
+        const CostSplit split{.distances = *m_distances,
+                              .step = m_step,
+                              .stances = m_roots.stances,
+                              .contactWeight = m_contactWeight};
+        return transition ? split.of(*transition, edge.drift, edge.cost) : CostParts();
     }
 
 private:
-    const TransitionCosts& m_costs;
     double m_contactWeight;
-    Table<float> m_distances;
-    Table<float> m_steps;
-    Table<float> m_drifts;
-    Stances m_stances;
-    TransitionTable m_transitions;
+    std::vector<FramePair> m_pairs;
+    std::vector<EdgeCost> m_edges;
+    SharedTable<float> m_distances;
+    RootPoses m_roots;
+    std::optional<StepDifferences> m_differences;
+    WarpPaths::DistanceOf m_step;
     std::optional<WarpPaths> m_paths;
 };
+
+/// The transitions of one graph or another, sorted.
+std::vector<FramePair> transitionsOf(const Digraph& a, const Digraph& b)
+{
+    std::vector<FramePair> pairs;
+    for (const Digraph* graph : {&a, &b}) {
+        for (const Edge& edge : graph->edges())
+            if (edge.kind == EdgeKind::Transition)
+                pairs.push_back({edge.from, edge.to});
+    }
+    std::sort(pairs.begin(), pairs.end(), [](const FramePair& one, const FramePair& other) {
+        return std::pair(one.source, one.destination) < std::pair(other.source, other.destination);
+    });
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
 
 BuildStep graphStep(const CharacterInputs& work)
 {
@@ -211,10 +251,10 @@ BuildStep graphStep(const CharacterInputs& work)
         const TransitionCosts costs = costsOf(work, context);
         const auto minima = costMinima(costs, graph.smoothing, progress.part(0, 0.05));
         const Digraph motion = motionGraph(costs, minima, graph.alpha);
-        const EssentialGraph essential = essentialGraph(costs, graph.alpha, progress.part(0.05, 0.6));
+        const MeasuredGraph essential = measuredEssentialGraph(costs, graph.alpha, progress.part(0.05, 0.6));
         const GraphStatistics ofEssential = graphStatistics(essential.graph, essential.pathCosts);
         const GraphStatistics ofMotion =
-            graphStatistics(motion, shortestPathCosts(motion, progress.part(0.6, 1)));
+            graphStatistics(motion, measuredPathCosts(motion, progress.part(0.6, 1)));
         TableBuilder statistics = statisticsTable("graph-statistics", "Both graphs at the project's alpha.");
         addStatistics(statistics, "essential", graph.alpha, ofEssential);
         addStatistics(statistics, "motion", graph.alpha, ofMotion);
@@ -243,16 +283,19 @@ BuildStep edgeStep(const CharacterInputs& work)
     step.settings = costSettings(work.graph).dump();
     step.compute = [work, graphs = step.inputs.back()](const StepContext& context, const Progress& progress) {
         const TransitionCosts costs = costsOf(work, context);
-        const TransitionParts parts(work, costs, context);
-        const EdgeNaming naming{costs, [&](const FramePair& pair) { return parts.of(pair); }, work.sequences};
-        const auto both = context.resultOf(graphs);
+        auto both = context.resultOf(graphs);
         const NodeIndex frames = costs.layout().frameCount();
+        const Digraph motion = storedGraph(*both, "motion-graph", frames);
+        const Digraph essential = storedGraph(*both, "essential-graph", frames);
+        both.reset();
+        const TransitionParts parts(work, costs, transitionsOf(motion, essential), context);
+        const EdgeNaming naming{costs, [&](const FramePair& pair) { return parts.of(pair); }, work.sequences};
         Result result;
         result.tables = {
-            edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.",
-                      storedGraph(*both, "motion-graph", frames), naming, progress.part(0, 0.1)),
-            edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.",
-                      storedGraph(*both, "essential-graph", frames), naming, progress.part(0.1, 1))};
+            edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.", motion,
+                      naming, progress.part(0, 0.1)),
+            edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.", essential,
+                      naming, progress.part(0.1, 1))};
         return result;
     };
     return step;

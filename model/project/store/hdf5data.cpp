@@ -61,6 +61,8 @@ std::pair<hid_t, hid_t> typesOf()
         return {H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE};
     else if constexpr (std::is_same_v<T, std::int64_t>)
         return {H5T_STD_I64LE, H5T_NATIVE_INT64};
+    else if constexpr (std::is_same_v<T, std::uint16_t>)
+        return {H5T_STD_U16LE, H5T_NATIVE_UINT16};
     else
         return {H5T_STD_U8LE, H5T_NATIVE_UINT8};
 }
@@ -121,15 +123,36 @@ DataValues readNumbers(hid_t dataset, std::size_t count, std::uint64_t limit)
     return values;
 }
 
-DataValues readValues(hid_t dataset, std::size_t count, std::uint64_t limit)
+/// As one row for each index of the first dimension.
+template <typename T>
+DataValues readTable(hid_t dataset, const std::vector<std::int64_t>& shape, std::uint64_t limit)
+{
+    std::size_t columns = 1;
+    for (std::size_t d = 1; d < shape.size(); ++d)
+        columns *= static_cast<std::size_t>(shape[d]);
+    const auto rows = shape.empty() ? std::size_t{1} : static_cast<std::size_t>(shape.front());
+    if (rows > 0 && columns > limit / sizeof(T) / rows)
+        throw Failure{};
+    Table<T> table(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
+    if (table.size() > 0)
+        check(H5Dread(dataset, typesOf<T>().second, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.data()));
+    return SharedTable<T>(std::move(table));
+}
+
+DataValues readValues(hid_t dataset, const std::vector<std::int64_t>& shape, std::size_t count,
+                      std::uint64_t limit)
 {
     const Hdf5Handle type = handle(H5Dget_type(dataset), H5Tclose);
     const std::size_t size = H5Tget_size(type.id());
     switch (H5Tget_class(type.id())) {
     case H5T_FLOAT:
-        return size == 4 ? readNumbers<float>(dataset, count, limit)
-                         : readNumbers<double>(dataset, count, limit);
+        if (size != 4)
+            return readNumbers<double>(dataset, count, limit);
+        return shape.size() == 2 ? readTable<float>(dataset, shape, limit)
+                                 : readNumbers<float>(dataset, count, limit);
     case H5T_INTEGER:
+        if (size == 2)
+            return readTable<std::uint16_t>(dataset, shape, limit);
         return size == 1 ? readNumbers<std::uint8_t>(dataset, count, limit)
                          : readNumbers<std::int64_t>(dataset, count, limit);
     case H5T_STRING: {
@@ -242,7 +265,7 @@ DataArray readArray(hid_t parent, const std::string& name, std::uint64_t limit)
     if (!holdsAllValues(dataset))
         throw Failure{};
     const auto count = static_cast<std::size_t>(check(H5Sget_simple_extent_npoints(space.id())));
-    array.values = readValues(dataset.id(), count, limit);
+    array.values = readValues(dataset.id(), array.shape, count, limit);
     return array;
 }
 

@@ -34,8 +34,8 @@ std::uint64_t bytesOf(const Result& result)
 
 std::string typeName(const DataValues& values)
 {
-    static constexpr std::array<const char*, std::variant_size_v<DataValues>> names{"float32", "float64",
-                                                                                    "int64", "uint8", "text"};
+    static constexpr std::array<const char*, std::variant_size_v<DataValues>> names{
+        "float32", "float64", "int64", "uint8", "text", "float32", "uint16"};
     return names.at(values.index());
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/core/sharedtable.h"
+
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -10,9 +12,12 @@
 
 namespace quadrille {
 
-/// Numbers or texts of one type, row-major.
+/// Numbers or texts of one type, row-major. Of all pairs of frames they are tables that are shared: numbers
+/// of single precision, or counts, where 0 says that there is none (for those who read data, ∞). A matrix of
+/// single precision is always such a table.
 using DataValues = std::variant<std::vector<float>, std::vector<double>, std::vector<std::int64_t>,
-                                std::vector<std::uint8_t>, std::vector<std::string>>;
+                                std::vector<std::uint8_t>, std::vector<std::string>, SharedTable<float>,
+                                SharedTable<std::uint16_t>>;
 
 /// A named array with its shape and unit.
 struct DataArray
@@ -62,7 +67,7 @@ using ResultPointer = std::shared_ptr<const Result>;
 std::size_t valueCount(const DataValues& values);
 /// Bytes that a result takes, about.
 std::uint64_t bytesOf(const Result& result);
-/// "float32", "float64", "int64", "uint8" or "text".
+/// "float32", "float64", "int64", "uint8", "uint16" or "text".
 std::string typeName(const DataValues& values);
 
 /// The rows of a table column or of an array as one number each.

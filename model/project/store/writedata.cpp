@@ -27,6 +27,16 @@ void appendBytes(std::string& out, T value)
     out.append(bytes.data(), bytes.size());
 }
 
+/// A value as readers of data get it: counts as numbers that may be infinite.
+template <typename T>
+decltype(auto) given(const T& value)
+{
+    if constexpr (std::is_same_v<T, std::uint16_t>)
+        return value == 0 ? std::numeric_limits<float>::infinity() : static_cast<float>(value);
+    else
+        return (value);
+}
+
 /// Shortest text that reads back as the same number; "inf" and "nan" where there is no value.
 template <typename T>
 std::string toText(T value)
@@ -64,7 +74,8 @@ struct NpyColumn
 
 NpyColumn npyColumn(const DataValues& values)
 {
-    static constexpr std::array<const char*, 4> types{"<f4", "<f8", "<i8", "|u1"};
+    static constexpr std::array<const char*, std::variant_size_v<DataValues>> types{
+        "<f4", "<f8", "<i8", "|u1", "", "<f4", "<f4"};
     if (const auto* texts = std::get_if<std::vector<std::string>>(&values)) {
         std::size_t width = 1;
         for (const std::string& text : *texts)
@@ -80,7 +91,7 @@ NpyColumn npyColumn(const DataValues& values)
                 std::visit(
                     [&](const auto& list) {
                         if constexpr (!std::is_same_v<std::decay_t<decltype(list)>, std::vector<std::string>>)
-                            appendBytes(out, list[row]);
+                            appendBytes(out, given(list[row]));
                     },
                     values);
             }};
@@ -132,7 +143,7 @@ std::string withUnit(const std::string& name, const std::string& unit)
 
 std::string valueText(const DataValues& values, std::size_t index)
 {
-    return std::visit([index](const auto& list) { return toText(list[index]); }, values);
+    return std::visit([index](const auto& list) { return toText(given(list[index])); }, values);
 }
 
 /// As valueText; empty where a table has no value.
@@ -190,12 +201,12 @@ Json jsonValue(const DataValues& values, std::size_t index)
 {
     return std::visit(
         [index](const auto& list) -> Json {
-            using Value = typename std::decay_t<decltype(list)>::value_type;
-            if constexpr (std::is_floating_point_v<Value>) {
-                if (!std::isfinite(list[index]))
+            const auto& value = given(list[index]);
+            if constexpr (std::is_floating_point_v<std::decay_t<decltype(value)>>) {
+                if (!std::isfinite(value))
                     return nullptr;
             }
-            return list[index];
+            return value;
         },
         values);
 }

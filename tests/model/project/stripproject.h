@@ -7,6 +7,7 @@
 #include "model/project/results/rebuild.h"
 #include "model/project/store/dataitem.h"
 #include "model/transition/characterframes.h"
+#include "model/transition/transitiontable.h"
 #include "tests/model/project/testproject.h"
 
 #include <cmath>
@@ -75,8 +76,9 @@ protected:
     {
         const DataItem found = item(name);
         const auto& array = std::get<DataArray>(found.content);
-        const auto& values = std::get<std::vector<float>>(array.values);
-        return Eigen::Map<const Table<float>>(values.data(), array.shape[0], array.shape[1]);
+        if (const auto* counts = std::get_if<SharedTable<std::uint16_t>>(&array.values))
+            return (**counts == 0).select(TransitionTable::none, (**counts).cast<float>());
+        return *std::get<SharedTable<float>>(array.values);
     }
     std::vector<std::string> computed(const RebuildReport& report)
     {

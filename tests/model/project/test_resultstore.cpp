@@ -21,15 +21,20 @@ Result fullResult()
     matrix.description = "Distances – metres.";
     matrix.unit = "m";
     matrix.shape = {2, 3};
-    matrix.values = std::vector<float>{0, 1, INFINITY, 3, 4.5F, -0.0F};
+    matrix.values = SharedTable<float>((Table<float>(2, 3) << 0, 1, INFINITY, 3, 4.5F, -0.0F).finished());
     matrix.columns = {"a", "b", "c"};
     DataArray empty = columnOf("nothing", "", std::vector<double>{});
     DataArray picture;
     picture.name = "picture";
     picture.shape = {1, 2, 4};
     picture.values = std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6, 7, 255};
+    DataArray counts;
+    counts.name = "windows";
+    counts.unit = "frame";
+    counts.shape = {1, 2, 2};
+    counts.values = SharedTable<std::uint16_t>((Table<std::uint16_t>(1, 4) << 1, 0, 3, 65535).finished());
     Result result;
-    result.arrays = {matrix, empty, picture};
+    result.arrays = {matrix, empty, picture, counts};
     result.tables = {{"frames",
                       "All frames.",
                       {columnOf("index", "", std::vector<std::int64_t>{0, 1}),

@@ -38,13 +38,12 @@ struct Walker
                                                                     headings[static_cast<std::size_t>(j)]));
         transitions = {.cost = Table<float>::Zero(frames, frames),
                        .length = Table<std::uint16_t>::Zero(frames, frames),
-                       .sourceWindow = Table<std::uint16_t>::Zero(frames, frames),
-                       .destinationWindow = Table<std::uint16_t>::Zero(frames, frames)};
+                       .windows = Table<std::uint16_t>::Zero(frames, 2 * frames)};
         for (NodeIndex i = 0; i + length <= 40; ++i) {
-            for (NodeIndex j = 40 + length - 1; j < frames; ++j)
-                for (auto* table :
-                     {&transitions.length, &transitions.sourceWindow, &transitions.destinationWindow})
-                    (*table)(i, j) = static_cast<std::uint16_t>(length);
+            for (NodeIndex j = 40 + length - 1; j < frames; ++j) {
+                transitions.length(i, j) = static_cast<std::uint16_t>(length);
+                transitions.windows.row(i).segment(2 * j, 2) = static_cast<std::uint16_t>(length);
+            }
         }
     }
 

@@ -50,6 +50,21 @@ TEST(FootDrift, IsNothingWhereBothTakesGoOnAlike)
     EXPECT_EQ(walker.drifts().maxCoeff(), 0) << "nothing is known of feet";
 }
 
+TEST(FootDrift, IsTheSameOfSingleTransitions)
+{
+    const Walker walker(3);
+    const Table<float> drifts = walker.drifts();
+    const auto driftOf = [&](const RootPoses& roots, const FramePair& pair) {
+        return FootDrifts(roots, walker.layout, Walker::fps).of(walker.transitions.at(pair), pair);
+    };
+    for (NodeIndex i = 0; i < 40; i += 5)
+        for (NodeIndex j = 0; j < 86; j += 3)
+            EXPECT_EQ(driftOf(walker.roots, {i, j}), drifts(i, j)) << i << " → " << j;
+    RootPoses withoutFeet = walker.roots;
+    withoutFeet.stances = {};
+    EXPECT_EQ(driftOf(withoutFeet, {0, 60}), 0);
+}
+
 TEST(FootDrift, IsTheSameOnAnyNumberOfThreads)
 {
     const Walker walker(2);

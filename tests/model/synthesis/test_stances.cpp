@@ -122,6 +122,9 @@ TEST(StepCosts, CountFeetThatDifferAndMovementsThatDo)
     EXPECT_NEAR(steps(0, 2), 0.1 + 0.2, 1e-6);
     EXPECT_NEAR(steps(1, 4), 0.1 + 0.2 * 0.5 + 0.4 * 0.75, 1e-6);
     EXPECT_TRUE((weightedSteps(distances, parts, {}) == distances).all());
+    Table<float> inPlace = distances;
+    addStepCosts(inPlace, StepDifferences(roots, layout, 10), {.contacts = 0.2, .velocity = 0.4});
+    EXPECT_TRUE((inPlace == steps).all());
 }
 
 TEST(StepCosts, AreNothingWhereNobodyKnowsOfFeet)
@@ -131,6 +134,9 @@ TEST(StepCosts, AreNothingWhereNobodyKnowsOfFeet)
         .up = UpAxis::Y, .centres = {{0, 0, 0}, {1, 0, 0}}, .turns = Table<float>::Zero(2, 2)};
     const StepCosts parts = stepCosts(roots, FrameLayout(counts), 25);
     EXPECT_TRUE((parts.contacts == 0).all() && (parts.velocity == 0).all());
+    Table<float> steps = Table<float>::Constant(2, 2, 0.5F);
+    addStepCosts(steps, StepDifferences(roots, FrameLayout(counts), 25), {.contacts = 1, .velocity = 1});
+    EXPECT_TRUE((steps == 0.5F).all());
 }
 
 TEST(Supports, AreThinnedAlikeInAllFrames)

@@ -127,8 +127,7 @@ TEST(WarpPaths, CostTheSameHoweverLongTheyLast)
         const TransitionTable table = transitionTable(distances, layout, settings);
         const WarpPaths paths(distances, layout, settings);
         EXPECT_TRUE((table.cost == cells.cost).all());
-        EXPECT_TRUE((table.sourceWindow == cells.sourceWindow).all());
-        EXPECT_TRUE((table.destinationWindow == cells.destinationWindow).all());
+        EXPECT_TRUE((table.windows == cells.windows).all());
         EXPECT_TRUE((table.length <= cells.length).all());
         for (NodeIndex i = 0; i < 50; i += 3) {
             for (NodeIndex j = 0; j < 50; ++j) {
@@ -231,8 +230,7 @@ TEST(BestTransitions, AreFoundByHand)
 {
     TransitionTable table{.cost = Table<float>::Constant(10, 10, 9),
                           .length = Table<std::uint16_t>::Constant(10, 10, 2),
-                          .sourceWindow = {},
-                          .destinationWindow = {}};
+                          .windows = {}};
     table.cost(1, 6) = 3;
     table.cost(4, 9) = 1;
     table.cost(3, 7) = 2; // no neighbour of (4, 9), but near
