@@ -140,7 +140,7 @@ void GraphBar::showGraphs()
                                          .arg(widgets::chartNumber(costs->standardDeviation))
                                    : QString());
     };
-    show(m_rows[0], graphs ? &graphs->essential : nullptr, graphs ? &graphs->essentialCosts : nullptr);
+    show(m_rows[0], graphs ? &graphs->essential : nullptr, paths ? &paths->essentialCosts : nullptr);
     show(m_rows[1], graphs ? &graphs->motion : nullptr, paths ? &paths->motionCosts : nullptr);
 }
 

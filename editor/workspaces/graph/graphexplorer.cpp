@@ -3,7 +3,8 @@
 #include "editor/workspaces/graph/graphexplorer.h"
 
 #include "editor/jobs/jobrunner.h"
-#include "model/graph/shortestpath.h"
+#include "model/graph/essentialedges.h"
+#include "model/graph/measuredgraph.h"
 
 #include <algorithm>
 #include <array>
@@ -26,6 +27,8 @@ bool areEqual(const Table<Value>& a, const Table<Value>& b)
 
 bool haveSameTransitions(const OpenedCharacter& a, const OpenedCharacter& b)
 {
+    if (a.graph.hasTablesOf(b.graph))
+        return true;
     return a.graph.layout() == b.graph.layout() && a.graph.work().sequences == b.graph.work().sequences &&
            areEqual(a.graph.costs().cost(), b.graph.costs().cost()) &&
            areEqual(a.graph.costs().length(), b.graph.costs().length());
@@ -35,12 +38,12 @@ bool haveSameTransitions(const OpenedCharacter& a, const OpenedCharacter& b)
 GraphComparison compareAt(const TransitionCosts& costs, const std::vector<FramePair>& minima, double alpha,
                           const Progress& progress)
 {
-    const EssentialGraph essential = essentialGraph(costs, alpha, progress);
+    const MeasuredGraph essential = measuredEssentialGraph(costs, alpha, progress);
     const Digraph motion = motionGraph(costs, minima, alpha);
     GraphComparison comparison;
     comparison.alpha = alpha;
     comparison.essential = graphStatistics(essential.graph, essential.pathCosts);
-    comparison.motion = graphStatistics(motion, shortestPathCosts(motion, progress));
+    comparison.motion = graphStatistics(motion, measuredPathCosts(motion, progress));
     return comparison;
 }
 
@@ -124,9 +127,7 @@ void GraphExplorer::computeGraphs()
             if (!minima)
                 made->minima = std::make_shared<const std::vector<FramePair>>(
                     costMinima(costs, opened->graph.work().graph.smoothing, progress));
-            EssentialGraph essential = essentialGraph(costs, alpha, progress);
-            made->essential = std::move(essential.graph);
-            made->essentialCosts = summarizePathCosts(essential.pathCosts);
+            made->essential = essentialEdges(costs, alpha, progress);
             made->motion = motionGraph(costs, *made->minima, alpha);
             return std::shared_ptr<const ExploredGraphs>(std::move(made));
         },
@@ -154,7 +155,8 @@ void GraphExplorer::computePaths()
         [graphs = m_graphs](const Progress& progress) {
             auto made = std::make_shared<ExploredPaths>();
             made->graphs = graphs;
-            made->motionCosts = summarizePathCosts(shortestPathCosts(graphs->motion, progress));
+            made->essentialCosts = measuredPathCosts(graphs->essential, progress);
+            made->motionCosts = measuredPathCosts(graphs->motion, progress);
             made->essentialConnectivity = connectivity(graphs->essential);
             made->motionConnectivity = connectivity(graphs->motion);
             return std::shared_ptr<const ExploredPaths>(std::move(made));

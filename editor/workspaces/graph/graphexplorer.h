@@ -25,13 +25,13 @@ struct ExploredGraphs
     std::shared_ptr<const std::vector<FramePair>> minima; ///< transitions of the motion graph
     Digraph essential;
     Digraph motion;
-    PathCostSummary essentialCosts;
 };
 
 /// What takes longer to know about them.
 struct ExploredPaths
 {
     std::shared_ptr<const ExploredGraphs> graphs;
+    PathCostSummary essentialCosts;
     PathCostSummary motionCosts;
     Connectivity essentialConnectivity;
     Connectivity motionConnectivity;

@@ -30,7 +30,7 @@ std::vector<std::filesystem::path> writeGraphTables(const CharacterGraph& charac
 {
     const ExploredGraphs& graphs = *paths.graphs;
     const GraphStatistics essential =
-        statisticsOf(graphs.essential, graphs.essentialCosts, paths.essentialConnectivity);
+        statisticsOf(graphs.essential, paths.essentialCosts, paths.essentialConnectivity);
     const GraphStatistics motion = statisticsOf(graphs.motion, paths.motionCosts, paths.motionConnectivity);
     std::vector<DataTable> tables;
     const EdgeNaming naming{character.costs(), [&](const FramePair& pair) { return character.partsOf(pair); },
