@@ -28,13 +28,13 @@ namespace quadrille {
 
 namespace {
 
-constexpr int steps = 30;
+constexpr int framesOfTake = 30;
 
 /// Two flat feet with a shin each, facing +z; the left one is lifted in frames 10 … 19.
 void writeStepping(const QString& folder)
 {
     QDir().mkpath(folder);
-    for (int f = 0; f < steps; ++f) {
+    for (int f = 0; f < framesOfTake; ++f) {
         std::ofstream file(QStringLiteral("%1/step_%2.obj").arg(folder).arg(f).toStdString());
         for (const double side : {-0.2, 0.2}) {
             const double height = f >= 10 && f < 20 && side > 0 ? 0.3 : 0.0;
@@ -75,7 +75,7 @@ void writeFarGoing(const QString& folder)
 void writeTextures(const QString& folder)
 {
     QDir().mkpath(folder);
-    for (int f = 0; f < steps; ++f) {
+    for (int f = 0; f < framesOfTake; ++f) {
         QImage image(8, 8, QImage::Format_RGB888);
         image.fill(QColor(8 * f, 0, 0));
         QVERIFY(image.save(QStringLiteral("%1/t_%2.png").arg(folder).arg(f)));
@@ -374,7 +374,7 @@ private slots:
         QTRY_VERIFY(red() > 0);
         QTest::keyClick(m_window.get(), Qt::Key_Space);
         QTest::keyClick(m_window.get(), Qt::Key_End);
-        QTRY_COMPARE(red(), 8 * (steps - 1));
+        QTRY_COMPARE(red(), 8 * (framesOfTake - 1));
         QVERIFY(!m_window->sequences().player().isPlaying());
     }
 };

@@ -12,7 +12,7 @@ using namespace quadrille::widgets;
 
 namespace {
 
-using Kind = PathPart::Kind;
+using Part = PathPart::Kind;
 
 /// Seen from straight above, a hundred pixels a metre: (x, z) is at pixel (400 + 100 x, 300 + 100 z).
 GroundView fromAbove()
@@ -128,20 +128,20 @@ void TestPathLayout::partsAreFoundUnderTheirPixels()
     m_content.shape.stretches = {{.from = 1, .to = 2.05, .text = {}}};
     m_content.shape.obstacles = {{.corners = {{2, 0, 1}}, .radius = 0.5F, .problem = {}}};
     const auto partAt = [this](double x, double z) { return layout().partAt(at(x, z)); };
-    QCOMPARE(partAt(-2.1, 0), (PathPart{Kind::Point, 0, 0}));
-    QCOMPARE(partAt(-2.13, 0).kind, Kind::None); // 13 pixels
-    QCOMPARE(partAt(-1.0, 0), (PathPart{Kind::StretchStart, 0, 0}));
-    QCOMPARE(partAt(0, 0.03), (PathPart{Kind::Point, 1, 0})); // lies on top of the stretch's end
-    m_content.selected = {Kind::StretchEnd, 0, 0};
-    QCOMPARE(partAt(0, 0.03), (PathPart{Kind::StretchEnd, 0, 0}));
-    QCOMPARE(partAt(-1.5, 0.07).kind, Kind::Curve);
-    QCOMPARE(partAt(-1.5, 0.09).kind, Kind::None);
-    QCOMPARE(partAt(2, 1), (PathPart{Kind::Obstacle, 0, 0}));
-    QCOMPARE(partAt(2, 1.56), (PathPart{Kind::ObstacleRadius, 0, 0}));
+    QCOMPARE(partAt(-2.1, 0), (PathPart{Part::Point, 0, 0}));
+    QCOMPARE(partAt(-2.13, 0).kind, Part::None); // 13 pixels
+    QCOMPARE(partAt(-1.0, 0), (PathPart{Part::StretchStart, 0, 0}));
+    QCOMPARE(partAt(0, 0.03), (PathPart{Part::Point, 1, 0})); // lies on top of the stretch's end
+    m_content.selected = {Part::StretchEnd, 0, 0};
+    QCOMPARE(partAt(0, 0.03), (PathPart{Part::StretchEnd, 0, 0}));
+    QCOMPARE(partAt(-1.5, 0.07).kind, Part::Curve);
+    QCOMPARE(partAt(-1.5, 0.09).kind, Part::None);
+    QCOMPARE(partAt(2, 1), (PathPart{Part::Obstacle, 0, 0}));
+    QCOMPARE(partAt(2, 1.56), (PathPart{Part::ObstacleRadius, 0, 0}));
     double distance = 0;
     QVERIFY(std::abs(layout().lengthAt(at(0.3, 1), &distance).value() - 3) < 1e-3);
     QVERIFY(std::abs(distance - 30) < 0.1);
-    QVERIFY(!layout().placeOf({Kind::Point, 3, 0}) && !layout().placeOf({Kind::ObstacleCorner, 0, 1}));
+    QVERIFY(!layout().placeOf({Part::Point, 3, 0}) && !layout().placeOf({Part::ObstacleCorner, 0, 1}));
 }
 
 void TestPathLayout::partsStandInOrder()
@@ -149,7 +149,7 @@ void TestPathLayout::partsStandInOrder()
     m_content.shape.inSpace = true;
     m_content.shape.stretches = {{}};
     m_content.shape.obstacles = {{.corners = {{}, {}, {}}, .problem = {}}};
-    m_content.selected = {Kind::Point, 1, 0};
+    m_content.selected = {Part::Point, 1, 0};
     std::vector<PathPart::Kind> kinds;
     for (const PathPart& part : layout().parts())
         kinds.push_back(part.kind);
@@ -162,7 +162,7 @@ void TestPathLayout::partsStandInOrder()
 
 void TestPathLayout::pointsAreDraggedFromWhereTheyWereGrabbed()
 {
-    PathDrag drag(layout(), {Kind::Point, 1, 0}, at(0.05, 0), {});
+    PathDrag drag(layout(), {Part::Point, 1, 0}, at(0.05, 0), {});
     QVERIFY(!drag.moveTo(layout(), at(0.06, 0.01), {}));
     QVERIFY(!drag.hasMoved());
     const auto moved = drag.moveTo(layout(), at(1.05, 1), {});
@@ -172,7 +172,7 @@ void TestPathLayout::pointsAreDraggedFromWhereTheyWereGrabbed()
     QVERIFY(isSamePlace(drag.moveTo(layout(), at(1.05, 0.4), Qt::ShiftModifier)->points[1], {1, 0, 0}));
     // In space Alt lifts; from above a pixel up is as much as it is aside.
     m_content.shape.inSpace = true;
-    PathDrag lift(layout(), {Kind::Point, 1, 0}, at(0, 0), Qt::AltModifier);
+    PathDrag lift(layout(), {Part::Point, 1, 0}, at(0, 0), Qt::AltModifier);
     QVERIFY(isSamePlace(lift.moveTo(layout(), at(0.3, -0.5), Qt::AltModifier)->points[1], {0, 0.5F, 0}));
     QVERIFY(
         isSamePlace(lift.moveTo(layout(), at(0, 0.5), Qt::AltModifier)->points[1], {0, 0, 0})); // the ground
@@ -181,12 +181,12 @@ void TestPathLayout::pointsAreDraggedFromWhereTheyWereGrabbed()
 void TestPathLayout::endsOfStretchesKeepApart()
 {
     m_content.shape.stretches = {{.from = 1, .to = 3, .text = {}}};
-    PathDrag end(layout(), {Kind::StretchEnd, 0, 0}, at(0, 1), {});
+    PathDrag end(layout(), {Part::StretchEnd, 0, 0}, at(0, 1), {});
     QVERIFY(std::abs(end.moveTo(layout(), at(0.2, 1.5), {})->stretches[0].to - 3.5) < 1e-3);
     QVERIFY(std::abs(end.moveTo(layout(), at(-2, 0), {})->stretches[0].to - 1.05) < 1e-3);
-    PathDrag start(layout(), {Kind::StretchStart, 0, 0}, at(-1, 0), {});
+    PathDrag start(layout(), {Part::StretchStart, 0, 0}, at(-1, 0), {});
     QVERIFY(std::abs(start.moveTo(layout(), at(0, 2), {})->stretches[0].from - 2.95) < 1e-3);
-    m_content.selected = {Kind::StretchStart, 0, 0};
+    m_content.selected = {Part::StretchStart, 0, 0};
     const auto nudged = nudgedSelection(layout(), Qt::Key_Left, Qt::ShiftModifier);
     QVERIFY(nudged && nudged->stretches[0].from == 0.0 && nudged->stretches[0].to == 3.0);
 }
@@ -195,23 +195,23 @@ void TestPathLayout::obstaclesAreMovedAndSized()
 {
     m_content.shape.obstacles = {{.corners = {{2, 0, 1}}, .radius = 0.5F, .problem = {}},
                                  {.corners = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}, .problem = {}}};
-    PathDrag edge(layout(), {Kind::ObstacleRadius, 0, 0}, at(2.5, 1), {});
+    PathDrag edge(layout(), {Part::ObstacleRadius, 0, 0}, at(2.5, 1), {});
     QVERIFY(std::abs(edge.moveTo(layout(), at(2.8, 1), {})->obstacles[0].radius - 0.8F) < 1e-3F);
     QVERIFY(std::abs(edge.moveTo(layout(), at(2, 1), {})->obstacles[0].radius - 0.05F) < 1e-6F);
-    PathDrag whole(layout(), {Kind::Obstacle, 1, 0}, at(0.5, 0.5), {});
+    PathDrag whole(layout(), {Part::Obstacle, 1, 0}, at(0.5, 0.5), {});
     QVERIFY(areSamePlaces(whole.moveTo(layout(), at(1.5, 0.5), {})->obstacles[1].corners,
                           {{1, 0, 0}, {2, 0, 0}, {2, 0, 1}, {1, 0, 1}}));
-    PathDrag corner(layout(), {Kind::ObstacleCorner, 1, 2}, at(1, 1), {});
+    PathDrag corner(layout(), {Part::ObstacleCorner, 1, 2}, at(1, 1), {});
     QVERIFY(isSamePlace(corner.moveTo(layout(), at(1.5, 1.5), {})->obstacles[1].corners[2], {1.5F, 0, 1.5F}));
-    m_content.selected = {Kind::Obstacle, 0, 0};
+    m_content.selected = {Part::Obstacle, 0, 0};
     QVERIFY(std::abs(resizedSelection(layout(), -0.1F)->obstacles[0].radius - 0.4F) < 1e-6F);
-    m_content.selected = {Kind::Obstacle, 1, 0};
+    m_content.selected = {Part::Obstacle, 1, 0};
     QVERIFY(!resizedSelection(layout(), 0.1F));
 }
 
 void TestPathLayout::keysMoveAlongTheViewsAxes()
 {
-    m_content.selected = {Kind::Point, 1, 0};
+    m_content.selected = {Part::Point, 1, 0};
     const auto nudged = [this](int key, Qt::KeyboardModifiers modifiers, float yaw) {
         GroundView view = fromAbove();
         view.camera.yaw = yaw;
