@@ -11103,10 +11103,6 @@ maximal %2</translation>
         <source>Drawing “%1”</source>
         <translation>Tirage de «&#xa0;%1&#xa0;»</translation>
     </message>
-    <message>
-        <source>Keeping “%1”</source>
-        <translation>Conservation de «&#xa0;%1&#xa0;»</translation>
-    </message>
 </context>
 <context>
     <name>quadrille::VariationPage</name>

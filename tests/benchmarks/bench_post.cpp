@@ -25,7 +25,7 @@ struct Subject
     std::vector<ContactSpan> contacts = detectContacts(take);
     Legs legs =
         findLegs(*clip.topology, upright(clip.positions, clip.topology->vertexCount(), UpAxis::Y), 0.07);
-    FootShift shift{.pivot = {}, .turn = 0.1, .shift = {0.04, 0.02}, .lift = 0.005};
+    FootShift shift{.pivot = Vec2d::Zero(), .turn = 0.1, .shift = {0.04, 0.02}, .lift = 0.005};
 };
 
 const Subject& subject()

@@ -130,18 +130,20 @@ void GraphBar::showGraphs()
 {
     const auto& graphs = m_explorer.graphs();
     const auto& paths = m_explorer.paths();
+    const bool isMeasured = paths && paths->graphs == graphs;
     const QString none = QStringLiteral("–");
+    const QString later = QStringLiteral("…");
     const auto show = [&](const Row& row, const Digraph* graph, const PathCostSummary* costs) {
         row.edges->setText(graph ? QLocale().toString(static_cast<qlonglong>(graph->edges().size())) : none);
         row.density->setText(graph ? tr("%1 %").arg(widgets::chartNumber(100 * graph->density())) : none);
-        row.cost->setText(costs ? widgets::chartNumber(costs->mean) : none);
+        row.cost->setText(costs ? widgets::chartNumber(costs->mean) : graph ? later : none);
         row.cost->setToolTip(costs ? tr("± %1; %n pair(s) of frames without a way", nullptr,
                                         static_cast<int>(costs->unreachablePairs))
                                          .arg(widgets::chartNumber(costs->standardDeviation))
                                    : QString());
     };
-    show(m_rows[0], graphs ? &graphs->essential : nullptr, paths ? &paths->essentialCosts : nullptr);
-    show(m_rows[1], graphs ? &graphs->motion : nullptr, paths ? &paths->motionCosts : nullptr);
+    show(m_rows[0], graphs ? &graphs->essential : nullptr, isMeasured ? &paths->essentialCosts : nullptr);
+    show(m_rows[1], graphs ? &graphs->motion : nullptr, isMeasured ? &paths->motionCosts : nullptr);
 }
 
 /// How dense the Essential graph is for each α, as a share of the densest.

@@ -122,7 +122,7 @@ TEST(LegDeformation, IsThatOfTheTextbook)
     for (const std::size_t side : {0U, 1U}) {
         const std::vector<std::uint32_t>& foot = legs.feet[side].vertices;
         const LegDeformation deformation(*clip.topology, legs.vertices[side], foot, legs.reference);
-        FootShift shift{.pivot = {}, .turn = 0.2, .shift = {0.05, -0.02}, .lift = 0.01};
+        FootShift shift{.pivot = Vec2d::Zero(), .turn = 0.2, .shift = {0.05, -0.02}, .lift = 0.01};
         for (const std::uint32_t v : foot)
             shift.pivot += ground.of(clip.frame(7)[v].cast<double>()) / static_cast<double>(foot.size());
         std::vector<Vec3f> ours(clip.frame(7).begin(), clip.frame(7).end());

@@ -4,6 +4,7 @@
 
 #include "model/geometry/procrustes.h"
 #include "model/variation/stitching.h"
+#include "tests/model/largestdistance.h"
 #include "tests/model/transition/bars.h"
 #include "tests/model/variation/handmadeparts.h"
 
@@ -22,14 +23,6 @@ inline const RigidMotion otherMotion{
 inline Pose movedBy(const Pose& pose, const RigidMotion& motion)
 {
     return moved(pose, [&](const Vec3d& p) { return motion(p); });
-}
-
-inline double largestDistance(Positions a, Positions b)
-{
-    double largest = 0;
-    for (std::size_t v = 0; v < a.size(); ++v)
-        largest = std::max(largest, (a[v] - b[v]).cast<double>().norm());
-    return largest;
 }
 
 inline Pose stitched(const Stitching& stitching, const std::vector<Pose>& poses)
