@@ -125,7 +125,7 @@ TransitionTable emptyTable(NodeIndex frames)
 {
     return {.cost = Table<float>::Constant(frames, frames, TransitionTable::none),
             .length = Table<std::uint16_t>::Zero(frames, frames),
-            .windows = Table<std::uint16_t>::Zero(frames, 2 * frames)};
+            .windows = Table<std::uint16_t>::Zero(frames, Eigen::Index{2} * frames)};
 }
 
 void store(TransitionTable& table, Rows rows, std::span<const Entry> entries)
@@ -195,7 +195,8 @@ TransitionTable linearTransitionTable(const Table<float>& distances, const Frame
                         sum += static_cast<double>(distances(i + k, j - window + 1 + k));
                     table.cost(i, j) = static_cast<float>(mean ? sum / window : sum);
                     table.length(i, j) = static_cast<std::uint16_t>(window);
-                    table.windows(i, 2 * j) = table.windows(i, 2 * j + 1) = table.length(i, j);
+                    table.windows(i, Eigen::Index{2} * j) = table.windows(i, Eigen::Index{2} * j + 1) =
+                        table.length(i, j);
                 }
             }
         }

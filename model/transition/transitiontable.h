@@ -37,8 +37,11 @@ struct TransitionTable
     /// Both windows, frames: frames × 2 · frames, lᵢ and lⱼ of each pair side by side.
     Table<std::uint16_t> windows;
 
-    std::uint16_t sourceWindow(NodeIndex i, NodeIndex j) const { return windows(i, 2 * j); }
-    std::uint16_t destinationWindow(NodeIndex i, NodeIndex j) const { return windows(i, 2 * j + 1); }
+    std::uint16_t sourceWindow(NodeIndex i, NodeIndex j) const { return windows(i, Eigen::Index{2} * j); }
+    std::uint16_t destinationWindow(NodeIndex i, NodeIndex j) const
+    {
+        return windows(i, Eigen::Index{2} * j + 1);
+    }
     KnownTransition at(const FramePair& pair) const
     {
         const auto [i, j] = pair;

@@ -32,7 +32,7 @@ int usualShare()
 }
 
 template <typename Field>
-Field* numberField(const char* name)
+Field* namedNumberField(const char* name)
 {
     auto* field = new Field;
     field->setObjectName(QLatin1String(name));
@@ -52,15 +52,15 @@ ActionForm::ActionForm(ProjectDocument& document, SequenceMedia& media, QWidget*
     , m_title(new QLabel)
     , m_framesLabel(new QLabel)
     , m_frames(new QWidget)
-    , m_first(numberField<QSpinBox>("actionFirst"))
-    , m_last(numberField<QSpinBox>("actionLast"))
+    , m_first(namedNumberField<QSpinBox>("actionFirst"))
+    , m_last(namedNumberField<QSpinBox>("actionLast"))
     , m_strip(new widgets::RangeStrip)
     , m_repeatLabel(new QLabel)
-    , m_repeat(numberField<QSpinBox>("actionRepeat"))
+    , m_repeat(namedNumberField<QSpinBox>("actionRepeat"))
     , m_hasDuration(new QCheckBox)
-    , m_duration(numberField<QDoubleSpinBox>("actionDuration"))
+    , m_duration(namedNumberField<QDoubleSpinBox>("actionDuration"))
     , m_shareLabel(new QLabel)
-    , m_share(numberField<QSpinBox>("actionShare"))
+    , m_share(namedNumberField<QSpinBox>("actionShare"))
 {
     setObjectName(QStringLiteral("actionForm"));
     constexpr int margin = 8;

@@ -68,10 +68,10 @@ std::string primName(const std::string& name, const std::string& fallback)
     return std::isdigit(static_cast<unsigned char>(result.front())) != 0 ? "_" + result : result;
 }
 
-class Writer
+class UsdFile
 {
 public:
-    Writer(const MeshSequence& sequence, const ExportOptions& options, const std::filesystem::path& out)
+    UsdFile(const MeshSequence& sequence, const ExportOptions& options, const std::filesystem::path& out)
         : m_sequence(sequence)
         , m_options(options)
         , m_out(out)
@@ -289,7 +289,7 @@ ExportResult UsdExporter::write(const MeshSequence& sequence, const std::filesys
         throw Error(ErrorCode::FormatCannotStore,
                     {out, {}, {{"format", "USD"}, {"what", "a world with x up"}}});
     }
-    return Writer(sequence, options, out).write(progress);
+    return UsdFile(sequence, options, out).write(progress);
 }
 
 } // namespace quadrille
