@@ -57,9 +57,10 @@ struct WalkBlock
         std::fill(costs.begin(), costs.end(), unreachable);
         std::fill(changed.begin(), changed.end(), -1);
         std::fill(visited.begin(), visited.end(), 0);
-        for (NodeIndex s = 0; s < count; ++s) {
-            costs[static_cast<std::size_t>(first + s) * sourcesAtOnce + static_cast<std::size_t>(s)] = 0;
-            changed[static_cast<std::size_t>(first + s)] = 1;
+        for (std::size_t s = 0; s < static_cast<std::size_t>(count); ++s) {
+            const std::size_t source = static_cast<std::size_t>(first) + s;
+            costs[source * sourcesAtOnce + s] = 0;
+            changed[source] = 1;
         }
         now = 1;
     }
