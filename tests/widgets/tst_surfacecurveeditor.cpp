@@ -9,7 +9,6 @@
 
 using namespace quadrille::test;
 using namespace quadrille::widgets;
-using Kind = SurfaceCurvePart::Kind;
 using Mode = SurfaceCurveEditor::Mode;
 
 class TestSurfaceCurveEditor : public SurfaceCurveFixture

@@ -6,7 +6,6 @@
 
 using namespace quadrille::test;
 using namespace quadrille::widgets;
-using Kind = SurfaceCurvePart::Kind;
 using Mode = SurfaceCurveEditor::Mode;
 
 class TestSurfaceCurveEdits : public SurfaceCurveFixture
