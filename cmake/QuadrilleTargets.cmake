@@ -68,8 +68,20 @@ function(quadrille_group_sources target size)
     endforeach()
 endfunction()
 
-# Headers that most sources of the interface read, compiled once for each of its libraries. It is for speed alone: each
-# source includes what it uses, and clang-tidy reads it without. Not for the model and the tests: g++ 12 then finds
-# overflows of strings where there are none.
-set(QUADRILLE_QT_HEADERS
-    <algorithm> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <string> <vector> <QtWidgets>)
+# quadrille_share_headers(library …): takes headers that most sources of the interface read, compiled once for all of them.
+# It is for speed alone: each source includes what it uses, and clang-tidy reads it without. Not for the model and the tests:
+# g++ 12 then finds overflows of strings where there are none.
+function(quadrille_share_headers)
+    if(NOT TARGET quadrille_headers)
+        file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/headers.cpp" CONTENT "")
+        add_library(quadrille_headers OBJECT "${CMAKE_BINARY_DIR}/headers.cpp")
+        target_link_libraries(quadrille_headers PRIVATE quadrille_options Qt6::Widgets Eigen3::Eigen)
+        target_precompile_headers(quadrille_headers PRIVATE
+            <algorithm> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <string> <vector>
+            <Eigen/Geometry> <QtWidgets>)
+        set_target_properties(quadrille_headers PROPERTIES AUTOMOC OFF)
+    endif()
+    foreach(library IN LISTS ARGN)
+        target_precompile_headers(${library} REUSE_FROM quadrille_headers)
+    endforeach()
+endfunction()

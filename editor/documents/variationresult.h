@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/sequence/meshsequence.h"
-#include "model/variation/gpdm.h"
+#include "model/variation/gpdm/gpdm.h"
 #include "model/variation/selection.h"
 
 #include <QString>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/project/document/project.h"
-#include "model/sequence/io/format.h"
+#include "model/sequence/io/files/format.h"
 
 #include <QString>
 #include <QStringList>

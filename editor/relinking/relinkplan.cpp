@@ -5,7 +5,7 @@
 #include "model/core/error.h"
 #include "model/project/media/importsurvey.h"
 #include "model/project/store/resultplaces.h"
-#include "model/sequence/io/sourcefiles.h"
+#include "model/sequence/io/files/sourcefiles.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/graph/components.h"
-#include "model/synthesis/constraints.h"
+#include "model/synthesis/walks/constraints.h"
 
 #include <cstdint>
 #include <span>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "model/core/table.h"
-#include "model/synthesis/ground.h"
-#include "model/synthesis/transitionmotion.h"
+#include "model/synthesis/clips/ground.h"
+#include "model/synthesis/clips/transitionmotion.h"
 #include "model/transition/characterframes.h"
 #include "model/transition/transitionsettings.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/evaluation/variationmeasures.h"
 
-#include "model/synthesis/ground.h"
+#include "model/synthesis/clips/ground.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

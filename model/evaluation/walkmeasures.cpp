@@ -4,8 +4,8 @@
 
 #include "model/core/ranks.h"
 #include "model/geometry/procrustes.h"
-#include "model/synthesis/makeclip.h"
-#include "model/synthesis/soles.h"
+#include "model/synthesis/clips/makeclip.h"
+#include "model/synthesis/clips/soles.h"
 
 #include <algorithm>
 #include <cassert>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/synthesis/clipplan.h"
-#include "model/synthesis/constraints.h"
+#include "model/synthesis/clips/clipplan.h"
+#include "model/synthesis/walks/constraints.h"
 
 #include <array>
 #include <string_view>

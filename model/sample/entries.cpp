@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/sample/entries.h"
 
-#include "model/variation/proposedparts.h"
+#include "model/variation/parts/proposedparts.h"
 
 #include <algorithm>
 

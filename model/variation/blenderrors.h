@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/variation/bodyparts.h"
 #include "model/variation/latentblend.h"
+#include "model/variation/parts/bodyparts.h"
 #include "model/variation/sampling.h"
 #include "model/variation/training.h"
 

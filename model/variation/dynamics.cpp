@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/densekernels.h"
-#include "model/variation/covariancefactor.h"
+#include "model/variation/gpdm/covariancefactor.h"
 #include "model/variation/sampling.h"
 
 #include <algorithm>

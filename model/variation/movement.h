@@ -5,8 +5,8 @@
 #include "model/transition/interpolationmethod.h"
 #include "model/variation/alignment.h"
 #include "model/variation/blends.h"
-#include "model/variation/bodyparts.h"
-#include "model/variation/gpdm.h"
+#include "model/variation/gpdm/gpdm.h"
+#include "model/variation/parts/bodyparts.h"
 #include "model/variation/training.h"
 
 #include <memory>

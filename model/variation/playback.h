@@ -4,7 +4,7 @@
 
 #include "model/core/progress.h"
 #include "model/sequence/axes.h"
-#include "model/synthesis/clip.h"
+#include "model/synthesis/clips/clip.h"
 #include "model/variation/training.h"
 
 #include <span>

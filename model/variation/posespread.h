@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/variation/bodyparts.h"
+#include "model/variation/parts/bodyparts.h"
 #include "model/variation/sampling.h"
 #include "model/variation/training.h"
 

@@ -3,7 +3,7 @@
 #include "model/variation/quality.h"
 
 #include "model/core/bounds.h"
-#include "model/synthesis/framemeasures.h"
+#include "model/synthesis/quality/framemeasures.h"
 
 #include <algorithm>
 #include <array>
@@ -36,7 +36,7 @@ double lowestOf(Positions pose, UpAxis up)
 }
 
 /// Mean of the values that are there.
-std::optional<double> meanOf(std::span<const std::optional<double>> values)
+std::optional<double> meanOfKnown(std::span<const std::optional<double>> values)
 {
     double sum = 0;
     int count = 0;
@@ -150,8 +150,9 @@ void VariationMeter::addSkate(const Clip& clip, VariationQuality& quality) const
         takeSpeeds[0].push_back(baselineOf(clip.origins[f].source).slip);
         takeSpeeds[1].push_back(baselineOf(clip.origins[f].destination).slip);
     }
-    quality.skate = meanOf(speeds);
-    quality.takeSkate = std::max(meanOf(takeSpeeds[0]).value_or(0), meanOf(takeSpeeds[1]).value_or(0));
+    quality.skate = meanOfKnown(speeds);
+    quality.takeSkate =
+        std::max(meanOfKnown(takeSpeeds[0]).value_or(0), meanOfKnown(takeSpeeds[1]).value_or(0));
 }
 
 void VariationMeter::addIntersections(VariationQuality& quality) const

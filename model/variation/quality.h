@@ -4,10 +4,10 @@
 
 #include "model/geometry/selfintersections.h"
 #include "model/geometry/surfacevolume.h"
-#include "model/synthesis/clip.h"
-#include "model/synthesis/supports.h"
+#include "model/synthesis/clips/clip.h"
+#include "model/synthesis/clips/supports.h"
 #include "model/transition/nearestposes.h"
-#include "model/variation/surfacecollapse.h"
+#include "model/variation/parts/surfacecollapse.h"
 #include "model/variation/training.h"
 #include "model/variation/variationlimits.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/densekernels.h"
 #include "model/core/random.h"
-#include "model/variation/covariancefactor.h"
+#include "model/variation/gpdm/covariancefactor.h"
 #include "model/variation/sampling.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "model/variation/rootpath.h"
 
 #include "model/core/smoothing.h"
-#include "model/synthesis/ground.h"
+#include "model/synthesis/clips/ground.h"
 #include "model/variation/preblend.h"
 #include "model/variation/resampling.h"
 #include "model/variation/samemovement.h"

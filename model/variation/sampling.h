@@ -3,9 +3,9 @@
 #pragma once
 
 #include "model/core/densematrix.h"
-#include "model/variation/gpdm.h"
-#include "model/variation/hmc.h"
-#include "model/variation/rowpanels.h"
+#include "model/variation/gpdm/gpdm.h"
+#include "model/variation/gpdm/hmc.h"
+#include "model/variation/gpdm/rowpanels.h"
 #include "model/variation/trajectorylimits.h"
 
 #include <cstdint>

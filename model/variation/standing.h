@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/synthesis/clip.h"
-#include "model/synthesis/supports.h"
+#include "model/synthesis/clips/clip.h"
+#include "model/synthesis/clips/supports.h"
 
 #include <vector>
 

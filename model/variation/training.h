@@ -3,9 +3,9 @@
 #pragma once
 
 #include "model/geometry/procrustes.h"
-#include "model/variation/bodyparts.h"
-#include "model/variation/coefficients.h"
-#include "model/variation/gpdm.h"
+#include "model/variation/gpdm/coefficients.h"
+#include "model/variation/gpdm/gpdm.h"
+#include "model/variation/parts/bodyparts.h"
 #include "model/variation/timewarp.h"
 
 #include <array>

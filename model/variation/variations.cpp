@@ -3,7 +3,7 @@
 #include "model/variation/variations.h"
 
 #include "model/core/random.h"
-#include "model/synthesis/contactcorrection.h"
+#include "model/synthesis/finishing/contactcorrection.h"
 #include "model/variation/latentblend.h"
 #include "model/variation/playback.h"
 #include "model/variation/posespread.h"

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "model/sequence/feet.h"
-#include "model/synthesis/clip.h"
+#include "model/synthesis/clips/clip.h"
+#include "model/variation/parts/stitching.h"
 #include "model/variation/posedraw.h"
 #include "model/variation/sampling.h"
 #include "model/variation/standing.h"
-#include "model/variation/stitching.h"
 #include "model/variation/subject.h"
 
 #include <memory>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/core/progress.h"
-#include "model/variation/bodyparts.h"
+#include "model/variation/parts/bodyparts.h"
 
 #include <optional>
 #include <span>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // A blended transition and a whole clip of a body of 2,702 vertices, beside plain references: every frame
 // interpolated for itself, nothing prepared before nor kept behind.
-#include "model/synthesis/makeclip.h"
+#include "model/synthesis/clips/makeclip.h"
 #include "tests/model/transition/bars.h"
 #include "tests/model/transition/plaininterpolation.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/variation/gpdm.h"
+#include "model/variation/gpdm/gpdm.h"
 #include "tests/model/variation/plaingpdm.h"
 #include "tests/model/variation/smoothmovement.h"
 

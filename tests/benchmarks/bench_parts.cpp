@@ -3,7 +3,7 @@
 // Curves on a limb of 10,000 vertices and the parts that they cut, on one core, beside what a plain Dijkstra
 // search over the whole mesh takes for a single way.
 #include "model/geometry/curveedits.h"
-#include "model/variation/bodyparts.h"
+#include "model/variation/parts/bodyparts.h"
 #include "tests/model/geometry/surfaces.h"
 
 #include <benchmark/benchmark.h>

@@ -3,10 +3,10 @@
 // Post-processing of a clip of the sample (3,161 vertices) on one core: deforming a leg beside the textbook's
 // way (everything anew, SVD, LU), and retiming beside interpolating each frame by itself.
 #include "model/sequence/contacts.h"
-#include "model/synthesis/contactcorrection.h"
-#include "model/synthesis/legdeformation.h"
-#include "model/synthesis/loop.h"
-#include "model/synthesis/retime.h"
+#include "model/synthesis/finishing/contactcorrection.h"
+#include "model/synthesis/finishing/legdeformation.h"
+#include "model/synthesis/finishing/loop.h"
+#include "model/synthesis/finishing/retime.h"
 #include "model/transition/poseinterpolation.h"
 #include "tests/model/synthesis/clipof.h"
 #include "tests/model/synthesis/plainlegdeformation.h"

@@ -3,7 +3,7 @@
 // Baking skins and reading .anime files, each beside its plain reference.
 #include "model/core/file.h"
 #include "model/sequence/io/anime.h"
-#include "model/sequence/io/skinning.h"
+#include "model/sequence/io/scene/skinning.h"
 
 #include <benchmark/benchmark.h>
 #include <filesystem>

@@ -3,7 +3,7 @@
 // Stitching of five parts of a body of 3,000 vertices, with its steps, on one core and on all, beside the
 // plain reference: the boundary by a search from every vertex, gradients by singular value decompositions, a
 // factorisation by Eigen at each call.
-#include "model/variation/stitching.h"
+#include "model/variation/parts/stitching.h"
 #include "tests/model/variation/handmadeparts.h"
 #include "tests/model/variation/plainstitching.h"
 

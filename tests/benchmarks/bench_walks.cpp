@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Constrained walks through the Essential graph of real takes (1,150 frames), beside plain references.
-#include "model/synthesis/findwalk.h"
-#include "model/synthesis/keywalk.h"
+#include "model/synthesis/walks/findwalk.h"
+#include "model/synthesis/walks/keywalk.h"
 #include "tests/model/synthesis/pathreference.h"
 #include "tests/model/synthesis/realcharacter.h"
 

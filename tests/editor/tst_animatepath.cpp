@@ -4,11 +4,11 @@
 #include "editor/commands/projectedits.h"
 #include "editor/workspaces/animate/pathentries.h"
 #include "model/project/document/pathcurve.h"
-#include "model/synthesis/pathfollowing.h"
+#include "model/synthesis/walks/pathfollowing.h"
 #include "pathfixture.h"
 #include "tests/qt/viewapplication.h"
 #include "widgets/theme/theme.h"
-#include "widgets/viewport/pathgeometry.h"
+#include "widgets/tools/pathgeometry.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/sequence/io/assimpscene.h"
+#include "model/sequence/io/scene/assimpscene.h"
 #include "tests/fuzz/fuzzfile.h"
 
 using namespace quadrille;

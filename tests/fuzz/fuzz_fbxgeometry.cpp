@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/sequence/io/fbxgeometry.h"
+#include "model/sequence/io/scene/fbxgeometry.h"
 
 #include <span>
 

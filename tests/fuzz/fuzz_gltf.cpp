@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/sequence/io/gltf.h"
+#include "model/sequence/io/gltf/gltf.h"
 #include "tests/fuzz/fuzzfile.h"
 
 using namespace quadrille;

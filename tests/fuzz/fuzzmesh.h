@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/sequence/io/meshfile.h"
+#include "model/sequence/io/mesh/meshfile.h"
 
 #include <cstdint>
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "widgets/theme/theme.h"
-#include "widgets/viewport/surfacecurveeditor.h"
-#include "widgets/viewport/surfacevisibility.h"
+#include "widgets/tools/surfacecurveeditor.h"
+#include "widgets/tools/surfacevisibility.h"
 #include "widgets/viewport/vtkview.h"
 
 #include <QApplication>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "widgets/viewport/patheditor.h"
-#include "widgets/viewport/pathgeometry.h"
+#include "widgets/tools/patheditor.h"
+#include "widgets/tools/pathgeometry.h"
 #include "widgets/viewport/scenemarks.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/vtkview.h"

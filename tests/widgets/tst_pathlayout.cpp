@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "tests/qt/registry.h"
-#include "widgets/viewport/pathdrag.h"
-#include "widgets/viewport/pathdrawing.h"
-#include "widgets/viewport/pathedits.h"
+#include "widgets/tools/pathdrag.h"
+#include "widgets/tools/pathdrawing.h"
+#include "widgets/tools/pathedits.h"
 
 #include <QCoreApplication>
 #include <QTest>

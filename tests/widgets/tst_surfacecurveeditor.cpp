@@ -3,7 +3,7 @@
 // Curves that are drawn on a surface, and points that are dragged.
 #include "surfacecurvefixture.h"
 #include "tests/qt/registry.h"
-#include "widgets/viewport/smoothline.h"
+#include "widgets/tools/smoothline.h"
 
 #include <cmath>
 

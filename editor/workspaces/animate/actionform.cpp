@@ -6,7 +6,7 @@
 #include "editor/documents/sequencemedia.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/animationtracks.h"
-#include "model/synthesis/constraints.h"
+#include "model/synthesis/walks/constraints.h"
 #include "widgets/storyboard/rangestrip.h"
 #include "widgets/theme/theme.h"
 

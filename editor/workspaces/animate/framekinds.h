@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/synthesis/clip.h"
+#include "model/synthesis/clips/clip.h"
 #include "widgets/timeline/framekind.h"
 
 namespace quadrille {

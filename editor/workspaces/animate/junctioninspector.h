@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/project/results/openanimation.h"
-#include "model/synthesis/junctionquality.h"
+#include "model/synthesis/quality/junctionquality.h"
 
 #include <QObject>
 #include <QPointer>

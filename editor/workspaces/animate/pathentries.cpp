@@ -4,8 +4,8 @@
 
 #include "model/project/document/groundpoint.h"
 #include "model/project/document/pathcurve.h"
-#include "model/synthesis/pathcourse.h"
-#include "widgets/viewport/pathgeometry.h"
+#include "model/synthesis/walks/pathcourse.h"
+#include "widgets/tools/pathgeometry.h"
 #include "widgets/viewport/ruler.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/project/document/project.h"
-#include "widgets/viewport/pathshape.h"
+#include "widgets/tools/pathshape.h"
 
 namespace quadrille {
 

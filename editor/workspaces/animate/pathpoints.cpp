@@ -8,7 +8,7 @@
 #include "editor/workspaces/animate/pathfields.h"
 #include "editor/workspaces/animate/pathtool.h"
 #include "widgets/theme/theme.h"
-#include "widgets/viewport/pathgeometry.h"
+#include "widgets/tools/pathgeometry.h"
 #include "widgets/viewport/ruler.h"
 
 #include <QApplication>

@@ -8,7 +8,7 @@
 #include "editor/workspaces/animate/pathentries.h"
 #include "editor/workspaces/view/sceneview.h"
 #include "model/project/results/openanimation.h"
-#include "model/synthesis/pathfollowing.h"
+#include "model/synthesis/walks/pathfollowing.h"
 #include "widgets/theme/theme.h"
 
 #include <QAction>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/synthesis/pathfollowing.h"
+#include "model/synthesis/walks/pathfollowing.h"
 #include "widgets/viewport/scenemarks.h"
 
 #include <QObject>

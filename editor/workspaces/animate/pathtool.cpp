@@ -7,7 +7,7 @@
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/view/sceneview.h"
 #include "model/project/results/openanimation.h"
-#include "widgets/viewport/pathgeometry.h"
+#include "widgets/tools/pathgeometry.h"
 #include "widgets/viewport/vtkview.h"
 
 #include <QAction>

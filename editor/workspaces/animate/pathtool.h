@@ -4,7 +4,7 @@
 
 #include "editor/commands/changeentry.h"
 #include "editor/workspaces/animate/pathentries.h"
-#include "widgets/viewport/patheditor.h"
+#include "widgets/tools/patheditor.h"
 
 #include <QObject>
 #include <functional>

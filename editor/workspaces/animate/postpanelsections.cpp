@@ -3,8 +3,8 @@
 // The settings that the panel shows.
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/postpanel.h"
-#include "model/synthesis/constraints.h"
-#include "model/synthesis/monotonecurve.h"
+#include "model/synthesis/finishing/monotonecurve.h"
+#include "model/synthesis/walks/constraints.h"
 #include "widgets/charts/curveeditor.h"
 #include "widgets/controls/elidedbutton.h"
 

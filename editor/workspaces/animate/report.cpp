@@ -3,7 +3,7 @@
 #include "editor/workspaces/animate/report.h"
 
 #include "model/project/steps/walkrequest.h"
-#include "model/synthesis/pathfollowing.h"
+#include "model/synthesis/walks/pathfollowing.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -3,7 +3,7 @@
 #include "editor/workspaces/graph/pairpreview.h"
 
 #include "editor/jobs/jobrunner.h"
-#include "model/synthesis/makeclip.h"
+#include "model/synthesis/clips/makeclip.h"
 
 #include <algorithm>
 #include <cmath>

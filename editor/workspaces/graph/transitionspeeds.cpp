@@ -3,8 +3,8 @@
 #include "editor/workspaces/graph/transitionspeeds.h"
 
 #include "editor/jobs/jobrunner.h"
-#include "model/synthesis/junctionspeeds.h"
-#include "model/synthesis/makeclip.h"
+#include "model/synthesis/clips/makeclip.h"
+#include "model/synthesis/quality/junctionspeeds.h"
 
 #include <algorithm>
 #include <utility>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/core/progress.h"
-#include "model/variation/gpdm.h"
+#include "model/variation/gpdm/gpdm.h"
 
 #include <array>
 #include <vector>

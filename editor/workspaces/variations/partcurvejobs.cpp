@@ -10,7 +10,7 @@
 #include "editor/workspaces/variations/partedits.h"
 #include "editor/workspaces/view/sceneview.h"
 #include "model/geometry/curveedits.h"
-#include "model/variation/proposedparts.h"
+#include "model/variation/parts/proposedparts.h"
 
 #include <algorithm>
 #include <limits>

@@ -9,7 +9,7 @@
 #include "model/geometry/surfacecurve.h"
 #include "model/geometry/symmetry.h"
 #include "widgets/controls/messagestrip.h"
-#include "widgets/viewport/surfacecurveeditor.h"
+#include "widgets/tools/surfacecurveeditor.h"
 
 #include <QObject>
 #include <QPointer>

@@ -4,8 +4,8 @@
 
 #include "model/project/document/constraintentry.h"
 #include "model/render/camerakeys.h"
-#include "model/synthesis/postprocessingsettings.h"
-#include "model/synthesis/searchsettings.h"
+#include "model/synthesis/finishing/postprocessingsettings.h"
+#include "model/synthesis/walks/searchsettings.h"
 #include "model/transition/interpolationmethod.h"
 
 #include <optional>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/document/pathcurve.h"
 
-#include "model/synthesis/constraints.h"
+#include "model/synthesis/walks/constraints.h"
 
 namespace quadrille {
 

@@ -9,7 +9,7 @@
 #include "model/project/document/variationentry.h"
 #include "model/sequence/axes.h"
 #include "model/sequence/meshsequence.h"
-#include "model/synthesis/stepcosts.h"
+#include "model/synthesis/clips/stepcosts.h"
 #include "model/transition/posedistancesettings.h"
 #include "model/transition/transitionsettings.h"
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "model/project/document/animationentry.h"
-#include "model/variation/bodyparts.h"
-#include "model/variation/gpdm.h"
-#include "model/variation/hmc.h"
+#include "model/variation/gpdm/gpdm.h"
+#include "model/variation/gpdm/hmc.h"
+#include "model/variation/parts/bodyparts.h"
 #include "model/variation/posedraw.h"
 #include "model/variation/trajectorylimits.h"
 #include "model/variation/variationlimits.h"

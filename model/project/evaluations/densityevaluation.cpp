@@ -6,9 +6,9 @@
 #include "model/project/evaluations/evaluationsteps.h"
 #include "model/project/steps/charactergraph.h"
 #include "model/project/store/tablebuilder.h"
-#include "model/synthesis/footdrift.h"
-#include "model/synthesis/liveliness.h"
-#include "model/synthesis/stepcosts.h"
+#include "model/synthesis/clips/stepcosts.h"
+#include "model/synthesis/finishing/footdrift.h"
+#include "model/synthesis/quality/liveliness.h"
 
 namespace quadrille {
 

@@ -5,8 +5,8 @@
 #include "model/project/evaluations/evaluationsteps.h"
 #include "model/project/steps/charactergraph.h"
 #include "model/project/store/tablebuilder.h"
-#include "model/synthesis/findwalk.h"
-#include "model/synthesis/junctionreport.h"
+#include "model/synthesis/quality/junctionreport.h"
+#include "model/synthesis/walks/findwalk.h"
 #include "model/transition/acceleration.h"
 
 #include <algorithm>

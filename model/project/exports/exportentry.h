@@ -4,7 +4,7 @@
 
 #include "model/project/media/opensequence.h"
 #include "model/project/store/result.h"
-#include "model/sequence/io/format.h"
+#include "model/sequence/io/files/format.h"
 
 #include <functional>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/project/fields/describeshared.h"
-#include "model/synthesis/constraints.h"
+#include "model/synthesis/walks/constraints.h"
 
 namespace quadrille {
 

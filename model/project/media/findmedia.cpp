@@ -3,7 +3,7 @@
 #include "model/project/media/findmedia.h"
 
 #include "model/core/error.h"
-#include "model/sequence/io/sourcefiles.h"
+#include "model/sequence/io/files/sourcefiles.h"
 
 #include <algorithm>
 #include <set>

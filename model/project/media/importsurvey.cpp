@@ -3,8 +3,8 @@
 #include "model/project/media/importsurvey.h"
 
 #include "model/core/bounds.h"
+#include "model/sequence/io/files/sourcefiles.h"
 #include "model/sequence/io/registry.h"
-#include "model/sequence/io/sourcefiles.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "model/core/contenthash.h"
 #include "model/core/file.h"
 #include "model/project/json/jsontext.h"
-#include "model/sequence/io/sourcefiles.h"
+#include "model/sequence/io/files/sourcefiles.h"
 
 #include <algorithm>
 

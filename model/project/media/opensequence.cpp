@@ -10,8 +10,8 @@
 #include "model/project/store/clipresult.h"
 #include "model/project/store/resultstore.h"
 #include "model/sequence/io/basemesh.h"
-#include "model/sequence/io/findtextures.h"
-#include "model/sequence/io/meshfile.h"
+#include "model/sequence/io/mesh/findtextures.h"
+#include "model/sequence/io/mesh/meshfile.h"
 #include "model/sequence/io/registry.h"
 
 #include <algorithm>

@@ -10,9 +10,9 @@
 #include "model/project/media/opensequence.h"
 #include "model/project/store/resultplaces.h"
 #include "model/project/store/resultstore.h"
-#include "model/sequence/io/mtl.h"
+#include "model/sequence/io/files/sourcefiles.h"
+#include "model/sequence/io/mesh/mtl.h"
 #include "model/sequence/io/registry.h"
-#include "model/sequence/io/sourcefiles.h"
 
 #include <algorithm>
 #include <sstream>

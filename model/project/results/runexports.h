@@ -5,7 +5,7 @@
 #include "model/core/writeguard.h"
 #include "model/project/document/project.h"
 #include "model/project/results/projectresults.h"
-#include "model/sequence/io/format.h"
+#include "model/sequence/io/files/format.h"
 
 #include <filesystem>
 #include <vector>

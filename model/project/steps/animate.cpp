@@ -5,10 +5,11 @@
 #include "model/core/message.h"
 #include "model/project/steps/clippost.h"
 #include "model/project/steps/walkrequest.h"
-#include "model/synthesis/contactcorrection.h"
-#include "model/synthesis/makeclip.h"
-#include "model/synthesis/steeredplan.h"
-#include "model/synthesis/variedplan.h"
+#include "model/synthesis/clips/characterlegs.h"
+#include "model/synthesis/clips/makeclip.h"
+#include "model/synthesis/finishing/contactcorrection.h"
+#include "model/synthesis/finishing/variedplan.h"
+#include "model/synthesis/walks/steeredplan.h"
 
 #include <map>
 

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "model/project/steps/charactergraph.h"
-#include "model/synthesis/clipplan.h"
-#include "model/synthesis/constraints.h"
-#include "model/synthesis/postprocessing.h"
-#include "model/synthesis/repeats.h"
+#include "model/synthesis/clips/clipplan.h"
+#include "model/synthesis/finishing/postprocessing.h"
+#include "model/synthesis/finishing/repeats.h"
+#include "model/synthesis/walks/constraints.h"
 
 namespace quadrille {
 

@@ -5,11 +5,11 @@
 #include "model/graph/digraph.h"
 #include "model/project/steps/charactersteps.h"
 #include "model/project/steps/costparts.h"
-#include "model/synthesis/findwalk.h"
-#include "model/synthesis/footdrift.h"
-#include "model/synthesis/rootposes.h"
-#include "model/synthesis/stepcosts.h"
-#include "model/synthesis/walk.h"
+#include "model/synthesis/clips/rootposes.h"
+#include "model/synthesis/clips/stepcosts.h"
+#include "model/synthesis/clips/walk.h"
+#include "model/synthesis/finishing/footdrift.h"
+#include "model/synthesis/walks/findwalk.h"
 #include "model/transition/warppath.h"
 
 #include <optional>

@@ -5,8 +5,8 @@
 #include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/media/sequencesettings.h"
-#include "model/synthesis/liveliness.h"
-#include "model/synthesis/stepcosts.h"
+#include "model/synthesis/clips/stepcosts.h"
+#include "model/synthesis/quality/liveliness.h"
 
 #include <algorithm>
 #include <cassert>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "model/project/steps/charactersteps.h"
-#include "model/synthesis/postprocessing.h"
-#include "model/synthesis/stances.h"
+#include "model/synthesis/clips/stances.h"
+#include "model/synthesis/finishing/postprocessing.h"
 
 namespace quadrille {
 

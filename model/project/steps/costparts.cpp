@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/steps/costparts.h"
 
-#include "model/synthesis/stepcosts.h"
+#include "model/synthesis/clips/stepcosts.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/synthesis/stances.h"
+#include "model/synthesis/clips/stances.h"
 #include "model/transition/warppath.h"
 
 namespace quadrille {

@@ -7,9 +7,9 @@
 #include "model/project/media/sequencesettings.h"
 #include "model/project/steps/charactergraph.h"
 #include "model/project/steps/graphtables.h"
-#include "model/synthesis/footdrift.h"
-#include "model/synthesis/liveliness.h"
-#include "model/synthesis/stepcosts.h"
+#include "model/synthesis/clips/stepcosts.h"
+#include "model/synthesis/finishing/footdrift.h"
+#include "model/synthesis/quality/liveliness.h"
 #include "model/transition/posedistance.h"
 #include "model/transition/transitiontable.h"
 

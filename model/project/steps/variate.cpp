@@ -7,7 +7,8 @@
 #include "model/project/document/madeclips.h"
 #include "model/project/fields/writefields.h"
 #include "model/project/media/sequencesettings.h"
-#include "model/synthesis/contactcorrection.h"
+#include "model/synthesis/clips/characterlegs.h"
+#include "model/synthesis/finishing/contactcorrection.h"
 #include "model/variation/posereach.h"
 
 #include <algorithm>

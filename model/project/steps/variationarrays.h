@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/project/steps/charactersteps.h"
-#include "model/variation/gpdm.h"
+#include "model/variation/gpdm/gpdm.h"
 
 #include <string>
 #include <vector>

@@ -6,7 +6,7 @@
 #include "model/project/document/project.h"
 #include "model/project/steps/charactergraph.h"
 #include "model/project/store/result.h"
-#include "model/synthesis/repeats.h"
+#include "model/synthesis/finishing/repeats.h"
 
 #include <filesystem>
 #include <optional>

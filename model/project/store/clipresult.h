@@ -3,8 +3,8 @@
 #pragma once
 
 #include "model/project/store/result.h"
-#include "model/synthesis/clip.h"
-#include "model/synthesis/ground.h"
+#include "model/synthesis/clips/clip.h"
+#include "model/synthesis/clips/ground.h"
 
 #include <filesystem>
 #include <optional>

@@ -6,7 +6,7 @@
 #include "model/core/stagedfiles.h"
 #include "model/project/json/jsontext.h"
 #include "model/project/store/dataitem.h"
-#include "model/sequence/io/sourcefiles.h"
+#include "model/sequence/io/files/sourcefiles.h"
 
 #include <algorithm>
 #include <array>

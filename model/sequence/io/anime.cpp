@@ -4,8 +4,8 @@
 
 #include "model/core/file.h"
 #include "model/core/message.h"
-#include "model/sequence/io/meshfile.h"
-#include "model/sequence/io/polygons.h"
+#include "model/sequence/io/mesh/meshfile.h"
+#include "model/sequence/io/mesh/polygons.h"
 
 #include <array>
 

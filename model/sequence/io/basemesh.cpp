@@ -3,8 +3,8 @@
 #include "model/sequence/io/basemesh.h"
 
 #include "model/core/error.h"
+#include "model/sequence/io/files/sourcefiles.h"
 #include "model/sequence/io/registry.h"
-#include "model/sequence/io/sourcefiles.h"
 
 #include <map>
 #include <mutex>

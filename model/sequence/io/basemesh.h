@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/core/progress.h"
-#include "model/sequence/io/format.h"
+#include "model/sequence/io/files/format.h"
 
 #include <filesystem>
 #include <memory>

@@ -5,8 +5,8 @@
 #include "model/core/file.h"
 #include "model/core/hdf5.h"
 #include "model/core/message.h"
-#include "model/sequence/io/meshfile.h"
-#include "model/sequence/io/polygons.h"
+#include "model/sequence/io/mesh/meshfile.h"
+#include "model/sequence/io/mesh/polygons.h"
 
 #include <algorithm>
 #include <array>

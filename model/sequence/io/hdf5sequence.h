@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/sequence/io/format.h"
+#include "model/sequence/io/files/format.h"
 
 namespace quadrille {
 

@@ -5,9 +5,9 @@
 #include "model/core/error.h"
 #include "model/core/stagedfiles.h"
 #include "model/sequence/io/basemesh.h"
-#include "model/sequence/io/findtextures.h"
+#include "model/sequence/io/files/sourcefiles.h"
+#include "model/sequence/io/mesh/findtextures.h"
 #include "model/sequence/io/registry.h"
-#include "model/sequence/io/sourcefiles.h"
 
 #include <algorithm>
 #include <array>

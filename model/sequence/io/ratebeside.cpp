@@ -4,9 +4,9 @@
 
 #include "model/core/file.h"
 #include "model/sequence/io/bvh.h"
+#include "model/sequence/io/files/sourcefiles.h"
 #include "model/sequence/io/mdd.h"
 #include "model/sequence/io/pc2.h"
-#include "model/sequence/io/sourcefiles.h"
 
 #include <algorithm>
 #include <array>

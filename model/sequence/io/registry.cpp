@@ -5,9 +5,9 @@
 #include "model/core/error.h"
 #include "model/core/file.h"
 #include "model/core/message.h"
+#include "model/sequence/io/files/refused.h"
+#include "model/sequence/io/files/sourcefiles.h"
 #include "model/sequence/io/formats.h"
-#include "model/sequence/io/refused.h"
-#include "model/sequence/io/sourcefiles.h"
 
 #include <algorithm>
 #include <charconv>

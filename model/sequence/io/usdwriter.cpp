@@ -3,8 +3,8 @@
 #include "model/sequence/io/usdwriter.h"
 
 #include "model/core/file.h"
-#include "model/sequence/io/copytextures.h"
-#include "model/sequence/io/numbertext.h"
+#include "model/sequence/io/files/copytextures.h"
+#include "model/sequence/io/files/numbertext.h"
 
 #include <array>
 #include <cctype>

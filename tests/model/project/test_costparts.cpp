@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/steps/costparts.h"
-#include "model/synthesis/stepcosts.h"
+#include "model/synthesis/clips/stepcosts.h"
 
 #include <array>
 #include <gtest/gtest.h>

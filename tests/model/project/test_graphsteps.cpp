@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/graph/comparison.h"
-#include "model/synthesis/liveliness.h"
-#include "model/synthesis/stepcosts.h"
+#include "model/synthesis/clips/stepcosts.h"
+#include "model/synthesis/quality/liveliness.h"
 #include "model/transition/posedistance.h"
 #include "model/transition/transitiontable.h"
 #include "tests/model/project/stripproject.h"

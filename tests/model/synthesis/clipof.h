@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/sample/sample.h"
-#include "model/synthesis/clip.h"
+#include "model/synthesis/clips/clip.h"
 
 #include <stdexcept>
 #include <string>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/synthesis/makeclip.h"
+#include "model/synthesis/clips/makeclip.h"
 #include "model/transition/posedistance.h"
 #include "tests/model/largestdistance.h"
 #include "tests/model/transition/swayingtube.h"

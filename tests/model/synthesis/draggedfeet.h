@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/synthesis/clipplan.h"
-#include "model/synthesis/footdrift.h"
+#include "model/synthesis/clips/clipplan.h"
+#include "model/synthesis/finishing/footdrift.h"
 
 #include <algorithm>
 #include <array>

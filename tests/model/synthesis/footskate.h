@@ -3,8 +3,8 @@
 #pragma once
 
 #include "model/sequence/feet.h"
-#include "model/synthesis/clip.h"
-#include "model/synthesis/ground.h"
+#include "model/synthesis/clips/clip.h"
+#include "model/synthesis/clips/ground.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/synthesis/pathsearch.h"
+#include "model/synthesis/walks/pathsearch.h"
 
 #include <functional>
 

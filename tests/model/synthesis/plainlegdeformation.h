@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/synthesis/footpath.h"
+#include "model/synthesis/finishing/footpath.h"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseLU>

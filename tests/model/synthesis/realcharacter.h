@@ -3,8 +3,8 @@
 #pragma once
 
 #include "model/graph/essentialgraph.h"
-#include "model/synthesis/constraints.h"
-#include "model/synthesis/rootposes.h"
+#include "model/synthesis/clips/rootposes.h"
+#include "model/synthesis/walks/constraints.h"
 #include "model/transition/transitiontable.h"
 
 #include <map>

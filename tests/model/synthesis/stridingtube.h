@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/synthesis/clip.h"
-#include "model/synthesis/ground.h"
+#include "model/synthesis/clips/clip.h"
+#include "model/synthesis/clips/ground.h"
 #include "tests/model/largestdistance.h"
 #include "tests/model/transition/swayingtube.h"
 

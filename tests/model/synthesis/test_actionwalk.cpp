@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
-#include "model/synthesis/findwalk.h"
+#include "model/synthesis/walks/findwalk.h"
 #include "tests/model/codeof.h"
 #include "tests/model/synthesis/walkreference.h"
 #include "tests/model/synthesis/walkworld.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/synthesis/blendsteps.h"
-#include "model/synthesis/footpath.h"
+#include "model/synthesis/clips/blendsteps.h"
+#include "model/synthesis/finishing/footpath.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/sequence/contacts.h"
-#include "model/synthesis/contactcorrection.h"
-#include "model/synthesis/footpath.h"
-#include "model/synthesis/legdeformation.h"
+#include "model/synthesis/finishing/contactcorrection.h"
+#include "model/synthesis/finishing/footpath.h"
+#include "model/synthesis/finishing/legdeformation.h"
 #include "tests/model/sequence/realtakes.h"
 #include "tests/model/synthesis/clipof.h"
 #include "tests/model/synthesis/errorcodeof.h"

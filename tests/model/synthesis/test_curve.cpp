@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/synthesis/constraints.h"
+#include "model/synthesis/walks/constraints.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

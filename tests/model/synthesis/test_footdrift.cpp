@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
-#include "model/synthesis/stepcosts.h"
+#include "model/synthesis/clips/stepcosts.h"
 #include "tests/model/synthesis/draggedfeet.h"
 
 #include <gtest/gtest.h>

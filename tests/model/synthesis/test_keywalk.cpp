@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/graph/essentialgraph.h"
-#include "model/synthesis/findwalk.h"
-#include "model/synthesis/keywalk.h"
+#include "model/synthesis/walks/findwalk.h"
+#include "model/synthesis/walks/keywalk.h"
 #include "tests/model/codeof.h"
 #include "tests/model/graph/randomtransitions.h"
 #include "tests/model/synthesis/walkreference.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/synthesis/liveliness.h"
+#include "model/synthesis/quality/liveliness.h"
 
 #include <array>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/geometry/procrustes.h"
-#include "model/synthesis/loop.h"
-#include "model/synthesis/ownperiod.h"
+#include "model/synthesis/finishing/loop.h"
+#include "model/synthesis/finishing/ownperiod.h"
 #include "tests/model/sequence/realtakes.h"
 #include "tests/model/synthesis/clipof.h"
 #include "tests/model/synthesis/errorcodeof.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/geometry/procrustes.h"
-#include "model/synthesis/loopplayings.h"
+#include "model/synthesis/finishing/loopplayings.h"
 #include "tests/model/synthesis/errorcodeof.h"
 #include "tests/model/synthesis/stridingtube.h"
 

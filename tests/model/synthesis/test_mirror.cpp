@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/geometry/procrustes.h"
 #include "model/sequence/io/registry.h"
-#include "model/synthesis/mirror.h"
+#include "model/synthesis/finishing/mirror.h"
 #include "tests/model/synthesis/clipof.h"
 #include "tests/model/synthesis/errorcodeof.h"
 #include "tests/model/synthesis/stridingtube.h"

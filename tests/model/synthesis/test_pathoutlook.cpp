@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/synthesis/pathoutlook.h"
+#include "model/synthesis/walks/pathoutlook.h"
 #include "tests/model/synthesis/walkworld.h"
 
 #include <gtest/gtest.h>

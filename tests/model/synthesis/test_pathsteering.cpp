@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/synthesis/findwalk.h"
-#include "model/synthesis/steeredplan.h"
+#include "model/synthesis/walks/findwalk.h"
+#include "model/synthesis/walks/steeredplan.h"
 #include "tests/model/synthesis/walkworld.h"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
-#include "model/synthesis/findwalk.h"
-#include "model/synthesis/transitionmotion.h"
+#include "model/synthesis/clips/transitionmotion.h"
+#include "model/synthesis/walks/findwalk.h"
 #include "tests/model/codeof.h"
 #include "tests/model/synthesis/pathreference.h"
 #include "tests/model/synthesis/walkworld.h"

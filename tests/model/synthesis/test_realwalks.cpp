@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Walks through real takes: what an animator would ask for.
-#include "model/synthesis/findwalk.h"
+#include "model/synthesis/walks/findwalk.h"
 #include "tests/model/synthesis/realcharacter.h"
 
 #include <gtest/gtest.h>

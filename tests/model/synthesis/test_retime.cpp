@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/geometry/procrustes.h"
-#include "model/synthesis/frameprovenance.h"
-#include "model/synthesis/monotonecurve.h"
-#include "model/synthesis/retime.h"
+#include "model/synthesis/clips/frameprovenance.h"
+#include "model/synthesis/finishing/monotonecurve.h"
+#include "model/synthesis/finishing/retime.h"
 #include "model/transition/poseinterpolation.h"
 #include "tests/model/synthesis/errorcodeof.h"
 #include "tests/model/synthesis/stridingtube.h"

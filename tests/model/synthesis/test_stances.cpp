@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/synthesis/soles.h"
-#include "model/synthesis/stances.h"
-#include "model/synthesis/stepcosts.h"
-#include "model/synthesis/supports.h"
+#include "model/synthesis/clips/soles.h"
+#include "model/synthesis/clips/stances.h"
+#include "model/synthesis/clips/stepcosts.h"
+#include "model/synthesis/clips/supports.h"
 
 #include <array>
 #include <gtest/gtest.h>

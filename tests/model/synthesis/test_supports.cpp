@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
-#include "model/synthesis/framemeasures.h"
+#include "model/synthesis/quality/framemeasures.h"
 #include "tests/model/synthesis/cliptest.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/synthesis/transitionmotion.h"
+#include "model/synthesis/clips/transitionmotion.h"
 #include "tests/model/transition/swayingtube.h"
 
 #include <gtest/gtest.h>

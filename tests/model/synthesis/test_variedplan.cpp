@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/geometry/procrustes.h"
-#include "model/synthesis/frameprovenance.h"
-#include "model/synthesis/loop.h"
-#include "model/synthesis/variedplan.h"
+#include "model/synthesis/clips/frameprovenance.h"
+#include "model/synthesis/finishing/loop.h"
+#include "model/synthesis/finishing/variedplan.h"
 #include "tests/model/synthesis/cliptest.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/synthesis/clipplan.h"
-#include "model/synthesis/findwalk.h"
+#include "model/synthesis/clips/clipplan.h"
+#include "model/synthesis/walks/findwalk.h"
 #include "tests/model/synthesis/walkworld.h"
 
 #include <algorithm>

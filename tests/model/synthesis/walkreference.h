@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/synthesis/walkgraph.h"
+#include "model/synthesis/walks/walkgraph.h"
 
 #include <functional>
 

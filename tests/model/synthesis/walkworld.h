@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/graph/essentialgraph.h"
-#include "model/synthesis/findwalk.h"
+#include "model/synthesis/walks/findwalk.h"
 #include "tests/model/graph/randomtransitions.h"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/variation/bodyparts.h"
+#include "model/variation/parts/bodyparts.h"
 #include "tests/model/transition/bars.h"
 
 #include <algorithm>

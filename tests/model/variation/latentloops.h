@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/core/random.h"
-#include "model/variation/gpdm.h"
+#include "model/variation/gpdm/gpdm.h"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/geometry/procrustes.h"
-#include "model/variation/stitching.h"
+#include "model/variation/parts/stitching.h"
 #include "tests/model/largestdistance.h"
 #include "tests/model/transition/bars.h"
 #include "tests/model/variation/handmadeparts.h"

@@ -205,13 +205,17 @@ std::vector<Vec3f> plainStitch(const Topology& topology, const BodyParts& parts,
     matrix.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
     const Eigen::MatrixX3d solved = solver.solve(right);
+    // Where the root stays: by its vertices that no other part has, or by all where there are none.
+    const auto isShared = [&](VertexIndex v) {
+        return std::ranges::any_of(
+            parts.parts, [v](const BodyPart& part) { return std::ranges::binary_search(part.overlap, v); });
+    };
+    const bool hasOwn =
+        !std::ranges::all_of(laid[0], [&](const auto& placed) { return isShared(placed.first); });
     Vec3d shift = Vec3d::Zero();
     double count = 0;
     for (const auto& [v, place] : laid[0]) {
-        const bool isShared = std::ranges::any_of(parts.parts, [v = v](const BodyPart& part) {
-            return std::ranges::binary_search(part.overlap, v);
-        });
-        if (isShared)
+        if (hasOwn && isShared(v))
             continue;
         shift += place - solved.row(static_cast<Eigen::Index>(v.value)).transpose();
         ++count;

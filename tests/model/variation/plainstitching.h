@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/variation/partoverlap.h"
+#include "model/variation/parts/partoverlap.h"
 
 #include <span>
 #include <vector>

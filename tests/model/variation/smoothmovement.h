@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/variation/gpdm.h"
+#include "model/variation/gpdm/gpdm.h"
 
 namespace quadrille::test {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/variation/bodyparts.h"
+#include "model/variation/parts/bodyparts.h"
 #include "tests/model/codeof.h"
 #include "tests/model/geometry/surfaces.h"
 

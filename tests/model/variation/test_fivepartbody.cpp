@@ -4,8 +4,9 @@
 // moved onto their parent and keep their shape, laid by its torso, put on its feet.
 #include "model/evaluation/variationmeasures.h"
 #include "model/sequence/contacts.h"
-#include "model/synthesis/contactcorrection.h"
-#include "model/variation/proposedparts.h"
+#include "model/synthesis/clips/characterlegs.h"
+#include "model/synthesis/finishing/contactcorrection.h"
+#include "model/variation/parts/proposedparts.h"
 #include "model/variation/quality.h"
 #include "model/variation/variations.h"
 #include "tests/model/synthesis/clipof.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "latentloops.h"
-#include "model/variation/hmc.h"
+#include "model/variation/gpdm/hmc.h"
 #include "tests/model/codeof.h"
 
 #include <Eigen/Cholesky>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/variation/partoverlap.h"
+#include "model/variation/parts/partoverlap.h"
 #include "tests/model/variation/handmadeparts.h"
 #include "tests/model/variation/plainstitching.h"
 

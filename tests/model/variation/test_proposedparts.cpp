@@ -3,7 +3,7 @@
 #include "model/geometry/curveneighbourhood.h"
 #include "model/sample/sample.h"
 #include "model/sequence/io/registry.h"
-#include "model/variation/proposedparts.h"
+#include "model/variation/parts/proposedparts.h"
 #include "tests/model/codeof.h"
 #include "tests/model/geometry/surfaces.h"
 

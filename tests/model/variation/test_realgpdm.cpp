@@ -3,7 +3,7 @@
 // Learning five parts of a real body: two gaits and two turns, as in Fig. 9 of the paper.
 #include "model/sequence/meshsequence.h"
 #include "model/variation/alignment.h"
-#include "model/variation/proposedparts.h"
+#include "model/variation/parts/proposedparts.h"
 #include "model/variation/reconstructionerror.h"
 #include "tests/model/sequence/realtakes.h"
 

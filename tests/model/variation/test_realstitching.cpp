@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Stitching on a real body, cut into the proposed parts.
-#include "model/variation/partoverlap.h"
-#include "model/variation/proposedparts.h"
-#include "model/variation/stitching.h"
+#include "model/variation/parts/partoverlap.h"
+#include "model/variation/parts/proposedparts.h"
+#include "model/variation/parts/stitching.h"
 #include "tests/model/sequence/realtakes.h"
 #include "tests/model/variation/creases.h"
 #include "tests/model/variation/handmadeparts.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/geometry/procrustes.h"
-#include "model/variation/partoverlap.h"
-#include "model/variation/stitching.h"
+#include "model/variation/parts/partoverlap.h"
+#include "model/variation/parts/stitching.h"
 #include "tests/model/codeof.h"
 #include "tests/model/transition/bars.h"
 #include "tests/model/variation/handmadeparts.h"

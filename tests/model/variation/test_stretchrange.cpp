@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/variation/stitching.h"
-#include "model/variation/stretchrange.h"
+#include "model/variation/parts/stitching.h"
+#include "model/variation/parts/stretchrange.h"
 #include "tests/model/variation/handmadeparts.h"
 
 #include <Eigen/Geometry>

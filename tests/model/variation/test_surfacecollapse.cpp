@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/variation/surfacecollapse.h"
+#include "model/variation/parts/surfacecollapse.h"
 #include "tests/model/transition/swayingtube.h"
 
 #include <gtest/gtest.h>

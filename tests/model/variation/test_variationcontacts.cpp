@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/sequence/contacts.h"
-#include "model/synthesis/contactcorrection.h"
+#include "model/synthesis/clips/characterlegs.h"
+#include "model/synthesis/finishing/contactcorrection.h"
 #include "model/variation/variations.h"
 #include "tests/model/largestdistance.h"
 #include "tests/model/synthesis/clipof.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/model/sequence/io/glbbuilder.h"
 
-#include "model/sequence/io/appendbytes.h"
+#include "model/sequence/io/files/appendbytes.h"
 
 #include <cstring>
 #include <map>

@@ -4,7 +4,7 @@
 
 #include "model/core/file.h"
 #include "model/core/hdf5.h"
-#include "model/sequence/io/appendbytes.h"
+#include "model/sequence/io/files/appendbytes.h"
 #include "tests/model/core/temporaryfolder.h"
 #include "tests/model/sequence/io/glbbuilder.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/core/file.h"
-#include "model/sequence/io/format.h"
+#include "model/sequence/io/files/format.h"
 #include "tests/model/codeof.h"
 #include "tests/model/core/temporaryfolder.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/sequence/io/anime.h"
-#include "model/sequence/io/appendbytes.h"
+#include "model/sequence/io/files/appendbytes.h"
 #include "tests/model/sequence/io/sceneiotest.h"
 
 #include <limits>

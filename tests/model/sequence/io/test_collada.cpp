@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
-#include "model/sequence/io/assimpscene.h"
+#include "model/sequence/io/scene/assimpscene.h"
 #include "tests/model/sequence/io/sceneiotest.h"
 
 #include <gmock/gmock.h>

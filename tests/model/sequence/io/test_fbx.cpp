@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
-#include "model/sequence/io/assimpscene.h"
-#include "model/sequence/io/fbxgeometry.h"
 #include "model/sequence/io/registry.h"
+#include "model/sequence/io/scene/assimpscene.h"
+#include "model/sequence/io/scene/fbxgeometry.h"
 #include "tests/model/sequence/io/meshbytes.h"
 #include "tests/model/sequence/io/sceneiotest.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/render/shading.h"
-#include "model/sequence/io/glbwriter.h"
-#include "model/sequence/io/gltf.h"
+#include "model/sequence/io/gltf/glbwriter.h"
+#include "model/sequence/io/gltf/gltf.h"
 #include "tests/model/sequence/io/sceneiotest.h"
 #include "tests/model/sequence/io/testsequence.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
-#include "model/sequence/io/gltf.h"
+#include "model/sequence/io/gltf/gltf.h"
 #include "tests/model/sequence/io/glbbuilder.h"
 #include "tests/model/sequence/io/sceneiotest.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/sequence/io/glbwriter.h"
-#include "model/sequence/io/gltf.h"
-#include "model/sequence/io/keyrate.h"
+#include "model/sequence/io/gltf/glbwriter.h"
+#include "model/sequence/io/gltf/gltf.h"
+#include "model/sequence/io/scene/keyrate.h"
 #include "tests/model/sequence/io/sceneiotest.h"
 #include "tests/model/sequence/io/testsequence.h"
 

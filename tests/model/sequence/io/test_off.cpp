@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "fixture.h"
-#include "model/sequence/io/off.h"
+#include "model/sequence/io/mesh/off.h"
 #include "squaretriangles.h"
 
 using namespace quadrille;

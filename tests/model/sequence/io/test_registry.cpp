@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "fixture.h"
-#include "model/sequence/io/sourcefiles.h"
+#include "model/sequence/io/files/sourcefiles.h"
 
 #include <gmock/gmock.h>
 

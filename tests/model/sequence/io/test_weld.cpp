@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/sequence/io/weld.h"
+#include "model/sequence/io/scene/weld.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
