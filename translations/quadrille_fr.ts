@@ -3045,7 +3045,7 @@
     </message>
 </context>
 <context>
-    <name>quadrille::AnimationMedia</name>
+    <name>quadrille::AnimationResults</name>
     <message>
         <source>Animation “%1”</source>
         <translation>Animation «&#xa0;%1&#xa0;»</translation>
@@ -4083,7 +4083,7 @@
     </message>
 </context>
 <context>
-    <name>quadrille::EvaluationMedia</name>
+    <name>quadrille::EvaluationResults</name>
     <message>
         <source>Looking for evaluations</source>
         <translation>Recherche d’évaluations</translation>
@@ -4848,7 +4848,7 @@
     </message>
 </context>
 <context>
-    <name>quadrille::GraphMedia</name>
+    <name>quadrille::GraphResults</name>
     <message>
         <source>Graph</source>
         <translation>Graphe</translation>
@@ -11090,7 +11090,7 @@ maximal %2</translation>
     </message>
 </context>
 <context>
-    <name>quadrille::VariationMedia</name>
+    <name>quadrille::VariationResults</name>
     <message>
         <source>Aligning “%1”</source>
         <translation>Alignement de «&#xa0;%1&#xa0;»</translation>

@@ -4,14 +4,14 @@
 
 #include "editor/context/actionregistry.h"
 #include "editor/context/settings.h"
-#include "editor/documents/animationmedia.h"
+#include "editor/documents/animationresults.h"
 #include "editor/documents/bodyproblems.h"
-#include "editor/documents/evaluationmedia.h"
-#include "editor/documents/graphmedia.h"
+#include "editor/documents/evaluationresults.h"
+#include "editor/documents/graphresults.h"
 #include "editor/documents/projectdocument.h"
 #include "editor/documents/selection.h"
 #include "editor/documents/sequencemedia.h"
-#include "editor/documents/variationmedia.h"
+#include "editor/documents/variationresults.h"
 #include "editor/errors/issuelog.h"
 #include "editor/jobs/jobrunner.h"
 #include "editor/language/languagemanager.h"
@@ -42,10 +42,10 @@ struct EditorContext
     ProjectDocument document;
     Selection selection;
     SequenceMedia media;
-    GraphMedia graphs;
-    AnimationMedia animations;
-    VariationMedia variations;
-    EvaluationMedia evaluations;
+    GraphResults graphs;
+    AnimationResults animations;
+    VariationResults variations;
+    EvaluationResults evaluations;
     BodyProblems bodies;
 };
 

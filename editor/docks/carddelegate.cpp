@@ -38,7 +38,7 @@ QRect textRect(const QRect& card)
 void paintPicture(QPainter& painter, const QRect& place, const QModelIndex& index, int phase)
 {
     const auto pictures = index.data(SequenceCards::PicturesRole).value<QList<QImage>>();
-    const auto state = static_cast<SequenceMedia::State>(index.data(SequenceCards::StateRole).toInt());
+    const auto state = static_cast<ResultPhase>(index.data(SequenceCards::StateRole).toInt());
     painter.setPen(Qt::NoPen);
     painter.setBrush(Theme::color(ColorRole::Raised));
     painter.drawRoundedRect(place, 4, 4);
@@ -47,7 +47,7 @@ void paintPicture(QPainter& painter, const QRect& place, const QModelIndex& inde
         painter.drawImage(place, pictures[(standing + phase) % pictures.size()]);
         return;
     }
-    const bool failed = state == SequenceMedia::State::Failed;
+    const bool failed = state == ResultPhase::Failed;
     QRect sign(0, 0, signSize, signSize);
     sign.moveCenter(place.center());
     painter.drawPixmap(

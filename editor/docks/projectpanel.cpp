@@ -28,48 +28,20 @@ namespace quadrille {
 
 namespace {
 
-bool isAtWork(AnimationMedia::State state)
+/// Of results of all kinds.
+ProjectTreeModel::EntryStatus statusOf(const ResultState* result)
 {
-    return state == AnimationMedia::State::Waiting || state == AnimationMedia::State::Solving;
-}
-
-bool isAtWork(VariationMedia::State state)
-{
-    using State = VariationMedia::State;
-    return state == State::Opening || state == State::Learning || state == State::Drawing;
-}
-
-/// Of animations and variations alike.
-template <typename Media>
-ProjectTreeModel::EntryStatus statusOf(const typename Media::ResultState* resultState)
-{
-    using State = typename Media::State;
     ProjectTreeModel::EntryStatus status{.state = EntryState::Stale, .problem = {}};
-    if (resultState == nullptr)
+    if (result == nullptr)
         return status;
-    if (resultState->state == State::Ready)
+    if (result->phase == ResultPhase::Ready)
         status.state = EntryState::Fresh;
-    else if (resultState->state == State::Failed)
+    else if (result->phase == ResultPhase::Failed)
         status.state = EntryState::Failed;
-    else if (isAtWork(resultState->state))
+    else if (result->phase == ResultPhase::Waiting || result->phase == ResultPhase::Computing)
         status.state = EntryState::Computing;
-    if (resultState->error)
-        status.problem = describe(*resultState->error).oneLine();
-    return status;
-}
-
-ProjectTreeModel::EntryStatus statusOf(const EvaluationMedia::ResultState* resultState)
-{
-    using State = EvaluationMedia::State;
-    ProjectTreeModel::EntryStatus status{.state = EntryState::Stale, .problem = {}};
-    if (resultState == nullptr)
-        return status;
-    if (resultState->state == State::Fresh)
-        status.state = EntryState::Fresh;
-    else if (resultState->state == State::Computing)
-        status.state = EntryState::Computing;
-    else if (resultState->state == State::Failed && resultState->error)
-        status = {.state = EntryState::Failed, .problem = describe(*resultState->error).oneLine()};
+    if (result->error)
+        status.problem = describe(*result->error).oneLine();
     return status;
 }
 
@@ -78,9 +50,9 @@ ProjectTreeModel::EntryStatus statusOf(const EditorContext& context, const Entry
     if (entry.section == Section::Evaluations)
         return statusOf(context.evaluations.resultState(entry.name));
     if (entry.section == Section::Animations)
-        return statusOf<AnimationMedia>(context.animations.resultState(entry.name));
+        return statusOf(context.animations.resultState(entry.name));
     if (entry.section == Section::Variations)
-        return statusOf<VariationMedia>(context.variations.resultState(entry.name));
+        return statusOf(context.variations.resultState(entry.name));
     if (entry.section == Section::BodyParts) {
         const QString problem = context.bodies.problemOf(entry.name);
         return {.state = problem.isEmpty() ? EntryState::Fresh : EntryState::Failed, .problem = problem};
@@ -92,16 +64,9 @@ ProjectTreeModel::EntryStatus statusOf(const EditorContext& context, const Entry
         const Error error(broken->problem.code, broken->problem.context);
         return {.state = EntryState::Failed, .problem = describe(error).oneLine()};
     }
-    const SequenceMedia& media = context.media;
-    ProjectTreeModel::EntryStatus status;
-    const auto* resultState = entry.section == Section::Sequences ? media.resultState(entry.name) : nullptr;
-    if (!resultState || resultState->state == SequenceMedia::State::Ready)
-        return status;
-    status.state =
-        resultState->state == SequenceMedia::State::Failed ? EntryState::Failed : EntryState::Computing;
-    if (resultState->error)
-        status.problem = describe(*resultState->error).oneLine();
-    return status;
+    if (entry.section == Section::Sequences && context.media.resultState(entry.name) != nullptr)
+        return statusOf(context.media.resultState(entry.name));
+    return {};
 }
 
 } // namespace
@@ -134,13 +99,13 @@ ProjectPanel::ProjectPanel(EditorContext& context, QWidget* parent)
     connect(&context.media, &SequenceMedia::changed, this, [this](const QString& name) {
         m_model->updateStatus({Section::Sequences, name});
     });
-    connect(&context.animations, &AnimationMedia::changed, this, [this](const QString& name) {
+    connect(&context.animations, &AnimationResults::changed, this, [this](const QString& name) {
         m_model->updateStatus({Section::Animations, name});
     });
-    connect(&context.variations, &VariationMedia::changed, this, [this](const QString& name) {
+    connect(&context.variations, &VariationResults::changed, this, [this](const QString& name) {
         m_model->updateStatus({Section::Variations, name});
     });
-    connect(&context.evaluations, &EvaluationMedia::changed, this, [this](const QString& name) {
+    connect(&context.evaluations, &EvaluationResults::changed, this, [this](const QString& name) {
         m_model->updateStatus({Section::Evaluations, name});
     });
     connect(&context.bodies, &BodyProblems::changed, this, [this](const QString& character) {
@@ -281,7 +246,7 @@ void ProjectPanel::activate(const QModelIndex& index)
     const EntryRef entry = m_model->entry(index);
     const auto* resultState =
         entry.section == Section::Sequences ? m_context.media.resultState(entry.name) : nullptr;
-    if (resultState != nullptr && resultState->state == SequenceMedia::State::Failed)
+    if (resultState != nullptr && resultState->phase == ResultPhase::Failed)
         m_context.media.retry(entry.name);
     else if (const SectionInfo* section = findSection(entry.section);
              !entry.name.isEmpty() && section->opening != nullptr)
@@ -342,7 +307,7 @@ void ProjectPanel::fillEntryMenu(QMenu& menu, const EntryRef& entry)
     }
     const auto* resultState =
         entry.section == Section::Sequences ? m_context.media.resultState(entry.name) : nullptr;
-    if (resultState != nullptr && resultState->state == SequenceMedia::State::Failed) {
+    if (resultState != nullptr && resultState->phase == ResultPhase::Failed) {
         menu.addAction(tr("Try again"), m_tree, [this, name = entry.name] { m_context.media.retry(name); });
         menu.addAction(m_context.actions.action("file.findMissing"));
     }

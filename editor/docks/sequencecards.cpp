@@ -137,7 +137,7 @@ QVariant SequenceCards::data(const QModelIndex& index, int role) const
     case LabelsRole:
         return QVariant::fromValue(labels(entry));
     case StateRole:
-        return static_cast<int>(resultState == nullptr ? SequenceMedia::State::Loading : resultState->state);
+        return static_cast<int>(resultState == nullptr ? ResultPhase::Computing : resultState->phase);
     case SearchRole:
         return shown + QLatin1Char('\n') + labelNames(entry).join(QLatin1Char('\n'));
     default:
@@ -156,7 +156,7 @@ bool SequenceCards::setData(const QModelIndex& index, const QVariant& value, int
 QString SequenceCards::length(const QString& name) const
 {
     const auto* resultState = m_context.media.resultState(name);
-    if (resultState != nullptr && resultState->state == SequenceMedia::State::Failed)
+    if (resultState != nullptr && resultState->phase == ResultPhase::Failed)
         return tr("Cannot be opened");
     const MeshSequence* sequence = m_context.media.sequence(name);
     if (sequence == nullptr)

@@ -280,10 +280,10 @@ void TexturePanel::showTexture(const MeshSequence& sequence, const LoadedFrame& 
 /// What is to be said where a sequence cannot be shown (yet).
 QString TexturePanel::stateText() const
 {
-    const SequenceMedia::ResultState* resultState = m_context.media.resultState(m_name);
+    const SequenceMedia::State* resultState = m_context.media.resultState(m_name);
     if (resultState == nullptr)
         return tr("The texture of the selected sequence is shown here.");
-    if (resultState->state == SequenceMedia::State::Failed)
+    if (resultState->phase == ResultPhase::Failed)
         return tr("“%1” cannot be shown.").arg(m_name);
     return tr("Opening “%1”…").arg(m_name);
 }

@@ -2,44 +2,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/documents/projectdocument.h"
+#include "editor/documents/wantedresults.h"
 #include "model/project/media/opensequence.h"
 #include "model/sequence/meshsequence.h"
 
-#include <QObject>
-#include <QPointer>
-#include <map>
-#include <optional>
-
 namespace quadrille {
-
-class Job;
-class JobRunner;
 
 /// The sequences of a document as meshes that can be shown: opened in jobs as soon as the project names them,
 /// and opened again when their source changes. Clips of
 /// animations are read from the project's results. Trimming and marking does not open anything.
-class SequenceMedia : public QObject
+class SequenceMedia : public WantedResults
 {
     Q_OBJECT
 
 public:
-    enum class State
+    /// Computing while it is opened.
+    struct State : ResultState
     {
-        Loading,
-        Ready,
-        Failed,
-    };
-    struct ResultState
-    {
-        State state = State::Loading;
         /// All frames of the source, at its own rate; there when ready, and when only the range failed.
         std::optional<MeshSequence> whole;
         /// All frames of the source at the project's rate, as it is shown for trimming.
         std::optional<MeshSequence> untrimmed;
         /// What the project makes of it: cut to its range, with labels and contacts. There when ready.
         std::optional<MeshSequence> sequence;
-        std::optional<Error> error; ///< there when failed
         std::vector<Issue> issues;
     };
 
@@ -47,7 +32,7 @@ public:
     ~SequenceMedia() override;
 
     /// Null when the project has no such sequence.
-    const ResultState* resultState(const QString& name) const;
+    const State* resultState(const QString& name) const { return find<const State>(name); }
     /// The sequence when it is ready, else null.
     const MeshSequence* sequence(const QString& name) const;
     /// The sequence with all frames of its source, at the project's rate, else null.
@@ -59,13 +44,9 @@ public:
     /// Opens a failed sequence again.
     void retry(const QString& name);
     /// Opens those sequences again that show clips of animations which were computed meanwhile.
-    void refresh() { update(); }
+    void refresh() { updateNow(); }
     bool isLoading() const;
-    UpAxis upAxis() const { return m_document.project().settings.axes.up; }
-
-signals:
-    /// What is held of a sequence has another state or another content.
-    void changed(const QString& name);
+    UpAxis upAxis() const { return document().project().settings.axes.up; }
 
 private:
     /// What decides which frames a sequence has.
@@ -80,28 +61,21 @@ private:
         std::vector<std::filesystem::file_time_type> computed;
         bool operator==(const Source&) const = default;
     };
-    struct Item
+    struct Item : State
     {
-        Source source;
+        std::optional<Source> source;
         SequenceEntry entry;
-        ResultState resultState;
         /// Held, so that nobody opens the source again.
         std::shared_ptr<const OpenedSequence> opened;
-        QPointer<Job> job;
     };
 
-    void rename(const ChangeEvent& event);
-    void follow(const ChangeEvent& event);
-    void update();
+    void follow(const ChangeEvent& event) override;
+    void update() override;
     static std::shared_ptr<const OpenedSequence>
     openWhole(const Source& source, const std::shared_ptr<SourceCache>& sources, const Progress& progress);
     void open(const QString& name, Item& item);
-    void shape(Item& item);
+    static void shape(Item& item);
     Source sourceOf(const SequenceEntry& entry) const;
-
-    ProjectDocument& m_document;
-    JobRunner& m_jobs;
-    std::map<QString, Item> m_items;
 };
 
 } // namespace quadrille

@@ -27,7 +27,6 @@ namespace quadrille {
 
 namespace {
 
-using State = EvaluationMedia::State;
 
 /// "fig9-equal-density" of fig9: what is behind the name, or the results themselves.
 QString tabTitle(const QString& table, const QString& evaluation)
@@ -54,7 +53,7 @@ EvaluationPanel::EvaluationPanel(EditorContext& context, QWidget* parent)
     });
 }
 
-const EvaluationMedia::ResultState* EvaluationPanel::resultState() const
+const EvaluationResults::State* EvaluationPanel::resultState() const
 {
     return m_name.isEmpty() ? nullptr : m_context.evaluations.resultState(m_name);
 }
@@ -62,7 +61,7 @@ const EvaluationMedia::ResultState* EvaluationPanel::resultState() const
 void EvaluationPanel::connectParts()
 {
     connect(&m_context.selection, &Selection::changed, this, &EvaluationPanel::followSelection);
-    connect(&m_context.evaluations, &EvaluationMedia::changed, this, [this](const QString& name) {
+    connect(&m_context.evaluations, &EvaluationResults::changed, this, [this](const QString& name) {
         if (name == m_name)
             refresh();
     });
@@ -77,7 +76,7 @@ void EvaluationPanel::connectParts()
     });
     connect(m_message, &widgets::MessageStrip::actionTriggered, this, [this] {
         const auto* shown = resultState();
-        const bool computes = shown != nullptr && shown->state == State::Computing;
+        const bool computes = shown != nullptr && shown->phase == ResultPhase::Computing;
         m_context.actions.action(computes ? "evaluations.stop" : "evaluations.compute")->trigger();
     });
     connect(m_compute, &QPushButton::clicked, this,
@@ -126,10 +125,10 @@ void EvaluationPanel::refresh()
     showTables();
 }
 
-void EvaluationPanel::showState(const EvaluationMedia::ResultState& shown)
+void EvaluationPanel::showState(const EvaluationResults::State& shown)
 {
     using Kind = widgets::MessageStrip::Kind;
-    const bool isComputing = shown.state == State::Computing;
+    const bool isComputing = shown.phase == ResultPhase::Computing;
     const bool hasTables = !shown.tables.empty();
     m_results->setCurrentIndex(hasTables ? 1 : 0);
     m_progress->setVisible(isComputing);
@@ -139,20 +138,21 @@ void EvaluationPanel::showState(const EvaluationMedia::ResultState& shown)
             connect(m_job, &Job::changed, this, &EvaluationPanel::showProgress);
     }
     showProgress();
-    m_compute->setVisible(!isComputing && shown.state != State::Impossible);
+    m_compute->setVisible(!isComputing && shown.phase != ResultPhase::Impossible);
     m_message->clear();
     m_message->setAction({});
-    switch (shown.state) {
-    case State::Opening:
-    case State::Fresh:
-        m_empty->setText(shown.state == State::Opening ? tr("Looking for results…")
+    switch (shown.phase) {
+    case ResultPhase::Idle:
+    case ResultPhase::Waiting:
+    case ResultPhase::Ready:
+        m_empty->setText(shown.phase != ResultPhase::Ready ? tr("Looking for results…")
                                                        : tr("There was nothing to measure."));
         break;
-    case State::Impossible:
+    case ResultPhase::Impossible:
         m_empty->setText(tr("There is nothing in the project that this could be about: takes of a character "
                             "that it names, or variations that are learned."));
         break;
-    case State::Stale:
+    case ResultPhase::Stale:
         m_empty->setText(
             tr("Not computed yet. It takes from seconds to minutes; you can go on working meanwhile."));
         if (hasTables) {
@@ -160,13 +160,13 @@ void EvaluationPanel::showState(const EvaluationMedia::ResultState& shown)
             m_message->setAction(tr("Compute"));
         }
         break;
-    case State::Computing:
+    case ResultPhase::Computing:
         m_empty->setText(tr("Computing, with all that it needs…"));
         m_message->show(Kind::Info, hasTables ? tr("Computed anew; these are the results before.")
                                               : tr("Being computed."));
         m_message->setAction(tr("Stop"));
         break;
-    case State::Failed:
+    case ResultPhase::Failed:
         if (shown.error) {
             const ErrorText text = describe(*shown.error);
             m_message->show(Kind::Error, text.sentence, text.remedy);

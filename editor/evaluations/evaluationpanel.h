@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/documents/evaluationmedia.h"
+#include "editor/documents/evaluationresults.h"
 #include "editor/evaluations/evaluationcharts.h"
 
 #include <QWidget>
@@ -56,7 +56,7 @@ private:
     using QWidget::show;
     void showChooser();
     void refresh();
-    void showState(const EvaluationMedia::ResultState& resultState);
+    void showState(const EvaluationResults::State& resultState);
     void showProgress();
     void showTables();
     void showTable(int tab);
@@ -65,7 +65,7 @@ private:
     void updateActions();
     void copy() const;
     void askAndSave();
-    const EvaluationMedia::ResultState* resultState() const;
+    const EvaluationResults::State* resultState() const;
 
     EditorContext& m_context;
     QString m_name; ///< see evaluationName()

@@ -250,15 +250,15 @@ void EvaluationPanel::arrangeWidgets()
 void EvaluationPanel::updateActions()
 {
     const auto* shown = resultState();
-    const bool isComputing = shown != nullptr && shown->state == EvaluationMedia::State::Computing;
+    const bool isComputing = shown != nullptr && shown->phase == ResultPhase::Computing;
     const bool hasTables = shown != nullptr && !shown->tables.empty();
     const auto enable = [this](const char* id, bool on) {
         m_context.actions.action(QLatin1String(id))->setEnabled(on);
     };
     enable("evaluations.show", shown != nullptr);
     enable("evaluations.compute", shown != nullptr && !isComputing &&
-                                      shown->state != EvaluationMedia::State::Impossible &&
-                                      shown->state != EvaluationMedia::State::Fresh);
+                                      shown->phase != ResultPhase::Impossible &&
+                                      shown->phase != ResultPhase::Ready);
     enable("evaluations.stop", isComputing);
     enable("evaluations.copy", hasTables);
     enable("evaluations.save", hasTables);

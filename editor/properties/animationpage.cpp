@@ -34,7 +34,7 @@ AnimationPage::AnimationPage(EditorContext& context)
     m_finish = addFact("animationFinish", [] { return tr("Afterwards"); });
     m_outcome = addFact("animationOutcome", [] { return tr("Result"); });
     addOpen();
-    connect(&context.animations, &AnimationMedia::changed, this, [this](const QString& name) {
+    connect(&context.animations, &AnimationResults::changed, this, [this](const QString& name) {
         if (name == entryName())
             m_outcome->setText(outcome());
     });

@@ -150,7 +150,7 @@ void SequencePage::show(const QString& name)
 
 void SequencePage::showResultState(const SequenceEntry& entry)
 {
-    const SequenceMedia::ResultState* resultState = m_context.media.resultState(m_name);
+    const SequenceMedia::State* resultState = m_context.media.resultState(m_name);
     const bool isOpen = resultState != nullptr && resultState->whole.has_value();
     m_first->setEnabled(isOpen);
     m_last->setEnabled(isOpen);
@@ -178,7 +178,7 @@ void SequencePage::showResultState(const SequenceEntry& entry)
 
 void SequencePage::editRange()
 {
-    const SequenceMedia::ResultState* resultState = m_context.media.resultState(m_name);
+    const SequenceMedia::State* resultState = m_context.media.resultState(m_name);
     if (resultState == nullptr || !resultState->whole)
         return;
     const FrameRange range{FrameIndex(m_first->value()), FrameIndex(m_last->value())};

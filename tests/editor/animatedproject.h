@@ -87,7 +87,7 @@ inline bool waitForResult(EditorContext& context, const QString& name)
     return QTest::qWaitFor(
         [&] {
             const auto* resultState = context.animations.resultState(name);
-            return resultState != nullptr && resultState->state == AnimationMedia::State::Ready &&
+            return resultState != nullptr && resultState->phase == ResultPhase::Ready &&
                    resultState->result->entry == *context.document.animation(name);
         },
         patience);

@@ -33,7 +33,7 @@ protected:
     {
         auto* button = test::find<QPushButton>("graphStateButton");
         QTRY_VERIFY(context().graphs.resultState("spire") != nullptr);
-        QTRY_VERIFY(context().graphs.resultState("spire")->state == GraphMedia::State::Missing);
+        QTRY_VERIFY(context().graphs.resultState("spire")->phase == ResultPhase::Idle);
         QTest::mouseClick(button, Qt::LeftButton);
         QTRY_VERIFY(explorer().character() != nullptr);
         waitForPaths();

@@ -161,10 +161,10 @@ private slots:
         QVERIFY(test::waitForResult(context(), "dance"));
         const auto before = context().animations.result("dance");
         useTone(1);
-        QSignalSpy changes(&context().animations, &AnimationMedia::changed);
+        QSignalSpy changes(&context().animations, &AnimationResults::changed);
         QVERIFY(!changes.wait(100)); // longer than edits are gathered
         QCOMPARE(context().animations.result("dance"), before);
-        QCOMPARE(context().animations.resultState("dance")->state, AnimationMedia::State::Ready);
+        QCOMPARE(context().animations.resultState("dance")->phase, ResultPhase::Ready);
     }
 
     void aFileThatIsNoSoundSaysSo()

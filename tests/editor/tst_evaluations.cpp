@@ -27,7 +27,6 @@
 
 namespace quadrille {
 
-using State = EvaluationMedia::State;
 
 class EvaluationsTest : public GraphFixture
 {
@@ -37,10 +36,10 @@ private:
     EvaluationPanel& panel() { return *test::find<EvaluationPanel>("evaluationPanel"); }
     QListWidget& choices() { return *test::find<QListWidget>("evaluationChoices"); }
     QAbstractItemModel& table() { return *test::find<QTableView>("evaluationTable")->model(); }
-    State stateOf(const char* name)
+    ResultPhase phaseOf(const char* name)
     {
         const auto* resultState = context().evaluations.resultState(name);
-        return resultState != nullptr ? resultState->state : State::Opening;
+        return resultState != nullptr ? resultState->phase : ResultPhase::Idle;
     }
     QModelIndex treeIndex(const QString& name)
     {
@@ -64,9 +63,9 @@ private:
     void compute(const char* name)
     {
         context().selection.select({Section::Evaluations, QLatin1String(name)});
-        QTRY_COMPARE(stateOf(name), State::Stale);
+        QTRY_COMPARE(phaseOf(name), ResultPhase::Stale);
         context().actions.action("evaluations.compute")->trigger();
-        QTRY_COMPARE_WITH_TIMEOUT(stateOf(name), State::Fresh, test::patience);
+        QTRY_COMPARE_WITH_TIMEOUT(phaseOf(name), ResultPhase::Ready, test::patience);
     }
     void add(const char* name)
     {
@@ -85,13 +84,13 @@ private slots:
         QCOMPARE(treeIndex("fig9").data().toString(), QStringLiteral("Essential graph and motion graph"));
         auto* button = test::find<QPushButton>("evaluationCompute");
         QTRY_VERIFY(button->hasFocus());
-        QTRY_COMPARE(stateOf("fig9"), State::Stale);
+        QTRY_COMPARE(phaseOf("fig9"), ResultPhase::Stale);
         QCOMPARE(treeIndex("fig9").data(ProjectTreeModel::StateRole).toInt(),
                  static_cast<int>(EntryState::Stale));
         QTest::keyClick(button, Qt::Key_Return);
-        QCOMPARE(stateOf("fig9"), State::Computing);
+        QCOMPARE(phaseOf("fig9"), ResultPhase::Computing);
         QVERIFY(test::find<QProgressBar>("evaluationProgress")->isVisible());
-        QTRY_COMPARE_WITH_TIMEOUT(stateOf("fig9"), State::Fresh, test::patience);
+        QTRY_COMPARE_WITH_TIMEOUT(phaseOf("fig9"), ResultPhase::Ready, test::patience);
         QCOMPARE(treeIndex("fig9").data(ProjectTreeModel::StateRole).toInt(),
                  static_cast<int>(EntryState::Fresh));
 
@@ -133,7 +132,7 @@ private slots:
         context().document.redo();
         QCOMPARE(context().document.project().evaluations.size(), 1U);
         context().selection.select({Section::Evaluations, "fig9"});
-        QTRY_COMPARE(stateOf("fig9"), State::Fresh); // the results were kept
+        QTRY_COMPARE(phaseOf("fig9"), ResultPhase::Ready); // the results were kept
     }
 
     void aProjectThatIsOpenedAgainShowsItsResults()
@@ -143,21 +142,21 @@ private slots:
         context().document.saveAs(m_folder->filePath("again.quadrille").toStdString());
         add("fig4");
         compute("fig4");                             // now beside the file
-        QTRY_COMPARE(stateOf("fig7"), State::Fresh); // which was kept in memory, and stored there
+        QTRY_COMPARE(phaseOf("fig7"), ResultPhase::Ready); // which was kept in memory, and stored there
         context().document.save();
         context().document.load(m_folder->filePath("again.quadrille").toStdString());
-        QTRY_COMPARE(stateOf("fig7"), State::Fresh);
-        QCOMPARE(stateOf("fig4"), State::Fresh);
+        QTRY_COMPARE(phaseOf("fig7"), ResultPhase::Ready);
+        QCOMPARE(phaseOf("fig4"), ResultPhase::Ready);
         context().selection.select({Section::Evaluations, "fig7"});
         QTRY_COMPARE(table().rowCount(), 9);
         // What it depends on is another now.
         context().document.undoStack()->clear();
         setSequenceRange(context().document, "first", FrameRange{FrameIndex(0), FrameIndex(40)});
-        QTRY_COMPARE(stateOf("fig7"), State::Stale);
+        QTRY_COMPARE(phaseOf("fig7"), ResultPhase::Stale);
         QCOMPARE(table().rowCount(), 9); // the results before, with a word
         QVERIFY(test::find<QWidget>("evaluationMessage")->isVisible());
         context().document.undo();
-        QTRY_COMPARE(stateOf("fig7"), State::Fresh);
+        QTRY_COMPARE(phaseOf("fig7"), ResultPhase::Ready);
     }
 
     void columnsSortByTheirNumbers()
@@ -220,12 +219,12 @@ private slots:
     {
         add("junctions");
         context().selection.select({Section::Evaluations, "junctions"});
-        QTRY_COMPARE(stateOf("junctions"), State::Stale);
+        QTRY_COMPARE(phaseOf("junctions"), ResultPhase::Stale);
         context().actions.action("evaluations.compute")->trigger();
-        QCOMPARE(stateOf("junctions"), State::Computing);
+        QCOMPARE(phaseOf("junctions"), ResultPhase::Computing);
         QVERIFY(!context().actions.action("evaluations.compute")->isEnabled());
         context().actions.action("evaluations.stop")->trigger();
-        QTRY_COMPARE(stateOf("junctions"), State::Stale);
+        QTRY_COMPARE(phaseOf("junctions"), ResultPhase::Stale);
         QVERIFY(context().actions.action("evaluations.compute")->isEnabled());
     }
 
@@ -242,7 +241,7 @@ private slots:
         // One of variations, written by hand, is there and says that there are none.
         add("variations");
         context().selection.select({Section::Evaluations, "variations"});
-        QTRY_COMPARE(stateOf("variations"), State::Impossible);
+        QTRY_COMPARE(phaseOf("variations"), ResultPhase::Impossible);
         QVERIFY(test::find<QLabel>("evaluationEmpty")->text().contains("nothing in the project"));
         QVERIFY(!context().actions.action("evaluations.compute")->isEnabled());
     }

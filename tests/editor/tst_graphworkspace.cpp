@@ -71,7 +71,7 @@ private slots:
     void computingCanBeStopped()
     {
         auto* button = test::find<QPushButton>("graphStateButton");
-        QTRY_VERIFY(context().graphs.resultState("spire")->state == GraphMedia::State::Missing);
+        QTRY_VERIFY(context().graphs.resultState("spire")->phase == ResultPhase::Idle);
         QTest::mouseClick(button, Qt::LeftButton);
         QCOMPARE(text("graphStateTitle"), QString("Computing the graph"));
         QTest::mouseClick(button, Qt::LeftButton);

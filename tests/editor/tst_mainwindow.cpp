@@ -88,8 +88,8 @@ private slots:
     {
         QTest::mouseClick(test::find<WelcomeTile>("welcome.transitions"), Qt::LeftButton);
         QTRY_COMPARE(m_window->workspaces().current(), QString("graph"));
-        GraphMedia& graphs = m_window->context().graphs;
-        QTRY_VERIFY(graphs.resultState(graphs.firstCharacter())->state == GraphMedia::State::Ready);
+        GraphResults& graphs = m_window->context().graphs;
+        QTRY_VERIFY(graphs.resultState(graphs.firstCharacter())->phase == ResultPhase::Ready);
     }
 
     void whatIsShippedIsNotMadeAgain()

@@ -126,7 +126,7 @@ private slots:
     {
         const QString character = context().graphs.firstCharacter();
         context().graphs.ask(character);
-        QTRY_VERIFY(context().graphs.resultState(character)->state == GraphMedia::State::Ready);
+        QTRY_VERIFY(context().graphs.resultState(character)->phase == ResultPhase::Ready);
         m_window->workspaces().select("graph");
         GraphWorkspace& workspace = m_window->graph();
         QTRY_VERIFY(workspace.explorer().paths() != nullptr);
@@ -167,7 +167,7 @@ private slots:
     {
         m_window->workspaces().select("variations");
         context().selection.select({Section::Variations, "walking"});
-        QVERIFY(test::waitForState(context(), "walking", VariationMedia::State::NotLearned));
+        QVERIFY(test::waitForState(context(), "walking", test::isNotLearned));
         context().actions.action("variations.learn")->trigger();
         QVERIFY(test::waitForVariations(context(), "walking"));
         Workspace::showPanel(test::find<QWidget>("samplesPanel"));

@@ -279,7 +279,7 @@ private slots:
         QVERIFY(test::raiseDock("projectDock"));
         auto* tree = test::find<QTreeView>("projectTree");
         const QModelIndex run = tree->model()->index(1, 0, tree->model()->index(1, 0));
-        QTRY_VERIFY(context().media.resultState("run")->state == SequenceMedia::State::Failed);
+        QTRY_VERIFY(context().media.resultState("run")->phase == ResultPhase::Failed);
         tree->expandAll();
         tree->setCurrentIndex(run);
         QTimer::singleShot(0, this, [this] {

@@ -140,7 +140,7 @@ private slots:
         int onTheWay = 0;
         bool areComplete = true;
         const QObject listener;
-        connect(&context().animations, &AnimationMedia::changed, &listener, [&] {
+        connect(&context().animations, &AnimationResults::changed, &listener, [&] {
             const auto now = context().animations.result("dance");
             onTheWay += now->isFinal ? 0 : 1;
             areComplete &= now->walk.constraints.actions.size() == now->walk.solution.actions.size();

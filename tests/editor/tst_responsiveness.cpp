@@ -67,7 +67,7 @@ private slots:
         m_window->sequences().player().play();
         measure();
         context().graphs.ask(character);
-        QTRY_VERIFY(context().graphs.resultState(character)->state == GraphMedia::State::Ready);
+        QTRY_VERIFY(context().graphs.resultState(character)->phase == ResultPhase::Ready);
         tell("Playing while the graph is computed");
         QVERIFY(m_window->sequences().player().isPlaying());
     }

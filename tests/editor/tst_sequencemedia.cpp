@@ -43,9 +43,9 @@ private:
         for (const StepReport& step : report.steps)
             QVERIFY2(!step.error, step.error ? step.error->what() : "");
     }
-    SequenceMedia::State state(const char* name) const
+    ResultPhase state(const char* name) const
     {
-        return m_media->resultState(QLatin1String(name))->state;
+        return m_media->resultState(QLatin1String(name))->phase;
     }
     std::int64_t frames(const char* name) const
     {
@@ -80,17 +80,17 @@ private slots:
 
     void aClipThatIsNotComputedSaysSo()
     {
-        QTRY_COMPARE(state("stroll"), SequenceMedia::State::Failed);
+        QTRY_COMPARE(state("stroll"), ResultPhase::Failed);
         QVERIFY(QString(m_media->resultState(QStringLiteral("stroll"))->error->what())
                     .contains(QStringLiteral("not computed yet")));
-        QTRY_COMPARE(state("part"), SequenceMedia::State::Failed);
+        QTRY_COMPARE(state("part"), ResultPhase::Failed);
         QTRY_COMPARE(frames("walk"), 16);
     }
 
     void aComputedClipIsShownAndFollowsWhatIsComputed()
     {
         m_document->saveAs(m_folder->filePath(QStringLiteral("p.quadrille")).toStdString());
-        QTRY_COMPARE(state("stroll"), SequenceMedia::State::Failed);
+        QTRY_COMPARE(state("stroll"), ResultPhase::Failed);
         compute();
         m_media->refresh();
         QTRY_COMPARE(frames("stroll"), 8);
@@ -128,8 +128,8 @@ private slots:
         circle.sequences[1].source = "clip:sequences/part";
         m_document->reset(circle);
         QTRY_COMPARE(frames("walk"), 16);
-        QTRY_COMPARE(state("stroll"), SequenceMedia::State::Failed);
-        QTRY_COMPARE(state("part"), SequenceMedia::State::Failed);
+        QTRY_COMPARE(state("stroll"), ResultPhase::Failed);
+        QTRY_COMPARE(state("part"), ResultPhase::Failed);
     }
 };
 

@@ -75,7 +75,7 @@ private:
         QVERIFY(QTest::qWaitFor(
             [&] {
                 const auto* resultState = context().graphs.resultState("spire");
-                return resultState->state == GraphMedia::State::Ready &&
+                return resultState->phase == ResultPhase::Ready &&
                        resultState->opened->graph.alpha() == alpha;
             },
             test::patience));

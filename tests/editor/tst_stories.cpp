@@ -130,9 +130,9 @@ private slots:
         key(Qt::Key_F6);
         const QString character = context().graphs.firstCharacter();
         QTRY_VERIFY(context().graphs.resultState(character) != nullptr);
-        QTRY_VERIFY(context().graphs.resultState(character)->state == GraphMedia::State::Missing);
+        QTRY_VERIFY(context().graphs.resultState(character)->phase == ResultPhase::Idle);
         press("graphStateButton");
-        QTRY_VERIFY(context().graphs.resultState(character)->state == GraphMedia::State::Ready);
+        QTRY_VERIFY(context().graphs.resultState(character)->phase == ResultPhase::Ready);
         auto* density = test::find<QLabel>("essentialDensity");
         QTRY_VERIFY(density->text().contains("%"));
         const QString before = density->text();
@@ -242,17 +242,17 @@ private slots:
 
         // The graph, before it is there.
         key(Qt::Key_F6);
-        QTRY_VERIFY(context().graphs.resultState("spire")->state == GraphMedia::State::Missing);
+        QTRY_VERIFY(context().graphs.resultState("spire")->phase == ResultPhase::Idle);
         press("graphStateButton");
         press("graphStateButton");
-        QTRY_VERIFY(context().graphs.resultState("spire")->state == GraphMedia::State::Missing);
+        QTRY_VERIFY(context().graphs.resultState("spire")->phase == ResultPhase::Idle);
 
         // The search, once it has found something: that stays.
         key(Qt::Key_F7);
         QTRY_VERIFY(context().animations.result("dance") != nullptr);
-        QVERIFY(context().animations.resultState("dance")->state == AnimationMedia::State::Solving);
+        QVERIFY(context().animations.resultState("dance")->phase == ResultPhase::Computing);
         key(Qt::Key_Period, Qt::ControlModifier);
-        QVERIFY(context().animations.resultState("dance")->state == AnimationMedia::State::Idle);
+        QVERIFY(context().animations.resultState("dance")->phase == ResultPhase::Idle);
         QTRY_VERIFY(context().jobs.jobs().empty());
         QVERIFY(context().animations.result("dance") != nullptr);
         QVERIFY(m_window->animate().scene().frameCount() > 0);

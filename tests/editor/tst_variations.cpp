@@ -86,7 +86,7 @@ private slots:
         QCOMPARE(entry().blends[0].weights, (std::vector<double>{0.25, 0.75}));
         row("blends", 0)->setText(1, "nothing");
         QCOMPARE(entry().blends[0].weights, (std::vector<double>{0.25, 0.75}));
-        QVERIFY(test::waitForState(context(), "sways", State::NotLearned));
+        QVERIFY(test::waitForState(context(), "sways", test::isNotLearned));
         QTRY_COMPARE(resultState().movement->alignment.takes.size(), 4U);
         auto* blends = test::find<QTreeWidget>("blends");
         blends->setCurrentItem(blends->topLevelItem(0));
@@ -175,10 +175,10 @@ private slots:
         const auto aligned = resultState().movement;
         variation().edit("endless", "learning", [&](VariationEntry& after) { after = endless; });
         QTRY_VERIFY(resultState().movement != aligned);
-        QCOMPARE(resultState().state, State::NotLearned);
+        QVERIFY(resultState().isNotLearned());
         show("learningPanel");
         action("variations.learn")->trigger();
-        QCOMPARE(resultState().state, State::Learning);
+        QVERIFY(resultState().does(VariationResults::Work::Learning));
         auto* chart = test::find<widgets::LineChart>("objectiveChart");
         QTRY_VERIFY(!chart->isEmpty() && chart->series()[0].points.size() > 3);
         QVERIFY(action("variations.stop")->isEnabled());
@@ -190,14 +190,14 @@ private slots:
         QVERIFY(test::find<widgets::MessageStrip>("variationsViewMessage")->text().contains("stopped"));
         // Reading again finds nothing better: the best so far stays.
         context().variations.readStopped();
-        QCOMPARE(resultState().state, State::Opening);
+        QVERIFY(resultState().does(VariationResults::Work::Opening));
         QVERIFY(test::waitForVariations(context(), "sways"));
         QVERIFY(resultState().isStopped);
 
         const auto stopped = resultState().movement;
         document().undo();
         QTRY_VERIFY(resultState().movement != stopped);
-        QCOMPARE(resultState().state, State::NotLearned);
+        QVERIFY(resultState().isNotLearned());
         action("variations.learn")->trigger();
         QVERIFY(test::waitForVariations(context(), "sways"));
         QVERIFY(!resultState().isStopped);
@@ -211,7 +211,7 @@ private slots:
         const auto file = toPath(m_folder->filePath("p.quadrille"));
         document().saveAs(file);
         m_window->workspaces().select("variations");
-        QVERIFY(test::waitForState(context(), "sways", State::NotLearned));
+        QVERIFY(test::waitForState(context(), "sways", test::isNotLearned));
         action("variations.learn")->trigger();
         QVERIFY(test::waitForVariations(context(), "sways"));
         const double objective = resultState().parts[0].objective.back();
@@ -229,7 +229,7 @@ private slots:
         const auto file = toPath(m_folder->filePath("p.quadrille"));
         document().saveAs(file);
         m_window->workspaces().select("variations");
-        QVERIFY(test::waitForState(context(), "sways", State::NotLearned));
+        QVERIFY(test::waitForState(context(), "sways", test::isNotLearned));
         action("variations.learn")->trigger();
         QVERIFY(test::waitForVariations(context(), "sways"));
         const auto before = resultState().drawn;
@@ -238,9 +238,9 @@ private slots:
         document().reset({});
         QVERIFY(context().variations.resultState("sways") == nullptr);
         bool wasDrawn = false;
-        connect(&context().variations, &VariationMedia::changed, this, [&] {
+        connect(&context().variations, &VariationResults::changed, this, [&] {
             const auto* now = context().variations.resultState("sways");
-            wasDrawn = wasDrawn || (now != nullptr && now->state == State::Drawing);
+            wasDrawn = wasDrawn || (now != nullptr && now->does(VariationResults::Work::Drawing));
         });
         document().load(file);
         m_window->workspaces().select("sequences");
@@ -265,7 +265,7 @@ private slots:
         QCOMPARE(report.count(StepState::Stale), 0U);
         // Other settings are drawn anew.
         variation().edit("more", "count", [](VariationEntry& after) { after.samples[0].count = 4; });
-        QTRY_VERIFY(wasDrawn && resultState().state == State::Ready);
+        QTRY_VERIFY(wasDrawn && resultState().phase == ResultPhase::Ready);
         QCOMPARE(resultState().drawn->at(0).variations.size(), 4U);
     }
 
@@ -276,10 +276,10 @@ private slots:
         action("variations.duplicate")->trigger();
         const QString copy = context().selection.shownVariation();
         QVERIFY(copy != "sways");
-        QVERIFY(test::waitForState(context(), copy, State::NotLearned));
+        QVERIFY(test::waitForState(context(), copy, test::isNotLearned));
         QVERIFY(resultState().drawn == drawn);
         context().selection.select({Section::Variations, "sways"});
-        QCOMPARE(resultState().state, State::Ready);
+        QCOMPARE(resultState().phase, ResultPhase::Ready);
         QVERIFY(resultState().drawn == drawn);
         document().undo();
         QTRY_VERIFY(context().variations.resultState(copy) == nullptr);
@@ -306,12 +306,12 @@ private slots:
         project.variations[0].training[1].range = FrameRange{FrameIndex(0), FrameIndex(1)};
         document().reset(project);
         m_window->workspaces().select("variations");
-        QVERIFY(test::waitForState(context(), "sways", State::Failed));
+        QVERIFY(test::waitForState(context(), "sways", test::isFailed));
         QCOMPARE(resultState().error->code(), ErrorCode::TakeTooShort);
         QVERIFY(test::find<QWidget>("variationsViewMessage")->isVisible());
         document().reset(test::variedProject(m_folder->path()));
         context().selection.select({Section::Variations, "sways"});
-        QVERIFY(test::waitForState(context(), "sways", State::NotLearned));
+        QVERIFY(test::waitForState(context(), "sways", test::isNotLearned));
         QVERIFY(!test::find<QWidget>("variationsViewMessage")->isVisible());
     }
 };

@@ -54,7 +54,7 @@ private slots:
         QTest::keyClick(drawn, Qt::Key_Delete);
         QCOMPARE(entry().samples[0].discarded, std::vector<int>{2});
         QTRY_COMPARE(scene().size(), 4);
-        QCOMPARE(resultState().state, State::Ready);
+        QCOMPARE(resultState().phase, ResultPhase::Ready);
         clickBox("drawnVariations", 0);
         QTRY_COMPARE(scene().size(), 3);
         QTest::keyClick(drawn, Qt::Key_Insert);
@@ -102,7 +102,7 @@ private slots:
                 {.label = isAlone && take > 0 ? "other" : "sway", .frames = {FrameIndex(0), FrameIndex(19)}}};
         document().reset(project);
         m_window->workspaces().select("variations");
-        QVERIFY(test::waitForState(context(), "sways", State::NotLearned));
+        QVERIFY(test::waitForState(context(), "sways", test::isNotLearned));
         action("variations.learn")->trigger();
         QVERIFY(test::waitForVariations(context(), "sways"));
         show("samplesPanel");
@@ -145,7 +145,7 @@ private slots:
         QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
         QVERIFY(!entry().correctsContacts);
         // What was learned stays; variations are drawn again.
-        QVERIFY(resultState().state == State::Drawing || resultState().state == State::Ready);
+        QVERIFY(resultState().does(VariationResults::Work::Drawing) || resultState().phase == ResultPhase::Ready);
         QVERIFY(test::waitForVariations(context(), "sways"));
         document().undo();
         QVERIFY(entry().correctsContacts && box->isChecked());
@@ -207,7 +207,7 @@ private slots:
         document().reset(test::variedProject(m_folder->path()));
         document().saveAs(toPath(m_folder->filePath("p.quadrille")));
         m_window->workspaces().select("variations");
-        QVERIFY(test::waitForState(context(), "sways", State::NotLearned));
+        QVERIFY(test::waitForState(context(), "sways", test::isNotLearned));
         action("variations.learn")->trigger();
         QVERIFY(test::waitForVariations(context(), "sways"));
         variation().edit("discard", "discarded",

@@ -16,13 +16,12 @@ class VariationsFixture : public QObject
     Q_OBJECT
 
 protected:
-    using State = VariationMedia::State;
 
     EditorContext& context() { return m_window->context(); }
     ProjectDocument& document() { return context().document; }
     CurrentVariation& variation() { return m_window->variations().variation(); }
     const VariationEntry& entry() { return *document().variation("sways"); }
-    const VariationMedia::ResultState& resultState() { return *context().variations.resultState("sways"); }
+    const VariationResults::State& resultState() { return *context().variations.resultState("sways"); }
     QAction* action(const char* id) { return context().actions.action(QLatin1String(id)); }
     void show(const char* panel) { Workspace::showPanel(test::find<QWidget>(QLatin1String(panel))); }
     QStringList scene() { return m_window->variations().scene().shown(); }
@@ -31,7 +30,7 @@ protected:
     {
         document().reset(test::variedProject(m_folder->path()));
         m_window->workspaces().select("variations");
-        QVERIFY(test::waitForState(context(), "sways", State::NotLearned));
+        QVERIFY(test::waitForState(context(), "sways", test::isNotLearned));
     }
     void learn()
     {

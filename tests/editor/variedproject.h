@@ -42,18 +42,28 @@ inline bool waitForVariations(EditorContext& context, const QString& name)
     return QTest::qWaitFor(
         [&] {
             const auto* resultState = context.variations.resultState(name);
-            return resultState != nullptr && resultState->state == VariationMedia::State::Ready;
+            return resultState != nullptr && resultState->phase == ResultPhase::Ready;
         },
         patience);
 }
 
-inline bool waitForState(EditorContext& context, const QString& name, VariationMedia::State state,
+inline bool isNotLearned(const VariationResults::State& state)
+{
+    return state.isNotLearned();
+}
+
+inline bool isFailed(const VariationResults::State& state)
+{
+    return state.phase == ResultPhase::Failed;
+}
+
+inline bool waitForState(EditorContext& context, const QString& name, bool (*holds)(const VariationResults::State&),
                          int milliseconds = patience)
 {
     return QTest::qWaitFor(
         [&] {
             const auto* resultState = context.variations.resultState(name);
-            return resultState != nullptr && resultState->state == state;
+            return resultState != nullptr && holds(*resultState);
         },
         milliseconds);
 }

@@ -77,7 +77,7 @@ AnimateWorkspace::AnimateWorkspace(EditorContext& context, QWidget* parent)
     m_view->addBelowTimeline(
         new widgets::ClipLegend({FrameKind::Captured, FrameKind::Varied, FrameKind::Transition}));
     connect(m_animation, &CurrentAnimation::changed, this, &AnimateWorkspace::followAnimations);
-    connect(&context.animations, &AnimationMedia::changed, this, &AnimateWorkspace::followResult);
+    connect(&context.animations, &AnimationResults::changed, this, &AnimateWorkspace::followResult);
     connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this,
             [this] { m_context.animations.retry(m_animation->name()); });
     for (Panel& panel : m_keysAndStoryboard->panels())
@@ -189,7 +189,6 @@ void AnimateWorkspace::followResult(const QString& name)
 /// Says what is on its way, missing or went wrong, where it will be seen.
 void AnimateWorkspace::showState()
 {
-    using State = AnimationMedia::State;
     const auto* resultState = m_context.animations.resultState(m_animation->name());
     const AnimationEntry* entry = m_animation->entry();
     QString notice;
@@ -199,9 +198,9 @@ void AnimateWorkspace::showState()
         notice = tr("No animation yet.");
     else if (!entry->asksForSomething())
         notice = tr("Draw a path, drop poses onto the timeline, or line up takes in the storyboard.");
-    else if (resultState != nullptr && resultState->result == nullptr && resultState->state == State::Waiting)
+    else if (resultState != nullptr && resultState->result == nullptr && resultState->phase == ResultPhase::Waiting)
         notice = tr("Computing the graph of transitions…");
-    else if (resultState != nullptr && resultState->result == nullptr && resultState->state == State::Solving)
+    else if (resultState != nullptr && resultState->result == nullptr && resultState->phase == ResultPhase::Computing)
         notice = tr("Seeking a walk…");
     if (m_path->editor().mode() != widgets::PathEditor::Mode::Edit)
         notice.clear();

@@ -116,14 +116,13 @@ void AnimationBar::refreshNames()
 
 void AnimationBar::refreshState()
 {
-    using State = AnimationMedia::State;
-    const State state = m_animation.state();
+    const ResultPhase phase = m_animation.phase();
     ActionRegistry& actions = m_animation.context().actions;
-    actions.action("animate.stop")->setEnabled(state == State::Solving);
+    actions.action("animate.stop")->setEnabled(phase == ResultPhase::Computing);
     const AnimationEntry* entry = m_animation.entry();
     const bool asks = entry != nullptr && entry->asksForSomething();
-    actions.action("animate.solve")->setEnabled(asks && (state == State::Idle || state == State::Failed));
-    m_stop->setVisible(state == State::Solving);
+    actions.action("animate.solve")->setEnabled(asks && (phase == ResultPhase::Idle || phase == ResultPhase::Failed));
+    m_stop->setVisible(phase == ResultPhase::Computing);
     m_solve->setVisible(!m_stop->isVisibleTo(this));
     m_state->setText(stateText());
     m_state->setToolTip(m_state->text());
@@ -131,23 +130,21 @@ void AnimationBar::refreshState()
 
 QString AnimationBar::stateText() const
 {
-    using State = AnimationMedia::State;
     if (m_animation.entry() == nullptr)
         return tr("Add an animation, then draw a path, drop poses or line up takes.");
-    switch (m_animation.state()) {
-    case State::Waiting:
+    switch (m_animation.phase()) {
+    case ResultPhase::Waiting:
         return tr("Waiting for the graph…");
-    case State::Solving:
+    case ResultPhase::Computing:
         return m_animation.result() == nullptr ? tr("Seeking a walk…")
                                                : tr("Seeking a better walk… %1").arg(resultText());
-    case State::Failed:
+    case ResultPhase::Failed:
         return tr("No walk was found.");
-    case State::Ready:
+    case ResultPhase::Ready:
         return resultText();
-    case State::Idle:
+    default:
         return m_animation.result() == nullptr ? QString() : tr("Stopped. %1").arg(resultText());
     }
-    return {};
 }
 
 QString AnimationBar::resultText() const

@@ -19,11 +19,11 @@ CurrentAnimation::CurrentAnimation(EditorContext& context, SceneView& view, QObj
         emit changed();
         emit resultChanged();
     });
-    connect(&context.animations, &AnimationMedia::changed, this, [this](const QString& name) {
+    connect(&context.animations, &AnimationResults::changed, this, [this](const QString& name) {
         if (name == this->name())
             emit resultChanged();
     });
-    connect(&context.graphs, &GraphMedia::changed, this, &CurrentAnimation::resultChanged);
+    connect(&context.graphs, &GraphResults::changed, this, &CurrentAnimation::resultChanged);
 }
 
 const QString& CurrentAnimation::name() const
@@ -36,10 +36,10 @@ const AnimationEntry* CurrentAnimation::entry() const
     return m_context.document.animation(name());
 }
 
-AnimationMedia::State CurrentAnimation::state() const
+ResultPhase CurrentAnimation::phase() const
 {
     const auto* resultState = m_context.animations.resultState(name());
-    return resultState == nullptr ? AnimationMedia::State::Idle : resultState->state;
+    return resultState == nullptr ? ResultPhase::Idle : resultState->phase;
 }
 
 std::shared_ptr<const AnimationResult> CurrentAnimation::result() const

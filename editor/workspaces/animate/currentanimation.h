@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/commands/changeentry.h"
-#include "editor/documents/animationmedia.h"
+#include "editor/documents/animationresults.h"
 
 #include <QObject>
 #include <functional>
@@ -28,7 +28,7 @@ public:
     const QString& name() const;
     /// Null without an animation.
     const AnimationEntry* entry() const;
-    AnimationMedia::State state() const;
+    ResultPhase phase() const;
     /// What is shown now; null without one. It may be of the entry as it was before the last edits.
     std::shared_ptr<const AnimationResult> result() const;
     /// The opened graph of its character; null where there is none yet.

@@ -45,7 +45,7 @@ void GraphWorkspace::makeActions()
                  [] { return tr("Leaves the graph as it was"); },
                  "stop",
                  {}},
-                [this] { m_context.graphs.cancel(m_bar->character()); });
+                [this] { m_context.graphs.stop(m_bar->character()); });
     actions.add({"graph.play",
                  group,
                  [] { return tr("&Play the transition"); },
@@ -185,11 +185,11 @@ void GraphWorkspace::makeShowingActions()
 void GraphWorkspace::updateActions()
 {
     const auto* resultState = m_context.graphs.resultState(m_bar->character());
-    const bool computes = resultState != nullptr && resultState->state == GraphMedia::State::Computing;
+    const bool computes = resultState != nullptr && resultState->phase == ResultPhase::Computing;
     const bool isThere = m_explorer->character() != nullptr;
     const auto enable = [this](const char* id, bool on) { m_context.actions.action(id)->setEnabled(on); };
     enable("graph.compute",
-           resultState != nullptr && resultState->state != GraphMedia::State::Ready && !computes);
+           resultState != nullptr && resultState->phase != ResultPhase::Ready && !computes);
     enable("graph.stop", computes);
     enable("graph.play", isThere && m_chosen.has_value());
     enable("graph.frames", isThere && m_chosen.has_value());

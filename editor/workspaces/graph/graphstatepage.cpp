@@ -17,7 +17,6 @@ namespace quadrille {
 
 namespace {
 
-using State = GraphMedia::State;
 
 constexpr int progressWidth = 240;
 // Distances, costs, lengths, windows and turns of a pair of frames, and what a graph is computed with.
@@ -65,7 +64,7 @@ GraphStatePage::GraphStatePage(EditorContext& context, QWidget* parent)
     column->addWidget(m_button, 0, Qt::AlignHCenter);
     column->addStretch(1);
     connect(m_button, &QPushButton::clicked, this, &GraphStatePage::act);
-    connect(&context.graphs, &GraphMedia::changed, this, &GraphStatePage::refresh);
+    connect(&context.graphs, &GraphResults::changed, this, &GraphStatePage::refresh);
     connect(&context.media, &SequenceMedia::changed, this, &GraphStatePage::refresh);
     connect(&context.document, &ProjectDocument::changed, this, &GraphStatePage::refresh);
     retranslates(this, [this] { refresh(); });
@@ -82,8 +81,8 @@ void GraphStatePage::act()
     const auto* resultState = m_context.graphs.resultState(m_character);
     if (resultState == nullptr)
         m_context.actions.action(QStringLiteral("file.import"))->trigger();
-    else if (resultState->state == State::Computing)
-        m_context.graphs.cancel(m_character);
+    else if (resultState->phase == ResultPhase::Computing)
+        m_context.graphs.stop(m_character);
     else
         m_context.graphs.ask(m_character);
 }
@@ -117,7 +116,7 @@ QString GraphStatePage::memoryText() const
 void GraphStatePage::refresh()
 {
     const auto* resultState = m_context.graphs.resultState(m_character);
-    const State state = resultState != nullptr ? resultState->state : State::Missing;
+    const ResultPhase phase = resultState != nullptr ? resultState->phase : ResultPhase::Idle;
     QString title = tr("No graph yet");
     QString text = tr("The graph holds every transition from one frame to another. It is computed from all "
                       "sequences of the character.");
@@ -126,11 +125,11 @@ void GraphStatePage::refresh()
         title = tr("No sequences yet");
         text = tr("Transitions lead from one sequence to another: import some first.");
         button = tr("&Import sequences…");
-    } else if (state == State::Computing) {
+    } else if (phase == ResultPhase::Computing) {
         title = tr("Computing the graph");
         text = tr("Pose distances, transitions and both graphs. You can go on working meanwhile.");
         button = tr("&Stop");
-    } else if (state == State::Failed && resultState->error) {
+    } else if (phase == ResultPhase::Failed && resultState->error) {
         const ErrorText error = describe(*resultState->error);
         title = error.sentence;
         text = error.where.isEmpty() ? error.remedy : tr("%1 (%2)").arg(error.remedy, error.where);
@@ -140,8 +139,8 @@ void GraphStatePage::refresh()
     m_text->setText(text);
     m_memory->setText(resultState != nullptr ? memoryText() : QString());
     m_button->setText(button);
-    m_progress->setVisible(state == State::Computing);
-    Job* job = state == State::Computing ? resultState->job.data() : nullptr;
+    m_progress->setVisible(phase == ResultPhase::Computing);
+    Job* job = phase == ResultPhase::Computing ? resultState->job.data() : nullptr;
     if (job != m_job) {
         m_job = job;
         if (job != nullptr)

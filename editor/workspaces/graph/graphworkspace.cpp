@@ -145,7 +145,7 @@ void GraphWorkspace::arrangeWidgets()
 
 void GraphWorkspace::connectParts()
 {
-    connect(&m_context.graphs, &GraphMedia::changed, this, &GraphWorkspace::followGraph);
+    connect(&m_context.graphs, &GraphResults::changed, this, &GraphWorkspace::followGraph);
     connect(&m_context.document, &ProjectDocument::changed, this, &GraphWorkspace::followGraph);
     connect(m_bar, &GraphBar::characterChosen, this, &GraphWorkspace::followGraph);
     connect(m_explorer, &GraphExplorer::characterChanged, this, [this] {
@@ -201,7 +201,7 @@ void GraphWorkspace::connectParts()
     });
     connect(m_message, &widgets::MessageStrip::actionTriggered, this, [this] {
         const auto* resultState = m_context.graphs.resultState(m_bar->character());
-        const bool computes = resultState != nullptr && resultState->state == GraphMedia::State::Computing;
+        const bool computes = resultState != nullptr && resultState->phase == ResultPhase::Computing;
         m_context.actions.action(computes ? "graph.stop" : "graph.compute")->trigger();
     });
     connect(&m_dwell, &QTimer::timeout, this, [this] {
@@ -238,7 +238,6 @@ void GraphWorkspace::followGraph()
 
 void GraphWorkspace::showState()
 {
-    using State = GraphMedia::State;
     const bool isThere = m_explorer->character() != nullptr;
     m_pages->setCurrentIndex(isThere ? 1 : 0);
     m_readOut->setVisible(isThere);
@@ -246,18 +245,18 @@ void GraphWorkspace::showState()
                              ? QString()
                              : tr("Point at the map to see two frames; click to play the transition."));
     const auto* resultState = isThere ? m_context.graphs.resultState(m_bar->character()) : nullptr;
-    const bool isReady = resultState == nullptr || resultState->state == State::Ready;
+    const bool isReady = resultState == nullptr || resultState->phase == ResultPhase::Ready;
     // A graph for another α alone comes so soon that a message would only flicker.
     const bool computesQuietly =
-        !isReady && resultState->state == State::Computing &&
+        !isReady && resultState->phase == ResultPhase::Computing &&
         (resultState->opened == nullptr || resultState->job.isNull() || resultState->job->isBackground());
     if (isReady || computesQuietly) {
         m_message->clear();
-    } else if (resultState->state == State::Failed && resultState->error) {
+    } else if (resultState->phase == ResultPhase::Failed && resultState->error) {
         const ErrorText text = describe(*resultState->error);
         m_message->show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
         m_message->setAction(tr("Try again"));
-    } else if (resultState->state == State::Computing) {
+    } else if (resultState->phase == ResultPhase::Computing) {
         m_message->show(widgets::MessageStrip::Kind::Info,
                         tr("The graph is computed anew; this is the one before."));
         m_message->setAction(tr("Stop"));

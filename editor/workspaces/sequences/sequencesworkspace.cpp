@@ -171,9 +171,9 @@ void SequencesWorkspace::showState()
     QString notice;
     if (resultState == nullptr)
         notice = tr("No sequences yet. Drop files here, or import them from the File menu.");
-    else if (resultState->state == SequenceMedia::State::Loading && scene().isEmpty())
+    else if (resultState->phase == ResultPhase::Computing && scene().isEmpty())
         notice = tr("Opening “%1”…").arg(name);
-    else if (resultState->state == SequenceMedia::State::Failed && scene().isEmpty())
+    else if (resultState->phase == ResultPhase::Failed && scene().isEmpty())
         notice = tr("“%1” cannot be shown.").arg(name);
     viewport().setNotice(notice);
     if (resultState != nullptr && resultState->error) {

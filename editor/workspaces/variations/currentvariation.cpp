@@ -30,7 +30,7 @@ CurrentVariation::CurrentVariation(EditorContext& context, SceneView& view, QObj
         emit bodyChanged();
         emit resultChanged();
     });
-    connect(&context.variations, &VariationMedia::changed, this, [this](const QString& name) {
+    connect(&context.variations, &VariationResults::changed, this, [this](const QString& name) {
         if (name == this->name())
             emit resultChanged();
     });
@@ -63,7 +63,7 @@ BodyPartsEntry CurrentVariation::body() const
     return bodyPartsEntry(m_context.document.project(), character());
 }
 
-const VariationMedia::ResultState* CurrentVariation::resultState() const
+const VariationResults::State* CurrentVariation::resultState() const
 {
     return m_context.variations.resultState(name());
 }
@@ -81,30 +81,32 @@ const std::vector<PartProgress>& CurrentVariation::parts() const
 
 QString CurrentVariation::stateText() const
 {
-    using State = VariationMedia::State;
+    using Work = VariationResults::Work;
     if (entry() == nullptr)
         return tr("Add variations, then choose the takes to learn from.");
     if (entry()->training.empty())
         return tr("Check the takes to learn from in the panel Movement.");
     if (resultState() == nullptr)
         return {};
-    switch (resultState()->state) {
-    case State::Idle:
-        return tr("Aligning the takes was stopped.");
-    case State::Opening:
-        return tr("Aligning the takes…");
-    case State::NotLearned:
-        return tr("The takes are aligned: learn to draw variations of them.");
-    case State::Learning:
-        return tr("Learning…");
-    case State::Drawing:
-        return tr("Drawing variations…");
-    case State::Ready:
+    switch (resultState()->phase) {
+    case ResultPhase::Computing:
+        switch (resultState()->work) {
+        case Work::Opening:
+            return tr("Aligning the takes…");
+        case Work::Learning:
+            return tr("Learning…");
+        case Work::Drawing:
+            return tr("Drawing variations…");
+        }
+        return {};
+    case ResultPhase::Ready:
         return resultState()->isStopped ? tr("Learning was stopped.") : QString();
-    case State::Failed:
+    case ResultPhase::Failed:
         return tr("It did not work.");
+    default:
+        return resultState()->isNotLearned() ? tr("The takes are aligned: learn to draw variations of them.")
+                                             : tr("Aligning the takes was stopped.");
     }
-    return {};
 }
 
 int CurrentVariation::set() const

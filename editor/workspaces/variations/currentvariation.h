@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/commands/changeentry.h"
-#include "editor/documents/variationmedia.h"
+#include "editor/documents/variationresults.h"
 #include "model/variation/timewarp.h"
 
 #include <QColor>
@@ -38,7 +38,7 @@ public:
     /// The parts of its body.
     BodyPartsEntry body() const;
     /// How far it is; null without an entry.
-    const VariationMedia::ResultState* resultState() const;
+    const VariationResults::State* resultState() const;
     /// The aligned takes; null without any.
     std::shared_ptr<const Movement> movement() const;
     /// What is known of the parts' models.

@@ -120,14 +120,13 @@ void VariationBar::refresh()
 
 void VariationBar::refreshState()
 {
-    using State = VariationMedia::State;
-    const VariationMedia::ResultState* resultState = m_variation.resultState();
-    const State state = resultState == nullptr ? State::Idle : resultState->state;
-    const bool isLearning = state == State::Learning;
+    using Work = VariationResults::Work;
+    const VariationResults::State* result = m_variation.resultState();
+    const bool isLearning = result != nullptr && result->does(Work::Learning);
     ActionRegistry& actions = m_variation.context().actions;
     actions.action("variations.learn")
-        ->setEnabled(resultState != nullptr && !m_variation.entry()->training.empty() && !isLearning &&
-                     state != State::Opening);
+        ->setEnabled(result != nullptr && !m_variation.entry()->training.empty() && !isLearning &&
+                     !result->does(Work::Opening));
     actions.action("variations.stop")->setEnabled(isLearning);
     m_learn->setVisible(!isLearning);
     m_stop->setVisible(isLearning);

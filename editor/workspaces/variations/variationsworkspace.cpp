@@ -79,7 +79,7 @@ VariationsWorkspace::VariationsWorkspace(EditorContext& context, QWidget* parent
     connect(m_variation, &CurrentVariation::changed, this, &VariationsWorkspace::follow);
     connect(m_variation, &CurrentVariation::resultChanged, this, &VariationsWorkspace::followResult);
     connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this, [this] {
-        const VariationMedia::ResultState* resultState = m_variation->resultState();
+        const VariationResults::State* resultState = m_variation->resultState();
         if (resultState != nullptr && resultState->isStopped)
             m_context.variations.learn(m_variation->name());
         else
@@ -273,7 +273,7 @@ void VariationsWorkspace::showState()
     if (m_context.document.project().sequences.empty())
         notice = tr("Import sequences first: variations are learned from them.");
     viewport().setNotice(notice);
-    const VariationMedia::ResultState* resultState = m_variation->resultState();
+    const VariationResults::State* resultState = m_variation->resultState();
     widgets::MessageStrip& message = m_view->message();
     if (resultState != nullptr && resultState->error) {
         const ErrorText text = describe(*resultState->error);

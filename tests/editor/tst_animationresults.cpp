@@ -13,20 +13,17 @@
 
 namespace quadrille {
 
-class AnimationMediaTest : public QObject
+class AnimationResultsTest : public QObject
 {
     Q_OBJECT
 
 private:
-    using GraphState = GraphMedia::State;
-    using State = AnimationMedia::State;
-
     EditorContext& context() { return *m_context; }
-    const GraphMedia::ResultState& graph() { return *context().graphs.resultState("spire"); }
-    const AnimationMedia::ResultState& dance() { return *context().animations.resultState("dance"); }
+    const GraphResults::State& graph() { return *context().graphs.resultState("spire"); }
+    const AnimationResults::State& dance() { return *context().animations.resultState("dance"); }
     bool waitForGraph()
     {
-        return QTest::qWaitFor([&] { return graph().state == GraphState::Ready; }, test::patience);
+        return QTest::qWaitFor([&] { return graph().phase == ResultPhase::Ready; }, test::patience);
     }
     bool waitForDance() { return test::waitForResult(context(), "dance"); }
 
@@ -52,9 +49,9 @@ private slots:
 
     void aGraphIsComputedWhenAskedForAndNotBefore()
     {
-        QTRY_VERIFY(graph().state == GraphState::Missing);
+        QTRY_VERIFY(graph().phase == ResultPhase::Idle);
         context().graphs.ask("spire");
-        QVERIFY(graph().state == GraphState::Computing);
+        QVERIFY(graph().phase == ResultPhase::Computing);
         QVERIFY(waitForGraph());
         QCOMPARE(graph().opened->graph.layout().frameCount(), 180);
         QCOMPARE(graph().opened->graph.graph().nodeCount(), 180);
@@ -80,7 +77,7 @@ private slots:
         entry.alpha = 0.3;
         setGraph(context().document, "alpha", "alpha", entry);
         QTRY_COMPARE(graph().opened->graph.alpha(), 0.3);
-        QVERIFY(graph().state == GraphState::Ready);
+        QVERIFY(graph().phase == ResultPhase::Ready);
         QVERIFY(graph().opened->graph.graph().edges().size() > edges);
         context().document.undo();
         QTRY_COMPARE(graph().opened->graph.alpha(), GraphEntry().alpha);
@@ -88,10 +85,10 @@ private slots:
 
     void aCancelledGraphCanBeAskedForAgain()
     {
-        QTRY_VERIFY(graph().state == GraphState::Missing);
+        QTRY_VERIFY(graph().phase == ResultPhase::Idle);
         context().graphs.ask("spire");
         context().jobs.cancelAll();
-        QTRY_VERIFY(graph().state == GraphState::Missing);
+        QTRY_VERIFY(graph().phase == ResultPhase::Idle);
         context().graphs.ask("spire");
         QVERIFY(waitForGraph());
     }
@@ -102,7 +99,7 @@ private slots:
         QVERIFY(QFile::rename(frame, frame + ".kept"));
         std::ofstream(frame.toStdString()) << "v 0 0\n";
         context().graphs.ask("spire");
-        QTRY_VERIFY(graph().state == GraphState::Failed);
+        QTRY_VERIFY(graph().phase == ResultPhase::Failed);
         QVERIFY(graph().error.has_value());
         QVERIFY(QFile::remove(frame));
         QVERIFY(QFile::rename(frame + ".kept", frame));
@@ -113,7 +110,7 @@ private slots:
     void anAnimationThatIsWantedIsSolvedWithItsGraph()
     {
         context().animations.want({"dance"});
-        QVERIFY(dance().state == State::Waiting);
+        QVERIFY(dance().phase == ResultPhase::Waiting);
         QVERIFY(waitForDance());
         QVERIFY(dance().result->isFinal);
         const MeshSequence& clip = dance().result->sequence;
@@ -132,7 +129,7 @@ private slots:
         // A search shows the best walk so far; what was found before needs none.
         int unfinished = 0;
         const QMetaObject::Connection look =
-            connect(&context().animations, &AnimationMedia::changed, this,
+            connect(&context().animations, &AnimationResults::changed, this,
                     [&] { unfinished += dance().result != nullptr && !dance().result->isFinal ? 1 : 0; });
         setAnimation(context().document, "dance", "range", "range", entry);
         QVERIFY(waitForDance());
@@ -170,7 +167,7 @@ private slots:
         entry.constraints.push_back(
             ActionEntry{.frames = {.label = "somersault", .sequence = {}, .range = {}}});
         setAnimation(context().document, "dance", "action", "action", entry);
-        QTRY_VERIFY(dance().state == State::Failed);
+        QTRY_VERIFY(dance().phase == ResultPhase::Failed);
         QVERIFY(dance().error.has_value());
         QVERIFY(dance().result != nullptr);
         context().document.undo();
@@ -180,10 +177,10 @@ private slots:
     void aStoppedSearchStaysAsItIsUntilAskedAgain()
     {
         context().animations.want({"dance"});
-        QTRY_VERIFY(dance().state == State::Solving || dance().state == State::Ready);
+        QTRY_VERIFY(dance().phase == ResultPhase::Computing || dance().phase == ResultPhase::Ready);
         context().animations.stop("dance");
-        if (dance().state != State::Ready)
-            QVERIFY(dance().state == State::Idle);
+        if (dance().phase != ResultPhase::Ready)
+            QVERIFY(dance().phase == ResultPhase::Idle);
         context().animations.retry("dance");
         QVERIFY(waitForDance());
     }
@@ -203,12 +200,12 @@ private slots:
     void closingWhileSearchingIsSafe()
     {
         context().animations.want({"dance"});
-        QTRY_VERIFY(dance().state == State::Solving || dance().state == State::Ready);
+        QTRY_VERIFY(dance().phase == ResultPhase::Computing || dance().phase == ResultPhase::Ready);
         m_context.reset();
     }
 };
 
 } // namespace quadrille
 
-QUADRILLE_QT_TEST(quadrille::AnimationMediaTest);
-#include "tst_animationmedia.moc"
+QUADRILLE_QT_TEST(quadrille::AnimationResultsTest);
+#include "tst_animationresults.moc"
