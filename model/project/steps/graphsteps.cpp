@@ -186,10 +186,10 @@ public:
         }
         m_distances = sharedTableOf<float>(resultOf(graphstep::poseDistance)->arrays.front());
         m_roots = rootPosesOf(resultOf(graphstep::rootPoses), settings.axes.up);
-        m_differences.emplace(m_roots, costs.layout(), settings.fps);
-        m_step = [this, weights = work.graph.steps](NodeIndex i, NodeIndex j) {
-            return m_differences->step((*m_distances)(i, j), weights, i, j);
-        };
+        // Each is asked for by many transitions.
+        m_steps = *m_distances;
+        addStepCosts(m_steps, StepDifferences(m_roots, costs.layout(), settings.fps), work.graph.steps);
+        m_step = [this](NodeIndex i, NodeIndex j) { return m_steps(i, j); };
         m_paths.emplace(m_step, greatestStepOf(*resultOf(graphstep::transitions)), costs.layout(),
                         transitionSettings(work.graph, settings.fps));
     }
@@ -217,7 +217,7 @@ private:
     std::vector<EdgeCost> m_edges;
     SharedTable<float> m_distances;
     RootPoses m_roots;
-    std::optional<StepDifferences> m_differences;
+    Table<float> m_steps;
     WarpPaths::DistanceOf m_step;
     std::optional<WarpPaths> m_paths;
 };
