@@ -6,39 +6,22 @@
 
 namespace quadrille {
 
-struct WantedResults::Post::Box
-{
-    std::mutex mutex;
-    WantedResults* owner = nullptr;
-};
-
 void WantedResults::Post::operator()(std::function<void(const QString&, ResultState&)> take) const
 {
-    const std::scoped_lock lock(m_box->mutex);
-    if (m_box->owner == nullptr)
-        return;
-    QMetaObject::invokeMethod(
-        m_box->owner,
-        [owner = m_box->owner, run = m_run, take = std::move(take)] {
-            States::value_type* const found = owner->ofRun(run);
-            if (found == nullptr)
-                return;
-            const QString name = found->first;
-            take(name, *found->second);
-            emit owner->changed(name);
-        },
-        Qt::QueuedConnection);
+    m_address.post([owner = m_owner, run = m_run, take = std::move(take)] {
+        States::value_type* const found = owner->ofRun(run);
+        if (found == nullptr)
+            return;
+        const QString name = found->first;
+        take(name, *found->second);
+        emit owner->changed(name);
+    });
 }
 
 WantedResults::WantedResults(ProjectDocument& document, JobRunner& jobs, std::optional<Section> section,
                              std::chrono::milliseconds delay, QObject* parent)
-    : QObject(parent)
-    , m_document(document)
-    , m_jobs(jobs)
-    , m_section(section)
-    , m_box(std::make_shared<Post::Box>())
+    : QObject(parent), m_document(document), m_jobs(jobs), m_section(section)
 {
-    m_box->owner = this;
     m_delay.setSingleShot(true);
     m_delay.setInterval(delay);
     connect(&m_delay, &QTimer::timeout, this, &WantedResults::updateNow);
@@ -46,11 +29,7 @@ WantedResults::WantedResults(ProjectDocument& document, JobRunner& jobs, std::op
     connect(&document, &ProjectDocument::changed, this, &WantedResults::follow);
 }
 
-WantedResults::~WantedResults()
-{
-    const std::scoped_lock lock(m_box->mutex);
-    m_box->owner = nullptr;
-}
+WantedResults::~WantedResults() = default;
 
 ResultState* WantedResults::find(const QString& name) const
 {

@@ -4,6 +4,7 @@
 
 #include "editor/documents/projectdocument.h"
 #include "editor/jobs/jobrunner.h"
+#include "editor/jobs/mailbox.h"
 #include "model/core/error.h"
 
 #include <QObject>
@@ -14,7 +15,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -85,9 +85,12 @@ protected:
 
     private:
         friend class WantedResults;
-        struct Box;
-        Post(std::shared_ptr<Box> box, int run) : m_box(std::move(box)), m_run(run) {}
-        std::shared_ptr<Box> m_box;
+        Post(WantedResults& owner, int run)
+            : m_address(owner.m_mailbox.address()), m_owner(&owner), m_run(run)
+        {
+        }
+        Mailbox::Address m_address;
+        WantedResults* m_owner; ///< is there when something posted is taken
         int m_run;
     };
 
@@ -130,9 +133,9 @@ protected:
 
     /// Nothing that is under way for it counts any more, and it has no error.
     void end(ResultState& state);
-    /// Starts work in place of what is under way. \param work  `Result work(const Progress&, const Post&)`, on
-    /// a thread of its own. \param done  `void done(const QString& name, Result)`, without a result where work
-    /// has none; not where it failed, was stopped or replaced. `changed` is told after it.
+    /// Starts work in place of what is under way. \param work  `Result work(const Progress&, const Post&)`,
+    /// on a thread of its own. \param done  `void done(const QString& name, Result)`, without a result where
+    /// work has none; not where it failed, was stopped or replaced. `changed` is told after it.
     template <typename Work, typename Done>
     void start(const QString& name, ResultState& state, const Shown& shown, Work work, Done done);
 
@@ -152,8 +155,8 @@ private:
     std::optional<Section> m_section;
     QTimer m_delay; ///< edits follow each other quickly
     States m_states;
-    std::shared_ptr<Post::Box> m_box;
     int m_runs = 0;
+    Mailbox m_mailbox{this};
 };
 
 template <typename Work, typename Done>
@@ -161,7 +164,7 @@ void WantedResults::start(const QString& name, ResultState& state, const Shown& 
 {
     end(state);
     const int run = state.run;
-    auto posting = [work = std::move(work), post = Post(m_box, run)](const Progress& progress) mutable {
+    auto posting = [work = std::move(work), post = Post(*this, run)](const Progress& progress) mutable {
         return work(progress, post);
     };
     // Nobody hears of a result that is not the latest (settingsOf).

@@ -42,7 +42,8 @@ protected:
     /// Until what shows is of the α that is set.
     void waitForPaths()
     {
-        QTRY_VERIFY(explorer().paths() != nullptr && explorer().paths()->graphs->alpha == explorer().alpha());
+        QTRY_VERIFY(explorer().measured() != nullptr &&
+                    explorer().measured()->graphs->alpha == explorer().alpha());
     }
     QPoint placeOf(const FramePair& pair)
     {

@@ -129,7 +129,7 @@ private slots:
         QTRY_VERIFY(context().graphs.resultState(character)->phase == ResultPhase::Ready);
         m_window->workspaces().select("graph");
         GraphWorkspace& workspace = m_window->graph();
-        QTRY_VERIFY(workspace.explorer().paths() != nullptr);
+        QTRY_VERIFY(workspace.explorer().measured() != nullptr);
         const Digraph& graph = workspace.explorer().graphs()->essential;
         const auto isFar = [](const Edge& edge) {
             return edge.kind == EdgeKind::Transition && edge.to > edge.from + 200;

@@ -93,31 +93,31 @@ void GapsPanel::refresh()
     m_tree->clear();
     m_tree->setAccessibleName(tr("Gaps of the graphs"));
     const auto& gaps = m_explorer.gaps();
-    const auto& paths = m_explorer.paths();
+    const auto& measured = m_explorer.measured();
     m_summary->setText(gaps ? tr("Frames that walks do not reach, or do not come back from, and what "
                                  "would help. A click shows it.")
                             : tr("Compute the graph to see which frames walks cannot reach."));
-    if (!gaps || !paths)
+    if (!gaps || !measured)
         return;
-    addGraph(tr("Essential graph"), &paths->essentialConnectivity, &gaps->essential);
-    addGraph(tr("Motion graph"), &paths->motionConnectivity, &gaps->motion);
+    addGraph(tr("Essential graph"), measured->essential.connectivity, gaps->essential);
+    addGraph(tr("Motion graph"), measured->motion.connectivity, gaps->motion);
 }
 
-void GapsPanel::addGraph(const QString& name, const Connectivity* connectivity,
-                         const std::vector<GraphGap>* gaps)
+void GapsPanel::addGraph(const QString& name, const Connectivity& connectivity,
+                         const std::vector<GraphGap>& gaps)
 {
-    const auto largest = connectivity->components.empty() ? 0 : connectivity->components.front().size();
+    const auto largest = connectivity.components.empty() ? 0 : connectivity.components.front().size();
     const auto all = static_cast<int>(m_explorer.character()->graph.layout().frameCount());
     //: frames in the largest component, of all frames
-    const QString joined = gaps->empty() ? tr("every frame is reached from every other")
-                                         : tr("%1 of %2 frames are joined both ways")
-                                               .arg(QLocale().toString(static_cast<qulonglong>(largest)),
-                                                    QLocale().toString(all));
+    const QString joined = gaps.empty() ? tr("every frame is reached from every other")
+                                        : tr("%1 of %2 frames are joined both ways")
+                                              .arg(QLocale().toString(static_cast<qulonglong>(largest)),
+                                                   QLocale().toString(all));
     //: name of a graph; what it joins
     auto* top = new QTreeWidgetItem(m_tree, {tr("%1: %2").arg(name, joined)});
     auto usual = std::make_unique<QTreeWidgetItem>();
     const FrameLayout& layout = m_explorer.character()->graph.layout();
-    for (const GraphGap& gap : *gaps) {
+    for (const GraphGap& gap : gaps) {
         if (!m_explorer.filter().has(layout.sequenceOf(gap.first)))
             continue;
         if (isUsual(gap))

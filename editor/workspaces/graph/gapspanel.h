@@ -29,7 +29,7 @@ signals:
 
 private:
     void refresh();
-    void addGraph(const QString& name, const Connectivity* connectivity, const std::vector<GraphGap>* gaps);
+    void addGraph(const QString& name, const Connectivity& connectivity, const std::vector<GraphGap>& gaps);
     /// Whether it is the start or end of a take, which a transition needs for its window.
     bool isUsual(const GraphGap& gap) const;
     void addGap(QTreeWidgetItem& parent, const GraphGap& gap, const QString& help);

@@ -188,13 +188,12 @@ void GraphWorkspace::updateActions()
     const bool computes = resultState != nullptr && resultState->phase == ResultPhase::Computing;
     const bool isThere = m_explorer->character() != nullptr;
     const auto enable = [this](const char* id, bool on) { m_context.actions.action(id)->setEnabled(on); };
-    enable("graph.compute",
-           resultState != nullptr && resultState->phase != ResultPhase::Ready && !computes);
+    enable("graph.compute", resultState != nullptr && resultState->phase != ResultPhase::Ready && !computes);
     enable("graph.stop", computes);
     enable("graph.play", isThere && m_chosen.has_value());
     enable("graph.frames", isThere && m_chosen.has_value());
     enable("graph.copyFrames", isThere && m_chosen.has_value());
-    enable("graph.saveTables", isThere && m_explorer->paths() != nullptr);
+    enable("graph.saveTables", isThere && m_explorer->measured() != nullptr);
     for (const char* id : {"graph.alphaDown", "graph.alphaUp"})
         enable(id, resultState != nullptr);
 }
@@ -212,12 +211,12 @@ void GraphWorkspace::saveTables()
         return;
     m_context.jobs.start(
         {.name = tr("Saving tables"), .receiver = this},
-        [opened = m_explorer->character(), paths = m_explorer->paths(), comparison = m_explorer->comparison(),
-         folder, project = m_context.document.snapshot(),
+        [opened = m_explorer->character(), measured = m_explorer->measured(),
+         comparison = m_explorer->comparison(), folder, project = m_context.document.snapshot(),
          projectFile = m_context.document.workingFile()](const Progress& progress) {
             const auto guard = projectGuard(project, projectFile, {.outside = true});
             const WrittenNote note(*guard, projectFile);
-            return writeGraphTables(opened->graph, *paths, comparison, folder.toStdString(), *guard,
+            return writeGraphTables(opened->graph, *measured, comparison, folder.toStdString(), *guard,
                                     progress);
         },
         [this, folder](const std::vector<std::filesystem::path>& files) {

@@ -129,8 +129,8 @@ void GraphBar::editAlpha(double alpha, bool committed)
 void GraphBar::showGraphs()
 {
     const auto& graphs = m_explorer.graphs();
-    const auto& paths = m_explorer.paths();
-    const bool isMeasured = paths && paths->graphs == graphs;
+    const auto& measured = m_explorer.measured();
+    const bool isMeasured = measured && measured->graphs == graphs;
     const QString none = QStringLiteral("–");
     const QString later = QStringLiteral("…");
     const auto show = [&](const Row& row, const Digraph* graph, const PathCostSummary* costs) {
@@ -142,8 +142,9 @@ void GraphBar::showGraphs()
                                          .arg(widgets::chartNumber(costs->standardDeviation))
                                    : QString());
     };
-    show(m_rows[0], graphs ? &graphs->essential : nullptr, isMeasured ? &paths->essentialCosts : nullptr);
-    show(m_rows[1], graphs ? &graphs->motion : nullptr, isMeasured ? &paths->motionCosts : nullptr);
+    show(m_rows[0], graphs ? &graphs->essential : nullptr,
+         isMeasured ? &measured->essential.pathCosts : nullptr);
+    show(m_rows[1], graphs ? &graphs->motion : nullptr, isMeasured ? &measured->motion.pathCosts : nullptr);
 }
 
 /// How dense the Essential graph is for each α, as a share of the densest.

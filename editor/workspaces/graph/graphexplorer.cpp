@@ -3,8 +3,6 @@
 #include "editor/workspaces/graph/graphexplorer.h"
 
 #include "editor/jobs/jobrunner.h"
-#include "model/graph/essentialedges.h"
-#include "model/graph/measuredgraph.h"
 
 #include <algorithm>
 #include <array>
@@ -35,15 +33,16 @@ bool haveSameTransitions(const OpenedCharacter& a, const OpenedCharacter& b)
 }
 
 /// Without thinned graphs, which take most of the time of compareGraphs.
-GraphComparison compareAt(const TransitionCosts& costs, const std::vector<FramePair>& minima, double alpha,
+GraphComparison compareAt(const TransitionCosts& costs,
+                          const std::shared_ptr<const std::vector<FramePair>>& minima, double alpha,
                           const Progress& progress)
 {
-    const MeasuredGraph essential = measuredEssentialGraph(costs, alpha, progress);
-    const Digraph motion = motionGraph(costs, minima, alpha);
+    const MeasuredGraphs graphs =
+        measured(std::make_shared<const GraphPair>(graphsAt(costs, minima, alpha, progress)), progress);
     GraphComparison comparison;
     comparison.alpha = alpha;
-    comparison.essential = graphStatistics(essential.graph, essential.pathCosts);
-    comparison.motion = graphStatistics(motion, measuredPathCosts(motion, progress));
+    comparison.essential = graphs.essential;
+    comparison.motion = graphs.motion;
     return comparison;
 }
 
@@ -60,7 +59,7 @@ GraphExplorer::~GraphExplorer() = default;
 
 void GraphExplorer::cancelAll()
 {
-    for (QPointer<Job>* job : {&m_graphsJob, &m_pathsJob, &m_gapsJob, &m_comparing}) {
+    for (QPointer<Job>* job : {&m_graphsJob, &m_gapsJob, &m_comparing}) {
         if (*job)
             (*job)->cancel();
         job->clear();
@@ -80,7 +79,7 @@ void GraphExplorer::setCharacter(std::shared_ptr<const OpenedCharacter> opened)
     ++m_generation;
     cancelAll();
     m_graphs.reset();
-    m_paths.reset();
+    m_measured.reset();
     m_gaps.reset();
     m_comparison.clear();
     m_filter = {};
@@ -111,71 +110,56 @@ void GraphExplorer::setFilter(TakeFilter filter)
 
 void GraphExplorer::computeGraphs()
 {
-    if (!m_opened || isBusy(m_graphsJob) || (m_graphs && m_graphs->alpha == m_alpha))
+    if (!m_opened || (m_measured && m_measured->graphs->alpha == m_alpha))
         return;
-    const auto minima = m_graphs ? m_graphs->minima : nullptr;
+    if (isBusy(m_graphsJob)) {
+        // Edges are shown while α moves; their paths wait until it rests.
+        const bool hasEdges = m_graphs && m_graphs->alpha == m_computedAlpha;
+        if (m_computedAlpha == m_alpha || !hasEdges)
+            return;
+        m_graphsJob->cancel();
+    }
+    m_computedAlpha = m_alpha;
+    const auto stands = [this, generation = m_generation, alpha = m_alpha] {
+        return generation == m_generation && alpha == m_computedAlpha;
+    };
     m_graphsJob = m_jobs.start(
-        {.name = tr("Graphs"),
-         .receiver = this,
-         .stillStands = [this, generation = m_generation] { return generation == m_generation; },
-         .background = true},
-        [opened = m_opened, minima, alpha = m_alpha](const Progress& progress) {
-            const TransitionCosts& costs = opened->graph.costs();
-            auto made = std::make_shared<ExploredGraphs>();
-            made->alpha = alpha;
-            made->minima = minima;
-            if (!minima)
-                made->minima = std::make_shared<const std::vector<FramePair>>(
-                    costMinima(costs, opened->graph.work().graph.smoothing, progress));
-            made->essential = essentialEdges(costs, alpha, progress);
-            made->motion = motionGraph(costs, *made->minima, alpha);
-            return std::shared_ptr<const ExploredGraphs>(std::move(made));
+        {.name = tr("Graphs"), .receiver = this, .stillStands = stands, .background = true},
+        [opened = m_opened, alpha = m_alpha, post = m_mailbox.address(), stands,
+         this](const Progress& progress) {
+            return opened->graph.at(alpha, progress, [&](std::shared_ptr<const GraphPair> edges) {
+                post.post([this, stands, edges = std::move(edges)] {
+                    if (stands())
+                        take(edges);
+                });
+            });
         },
-        [this](std::shared_ptr<const ExploredGraphs> graphs) { take(std::move(graphs)); });
+        [this](std::shared_ptr<const MeasuredGraphs> graphs) { take(std::move(graphs)); });
 }
 
-void GraphExplorer::take(std::shared_ptr<const ExploredGraphs> graphs)
+void GraphExplorer::take(std::shared_ptr<const GraphPair> graphs)
 {
-    m_graphsJob.clear();
+    if (graphs == m_graphs)
+        return;
     m_graphs = std::move(graphs);
     emit graphsChanged();
     computeGraphs();
-    computePaths();
 }
 
-void GraphExplorer::computePaths()
+void GraphExplorer::take(std::shared_ptr<const MeasuredGraphs> measured)
 {
-    if (!m_graphs || isBusy(m_pathsJob) || (m_paths && m_paths->graphs == m_graphs))
-        return;
-    m_pathsJob = m_jobs.start(
-        {.name = tr("Path costs"),
-         .receiver = this,
-         .stillStands = [this, generation = m_generation] { return generation == m_generation; },
-         .background = true},
-        [graphs = m_graphs](const Progress& progress) {
-            auto made = std::make_shared<ExploredPaths>();
-            made->graphs = graphs;
-            made->essentialCosts = measuredPathCosts(graphs->essential, progress);
-            made->motionCosts = measuredPathCosts(graphs->motion, progress);
-            made->essentialConnectivity = connectivity(graphs->essential);
-            made->motionConnectivity = connectivity(graphs->motion);
-            return std::shared_ptr<const ExploredPaths>(std::move(made));
-        },
-        [this](std::shared_ptr<const ExploredPaths> paths) { take(std::move(paths)); });
-}
-
-void GraphExplorer::take(std::shared_ptr<const ExploredPaths> paths)
-{
-    m_pathsJob.clear();
-    m_paths = std::move(paths);
+    m_graphsJob.clear();
+    m_measured = std::move(measured);
+    if (std::exchange(m_graphs, m_measured->graphs) != m_measured->graphs)
+        emit graphsChanged();
     emit pathsChanged();
-    computePaths();
+    computeGraphs();
     computeGaps();
 }
 
 void GraphExplorer::computeGaps()
 {
-    const bool isAtRest = m_paths && m_paths->graphs->alpha == m_alpha;
+    const bool isAtRest = m_measured && m_measured->graphs->alpha == m_alpha;
     if (!isAtRest || isBusy(m_gapsJob) || (m_gaps && m_gaps->alpha == m_alpha))
         return;
     m_gapsJob = m_jobs.start(
@@ -183,14 +167,14 @@ void GraphExplorer::computeGaps()
          .receiver = this,
          .stillStands = [this, generation = m_generation] { return generation == m_generation; },
          .background = true},
-        [opened = m_opened, paths = m_paths](const Progress& progress) {
+        [opened = m_opened, measured = m_measured](const Progress& progress) {
             const CharacterGraph& graph = opened->graph;
             auto made = std::make_shared<ExploredGaps>();
-            made->alpha = paths->graphs->alpha;
-            made->essential = findGaps(paths->graphs->essential, paths->essentialConnectivity, graph.costs(),
-                                       graph.distances(), made->alpha);
+            made->alpha = measured->graphs->alpha;
+            made->essential = findGaps(measured->graphs->essential, measured->essential.connectivity,
+                                       graph.costs(), graph.distances(), made->alpha);
             progress.report(0.5);
-            made->motion = findGaps(paths->graphs->motion, paths->motionConnectivity, graph.costs(),
+            made->motion = findGaps(measured->graphs->motion, measured->motion.connectivity, graph.costs(),
                                     graph.distances(), made->alpha);
             return std::shared_ptr<const ExploredGaps>(std::move(made));
         },
@@ -217,7 +201,7 @@ void GraphExplorer::askForComparison()
             for (std::size_t i = 0; i < comparedAlphas.size(); ++i) {
                 const double share = 1.0 / comparedAlphas.size();
                 const auto part = static_cast<double>(i);
-                comparison.push_back(compareAt(opened->graph.costs(), *minima, comparedAlphas[i],
+                comparison.push_back(compareAt(opened->graph.costs(), minima, comparedAlphas[i],
                                                progress.part(part * share, (part + 1) * share)));
             }
             return comparison;

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "editor/jobs/job.h"
+#include "editor/jobs/mailbox.h"
 #include "editor/workspaces/graph/takefilter.h"
 #include "model/graph/comparison.h"
 #include "model/graph/gaps.h"
+#include "model/graph/measuredgraphs.h"
 #include "model/project/results/opencharacter.h"
 
 #include <QObject>
@@ -18,25 +20,6 @@ namespace quadrille {
 
 class JobRunner;
 
-/// Both graphs of a character at one α.
-struct ExploredGraphs
-{
-    double alpha = 0;
-    std::shared_ptr<const std::vector<FramePair>> minima; ///< transitions of the motion graph
-    Digraph essential;
-    Digraph motion;
-};
-
-/// What takes longer to know about them.
-struct ExploredPaths
-{
-    std::shared_ptr<const ExploredGraphs> graphs;
-    PathCostSummary essentialCosts;
-    PathCostSummary motionCosts;
-    Connectivity essentialConnectivity;
-    Connectivity motionConnectivity;
-};
-
 /// What would make walks come to all frames and back.
 struct ExploredGaps
 {
@@ -47,7 +30,8 @@ struct ExploredGaps
 
 /// Keeps both graphs of an opened character up with α while it is changed: of all values that come while one
 /// is computed only the newest is computed next. Edges come first, then path costs, then – once α rests –
-/// gaps, and a comparison over many α.
+/// gaps, and a comparison over many α. What is computed so for an α that the project takes is not computed
+/// again (graphsAt).
 class GraphExplorer : public QObject
 {
     Q_OBJECT
@@ -68,8 +52,9 @@ public:
     void askForComparison();
 
     /// The last that is known of each, maybe of an earlier α; null until there is any.
-    const std::shared_ptr<const ExploredGraphs>& graphs() const { return m_graphs; }
-    const std::shared_ptr<const ExploredPaths>& paths() const { return m_paths; }
+    const std::shared_ptr<const GraphPair>& graphs() const { return m_graphs; }
+    /// With what is known of their paths.
+    const std::shared_ptr<const MeasuredGraphs>& measured() const { return m_measured; }
     const std::shared_ptr<const ExploredGaps>& gaps() const { return m_gaps; }
     /// One for each α; empty until it was made.
     const std::vector<GraphComparison>& comparison() const { return m_comparison; }
@@ -88,25 +73,25 @@ signals:
 
 private:
     void computeGraphs();
-    void computePaths();
     void computeGaps();
-    void take(std::shared_ptr<const ExploredGraphs> graphs);
-    void take(std::shared_ptr<const ExploredPaths> paths);
+    void take(std::shared_ptr<const GraphPair> graphs);
+    void take(std::shared_ptr<const MeasuredGraphs> measured);
     void cancelAll();
 
     JobRunner& m_jobs;
     std::shared_ptr<const OpenedCharacter> m_opened;
     double m_alpha = usualAlpha;
     TakeFilter m_filter;
-    std::shared_ptr<const ExploredGraphs> m_graphs;
-    std::shared_ptr<const ExploredPaths> m_paths;
+    std::shared_ptr<const GraphPair> m_graphs;
+    std::shared_ptr<const MeasuredGraphs> m_measured;
     std::shared_ptr<const ExploredGaps> m_gaps;
     std::vector<GraphComparison> m_comparison;
     QPointer<Job> m_graphsJob;
-    QPointer<Job> m_pathsJob;
+    double m_computedAlpha = 0; ///< by that job
     QPointer<Job> m_gapsJob;
     QPointer<Job> m_comparing;
     int m_generation = 0; ///< of the transitions: results of earlier ones are dropped
+    Mailbox m_mailbox{this};
 };
 
 } // namespace quadrille

@@ -7,31 +7,13 @@
 
 namespace quadrille {
 
-namespace {
-
-GraphStatistics statisticsOf(const Digraph& graph, const PathCostSummary& costs,
-                             const Connectivity& connectivity)
-{
-    return {.nodes = graph.nodeCount(),
-            .edges = static_cast<std::int64_t>(graph.edges().size()),
-            .transitions = graph.count(EdgeKind::Transition),
-            .density = graph.density(),
-            .pathCosts = costs,
-            .connectivity = connectivity};
-}
-
-} // namespace
-
 std::vector<std::filesystem::path> writeGraphTables(const CharacterGraph& character,
-                                                    const ExploredPaths& paths,
+                                                    const MeasuredGraphs& measured,
                                                     const std::vector<GraphComparison>& comparison,
                                                     const std::filesystem::path& folder, WriteGuard& guard,
                                                     const Progress& progress)
 {
-    const ExploredGraphs& graphs = *paths.graphs;
-    const GraphStatistics essential =
-        statisticsOf(graphs.essential, paths.essentialCosts, paths.essentialConnectivity);
-    const GraphStatistics motion = statisticsOf(graphs.motion, paths.motionCosts, paths.motionConnectivity);
+    const GraphPair& graphs = *measured.graphs;
     std::vector<DataTable> tables;
     const EdgeNaming naming{character.costs(), [&](const FramePair& pair) { return character.partsOf(pair); },
                             character.work().sequences};
@@ -40,13 +22,13 @@ std::vector<std::filesystem::path> writeGraphTables(const CharacterGraph& charac
     tables.push_back(edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.",
                                graphs.motion, naming, progress.part(0.8, 0.9)));
     TableBuilder statistics = statisticsTable("graph-statistics", "Both graphs at the project's alpha.");
-    addStatistics(statistics, "essential", graphs.alpha, essential);
-    addStatistics(statistics, "motion", graphs.alpha, motion);
+    addStatistics(statistics, "essential", graphs.alpha, measured.essential);
+    addStatistics(statistics, "motion", graphs.alpha, measured.motion);
     tables.push_back(std::move(statistics).table());
     TableBuilder components = componentTable("graph-components");
-    for (const auto& [name, connectivity] : {std::pair("essential", &paths.essentialConnectivity),
-                                             std::pair("motion", &paths.motionConnectivity)})
-        addComponents(components, name, graphs.alpha, *connectivity, character.layout(),
+    for (const auto& [name, graph] :
+         {std::pair("essential", &measured.essential), std::pair("motion", &measured.motion)})
+        addComponents(components, name, graphs.alpha, graph->connectivity, character.layout(),
                       character.work().sequences);
     tables.push_back(std::move(components).table());
     if (!comparison.empty()) {

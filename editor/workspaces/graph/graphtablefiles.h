@@ -17,7 +17,7 @@ class WriteGuard;
 /// \return the files. \throws Error WriteFailed, PermissionDenied, BadArgument (what the guard refuses),
 /// Cancelled.
 std::vector<std::filesystem::path> writeGraphTables(const CharacterGraph& character,
-                                                    const ExploredPaths& paths,
+                                                    const MeasuredGraphs& measured,
                                                     const std::vector<GraphComparison>& comparison,
                                                     const std::filesystem::path& folder, WriteGuard& guard,
                                                     const Progress& progress);

@@ -118,7 +118,8 @@ BuildStep fig9Step(const CharacterInputs& work, const EvaluationEntry& evaluatio
                         .dump();
     step.inputs = costInputs(work);
     step.compute = [=](const StepContext& context, const Progress& progress) {
-        const TransitionCosts costs = costsOf(work, context);
+        const auto shared = costsOf(work, context);
+        const TransitionCosts& costs = *shared;
         const auto minima = costMinima(costs, work.graph.smoothing, progress.part(0, 0.05));
         return fig9Result(sweepAlpha(costs, minima, alphas, progress.part(0.05, 1)), costs.layout(),
                           work.sequences);

@@ -242,7 +242,8 @@ CharacterGraph::Tables::Tables(const CharacterInputs& work, const StepContext& c
                   transitionSettings(work.graph, settings.fps));
 }
 
-CharacterGraph::CharacterGraph(const CharacterInputs& work, const StepContext& context) : m_work(work)
+CharacterGraph::CharacterGraph(const CharacterInputs& work, const StepContext& context)
+    : m_work(work), m_context(context)
 {
     std::vector<std::string> steps = costInputs(work);
     steps.push_back(work.stepName(graphstep::rootPoses));

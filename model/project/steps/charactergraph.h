@@ -58,6 +58,13 @@ public:
     const RootPoses& roots() const { return m_tables->roots; }
     /// The Essential graph.
     const Digraph& graph() const { return *m_graph; }
+    /// Both graphs at another α, see graphsAt.
+    std::shared_ptr<const MeasuredGraphs>
+    at(double alpha, const Progress& progress = {},
+       const std::function<void(std::shared_ptr<const GraphPair>)>& edges = {}) const
+    {
+        return graphsAt(m_work, alpha, m_context, progress, edges);
+    }
     /// Whether transitions and their costs are the same, and not only equal.
     bool hasTablesOf(const CharacterGraph& other) const { return m_tables == other.m_tables; }
     double alpha() const { return m_work.graph.alpha; }
@@ -98,7 +105,7 @@ private:
         RootPoses roots;
         std::optional<StepDifferences> differences;
         std::optional<FootDrifts> drifts; ///< nothing where costs do not know them
-        std::optional<TransitionCosts> costs;
+        std::shared_ptr<const TransitionCosts> costs;
         /// Both windows of each transition in a byte each; 0 where there is none, or one is too long for
         /// that.
         Table<std::uint16_t> windows;
@@ -106,6 +113,7 @@ private:
     };
 
     CharacterInputs m_work;
+    StepContext m_context;
     std::shared_ptr<const Tables> m_tables;
     std::shared_ptr<const Digraph> m_graph;
 };

@@ -109,7 +109,9 @@ float greatestOf(const Result& distances)
     return table->size() > 0 ? table->maxCoeff() : 0.0F;
 }
 
-TransitionCosts costsOf(const CharacterInputs& work, const StepContext& context)
+namespace {
+
+TransitionCosts makeCosts(const CharacterInputs& work, const StepContext& context)
 {
     // One after the other, so that no more of these tables are in memory than are needed at once.
     auto distances = context.resultOf(work.stepName(graphstep::poseDistance));
@@ -130,6 +132,36 @@ TransitionCosts costsOf(const CharacterInputs& work, const StepContext& context)
         costs = costPerLiveliness(std::move(costs), layout, tableOf<double>(liveliness->arrays.front()));
     }
     return {layout, greatest, std::move(costs), std::move(lengths)};
+}
+
+} // namespace
+
+std::shared_ptr<const TransitionCosts> costsOf(const CharacterInputs& work, const StepContext& context)
+{
+    return context.shared<const TransitionCosts>(costInputs(work), costSettings(work.graph).dump(), [&] {
+        return std::make_shared<const TransitionCosts>(makeCosts(work, context));
+    });
+}
+
+std::shared_ptr<const MeasuredGraphs>
+graphsAt(const CharacterInputs& work, double alpha, const StepContext& context, const Progress& progress,
+         const std::function<void(std::shared_ptr<const GraphPair>)>& edges)
+{
+    using Minima = std::vector<FramePair>;
+    const std::vector<std::string> inputs = costInputs(work);
+    const nlohmann::json settings({costSettings(work.graph), static_cast<int>(work.graph.smoothing)});
+    return context.shared<const MeasuredGraphs>(inputs, nlohmann::json({settings, alpha}).dump(), [&] {
+        const auto costs = costsOf(work, context);
+        auto minima = context.shared<const Minima>(inputs, settings.dump(), [&] {
+            return std::make_shared<const Minima>(
+                costMinima(*costs, work.graph.smoothing, progress.part(0, 0.05)));
+        });
+        const auto graphs = std::make_shared<const GraphPair>(
+            graphsAt(*costs, std::move(minima), alpha, progress.part(0.05, 0.3)));
+        if (edges)
+            edges(graphs);
+        return std::make_shared<const MeasuredGraphs>(measured(graphs, progress.part(0.3, 1)));
+    });
 }
 
 bool knowsDrifts(const GraphEntry& graph)

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/graph/measuredgraphs.h"
 #include "model/graph/transitioncosts.h"
 #include "model/project/steps/buildstep.h"
 #include "model/transition/characterframes.h"
 
+#include <functional>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -99,8 +102,15 @@ float greatestOf(const Result& distances);
 
 /// Whether costs know how far feet are dragged, by the step of drifts.
 bool knowsDrifts(const GraphEntry& graph);
-/// What the graphs are made of, from the results of the steps that costInputs names.
-TransitionCosts costsOf(const CharacterInputs& work, const StepContext& context);
+/// What the graphs are made of, from the results of the steps that costInputs names; shared by all who want
+/// the same.
+std::shared_ptr<const TransitionCosts> costsOf(const CharacterInputs& work, const StepContext& context);
+/// Both graphs at an α, and what is known of them, made once for the step of graphs and all who try this α.
+/// \param edges  receives the graphs before their paths are measured, where they were not yet; from this
+/// thread. \throws Error BadArgument (α), Cancelled.
+std::shared_ptr<const MeasuredGraphs>
+graphsAt(const CharacterInputs& work, double alpha, const StepContext& context, const Progress& progress = {},
+         const std::function<void(std::shared_ptr<const GraphPair>)>& edges = {});
 /// Pose distances, transitions, and what else their costs depend on.
 std::vector<std::string> costInputs(const CharacterInputs& work);
 /// The settings of `costsOf` that no step before knows, for BuildStep::settings.

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/graph/measuredgraph.h"
 #include "model/project/document/findentry.h"
 #include "model/project/document/lengthunit.h"
 #include "model/project/document/madeclips.h"
@@ -241,32 +240,29 @@ std::vector<FramePair> transitionsOf(const Digraph& a, const Digraph& b)
 BuildStep graphStep(const CharacterInputs& work)
 {
     BuildStep step = work.step(graphstep::graphs);
-    step.version = 3;
+    step.version = 4;
     step.settings = nlohmann::json({work.graph.alpha, costSettings(work.graph), work.sequences,
                                     static_cast<int>(work.graph.smoothing)})
                         .dump();
     step.inputs = costInputs(work);
     step.compute = [work, graph = work.graph, sequences = work.sequences](const StepContext& context,
                                                                           const Progress& progress) {
-        const TransitionCosts costs = costsOf(work, context);
-        const auto minima = costMinima(costs, graph.smoothing, progress.part(0, 0.05));
-        const Digraph motion = motionGraph(costs, minima, graph.alpha);
-        const MeasuredGraph essential = measuredEssentialGraph(costs, graph.alpha, progress.part(0.05, 0.6));
-        const GraphStatistics ofEssential = graphStatistics(essential.graph, essential.pathCosts);
-        const GraphStatistics ofMotion =
-            graphStatistics(motion, measuredPathCosts(motion, progress.part(0.6, 1)));
+        const auto measured = graphsAt(work, graph.alpha, context, progress);
+        const GraphPair& graphs = *measured->graphs;
+        const auto costs = costsOf(work, context);
         TableBuilder statistics = statisticsTable("graph-statistics", "Both graphs at the project's alpha.");
-        addStatistics(statistics, "essential", graph.alpha, ofEssential);
-        addStatistics(statistics, "motion", graph.alpha, ofMotion);
+        addStatistics(statistics, "essential", graph.alpha, measured->essential);
+        addStatistics(statistics, "motion", graph.alpha, measured->motion);
         TableBuilder components = componentTable("graph-components");
-        addComponents(components, "essential", graph.alpha, ofEssential.connectivity, costs.layout(),
+        addComponents(components, "essential", graph.alpha, measured->essential.connectivity, costs->layout(),
                       sequences);
-        addComponents(components, "motion", graph.alpha, ofMotion.connectivity, costs.layout(), sequences);
+        addComponents(components, "motion", graph.alpha, measured->motion.connectivity, costs->layout(),
+                      sequences);
         Result result;
         result.tables = {
-            graphTable("motion-graph", "The motion graph; motion-graph-edges tells more.", motion),
+            graphTable("motion-graph", "The motion graph; motion-graph-edges tells more.", graphs.motion),
             graphTable("essential-graph", "The Essential graph; essential-graph-edges tells more.",
-                       essential.graph),
+                       graphs.essential),
             std::move(statistics).table(), std::move(components).table()};
         return result;
     };
@@ -282,7 +278,8 @@ BuildStep edgeStep(const CharacterInputs& work)
     step.inputs.push_back(work.stepName(graphstep::graphs));
     step.settings = costSettings(work.graph).dump();
     step.compute = [work, graphs = step.inputs.back()](const StepContext& context, const Progress& progress) {
-        const TransitionCosts costs = costsOf(work, context);
+        const auto shared = costsOf(work, context);
+        const TransitionCosts& costs = *shared;
         auto both = context.resultOf(graphs);
         const NodeIndex frames = costs.layout().frameCount();
         const Digraph motion = storedGraph(*both, "motion-graph", frames);

@@ -201,6 +201,28 @@ TEST_F(ResultSessionTest, TellsTheBestSoFarWhileItSeeks)
     EXPECT_EQ(better.back()->origins, last->origins);
 }
 
+TEST_F(ResultSessionTest, MakesGraphsOnceForThoseWhoTryAnAlphaThatTheProjectThenTakes)
+{
+    const auto opened = openCharacter(working(), "", GraphOpening::Compute);
+    int shown = 0;
+    const auto tried = opened->graph.at(0.05, {}, [&](const std::shared_ptr<const GraphPair>& edges) {
+        ++shown;
+        EXPECT_EQ(edges->alpha, 0.05);
+    });
+    EXPECT_EQ(shown, 1);
+    EXPECT_EQ(opened->graph.at(0.05, {}, [&](const auto&) { ++shown; }), tried);
+    EXPECT_EQ(shown, 1);
+    computedNow();
+
+    WorkingProject taken = working();
+    taken.project.graphs.front().alpha = 0.05;
+    const auto after = openCharacter(taken, "", GraphOpening::Compute);
+    EXPECT_EQ(computedNow(), std::vector<std::string>{"graph/graphs"});
+    EXPECT_EQ(after->graph.at(0.05), tried);
+    EXPECT_EQ(after->graph.graph(), tried->graphs->essential);
+    EXPECT_TRUE(after->graph.hasTablesOf(opened->graph));
+}
+
 TEST_F(ResultSessionTest, KeepsInMemoryOnlyWhatIsNotToBeStored)
 {
     const ProjectResults results(working());

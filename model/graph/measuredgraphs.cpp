@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/graph/measuredgraph.h"
+#include "model/graph/measuredgraphs.h"
 
 #include "model/graph/essentialedges.h"
-#include "model/graph/essentialgraph.h"
-#include "model/graph/shortestpath.h"
 #include "model/graph/walkrows.h"
 
 #include <cmath>
+#include <utility>
 
 namespace quadrille {
 namespace {
@@ -65,22 +64,27 @@ PathCostSummary summaryOf(const std::vector<RowCosts>& rows)
 
 } // namespace
 
-MeasuredGraph measuredEssentialGraph(const TransitionCosts& costs, double alpha, const Progress& progress,
-                                     NodeIndex tabledFrames)
+GraphPair graphsAt(const TransitionCosts& costs, std::shared_ptr<const std::vector<FramePair>> minima,
+                   double alpha, const Progress& progress)
 {
-    if (costs.layout().frameCount() <= tabledFrames) {
-        EssentialGraph essential = essentialGraph(costs, alpha, progress);
-        return {.graph = std::move(essential.graph), .pathCosts = summarizePathCosts(essential.pathCosts)};
-    }
-    MeasuredGraph measured{.graph = essentialEdges(costs, alpha, progress.part(0, 0.3))};
-    measured.pathCosts = measuredPathCosts(measured.graph, progress.part(0.3, 1), tabledFrames);
-    return measured;
+    GraphPair graphs{.alpha = alpha, .minima = std::move(minima)};
+    graphs.essential = essentialEdges(costs, alpha, progress);
+    graphs.motion = motionGraph(costs, *graphs.minima, alpha);
+    return graphs;
 }
 
-PathCostSummary measuredPathCosts(const Digraph& graph, const Progress& progress, NodeIndex tabledFrames)
+MeasuredGraphs measured(std::shared_ptr<const GraphPair> graphs, const Progress& progress)
 {
-    if (graph.nodeCount() <= tabledFrames)
-        return summarizePathCosts(shortestPathCosts(graph, progress));
+    MeasuredGraphs result;
+    result.essential =
+        graphStatistics(graphs->essential, measuredPathCosts(graphs->essential, progress.part(0, 0.5)));
+    result.motion = graphStatistics(graphs->motion, measuredPathCosts(graphs->motion, progress.part(0.5, 1)));
+    result.graphs = std::move(graphs);
+    return result;
+}
+
+PathCostSummary measuredPathCosts(const Digraph& graph, const Progress& progress)
+{
     std::vector<RowCosts> rows(static_cast<std::size_t>(graph.nodeCount()));
     forEachWalkRows(
         graph,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/graph/essentialgraph.h"
-#include "model/graph/measuredgraph.h"
+#include "model/graph/measuredgraphs.h"
 #include "model/graph/shortestpath.h"
 #include "model/graph/walkrows.h"
 #include "tests/model/graph/randomtransitions.h"
@@ -13,8 +13,6 @@
 using namespace quadrille;
 
 namespace {
-
-constexpr NodeIndex withoutTables = 0;
 
 Table<double> allRows(const Digraph& graph)
 {
@@ -63,19 +61,21 @@ TEST(WalkRows, StopWhenCancelled)
                  Error);
 }
 
-TEST(MeasuredGraph, IsTheSameWithTablesAndWithout)
+TEST(MeasuredGraphs, AreThoseThatTablesOfAllPairsGive)
 {
     for (const double missing : {0.05, 0.6, 0.97, 1.0}) {
         const TransitionCosts costs =
             makeTransitions({.seed = 3, .counts = {40, 1, 50, 22}, .missing = missing});
-        const MeasuredGraph tabled = measuredEssentialGraph(costs, 0.02);
-        const MeasuredGraph batched = measuredEssentialGraph(costs, 0.02, {}, withoutTables);
+        const auto minima = std::make_shared<const std::vector<FramePair>>(costMinima(costs));
+        const auto graphs = std::make_shared<const GraphPair>(graphsAt(costs, minima, 0.02));
+        const MeasuredGraphs both = measured(graphs);
         const EssentialGraph plain = essentialGraph(costs, 0.02);
-        EXPECT_EQ(tabled.graph, plain.graph);
-        EXPECT_EQ(tabled.pathCosts, summarizePathCosts(plain.pathCosts));
-        EXPECT_EQ(batched.graph, plain.graph);
-        expectSameSummary(batched.pathCosts, tabled.pathCosts);
-        expectSameSummary(measuredPathCosts(plain.graph, {}, withoutTables),
-                          summarizePathCosts(shortestPathCosts(plain.graph)));
+        EXPECT_EQ(graphs->alpha, 0.02);
+        EXPECT_EQ(graphs->essential, plain.graph);
+        EXPECT_EQ(graphs->motion, motionGraph(costs, *minima, 0.02));
+        EXPECT_EQ(both.graphs, graphs);
+        EXPECT_EQ(both.essential.edges, static_cast<std::int64_t>(plain.graph.edges().size()));
+        expectSameSummary(both.essential.pathCosts, summarizePathCosts(plain.pathCosts));
+        expectSameSummary(both.motion.pathCosts, summarizePathCosts(shortestPathCosts(graphs->motion)));
     }
 }
