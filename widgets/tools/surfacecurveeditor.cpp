@@ -3,123 +3,87 @@
 #include "widgets/tools/surfacecurveeditor.h"
 
 #include "widgets/theme/theme.h"
-#include "widgets/tools/surfacecurveeditorprivate.h"
+#include "widgets/tools/surfacecurvepaint.h"
 
-#include <QtMath>
-#include <algorithm>
-#include <cmath>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
 #include <utility>
 
 namespace quadrille::widgets {
 
+using CurvePart = SurfaceCurvePart;
+
 SurfaceCurveEditor::SurfaceCurveEditor(Viewport& viewport, QObject* parent)
-    : HandleTool(parent), d(std::make_unique<Private>(*this, viewport))
+    : HandleTool(parent), m_viewport(viewport)
 {
     connect(&Theme::instance(), &Theme::changed, this, &SurfaceCurveEditor::repaintRequested);
     connect(&viewport, &Viewport::figureChanged, this, [this](int figure) {
-        if (figure != d->figure)
+        if (figure != m_figure)
             return;
-        d->seenCache.reset();
+        m_seen.reset();
         emit repaintRequested();
     });
 }
 
-SurfaceCurveEditor::~SurfaceCurveEditor() = default;
+std::optional<SurfaceCurveLayout> SurfaceCurveEditor::layout() const
+{
+    const auto shape = m_viewport.figureShape(m_figure);
+    if (!shape || shape->positions.empty())
+        return std::nullopt;
+    return SurfaceCurveLayout(m_content, {m_figure, *shape, camera(), viewSize()}, m_seen);
+}
+
+SurfaceCurveLook SurfaceCurveEditor::look() const
+{
+    return {.isDrawing = isDrawing(), .hovered = m_hovered, .refusal = m_refusal, .occupied = occupied()};
+}
 
 void SurfaceCurveEditor::setFigure(int figure)
 {
-    if (figure == d->figure)
+    if (figure == m_figure)
         return;
-    d->figure = figure;
-    d->neighbours.clear();
-    d->seenCache.reset();
-    d->pointer.reset();
-    d->cursor.reset();
-    d->drag.reset();
+    m_figure = figure;
+    m_seen.reset();
+    m_drawing = {};
+    m_drag.reset();
     emit repaintRequested();
-}
-
-int SurfaceCurveEditor::figure() const
-{
-    return d->figure;
 }
 
 void SurfaceCurveEditor::setCurves(std::vector<ShownCurve> curves)
 {
-    if (d->drag &&
-        (d->drag->part.curve >= static_cast<int>(curves.size()) ||
-         d->drag->part.point >=
-             static_cast<int>(curves[static_cast<std::size_t>(d->drag->part.curve)].points.size())))
-        d->drag.reset(); // undone under the pointer
-    d->curves = std::move(curves);
-    d->seenCache.reset();
-    d->hovered = {};
-    if (!d->isThere(d->selected))
+    m_content.curves = std::move(curves);
+    m_seen.reset();
+    m_hovered = {};
+    if (m_drag && !m_content.has(m_drag->point()))
+        m_drag.reset(); // undone under the pointer
+    if (!m_content.has(selected()))
         setSelected({});
     emit repaintRequested();
 }
 
-const std::vector<ShownCurve>& SurfaceCurveEditor::curves() const
-{
-    return d->curves;
-}
-
-void SurfaceCurveEditor::setDrawn(int curve)
-{
-    d->drawn = curve;
-    emit repaintRequested();
-}
-
-int SurfaceCurveEditor::drawn() const
-{
-    return d->drawn;
-}
-
-void SurfaceCurveEditor::setPreview(std::vector<std::uint32_t> vertices)
-{
-    d->preview = std::move(vertices);
-    emit repaintRequested();
-}
-
-void SurfaceCurveEditor::setRefusal(const QString& text)
-{
-    d->refusal = text;
-    emit repaintRequested();
-}
-
-const QString& SurfaceCurveEditor::refusal() const
-{
-    return d->refusal;
-}
-
 void SurfaceCurveEditor::setActive(bool active)
 {
-    if (active == d->active)
+    if (active == m_active)
         return;
     if (!active) {
         endDrag(false);
         setMode(Mode::Edit);
         setSelected({});
     }
-    d->active = active;
+    m_active = active;
     emit repaintRequested();
-}
-
-bool SurfaceCurveEditor::isActive() const
-{
-    return d->active;
 }
 
 void SurfaceCurveEditor::setMode(Mode mode)
 {
-    if (mode == d->mode)
+    if (mode == m_mode)
         return;
-    d->mode = mode;
-    d->refusal.clear();
-    d->preview.clear();
-    d->pointer.reset();
-    d->cursor.reset();
-    d->hovered = {};
+    m_mode = mode;
+    m_refusal.clear();
+    m_content.preview.clear();
+    m_drawing = {};
+    m_hovered = {};
     if (mode == Mode::Draw)
         setSelected({});
     emit cursorRequested(mode == Mode::Draw ? Qt::CrossCursor : Qt::ArrowCursor);
@@ -127,110 +91,303 @@ void SurfaceCurveEditor::setMode(Mode mode)
     emit repaintRequested();
 }
 
-SurfaceCurveEditor::Mode SurfaceCurveEditor::mode() const
+void SurfaceCurveEditor::setSelected(const CurvePart& part)
 {
-    return d->mode;
-}
-
-void SurfaceCurveEditor::setSelected(const SurfaceCurvePart& part)
-{
-    if (part == d->selected)
+    if (part == selected())
         return;
-    d->selected = part;
+    m_content.selected = part;
     emit selectionChanged(part);
     emit repaintRequested();
 }
 
-const SurfaceCurvePart& SurfaceCurveEditor::selected() const
-{
-    return d->selected;
-}
-
-bool SurfaceCurveEditor::isDragging() const
-{
-    return d->drag.has_value();
-}
-
-std::optional<QPointF> SurfaceCurveEditor::pixelOf(const SurfaceCurvePart& part) const
-{
-    return d->isThere(part) ? d->project(d->vertexOf(part)) : std::nullopt;
-}
-
-bool SurfaceCurveEditor::isSeen(const SurfaceCurvePart& part) const
-{
-    if (!d->isThere(part))
-        return false;
-    const auto curve = static_cast<std::size_t>(part.curve);
-    const auto pixel = d->project(d->vertexOf(part));
-    const std::size_t at = part.kind == SurfaceCurvePart::Kind::Point
-                               ? d->curves[curve].points[static_cast<std::size_t>(part.point)]
-                               : 0;
-    return pixel && QRectF(QPointF(), viewSize()).contains(*pixel) && d->seen()[curve][at];
-}
-
 SurfaceCurvePart SurfaceCurveEditor::partAt(const QPointF& position) const
 {
-    SurfaceCurvePart found;
-    double nearest = surfacePointReach;
-    for (const SurfaceCurvePart& part : d->points()) {
-        const auto pixel = pixelOf(part);
-        if (!pixel || (!isSeen(part) && part != d->selected))
-            continue;
-        const double advantage = part == d->selected ? 4.0 : 0.0;
-        const double distance = distanceBetween(*pixel, position);
-        if (distance < surfacePointReach && distance - advantage < nearest) {
-            nearest = distance - advantage;
-            found = part;
-        }
-    }
-    if (found.kind != SurfaceCurvePart::Kind::None)
-        return found;
-    nearest = surfaceCurveReach;
-    for (std::size_t c = 0; c < d->curves.size(); ++c) {
-        const ShownCurve& curve = d->curves[c];
-        const std::size_t count = curve.vertices.size();
-        for (std::size_t i = 0; i < (curve.isClosed ? count : count - std::min<std::size_t>(count, 1)); ++i) {
-            const std::size_t next = (i + 1) % count;
-            if (!d->seen()[c][i] && !d->seen()[c][next])
-                continue;
-            const auto a = d->project(curve.vertices[i]);
-            const auto b = d->project(curve.vertices[next]);
-            if (const double distance = a && b ? distanceToSegment(position, *a, *b) : surfaceCurveReach;
-                distance < nearest) {
-                nearest = distance;
-                found = {SurfaceCurvePart::Kind::Curve, static_cast<int>(c), 0};
-            }
-        }
-    }
-    return found;
+    const auto shown = layout();
+    return shown ? shown->partAt(position) : CurvePart();
 }
 
-void SurfaceCurveEditor::reveal(const SurfaceCurvePart& part)
+void SurfaceCurveEditor::reveal(const CurvePart& part)
 {
-    const auto shape = d->shape();
-    if (!shape || !d->isThere(part) || isSeen(part))
+    const auto shown = layout();
+    if (shown && m_content.has(part) && !shown->isSeen(part))
+        m_viewport.setCamera(shown->view().facing(m_content.vertexOf(part)));
+}
+
+void SurfaceCurveEditor::paint(QPainter& painter) const
+{
+    const auto shown = layout();
+    if (!m_active || !shown)
         return;
-    const std::uint32_t vertex = d->vertexOf(part);
-    const QVector3D normal = d->normalAt(vertex);
-    Turntable view = camera();
-    const bool isUpright = view.upAxis == UpAxis::Y;
-    const float ahead = isUpright ? normal.z() : -normal.y();
-    const float rise = isUpright ? normal.y() : normal.z();
-    if (std::hypot(normal.x(), ahead) > 0.05F)
-        view.yaw = qRadiansToDegrees(std::atan2(normal.x(), ahead));
-    constexpr float steepest = 60.0F; // degrees
-    view.pitch = std::clamp(qRadiansToDegrees(std::asin(std::clamp(rise, -1.0F, 1.0F))), -steepest, steepest);
-    QPointF pixel;
-    if (!view.project(shape->place(vertex), viewSize(), &pixel) ||
-        !QRectF(QPointF(), viewSize()).contains(pixel))
-        view.target = shape->place(vertex);
-    d->viewport.setCamera(view);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintSurfaceCurves(painter, *shown, look());
+    if (isDrawing())
+        paintSurfaceDrawing(painter, *shown, m_drawing, look());
+    paintSurfaceHint(painter, *shown, look());
 }
 
-void SurfaceCurveEditor::viewChanged()
+void SurfaceCurveEditor::leave()
 {
-    d->seenCache.reset();
-    d->pointer.reset();
+    m_hovered = {};
+    if (m_drawing.leave())
+        emit pointerMoved(std::nullopt);
+}
+
+bool SurfaceCurveEditor::press(const QMouseEvent& event)
+{
+    m_pressedAt.reset();
+    if (isDragging())
+        return true;
+    if (isDrawing()) {
+        if (event.button() == Qt::LeftButton)
+            m_pressedAt = event.position();
+        return false;
+    }
+    if (event.button() == Qt::RightButton) {
+        m_isMenuPress = partAt(event.position()).kind != CurvePart::Kind::None;
+        return m_isMenuPress;
+    }
+    return event.button() == Qt::LeftButton && pressPart(event);
+}
+
+bool SurfaceCurveEditor::pressPart(const QMouseEvent& event)
+{
+    const CurvePart part = partAt(event.position());
+    if (part.kind == CurvePart::Kind::Curve && event.modifiers().testFlag(Qt::ControlModifier)) {
+        insertInto(part.curve, event);
+        return true;
+    }
+    if (part.kind != CurvePart::Kind::Point) {
+        m_pressedAt = event.position();
+        return false;
+    }
+    m_drag.emplace(*layout(), part, event.position());
+    setSelected(part);
+    emit cursorRequested(Qt::ClosedHandCursor);
+    emit repaintRequested();
+    return true;
+}
+
+bool SurfaceCurveEditor::move(const QMouseEvent& event)
+{
+    if (!isDragging()) {
+        if (event.buttons() == Qt::NoButton)
+            hover(event);
+        return false;
+    }
+    const CurvePart part = m_drag->point();
+    if (const auto place = m_drag->moveTo(layout()->view(), event.position(), event.modifiers()))
+        emit pointMoved(part.curve, part.point, *place, false);
+    return true;
+}
+
+void SurfaceCurveEditor::hover(const QMouseEvent& event)
+{
+    if (isDrawing()) {
+        hoverDrawing(event);
+        return;
+    }
+    const CurvePart part = partAt(event.position());
+    if (std::exchange(m_hovered, part) == part)
+        return;
+    emit cursorRequested(cursorFor(part));
+    emit repaintRequested();
+}
+
+void SurfaceCurveEditor::hoverDrawing(const QMouseEvent& event)
+{
+    const bool closes = layout()->closesAt(event.position());
+    const CurvePart part = closes ? CurvePart{CurvePart::Kind::Point, drawn(), 0} : CurvePart{};
+    if (std::exchange(m_hovered, part) != part)
+        emit cursorRequested(closes ? Qt::PointingHandCursor : Qt::CrossCursor);
+    m_drawing.hover(*layout(), event.position(), event.modifiers());
+    emit pointerMoved(m_drawing.pointer());
+    emit repaintRequested();
+}
+
+bool SurfaceCurveEditor::release(const QMouseEvent& event)
+{
+    if (event.button() == Qt::RightButton && std::exchange(m_isMenuPress, false)) {
+        if (const CurvePart part = partAt(event.position()); part.kind != CurvePart::Kind::None) {
+            setSelected(part);
+            emit contextMenuRequested(part, event.globalPosition().toPoint());
+        }
+        return true;
+    }
+    if (isDragging()) {
+        if (event.button() == Qt::LeftButton)
+            endDrag(true);
+        return true;
+    }
+    const auto pressed = std::exchange(m_pressedAt, std::nullopt);
+    if (pressed && !isDrag(*pressed, event.position())) {
+        if (isDrawing())
+            clickWhileDrawing(event);
+        else
+            setSelected(partAt(event.position()));
+    }
+    return false; // the camera ends what it began
+}
+
+void SurfaceCurveEditor::clickWhileDrawing(const QMouseEvent& event)
+{
+    const auto outcome = SurfaceCurveDrawing::click(*layout(), event.position(), event.modifiers());
+    if (outcome.isDone)
+        finishDrawing();
+    else if (outcome.point)
+        emit pointAdded(*outcome.point);
+}
+
+bool SurfaceCurveEditor::doubleClick(const QMouseEvent& event)
+{
+    if (event.button() != Qt::LeftButton)
+        return false;
+    if (isDrawing()) {
+        finishDrawing();
+        return true;
+    }
+    const CurvePart part = partAt(event.position());
+    if (part.kind == CurvePart::Kind::Curve)
+        insertInto(part.curve, event);
+    return part.kind != CurvePart::Kind::None;
+}
+
+void SurfaceCurveEditor::endDrag(bool commit)
+{
+    if (!m_drag)
+        return;
+    const SurfaceCurveDrag drag = *std::exchange(m_drag, std::nullopt);
+    const CurvePart& part = drag.point();
+    emit cursorRequested(Qt::ArrowCursor);
+    emit repaintRequested();
+    if (!drag.last())
+        return;
+    if (commit)
+        emit pointMoved(part.curve, part.point, *drag.last(), true);
+    else
+        emit moveCancelled(part.curve);
+}
+
+void SurfaceCurveEditor::finishDrawing()
+{
+    emit drawingFinished();
+    setMode(Mode::Edit);
+}
+
+void SurfaceCurveEditor::insertInto(int curve, const QMouseEvent& event)
+{
+    const auto shown = layout();
+    if (const auto place = shown->view().placeAt(event.position(), event.modifiers()))
+        insertAfter({CurvePart::Kind::Point, curve, shown->pointBefore(curve, event.position())}, *place);
+}
+
+void SurfaceCurveEditor::insertAfter(const CurvePart& part, const SurfacePlace& place)
+{
+    emit pointInserted(part.curve, part.point, place);
+    setSelected({CurvePart::Kind::Point, part.curve, part.point + 1});
+}
+
+void SurfaceCurveEditor::insertByKey()
+{
+    const auto shown = layout();
+    if (isDrawing()) {
+        if (const auto place = m_drawing.placeAtCursor(*shown))
+            emit pointAdded(*place);
+        return;
+    }
+    const CurvePart part = selected();
+    const auto vertex = m_content.vertexAfter(part);
+    if (const auto place = vertex ? shown->view().placeAt(*vertex, Qt::AltModifier) : std::nullopt)
+        insertAfter(part, *place);
+}
+
+bool SurfaceCurveEditor::selectNext(int step)
+{
+    const CurvePart next = partAfter(m_content.points(), selected(), step);
+    setSelected(next);
+    reveal(next);
+    return next.kind != CurvePart::Kind::None;
+}
+
+void SurfaceCurveEditor::nudge(const QKeyEvent& event)
+{
+    const CurvePart part = selected();
+    const SurfaceView view = layout()->view();
+    const std::uint32_t from = m_content.vertexOf(part);
+    const std::uint32_t to = view.vertexTowards(from, event.key(), event.modifiers());
+    // Snapping would take small steps back.
+    if (const auto place = view.placeAt(to, Qt::AltModifier); place && to != from)
+        emit pointMoved(part.curve, part.point, *place, true);
+    reveal(selected());
+}
+
+void SurfaceCurveEditor::removeSelected()
+{
+    const CurvePart part = selected();
+    if (!m_content.has(part))
+        return;
+    if (part.kind == CurvePart::Kind::Curve)
+        emit curveRemovalRequested(part.curve);
+    else
+        emit pointRemovalRequested(part.curve, part.point);
+}
+
+bool SurfaceCurveEditor::wantsKey(const QKeyEvent& event) const
+{
+    const bool hasSelection = m_content.has(selected());
+    const bool hasPoint = hasSelection && selected().kind == CurvePart::Kind::Point;
+    switch (event.key()) {
+    case Qt::Key_Escape:
+        return isDrawing() || isDragging() || hasSelection;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+    case Qt::Key_Delete:
+    case Qt::Key_Backspace:
+    case Qt::Key_Insert:
+        return isDrawing() || hasSelection;
+    case Qt::Key_Menu:
+        return hasSelection;
+    case Qt::Key_Tab:
+    case Qt::Key_Backtab:
+        return !isDrawing() && !m_content.points().empty();
+    default: // arrows
+        return event.key() >= Qt::Key_Left && event.key() <= Qt::Key_Down && (isDrawing() || hasPoint) &&
+               !event.modifiers().testFlag(Qt::ControlModifier);
+    }
+}
+
+void SurfaceCurveEditor::confirm()
+{
+    if (isDrawing())
+        finishDrawing();
+    else
+        emit activated(selected().curve);
+}
+
+void SurfaceCurveEditor::askMenuByKey()
+{
+    if (const auto pixel = pixelOf(selected()))
+        emit contextMenuRequested(selected(), m_viewport.mapToGlobal(pixel->toPoint()));
+}
+
+bool SurfaceCurveEditor::removeByKey()
+{
+    if (isDrawing())
+        emit lastPointRemovalRequested();
+    else
+        removeSelected();
+    return true;
+}
+
+bool SurfaceCurveEditor::pressOther(const QKeyEvent& event)
+{
+    if (!isDrawing()) {
+        nudge(event);
+        return true;
+    }
+    m_drawing.moveCursor(*layout(), event.key(), event.modifiers());
+    emit pointerMoved(m_drawing.pointer());
+    emit repaintRequested();
+    return true;
 }
 
 } // namespace quadrille::widgets

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "widgets/tools/handletool.h"
-#include "widgets/tools/showncurve.h"
-
-#include <memory>
-#include <optional>
+#include "widgets/tools/surfacecurvedrag.h"
+#include "widgets/tools/surfacecurvedrawing.h"
 
 namespace quadrille::widgets {
+
+struct SurfaceCurveLook;
 
 /// Draws and edits closed curves on a figure's surface. It changes nothing itself: gestures are signals, and
 /// what becomes of them comes back by setCurves(). Curves behind the body are thin and dashed; what is wrong
@@ -32,35 +32,54 @@ public:
 
     /// \param viewport  what it draws into; it is to be made the viewport's tool by setViewTool().
     explicit SurfaceCurveEditor(Viewport& viewport, QObject* parent = nullptr);
-    ~SurfaceCurveEditor() override;
 
     /// The figure that all curves lie on; −1: none, and nothing is shown.
     void setFigure(int figure);
-    int figure() const;
+    int figure() const { return m_figure; }
     /// \pre their vertices are some of the figure's.
     void setCurves(std::vector<ShownCurve> curves);
-    const std::vector<ShownCurve>& curves() const;
+    const std::vector<ShownCurve>& curves() const { return m_content.curves; }
     /// The curve that points are added to; −1: one that is not there yet.
-    void setDrawn(int curve);
-    int drawn() const;
+    void setDrawn(int curve)
+    {
+        m_content.drawn = curve;
+        emit repaintRequested();
+    }
+    int drawn() const { return m_content.drawn; }
     /// The piece from the last point to the pointer, while drawing.
-    void setPreview(std::vector<std::uint32_t> vertices);
+    void setPreview(std::vector<std::uint32_t> vertices)
+    {
+        m_content.preview = std::move(vertices);
+        emit repaintRequested();
+    }
     /// Why the last gesture could not be done, in the view until the next one; empty for nothing.
-    void setRefusal(const QString& text);
-    const QString& refusal() const;
+    void setRefusal(const QString& text)
+    {
+        m_refusal = text;
+        emit repaintRequested();
+    }
+    const QString& refusal() const { return m_refusal; }
     /// Shows nothing and uses no events while false.
     void setActive(bool active);
-    bool isActive() const;
+    bool isActive() const { return m_active; }
     void setMode(Mode mode);
-    Mode mode() const;
+    Mode mode() const { return m_mode; }
     void setSelected(const SurfaceCurvePart& part);
-    const SurfaceCurvePart& selected() const;
-    bool isDragging() const override;
-    bool isDrawing() const override;
+    const SurfaceCurvePart& selected() const { return m_content.selected; }
+    bool isDragging() const override { return m_drag.has_value(); }
+    bool isDrawing() const override { return m_mode == Mode::Draw; }
     /// Where a point is on the view, also behind the body; none where it is not there.
-    std::optional<QPointF> pixelOf(const SurfaceCurvePart& part) const;
+    std::optional<QPointF> pixelOf(const SurfaceCurvePart& part) const
+    {
+        const auto shown = layout();
+        return shown ? shown->pixelOf(part) : std::nullopt;
+    }
     /// Whether a point is on the side of the figure that is seen.
-    bool isSeen(const SurfaceCurvePart& part) const;
+    bool isSeen(const SurfaceCurvePart& part) const
+    {
+        const auto shown = layout();
+        return shown && shown->isSeen(part);
+    }
     /// What would be taken hold of here.
     SurfaceCurvePart partAt(const QPointF& position) const;
     /// Turns the view so that a point, or the first of a curve, can be seen.
@@ -92,8 +111,12 @@ signals:
     void contextMenuRequested(const quadrille::widgets::SurfaceCurvePart& part, const QPoint& globalPosition);
 
 protected:
-    void viewChanged() override;
-    bool isReady() const override;
+    void viewChanged() override
+    {
+        m_seen.reset();
+        m_drawing.leave();
+    }
+    bool isReady() const override { return m_active && layout(); }
     bool press(const QMouseEvent& event) override;
     bool move(const QMouseEvent& event) override;
     bool release(const QMouseEvent& event) override;
@@ -101,8 +124,8 @@ protected:
     void leave() override;
     bool wantsKey(const QKeyEvent& event) const override;
     void endDrag(bool commit) override;
-    void leaveDrawing() override;
-    void clearSelection() override;
+    void leaveDrawing() override { setMode(Mode::Edit); }
+    void clearSelection() override { setSelected({}); }
     void confirm() override;
     void insertByKey() override;
     void askMenuByKey() override;
@@ -111,15 +134,31 @@ protected:
     bool pressOther(const QKeyEvent& event) override;
 
 private:
-    struct Private;
-    std::unique_ptr<Private> d;
+    /// None where there is no figure to look at.
+    std::optional<SurfaceCurveLayout> layout() const;
+    SurfaceCurveLook look() const;
+    bool pressPart(const QMouseEvent& event);
     void hover(const QMouseEvent& event);
+    void hoverDrawing(const QMouseEvent& event);
     void clickWhileDrawing(const QMouseEvent& event);
-    void dragTo(const QMouseEvent& event);
     void finishDrawing();
-    void insertAt(const SurfaceCurvePart& part, const SurfacePlace& place);
-    void nudge(int key, Qt::KeyboardModifiers modifiers);
-    void moveCursor(int key, Qt::KeyboardModifiers modifiers);
+    /// Asks for a point at a pixel of a curve.
+    void insertInto(int curve, const QMouseEvent& event);
+    void insertAfter(const SurfaceCurvePart& part, const SurfacePlace& place);
+    void nudge(const QKeyEvent& event);
+
+    Viewport& m_viewport;
+    int m_figure = -1;
+    SurfaceCurveContent m_content;
+    mutable SeenVertices m_seen;
+    bool m_active = true;
+    Mode m_mode = Mode::Edit;
+    QString m_refusal;
+    SurfaceCurvePart m_hovered;
+    std::optional<SurfaceCurveDrag> m_drag;
+    SurfaceCurveDrawing m_drawing;
+    std::optional<QPointF> m_pressedAt; ///< of a press that was left to the camera
+    bool m_isMenuPress = false;         ///< the right button is down on a part
 };
 
 } // namespace quadrille::widgets

@@ -1,12 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "widgets/tools/surfacecurvepaint.h"
+
 #include "widgets/theme/theme.h"
 #include "widgets/tools/smoothline.h"
-#include "widgets/tools/surfacecurveeditorprivate.h"
+#include "widgets/tools/surfacecurveeditor.h"
 #include "widgets/tools/toolpaint.h"
 
 #include <QPainter>
 #include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
 
 namespace quadrille::widgets {
 
@@ -21,6 +26,26 @@ struct Stretches
     std::vector<QPolygonF> hidden;
 };
 
+/// A curve as it is painted.
+struct CurveState
+{
+    bool isDrawn = false;
+    bool isSelected = false;
+    bool isHovered = false;
+
+    bool isInHand() const { return isDrawn || isSelected || isHovered; }
+};
+
+CurveState stateOf(int curve, const SurfaceCurveLayout& layout, const SurfaceCurveLook& look)
+{
+    const auto isOf = [curve](const SurfaceCurvePart& part) {
+        return part.kind != SurfaceCurvePart::Kind::None && part.curve == curve;
+    };
+    return {.isDrawn = look.isDrawing && curve == layout.content().drawn,
+            .isSelected = isOf(layout.content().selected),
+            .isHovered = isOf(look.hovered)};
+}
+
 /// A sign that something is wrong.
 void paintBadge(QPainter& painter, const QPointF& at)
 {
@@ -33,56 +58,47 @@ void paintBadge(QPainter& painter, const QPointF& at)
     painter.drawPoint(at + QPointF(0.0, 3.6));
 }
 
-} // namespace
-
-std::vector<QVector3D> SurfaceCurveEditor::Private::linePlaces(const std::vector<std::uint32_t>& vertices,
-                                                               const std::vector<std::size_t>& fixed,
-                                                               bool isClosed) const
+/// Where a curve is drawn: smoother than from vertex to vertex, through its points all the same.
+std::vector<QVector3D> linePlaces(const SurfaceView& view, const std::vector<std::uint32_t>& vertices,
+                                  const std::vector<std::size_t>& fixed, bool isClosed)
 {
-    const auto figureShape = shape();
-    if (!figureShape)
-        return {};
     std::vector<QVector3D> line;
     line.reserve(vertices.size());
     for (const std::uint32_t vertex : vertices)
-        line.push_back(figureShape->place(vertex));
+        line.push_back(view.place(vertex));
     return withoutZigzag(std::move(line), fixed, isClosed);
 }
 
-QPolygonF SurfaceCurveEditor::Private::pieceOf(const std::vector<QVector3D>& line, std::size_t index,
-                                               bool isClosed) const
+/// From a place of such a line to the next, on the view; empty behind the camera.
+QPolygonF pieceOf(const SurfaceView& view, const std::vector<QVector3D>& line, std::size_t index,
+                  bool isClosed)
 {
     constexpr int pieces = 4;
     QPolygonF pixels;
     for (int piece = 0; piece <= pieces; ++piece) {
         const float share = static_cast<float>(piece) / pieces;
-        QPointF pixel;
-        if (!owner.camera().project(smoothPlace(line, index, share, isClosed), owner.viewSize(), &pixel))
+        const auto pixel = view.project(smoothPlace(line, index, share, isClosed));
+        if (!pixel)
             return {};
-        pixels << pixel;
+        pixels << *pixel;
     }
     return pixels;
 }
 
-void SurfaceCurveEditor::Private::paintCurve(QPainter& painter, int index) const
+/// The stretches of a curve up to a place in its vertices, and those from there on.
+std::array<Stretches, 2> stretchesOf(const SurfaceCurveLayout& layout, int index, std::size_t last)
 {
-    const ShownCurve& curve = curves[static_cast<std::size_t>(index)];
-    const auto& visible = seen()[static_cast<std::size_t>(index)];
+    const ShownCurve& curve = layout.curve(index);
+    const std::vector<bool>& visible = layout.seenOf(index);
     const std::size_t count = curve.vertices.size();
-    const std::vector<QVector3D> places = linePlaces(curve.vertices, curve.points, curve.isClosed);
-    if (places.empty())
-        return;
-    const bool isDrawn = mode == Mode::Draw && index == drawn;
-    // While it is drawn, the piece that closes it is only what would be.
-    const std::size_t last = isDrawn && !curve.points.empty() ? curve.points.back() : count;
-    Stretches stretches;
-    Stretches closing;
+    const std::vector<QVector3D> places =
+        linePlaces(layout.view(), curve.vertices, curve.points, curve.isClosed);
+    std::array<Stretches, 2> stretches;
     std::vector<QPolygonF>* current = nullptr;
     for (std::size_t i = 0; i + (curve.isClosed ? 0 : 1) < count; ++i) {
-        const std::size_t next = (i + 1) % count;
-        const QPolygonF smooth = pieceOf(places, i, curve.isClosed);
-        Stretches& piece = i >= last ? closing : stretches;
-        auto* wanted = visible[i] && visible[next] ? &piece.seen : &piece.hidden;
+        const QPolygonF smooth = pieceOf(layout.view(), places, i, curve.isClosed);
+        Stretches& piece = stretches[i >= last ? 1 : 0];
+        auto* wanted = visible[i] && visible[(i + 1) % count] ? &piece.seen : &piece.hidden;
         if (smooth.isEmpty()) {
             current = nullptr;
             continue;
@@ -92,92 +108,94 @@ void SurfaceCurveEditor::Private::paintCurve(QPainter& painter, int index) const
         wanted->back() += smooth.mid(1);
         current = wanted;
     }
-    const bool isSelected = selected.kind != SurfaceCurvePart::Kind::None && selected.curve == index;
-    const bool isHovered = hovered.kind != SurfaceCurvePart::Kind::None && hovered.curve == index;
-    const QColor color = !curve.problem.isEmpty() && !isDrawn ? Theme::color(ColorRole::Error) : curve.color;
-    const double width = isSelected ? 4.0 : isHovered ? 3.5 : 2.5;
-    const auto paintHidden = [&](const std::vector<QPolygonF>& lines) {
-        QColor faint = color;
-        faint.setAlphaF(static_cast<float>(hiddenOpacity));
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(faint, 1.5, Qt::DashLine, Qt::FlatCap, Qt::RoundJoin));
-        for (const QPolygonF& line : lines)
-            painter.drawPolyline(line);
-    };
-    paintHidden(stretches.hidden);
-    paintHidden(closing.hidden);
-    for (const QPolygonF& line : closing.seen)
-        paintToolLine(painter, line, color, 1.5, Qt::DotLine);
-    for (const QPolygonF& line : stretches.seen)
-        paintToolLine(painter, line, color, width, Qt::SolidLine);
+    return stretches;
 }
 
-bool SurfaceCurveEditor::Private::isInHand(int curve) const
+void paintHidden(QPainter& painter, const std::vector<QPolygonF>& lines, QColor color)
 {
-    const auto isOf = [curve](const SurfaceCurvePart& part) {
-        return part.kind != SurfaceCurvePart::Kind::None && part.curve == curve;
-    };
-    return isOf(selected) || isOf(hovered) || (mode == Mode::Draw && curve == drawn);
+    color.setAlphaF(static_cast<float>(hiddenOpacity));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(color, 1.5, Qt::DashLine, Qt::FlatCap, Qt::RoundJoin));
+    for (const QPolygonF& line : lines)
+        painter.drawPolyline(line);
 }
 
-QRectF SurfaceCurveEditor::Private::boxOf(int index) const
+void paintCurve(QPainter& painter, const SurfaceCurveLayout& layout, int index, const CurveState& state)
 {
-    QPolygonF pixels;
-    for (const std::uint32_t vertex : curves[static_cast<std::size_t>(index)].vertices)
-        if (const auto pixel = project(vertex))
-            pixels << *pixel;
-    return pixels.boundingRect();
+    const ShownCurve& curve = layout.curve(index);
+    // While it is drawn, the piece that closes it is only what would be.
+    const std::size_t last =
+        state.isDrawn && !curve.points.empty() ? curve.points.back() : curve.vertices.size();
+    const auto [line, closing] = stretchesOf(layout, index, last);
+    const QColor color =
+        !curve.problem.isEmpty() && !state.isDrawn ? Theme::color(ColorRole::Error) : curve.color;
+    const double width = state.isSelected ? 4.0 : state.isHovered ? 3.5 : 2.5;
+    paintHidden(painter, line.hidden, color);
+    paintHidden(painter, closing.hidden, color);
+    for (const QPolygonF& stretch : closing.seen)
+        paintToolLine(painter, stretch, color, 1.5, Qt::DotLine);
+    for (const QPolygonF& stretch : line.seen)
+        paintToolLine(painter, stretch, color, width, Qt::SolidLine);
 }
 
-void SurfaceCurveEditor::Private::paintPoints(QPainter& painter, int index) const
+void paintCurvePoints(QPainter& painter, const SurfaceCurveLayout& layout, int index,
+                      const SurfaceCurveLook& look)
 {
-    const ShownCurve& curve = curves[static_cast<std::size_t>(index)];
+    const ShownCurve& curve = layout.curve(index);
+    const CurveState state = stateOf(index, layout, look);
     // From afar, points of curves that nobody works on would hide the curves.
     constexpr double roomy = 18.0; // pixels of the box around a curve for each point
-    const QRectF box = boxOf(index);
+    const QRectF box = layout.boxOf(index);
     const bool isSmall =
-        !isInHand(index) && box.width() + box.height() < roomy * static_cast<double>(curve.points.size());
+        !state.isInHand() && box.width() + box.height() < roomy * static_cast<double>(curve.points.size());
+    const bool isWrong = !curve.problem.isEmpty() && index != layout.content().drawn;
     for (int point = 0; point < static_cast<int>(curve.points.size()); ++point) {
         const SurfaceCurvePart part{SurfaceCurvePart::Kind::Point, index, point};
-        const auto pixel = owner.pixelOf(part);
+        const auto pixel = layout.pixelOf(part);
         if (!pixel)
             continue;
-        HandleLook look{.color = !curve.problem.isEmpty() && index != drawn ? Theme::color(ColorRole::Error)
-                                                                            : Theme::color(ColorRole::Text),
-                        .isSelected = part == selected,
-                        .isHovered = part == hovered};
-        if (mode == Mode::Draw && index == drawn && point == 0)
-            look.form = HandleLook::Form::Square;
-        const bool isSeen = owner.isSeen(part);
+        HandleLook handle{.color = Theme::color(isWrong ? ColorRole::Error : ColorRole::Text),
+                          .isSelected = part == layout.content().selected,
+                          .isHovered = part == look.hovered};
+        if (state.isDrawn && point == 0)
+            handle.form = HandleLook::Form::Square;
+        const bool isSeen = layout.isSeen(part);
         if (isSmall && !isSeen)
             continue;
-        if (isSmall || (!isSeen && !look.isSelected))
-            look.radius = isSmall ? 1.5 : 3.0;
-        painter.setOpacity(isSeen || look.isSelected ? 1.0 : hiddenOpacity);
-        paintHandle(painter, *pixel, look);
+        if (isSmall || (!isSeen && !handle.isSelected))
+            handle.radius = isSmall ? 1.5 : 3.0;
+        painter.setOpacity(isSeen || handle.isSelected ? 1.0 : hiddenOpacity);
+        paintHandle(painter, *pixel, handle);
         painter.setOpacity(1.0);
     }
 }
 
-void SurfaceCurveEditor::Private::paintName(QPainter& painter, int index, const QPointF& middle,
-                                            std::vector<QRectF>& taken) const
+/// The outermost pixel of a curve that can be seen, on its right or left side.
+std::optional<QPointF> edgeOf(const SurfaceCurveLayout& layout, int index, bool isRight)
 {
-    const ShownCurve& curve = curves[static_cast<std::size_t>(index)];
-    const auto& visible = seen()[static_cast<std::size_t>(index)];
-    const bool isWrong = !curve.problem.isEmpty() && !(mode == Mode::Draw && index == drawn);
-    const bool isSelected = selected.kind != SurfaceCurvePart::Kind::None && selected.curve == index;
-    const QString text = isWrong && isSelected ? curve.problem : curve.name;
-    const QRectF box = boxOf(index);
+    const std::vector<std::uint32_t>& vertices = layout.curve(index).vertices;
+    std::optional<QPointF> edge;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        if (const auto pixel = layout.view().project(vertices[i]);
+            pixel && layout.seenOf(index)[i] && (!edge || (pixel->x() > edge->x()) == isRight))
+            edge = pixel;
+    return edge;
+}
+
+/// \param middle  of all curves on the view. \param taken  by names before it.
+void paintName(QPainter& painter, const SurfaceCurveLayout& layout, int index, const CurveState& state,
+               const QPointF& middle, std::vector<QRectF>& taken)
+{
+    const ShownCurve& curve = layout.curve(index);
+    const bool isWrong = !curve.problem.isEmpty() && !state.isDrawn;
+    const QString text = isWrong && state.isSelected ? curve.problem : curve.name;
+    const QRectF box = layout.boxOf(index);
     constexpr double roomy = 70.0; // pixels
-    if (text.isEmpty() || (!isWrong && !isInHand(index) && box.width() + box.height() < roomy))
+    if (text.isEmpty() || (!isWrong && !state.isInHand() && box.width() + box.height() < roomy))
         return;
     // Outwards from the body, so that the words do not hide it.
     const bool isRight = box.center().x() >= middle.x();
-    std::optional<QPointF> edge;
-    for (std::size_t i = 0; i < curve.vertices.size(); ++i)
-        if (const auto pixel = project(curve.vertices[i]);
-            pixel && visible[i] && (!edge || (pixel->x() > edge->x()) == isRight))
-            edge = pixel;
+    const auto edge = edgeOf(layout, index, isRight);
     if (!edge)
         return;
     constexpr double away = 24.0;
@@ -186,7 +204,7 @@ void SurfaceCurveEditor::Private::paintName(QPainter& painter, int index, const 
     QRectF plate(0.0, 0.0, metrics.horizontalAdvance(text) + 16.0, metrics.height() + 6.0);
     plate.moveTop(edge->y() - plate.height() / 2.0);
     if (isRight)
-        plate.moveLeft(std::min(edge->x() + away + badge, owner.viewSize().width() - plate.width() - 4.0));
+        plate.moveLeft(std::min(edge->x() + away + badge, layout.view().size.width() - plate.width() - 4.0));
     else
         plate.moveRight(std::max(edge->x() - away, plate.width() + badge + 4.0));
     const auto isTaken = [&](const QRectF& other) { return other.intersects(plate); };
@@ -200,72 +218,71 @@ void SurfaceCurveEditor::Private::paintName(QPainter& painter, int index, const 
         paintBadge(painter, QPointF(plate.left() - badge / 2.0, plate.center().y()));
 }
 
-void SurfaceCurveEditor::Private::paintDrawing(QPainter& painter) const
+/// What mouse and keys do now.
+QString drawingHint(const SurfaceCurveLayout& layout, const SurfaceCurveLook& look)
 {
-    const QColor accent = Theme::color(ColorRole::AccentText);
-    QPolygonF line;
-    const std::vector<QVector3D> places = linePlaces(preview, {}, false);
-    for (std::size_t i = 0; i + 1 < places.size(); ++i)
-        line += pieceOf(places, i, false);
-    if (line.size() > 1)
-        paintToolLine(painter, line, accent, 2.0, Qt::DashLine);
-    QPointF pixel;
-    if (pointer && hovered.kind == SurfaceCurvePart::Kind::None &&
-        owner.camera().project(pointer->pick.point, owner.viewSize(), &pixel))
-        paintHandle(painter, line.isEmpty() ? pixel : line.last(),
-                    {.form = cursor ? HandleLook::Form::Diamond : HandleLook::Form::Circle,
-                     .radius = 4.0,
-                     .color = accent});
-}
-
-void SurfaceCurveEditor::Private::paintHint(QPainter& painter) const
-{
-    const QString text = !refusal.isEmpty() ? refusal : mode == Mode::Draw ? hint() : QString();
-    if (text.isEmpty())
-        return;
-    constexpr double margin = 32.0; // pixels
-    const QSizeF& view = owner.viewSize();
-    const QRectF plate = paintToolWords(painter, {view.width() / 2.0, view.height() - margin}, text,
-                                        std::max(view.width() - 4.0 * margin, margin));
-    if (!refusal.isEmpty())
-        paintBadge(painter, {plate.left() - 12.0, plate.center().y()});
-}
-
-QString SurfaceCurveEditor::Private::hint() const
-{
-    const ShownCurve* curve = drawnCurve();
+    const ShownCurve* curve = layout.content().drawnCurve();
     if (curve == nullptr || curve->points.empty())
         return SurfaceCurveEditor::tr("Click on the body for the first point · drag to turn · Esc leaves");
-    if (hovered.kind == SurfaceCurvePart::Kind::Point)
+    if (look.hovered.kind == SurfaceCurvePart::Kind::Point)
         return SurfaceCurveEditor::tr("Click to close the curve");
     return SurfaceCurveEditor::tr("Click for points around the body · Return or a click on the first point "
                                   "closes · Backspace takes one back");
 }
 
-void SurfaceCurveEditor::paint(QPainter& painter) const
+} // namespace
+
+void paintSurfaceCurves(QPainter& painter, const SurfaceCurveLayout& layout, const SurfaceCurveLook& look)
 {
-    if (!d->active || !d->shape())
-        return;
-    painter.setRenderHint(QPainter::Antialiasing);
-    const auto count = static_cast<int>(d->curves.size());
-    std::vector<int> order;
-    order.reserve(d->curves.size());
-    for (int curve = 0; curve < count; ++curve)
-        order.push_back(curve);
-    std::stable_partition(order.begin(), order.end(), [this](int curve) { return !d->isInHand(curve); });
+    // What is worked on lies on top.
+    std::vector<int> order(layout.content().curves.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_partition(order.begin(), order.end(),
+                          [&](int curve) { return !stateOf(curve, layout, look).isInHand(); });
     QRectF all;
     for (const int curve : order)
-        all |= d->boxOf(curve);
-    std::vector<QRectF> taken{occupied()};
+        all |= layout.boxOf(curve);
+    std::vector<QRectF> taken{look.occupied};
     for (const int curve : order)
-        d->paintCurve(painter, curve);
+        paintCurve(painter, layout, curve, stateOf(curve, layout, look));
     for (const int curve : order)
-        d->paintName(painter, curve, all.center(), taken);
+        paintName(painter, layout, curve, stateOf(curve, layout, look), all.center(), taken);
     for (const int curve : order)
-        d->paintPoints(painter, curve);
-    if (d->mode == Mode::Draw)
-        d->paintDrawing(painter);
-    d->paintHint(painter);
+        paintCurvePoints(painter, layout, curve, look);
+}
+
+void paintSurfaceDrawing(QPainter& painter, const SurfaceCurveLayout& layout,
+                         const SurfaceCurveDrawing& drawing, const SurfaceCurveLook& look)
+{
+    const QColor accent = Theme::color(ColorRole::AccentText);
+    QPolygonF line;
+    const std::vector<QVector3D> places = linePlaces(layout.view(), layout.content().preview, {}, false);
+    for (std::size_t i = 0; i + 1 < places.size(); ++i)
+        line += pieceOf(layout.view(), places, i, false);
+    if (line.size() > 1)
+        paintToolLine(painter, line, accent, 2.0, Qt::DashLine);
+    if (!drawing.pointer() || look.hovered.kind != SurfaceCurvePart::Kind::None)
+        return;
+    if (const auto pixel = layout.view().project(drawing.pointer()->pick.point))
+        paintHandle(painter, line.isEmpty() ? *pixel : line.last(),
+                    {.form = drawing.hasCursor() ? HandleLook::Form::Diamond : HandleLook::Form::Circle,
+                     .radius = 4.0,
+                     .color = accent});
+}
+
+void paintSurfaceHint(QPainter& painter, const SurfaceCurveLayout& layout, const SurfaceCurveLook& look)
+{
+    const QString text = !look.refusal.isEmpty() ? look.refusal
+                         : look.isDrawing        ? drawingHint(layout, look)
+                                                 : QString();
+    if (text.isEmpty())
+        return;
+    constexpr double margin = 32.0; // pixels
+    const QSizeF& view = layout.view().size;
+    const QRectF plate = paintToolWords(painter, {view.width() / 2.0, view.height() - margin}, text,
+                                        std::max(view.width() - 4.0 * margin, margin));
+    if (!look.refusal.isEmpty())
+        paintBadge(painter, {plate.left() - 12.0, plate.center().y()});
 }
 
 } // namespace quadrille::widgets
