@@ -7,115 +7,120 @@
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/bodysurface.h"
 #include "editor/workspaces/variations/currentvariation.h"
-#include "editor/workspaces/variations/partcurveroute.h"
+#include "editor/workspaces/variations/partcurveactions.h"
+#include "editor/workspaces/variations/partcurvegestures.h"
+#include "editor/workspaces/variations/partcurvejobs.h"
+#include "editor/workspaces/variations/partcurveview.h"
 #include "editor/workspaces/variations/partedits.h"
 #include "editor/workspaces/view/sceneview.h"
-#include "model/geometry/curveedits.h"
 #include "widgets/theme/theme.h"
-#include "widgets/viewport/vtkview.h"
 
 #include <QAction>
-#include <algorithm>
-#include <utility>
 
 namespace quadrille {
 
-using widgets::ShownCurve;
+using widgets::MessageStrip;
 using widgets::SurfaceCurveEditor;
 using widgets::SurfaceCurvePart;
-
-namespace {
-
-std::vector<std::uint32_t> numbersOf(std::span<const VertexIndex> vertices)
-{
-    std::vector<std::uint32_t> numbers;
-    numbers.reserve(vertices.size());
-    for (const VertexIndex vertex : vertices)
-        numbers.push_back(vertex.value);
-    return numbers;
-}
-
-bool isWholeCurve(const SurfaceGraph& graph, std::span<const VertexIndex> vertices)
-{
-    const std::size_t count = vertices.size();
-    if (count < 3)
-        return false;
-    for (std::size_t i = 0; i < count; ++i)
-        if (vertices[i].value >= graph.vertexCount() ||
-            vertices[(i + 1) % count].value >= graph.vertexCount() ||
-            !graph.haveEdge(vertices[i], vertices[(i + 1) % count]))
-            return false;
-    return true;
-}
-
-} // namespace
 
 PartCurveTool::PartCurveTool(CurrentVariation& variation, QObject* parent)
     : QObject(parent)
     , m_variation(variation)
     , m_surface(new BodySurface(variation, this))
     , m_editor(new SurfaceCurveEditor(variation.view().viewport(), this))
-    , m_drawing(variation.context().settings.curveDrawing())
+    , m_content{.graph = {},
+                .body = {},
+                .cut = {},
+                .selected = {},
+                .drawing = variation.context().settings.curveDrawing()}
+    , m_gestures(new PartCurveGestures(m_content, *m_editor, this))
+    , m_jobs(new PartCurveJobs(m_content, variation.context().jobs, this))
+    , m_view(std::make_unique<PartCurveView>(m_content, variation.view(), *m_editor))
+    , m_actions(std::make_unique<PartCurveActions>(*this, m_content))
 {
     m_editor->setActive(false);
-    makeActions();
-    connectEditor();
+    connectParts();
     connect(&variation, &CurrentVariation::bodyChanged, this, &PartCurveTool::refresh);
     connect(m_surface, &BodySurface::changed, this, &PartCurveTool::refresh);
     connect(&variation.view().scene(), &ClipScene::changed, this, [this] {
-        refreshFigure();
-        refreshColors();
+        m_view->refreshFigure();
+        m_view->refreshColors();
     });
     connect(&variation.view().viewport(), &widgets::Viewport::figureChanged, this,
-            &PartCurveTool::frameFigure);
+            [this] { m_view->frameFigure(); });
     connect(&widgets::Theme::instance(), &widgets::Theme::changed, this, &PartCurveTool::refresh);
     retranslates(&variation.view(), [this] { refresh(); });
 }
 
 PartCurveTool::~PartCurveTool() = default;
 
+void PartCurveTool::connectParts()
+{
+    connect(m_editor, &SurfaceCurveEditor::curveRemovalRequested, this, [this](int curve) {
+        if (const PartCurveEntry* entry = m_content.curveAt(curve)) {
+            select({PartSelection::Kind::Curve, entry->curve.name});
+            removeSelected();
+        }
+    });
+    connect(m_editor, &SurfaceCurveEditor::modeChanged, this, &PartCurveTool::followMode);
+    connect(m_editor, &SurfaceCurveEditor::selectionChanged, this, &PartCurveTool::followSelection);
+    connect(m_editor, &SurfaceCurveEditor::contextMenuRequested, this,
+            [this](const SurfaceCurvePart& part, const QPoint& globalPosition) {
+                m_actions->showMenu(part, globalPosition);
+            });
+    connect(m_gestures, &PartCurveGestures::edited, this, &PartCurveTool::edit);
+    connect(m_jobs, &PartCurveJobs::begun, this, [this] { emit told({}); });
+    connect(m_jobs, &PartCurveJobs::busyChanged, this, [this] {
+        m_actions->refresh();
+        emit changed();
+    });
+    connect(m_jobs, &PartCurveJobs::failed, this, [this](const Error& error) {
+        const ErrorText why = describe(error);
+        emit told({MessageStrip::Kind::Error, why.sentence, why.remedy});
+    });
+    connect(m_jobs, &PartCurveJobs::computed, this, &PartCurveTool::take);
+}
+
 QString PartCurveTool::sentence(const Error& error)
 {
     return describe(error).sentence;
 }
 
+bool PartCurveTool::isBusy() const
+{
+    return m_jobs->isBusy();
+}
+
 void PartCurveTool::setActive(bool active)
 {
-    if (active == m_isActive)
+    if (active == m_view->isActive())
         return;
-    m_isActive = active;
-    widgets::Viewport& viewport = m_variation.view().viewport();
-    m_editor->setActive(active);
-    if (active)
-        viewport.setViewTool(m_editor);
-    else if (viewport.viewTool() == m_editor)
-        viewport.setViewTool(nullptr);
-    m_variation.view().setColoredByTool(active);
+    m_view->setActive(active);
     refresh();
 }
 
 void PartCurveTool::setSnaps(bool snaps)
 {
-    m_drawing.snaps = snaps;
+    m_content.drawing.snaps = snaps;
     m_variation.context().actions.action(QStringLiteral("variations.curve.snap"))->setChecked(snaps);
     keepDrawing();
 }
 
 void PartCurveTool::setSnapRadius(double metres)
 {
-    m_drawing.snapRadius = metres;
+    m_content.drawing.snapRadius = metres;
     keepDrawing();
 }
 
 void PartCurveTool::setOverlap(double metres)
 {
-    m_drawing.overlap = metres;
+    m_content.drawing.overlap = metres;
     keepDrawing();
 }
 
 void PartCurveTool::keepDrawing()
 {
-    m_variation.context().settings.setCurveDrawing(m_drawing);
+    m_variation.context().settings.setCurveDrawing(m_content.drawing);
     emit changed();
 }
 
@@ -126,215 +131,194 @@ void PartCurveTool::edit(const QString& text, const QString& property, const Edi
     m_variation.editBody(text, property, edit, phase);
 }
 
-std::vector<std::string> PartCurveTool::looseCurves() const
+void PartCurveTool::take(const QString& text, const BodyPartsEntry& body, const PartSelection& selection)
 {
-    return unusedCurves(curvesOf(m_body), partsOf(m_body));
-}
-
-double PartCurveTool::lengthOfCurve(const std::string& name) const
-{
-    const PartCurveEntry* entry = findCurve(m_body, name);
-    const auto graph = m_surface->graph();
-    return graph && entry != nullptr && isWholeCurve(*graph, entry->curve.vertices)
-               ? lengthOf(*graph, entry->curve.vertices)
-               : 0.0;
+    edit(text, QStringLiteral("parts"), [&body](BodyPartsEntry& before) { before = body; });
+    if (selection.kind != PartSelection::Kind::None)
+        select(selection);
 }
 
 void PartCurveTool::refresh()
 {
-    m_body = m_variation.body();
-    m_trial.reset();
+    m_content.body = m_variation.body();
     const auto graph = m_surface->graph();
-    if (graph != m_shownGraph) {
-        m_shownGraph = graph;
-        m_shown.clear();
-        m_symmetry.reset();
-        m_drag.reset();
+    const bool isOtherSurface = graph != m_content.graph;
+    m_gestures->forget(isOtherSurface);
+    if (isOtherSurface) {
+        m_content.graph = graph;
+        m_view->forgetSurface();
+        m_jobs->forgetSurface();
     }
-    m_cut = graph ? cutBody(*graph, m_body) : PartCut();
+    m_content.cut = graph ? cutBody(*graph, m_content.body) : PartCut();
+    const auto& problems = m_content.cut.problems;
     m_variation.context().bodies.set(
-        m_variation.character(),
-        m_cut.problems.empty() ? QString() : describe(m_cut.problems.front().error).oneLine());
-    const bool isGone =
-        (m_selected.kind == PartSelection::Kind::Curve && findCurve(m_body, m_selected.name) == nullptr) ||
-        (m_selected.kind == PartSelection::Kind::Part && findPart(m_body, m_selected.name) == nullptr);
+        m_variation.character(), problems.empty() ? QString() : describe(problems.front().error).oneLine());
+    const bool isThere = m_content.selectedCurve() != nullptr || m_content.selectedPart() != nullptr;
+    const bool isGone = m_content.selected.kind != PartSelection::Kind::None && !isThere;
     if (isGone)
-        m_selected = {};
-    refreshFigure();
-    refreshCurves();
-    refreshColors();
-    refreshActions();
+        m_content.selected = {};
+    m_view->refreshFigure();
+    m_view->refreshCurves(m_gestures->drawn());
+    m_view->refreshColors();
+    m_actions->refresh();
     if (isGone)
         emit selectionChanged();
     emit changed();
 }
 
-void PartCurveTool::refreshFigure()
-{
-    const widgets::Viewport& viewport = m_variation.view().viewport();
-    const ClipScene& scene = m_variation.view().scene();
-    int figure = -1;
-    for (const QString& name : scene.shown()) {
-        const auto shape = viewport.figureShape(scene.figureOf(name));
-        if (figure < 0 && shape && m_shownGraph && shape->mesh.vertexCount == m_shownGraph->vertexCount() &&
-            shape->mesh.triangles.size() == m_shownGraph->topology().triangles().size())
-            figure = scene.figureOf(name);
-    }
-    m_editor->setFigure(figure);
-    frameFigure();
-}
-
-/// The body instead of all its way, the first time that its parts are worked on.
-void PartCurveTool::frameFigure()
-{
-    widgets::Viewport& viewport = m_variation.view().viewport();
-    const auto shape = viewport.figureShape(m_editor->figure());
-    if (!m_isActive || m_framed == m_editor->figure() || !shape || shape->positions.empty())
-        return;
-    QVector3D lower = shape->place(0);
-    QVector3D upper = lower;
-    for (std::uint32_t vertex = 1; vertex < shape->mesh.vertexCount; ++vertex) {
-        const QVector3D place = shape->place(vertex);
-        for (int axis = 0; axis < 3; ++axis) {
-            lower[axis] = std::min(lower[axis], place[axis]);
-            upper[axis] = std::max(upper[axis], place[axis]);
-        }
-    }
-    if (lower == upper) // nothing was loaded yet
-        return;
-    m_framed = m_editor->figure();
-    m_variation.view().scene().keepCamera();
-    widgets::Turntable camera = viewport.camera();
-    camera.frame(lower, upper, viewport.size());
-    viewport.setCamera(camera);
-}
-
-ShownCurve PartCurveTool::shown(const PartCurveEntry& entry) const
-{
-    ShownCurve curve;
-    curve.name = QString::fromStdString(entry.curve.name);
-    curve.color = widgets::Theme::color(widgets::ColorRole::ViewportText);
-    const auto& vertices = entry.curve.vertices;
-    if (m_shownGraph && isWholeCurve(*m_shownGraph, vertices)) {
-        try {
-            SurfaceCurve route(m_shownGraph);
-            route.restore(entry.points.empty() ? guidesOf(m_shownGraph, vertices) : entry.points, vertices);
-            curve.vertices = numbersOf(route.vertices());
-            curve.points = route.places();
-            return curve;
-        } catch (const Error&) {
-            // It is shown as it is, below; what is wrong with it is said beside it.
-            curve.points.clear();
-        }
-    }
-    curve.isClosed = false;
-    for (const VertexIndex vertex : vertices.empty() ? entry.points : vertices)
-        if (m_shownGraph && vertex.value < m_shownGraph->vertexCount())
-            curve.vertices.push_back(vertex.value);
-    for (std::size_t i = 0; vertices.empty() && i < curve.vertices.size(); ++i)
-        curve.points.push_back(i);
-    return curve;
-}
-
-void PartCurveTool::refreshCurves()
-{
-    std::map<std::string, std::pair<PartCurveEntry, ShownCurve>> now;
-    std::vector<ShownCurve> curves;
-    for (const PartCurveEntry& entry : m_body.curves) {
-        const auto before = m_shown.find(entry.curve.name);
-        ShownCurve curve =
-            before != m_shown.end() && before->second.first == entry ? before->second.second : shown(entry);
-        now[entry.curve.name] = {entry, curve};
-        curve.color = widgets::Theme::color(widgets::ColorRole::ViewportText);
-        if (const PartProblem* problem = m_cut.problemOfCurve(entry.curve.name))
-            curve.problem = sentence(problem->error);
-        curves.push_back(std::move(curve));
-    }
-    m_shown = std::move(now);
-    m_editor->setCurves(std::move(curves));
-    m_editor->setDrawn(indexOf(m_drawn));
-    // Undo may put another curve in the place of the selected one.
-    if (selectedCurve() != nullptr && m_editor->selected().curve != indexOf(m_selected.name))
-        m_editor->setSelected({SurfaceCurvePart::Kind::Curve, indexOf(m_selected.name), 0});
-}
-
-void PartCurveTool::refreshColors()
-{
-    widgets::Viewport& viewport = m_variation.view().viewport();
-    const auto shape = viewport.figureShape(m_editor->figure());
-    if (!shape)
-        return;
-    PartColors colors;
-    if (m_isActive)
-        colors = partColors(m_cut, m_body, shape->mesh.triangles.size(), tr("Body parts"),
-                            tr("shared by two, lighter"));
-    viewport.setTriangleColors(m_editor->figure(), colors.triangles, colors.key);
-}
-
-const PartCurveEntry* PartCurveTool::curveAt(int index) const
-{
-    return index >= 0 && index < static_cast<int>(m_body.curves.size())
-               ? &m_body.curves[static_cast<std::size_t>(index)]
-               : nullptr;
-}
-
-int PartCurveTool::indexOf(const std::string& curve) const
-{
-    const auto found = std::find_if(m_body.curves.begin(), m_body.curves.end(),
-                                    [&](const PartCurveEntry& entry) { return entry.curve.name == curve; });
-    return found == m_body.curves.end() ? -1 : static_cast<int>(found - m_body.curves.begin());
-}
-
-const PartCurveEntry* PartCurveTool::selectedCurve() const
-{
-    return m_selected.kind == PartSelection::Kind::Curve ? findCurve(m_body, m_selected.name) : nullptr;
-}
-
 void PartCurveTool::select(const PartSelection& selection)
 {
-    if (selection == m_selected)
+    if (selection == m_content.selected)
         return;
-    m_selected = selection;
+    m_content.selected = selection;
     if (selection.kind == PartSelection::Kind::Curve) {
-        const SurfaceCurvePart part{SurfaceCurvePart::Kind::Curve, indexOf(selection.name), 0};
+        const SurfaceCurvePart part{SurfaceCurvePart::Kind::Curve, m_content.indexOf(selection.name), 0};
         if (m_editor->selected().kind == SurfaceCurvePart::Kind::None ||
             m_editor->selected().curve != part.curve)
             m_editor->setSelected(part);
     } else {
         m_editor->setSelected({});
     }
-    refreshActions();
+    m_actions->refresh();
     emit selectionChanged();
+}
+
+void PartCurveTool::followMode(SurfaceCurveEditor::Mode mode)
+{
+    if (mode == SurfaceCurveEditor::Mode::Edit)
+        m_gestures->finishDrawing();
+    m_actions->refresh();
+    emit changed();
 }
 
 void PartCurveTool::followSelection()
 {
     const SurfaceCurvePart& part = m_editor->selected();
     if (part.kind != SurfaceCurvePart::Kind::None) {
-        if (const PartCurveEntry* entry = curveAt(part.curve))
+        if (const PartCurveEntry* entry = m_content.curveAt(part.curve))
             select({PartSelection::Kind::Curve, entry->curve.name});
-    } else if (m_selected.kind == PartSelection::Kind::Curve) {
+    } else if (m_content.selected.kind == PartSelection::Kind::Curve) {
         select({});
     }
-    describeSelection();
+    m_view->describeSelection();
 }
 
-/// For those who cannot see the handles.
-void PartCurveTool::describeSelection()
+void PartCurveTool::propose()
 {
-    const SurfaceCurvePart& part = m_editor->selected();
-    const PartCurveEntry* entry = curveAt(part.curve);
-    QString text;
-    if (entry != nullptr && part.kind == SurfaceCurvePart::Kind::Point)
-        text = tr("Point %1 of the curve “%2”")
-                   .arg(part.point + 1)
-                   .arg(QString::fromStdString(entry->curve.name));
-    else if (entry != nullptr && part.kind == SurfaceCurvePart::Kind::Curve)
-        text = tr("Curve “%1”").arg(QString::fromStdString(entry->curve.name));
-    if (const PartProblem* problem = text.isEmpty() ? nullptr : m_cut.problemOfCurve(entry->curve.name))
-        text += QStringLiteral(". ") + sentence(problem->error);
-    if (widgets::VtkView* view = m_variation.view().viewport().view())
-        view->setAccessibleDescription(text);
+    const auto pose = m_surface->pose();
+    const EditorContext& context = m_variation.context();
+    const MeshSequence* sequence =
+        pose ? context.media.sequence(QString::fromStdString(pose->sequence)) : nullptr;
+    if (sequence == nullptr || !m_content.graph)
+        return;
+    emit panelRequested();
+    m_jobs->propose(sequence->topology, context.document.project().settings.axes.up);
+}
+
+void PartCurveTool::draw()
+{
+    using Mode = widgets::SurfaceCurveEditor::Mode;
+    EditorContext& context = m_variation.context();
+    context.actions.action(QStringLiteral("workspace.variations"))->trigger();
+    context.actions.action(QStringLiteral("variations.parts.show"))->setChecked(true);
+    emit panelRequested();
+    m_variation.view().player().pause(); // what is clicked on is to stand still
+    m_editor->setMode(m_editor->mode() == Mode::Draw ? Mode::Edit : Mode::Draw);
+    m_variation.view().viewport().setTool(widgets::Viewport::Tool::Navigate);
+    m_variation.view().viewport().setFocus();
+}
+
+void PartCurveTool::addPart()
+{
+    const std::vector<std::string> curves = m_content.curvesForPart();
+    if (curves.empty())
+        return;
+    const PartCurveEntry first = *findCurve(m_content.body, curves.front());
+    const NewPart part{.name = freePartName(m_content.body, tr("part").toStdString()),
+                       .root = tr("body").toStdString(),
+                       .parent = m_content.cut.partOf(first.curve.vertices),
+                       .curve = first};
+    if (curves.size() < 2) {
+        m_jobs->addPart(part);
+        return;
+    }
+    edit(tr("Add a part"), QStringLiteral("parts"),
+         [&](BodyPartsEntry& body) { quadrille::addPart(body, part.name, part.root, part.parent, curves); });
+    select({PartSelection::Kind::Part, part.name});
+}
+
+void PartCurveTool::addSecondCurve()
+{
+    m_jobs->addSecondCurve();
+}
+
+void PartCurveTool::mirror()
+{
+    m_jobs->mirror();
+}
+
+void PartCurveTool::shorten()
+{
+    m_jobs->shorten();
+}
+
+void PartCurveTool::removeSelected()
+{
+    const QString name = QString::fromStdString(m_content.selected.name);
+    if (m_content.selected.kind == PartSelection::Kind::Part) {
+        edit(tr("Delete a part"), QStringLiteral("parts"),
+             [part = m_content.selected.name](BodyPartsEntry& body) { removePart(body, part); });
+        return;
+    }
+    if (m_content.selectedCurve() == nullptr)
+        return;
+    const std::vector<std::string> users = partsWith(m_content.body, m_content.selected.name);
+    edit(tr("Delete a curve"), QStringLiteral("curves"),
+         [curve = m_content.selected.name](BodyPartsEntry& body) { removeCurve(body, curve); });
+    if (!users.empty())
+        emit told({MessageStrip::Kind::Warning,
+                   tr("The curve “%1” bounded the part “%2”, which lacks a curve now.")
+                       .arg(name, QString::fromStdString(users.front())),
+                   tr("Undo, draw another one, or choose one for the part.")});
+}
+
+bool PartCurveTool::rename(const PartSelection& which, const QString& name)
+{
+    const std::string wanted = name.trimmed().toStdString();
+    if (wanted.empty() || wanted == which.name)
+        return wanted == which.name;
+    const bool isCurve = which.kind == PartSelection::Kind::Curve;
+    const bool isTaken =
+        isCurve ? findCurve(m_content.body, wanted) != nullptr : findPart(m_content.body, wanted) != nullptr;
+    if (isTaken) {
+        emit told({MessageStrip::Kind::Error,
+                   (isCurve ? tr("There is a curve “%1” already.") : tr("There is a part “%1” already."))
+                       .arg(name.trimmed()),
+                   tr("Choose another name.")});
+        return false;
+    }
+    const PartSelection renamed{which.kind, wanted};
+    const bool wasSelected = m_content.selected == which;
+    edit(isCurve ? tr("Rename a curve") : tr("Rename a part"), QStringLiteral("names"),
+         [&](BodyPartsEntry& body) {
+             if (isCurve)
+                 renameCurve(body, which.name, wanted);
+             else
+                 renamePart(body, which.name, wanted);
+         });
+    if (wasSelected)
+        select(renamed);
+    return true;
+}
+
+void PartCurveTool::takeShownPose()
+{
+    const ClipScene& scene = m_variation.view().scene();
+    if (scene.shown().isEmpty())
+        return;
+    const NamedFrame pose{.sequence = scene.shown().back().toStdString(), .frame = scene.frame()};
+    edit(tr("Choose the pose that curves are drawn in"), QStringLiteral("pose"),
+         [&pose](BodyPartsEntry& body) { body.pose = pose; });
 }
 
 } // namespace quadrille
