@@ -48,7 +48,7 @@ double numberIn(const DataArray& column, std::size_t row)
 {
     return std::visit(
         [row](const auto& values) -> double {
-            if constexpr (std::is_same_v<std::decay_t<decltype(values)>, std::vector<std::string>>)
+            if constexpr (std::is_same_v<std::decay_t<decltype(values)>, TextColumn>)
                 return std::numeric_limits<double>::quiet_NaN();
             else
                 return static_cast<double>(values[row]);
@@ -58,12 +58,12 @@ double numberIn(const DataArray& column, std::size_t row)
 
 bool isText(const DataArray& column)
 {
-    return std::holds_alternative<std::vector<std::string>>(column.values);
+    return std::holds_alternative<TextColumn>(column.values);
 }
 
 QString textIn(const DataArray& column, std::size_t row)
 {
-    return evaluationWord(QString::fromStdString(std::get<std::vector<std::string>>(column.values)[row]));
+    return evaluationWord(QString::fromStdString(std::get<TextColumn>(column.values)[row]));
 }
 
 bool isSameEverywhere(const DataArray& column)

@@ -36,7 +36,7 @@ QVariant cellOf(const DataArray& column, std::size_t row)
 
 bool isTextColumn(const DataArray& column)
 {
-    return std::holds_alternative<std::vector<std::string>>(column.values);
+    return std::holds_alternative<TextColumn>(column.values);
 }
 
 /// A unit, where it is a word in the user's language.

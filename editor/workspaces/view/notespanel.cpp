@@ -22,7 +22,7 @@ enum Column
 {
     FrameColumn,
     TimeColumn,
-    TextColumn,
+    WordsColumn,
     ColumnCount
 };
 
@@ -64,8 +64,8 @@ void NotesPanel::refresh(double fps)
         const int frame = m_notes.frameOf(note);
         item->setText(FrameColumn, QString::number(frame));
         item->setText(TimeColumn, widgets::timeText(frame / fps));
-        item->setText(TextColumn, QString::fromStdString(note.text));
-        item->setToolTip(TextColumn, item->text(TextColumn));
+        item->setText(WordsColumn, QString::fromStdString(note.text));
+        item->setToolTip(WordsColumn, item->text(WordsColumn));
         for (const int column : {FrameColumn, TimeColumn})
             item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }

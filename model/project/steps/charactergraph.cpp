@@ -76,7 +76,7 @@ Stances stancesOf(const Result& result)
     };
     Stances stances;
     const DataTable& feet = result.tables.front();
-    const auto& names = std::get<std::vector<std::string>>(feet.columns[0].values);
+    const auto& names = std::get<TextColumn>(feet.columns[0].values);
     const auto& counts = std::get<std::vector<std::int64_t>>(feet.columns[1].values);
     auto vertex = wholes("foot-vertices").begin();
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -133,7 +133,7 @@ Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nod
     const auto& from = std::get<std::vector<std::int64_t>>(table->columns[0].values);
     const auto& to = std::get<std::vector<std::int64_t>>(table->columns[1].values);
     const auto& weight = std::get<std::vector<double>>(table->columns[2].values);
-    const auto& kind = std::get<std::vector<std::string>>(table->columns[3].values);
+    const auto& kind = std::get<TextColumn>(table->columns[3].values);
     std::vector<Edge> edges;
     edges.reserve(from.size());
     for (std::size_t e = 0; e < from.size(); ++e)

@@ -109,7 +109,7 @@ GpdmLearning learningOf(const Result& model)
     GpdmLearning learning{.state = stateOf(model), .objective = doublesOf(model, "objective")};
     const DataTable& learned = model.tables.back();
     const auto text = [&](std::size_t column) {
-        return std::get<std::vector<std::string>>(learned.columns.at(column).values).at(0);
+        return std::get<TextColumn>(learned.columns.at(column).values).at(0);
     };
     constexpr std::size_t stopColumn = 0;
     constexpr std::size_t boundsColumn = 3;

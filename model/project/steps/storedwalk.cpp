@@ -121,7 +121,7 @@ DataTable reportTable(const AnimationEntry& animation, const CharacterGraph& gra
 Walk spansOf(const Result& result, const CharacterGraph& graph)
 {
     const DataTable& table = result.tables.front();
-    const auto& sequences = std::get<std::vector<std::string>>(table.columns[0].values);
+    const auto& sequences = std::get<TextColumn>(table.columns[0].values);
     const auto& first = std::get<std::vector<std::int64_t>>(table.columns[1].values);
     const auto& last = std::get<std::vector<std::int64_t>>(table.columns[2].values);
     Walk walk;
@@ -135,8 +135,8 @@ class ReportReader
 {
 public:
     ReportReader(const DataTable& report, double fps)
-        : m_what(std::get<std::vector<std::string>>(report.columns[0].values))
-        , m_name(std::get<std::vector<std::string>>(report.columns[1].values))
+        : m_what(std::get<TextColumn>(report.columns[0].values))
+        , m_name(std::get<TextColumn>(report.columns[1].values))
         , m_obtained(std::get<std::vector<double>>(report.columns[3].values))
         , m_fps(fps)
     {
@@ -177,8 +177,8 @@ public:
     }
 
 private:
-    const std::vector<std::string>& m_what;
-    const std::vector<std::string>& m_name;
+    const TextColumn& m_what;
+    const TextColumn& m_name;
     const std::vector<double>& m_obtained;
     double m_fps;
 };

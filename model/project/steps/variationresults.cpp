@@ -152,7 +152,7 @@ std::vector<std::vector<SampleSpread>> spreadsOf(const Result& samples, std::siz
     };
     const auto& set = std::get<std::vector<std::int64_t>>(column("samples"));
     const auto& share = std::get<std::vector<double>>(column("spread"));
-    const auto& reference = std::get<std::vector<std::string>>(column("spread-of-takes"));
+    const auto& reference = std::get<TextColumn>(column("spread-of-takes"));
     std::vector<std::vector<SampleSpread>> spreads(sets);
     for (std::size_t chain = 0; chain < set.size(); ++chain)
         spreads.at(static_cast<std::size_t>(set[chain] - 1))
@@ -206,14 +206,6 @@ Result selectionResult(const VariationEntry& entry, const std::vector<VariationS
 
 namespace {
 
-/// A column of a table by its name. \pre There is one of this type.
-template <typename Value>
-const std::vector<Value>& columnOf(const DataTable& table, const std::string& name)
-{
-    const auto found = std::ranges::find(table.columns, name, &DataArray::name);
-    return std::get<std::vector<Value>>(found->values);
-}
-
 /// As faultsText writes them.
 std::vector<VariationFault> faultsOf(const std::string& text)
 {
@@ -230,11 +222,11 @@ std::vector<VariationFault> faultsOf(const std::string& text)
 std::vector<VariationSelection> selectionsOf(const Result& selection, const VariationEntry& entry)
 {
     const DataTable& report = selection.tables.front();
-    const auto& numbers = columnOf<std::int64_t>(report, "variation");
-    const auto& candidates = columnOf<std::int64_t>(report, "candidate");
-    const auto& faults = columnOf<std::string>(report, "faults");
-    const auto& skates = columnOf<double>(report, "skate");
-    const auto& volumes = columnOf<double>(report, "volume-change");
+    const auto& numbers = columnNamed<std::vector<std::int64_t>>(report, "variation");
+    const auto& candidates = columnNamed<std::vector<std::int64_t>>(report, "candidate");
+    const auto& faults = columnNamed<TextColumn>(report, "faults");
+    const auto& skates = columnNamed<std::vector<double>>(report, "skate");
+    const auto& volumes = columnNamed<std::vector<double>>(report, "volume-change");
     std::vector<VariationSelection> sets;
     std::int64_t before = 0;
     for (std::size_t row = 0; row < numbers.size(); ++row) {
@@ -246,17 +238,21 @@ std::vector<VariationSelection> selectionsOf(const Result& selection, const Vari
         Candidate& candidate = sets.back().candidates.emplace_back();
         candidate.number = numbers[row] > 0 ? static_cast<int>(numbers[row] - before) : 0;
         candidate.faults = faultsOf(faults[row]);
-        candidate.quality.meanPoseDistance = columnOf<double>(report, "mean-pose-distance")[row];
-        candidate.quality.worstPoseDistance = columnOf<double>(report, "worst-pose-distance")[row];
+        candidate.quality.meanPoseDistance =
+            columnNamed<std::vector<double>>(report, "mean-pose-distance")[row];
+        candidate.quality.worstPoseDistance =
+            columnNamed<std::vector<double>>(report, "worst-pose-distance")[row];
         // Where nothing stands there is no skate to measure: it is 0.
         if (skates[row] != 0)
             candidate.quality.skate = skates[row];
         candidate.quality.volumeChange = volumes[row];
-        candidate.quality.collapse = columnOf<double>(report, "collapse")[row];
-        candidate.quality.sink = columnOf<double>(report, "sink")[row];
-        candidate.quality.takeSkate = columnOf<double>(report, "take-skate")[row];
-        candidate.quality.intersections = columnOf<std::int64_t>(report, "intersections")[row];
-        candidate.quality.takeIntersections = columnOf<std::int64_t>(report, "take-intersections")[row];
+        candidate.quality.collapse = columnNamed<std::vector<double>>(report, "collapse")[row];
+        candidate.quality.sink = columnNamed<std::vector<double>>(report, "sink")[row];
+        candidate.quality.takeSkate = columnNamed<std::vector<double>>(report, "take-skate")[row];
+        candidate.quality.intersections =
+            columnNamed<std::vector<std::int64_t>>(report, "intersections")[row];
+        candidate.quality.takeIntersections =
+            columnNamed<std::vector<std::int64_t>>(report, "take-intersections")[row];
         if (candidate.isAccepted())
             sets.back().accepted.push_back(static_cast<int>(candidates[row]));
     }
@@ -266,8 +262,8 @@ std::vector<VariationSelection> selectionsOf(const Result& selection, const Vari
 std::optional<int> candidateOf(const Result& selection, int number)
 {
     const DataTable& report = selection.tables.front();
-    const auto& numbers = columnOf<std::int64_t>(report, "variation");
-    const auto& candidates = columnOf<std::int64_t>(report, "candidate");
+    const auto& numbers = columnNamed<std::vector<std::int64_t>>(report, "variation");
+    const auto& candidates = columnNamed<std::vector<std::int64_t>>(report, "candidate");
     const auto found = std::find(numbers.begin(), numbers.end(), number);
     if (found == numbers.end())
         return std::nullopt;

@@ -18,14 +18,6 @@ namespace quadrille {
 
 namespace {
 
-template <typename Value>
-const std::vector<Value>& columnNamed(const DataTable& table, const std::string& name)
-{
-    const auto column = std::find_if(table.columns.begin(), table.columns.end(),
-                                     [&](const DataArray& each) { return each.name == name; });
-    return std::get<std::vector<Value>>(column->values);
-}
-
 } // namespace
 
 std::optional<TakeVariation> takeVariation(const std::string& clip, const Result& result,
@@ -34,8 +26,8 @@ std::optional<TakeVariation> takeVariation(const std::string& clip, const Result
     if (result.tables.empty())
         return std::nullopt;
     const DataTable& frames = result.tables.front();
-    const auto& sequences = columnNamed<std::string>(frames, "sequence");
-    const auto& sources = columnNamed<std::int64_t>(frames, "source-frame");
+    const auto& sequences = columnNamed<TextColumn>(frames, "sequence");
+    const auto& sources = columnNamed<std::vector<std::int64_t>>(frames, "source-frame");
     TakeVariation variation{.name = clip,
                             .first = graph.node({sequences.front(), FrameIndex(sources.front())}),
                             .last = graph.node({sequences.back(), FrameIndex(sources.back())}),

@@ -112,8 +112,8 @@ std::optional<Clip> clipOf(const Result& result, std::span<const MeshSequence> s
     clip.positions.resize(values.size() / 3);
     for (std::size_t v = 0; v < clip.positions.size(); ++v)
         clip.positions[v] = Vec3f(values[3 * v], values[3 * v + 1], values[3 * v + 2]);
-    const auto texts = [&](Column which) -> const std::vector<std::string>& {
-        return std::get<std::vector<std::string>>(column(result, which).values);
+    const auto texts = [&](Column which) -> const TextColumn& {
+        return std::get<TextColumn>(column(result, which).values);
     };
     const auto frames = [&](Column which) -> const std::vector<std::int64_t>& {
         return std::get<std::vector<std::int64_t>>(column(result, which).values);

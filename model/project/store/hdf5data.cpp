@@ -24,7 +24,7 @@ Hdf5Handle textType(std::size_t size)
 }
 
 /// Texts one after the other, each `size` bytes.
-std::vector<char> packTexts(const std::vector<std::string>& texts, std::size_t size)
+std::vector<char> packTexts(const TextColumn& texts, std::size_t size)
 {
     std::vector<char> packed(std::max<std::size_t>(texts.size() * size, 1));
     for (std::size_t i = 0; i < texts.size(); ++i)
@@ -32,21 +32,22 @@ std::vector<char> packTexts(const std::vector<std::string>& texts, std::size_t s
     return packed;
 }
 
-std::vector<std::string> unpackTexts(const std::vector<char>& packed, std::size_t size)
+TextColumn unpackTexts(const std::vector<char>& packed, std::size_t size)
 {
-    std::vector<std::string> texts;
+    TextColumn texts;
+    texts.reserve(packed.size() / size);
     for (std::size_t at = 0; at + size <= packed.size(); at += size) {
         std::string text(packed.data() + at, size);
         text.erase(text.find_last_not_of('\0') + 1);
-        texts.push_back(std::move(text));
+        texts.push_back(text);
     }
     return texts;
 }
 
-std::size_t longest(const std::vector<std::string>& texts)
+std::size_t longest(const TextColumn& texts)
 {
     std::size_t size = 1;
-    for (const std::string& text : texts)
+    for (const std::string& text : texts.words())
         size = std::max(size, text.size());
     return size;
 }
@@ -109,7 +110,7 @@ std::vector<std::string> readTexts(hid_t object, const char* name)
         throw Failure{};
     std::vector<char> packed(count * size);
     check(H5Aread(attribute.id(), type.id(), packed.data()));
-    return unpackTexts(packed, size);
+    return unpackTexts(packed, size).list();
 }
 
 template <typename T>

@@ -14,8 +14,8 @@ std::size_t valueCount(const DataValues& values)
 std::uint64_t bytesOf(const Result& result)
 {
     const auto bytesOfArray = [](const DataArray& array) -> std::uint64_t {
-        if (const auto* texts = std::get_if<std::vector<std::string>>(&array.values))
-            return texts->size() * sizeof(std::string);
+        if (const auto* texts = std::get_if<TextColumn>(&array.values))
+            return texts->bytes();
         return std::visit(
             [](const auto& list) {
                 return list.size() * sizeof(typename std::decay_t<decltype(list)>::value_type);

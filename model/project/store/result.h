@@ -3,7 +3,9 @@
 #pragma once
 
 #include "model/core/sharedtable.h"
+#include "model/project/store/textcolumn.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -15,9 +17,9 @@ namespace quadrille {
 /// Numbers or texts of one type, row-major. Of all pairs of frames they are tables that are shared: numbers
 /// of single precision, or counts, where 0 says that there is none (for those who read data, ∞). A matrix of
 /// single precision is always such a table.
-using DataValues = std::variant<std::vector<float>, std::vector<double>, std::vector<std::int64_t>,
-                                std::vector<std::uint8_t>, std::vector<std::string>, SharedTable<float>,
-                                SharedTable<std::uint16_t>>;
+using DataValues =
+    std::variant<std::vector<float>, std::vector<double>, std::vector<std::int64_t>,
+                 std::vector<std::uint8_t>, TextColumn, SharedTable<float>, SharedTable<std::uint16_t>>;
 
 /// A named array with its shape and unit.
 struct DataArray
@@ -63,6 +65,14 @@ struct Result
 };
 
 using ResultPointer = std::shared_ptr<const Result>;
+
+/// The values of a table's column. \param Column  an alternative of DataValues. \pre There is one of this
+/// name and type.
+template <typename Column>
+const Column& columnNamed(const DataTable& table, const std::string& name)
+{
+    return std::get<Column>(std::ranges::find(table.columns, name, &DataArray::name)->values);
+}
 
 std::size_t valueCount(const DataValues& values);
 /// Bytes that a result takes, about.

@@ -57,8 +57,8 @@ DataTable filesTable(const std::vector<WrittenFile>& files)
 std::vector<WrittenFile> filesOf(const DataTable& table)
 {
     std::vector<WrittenFile> files;
-    const auto& paths = std::get<std::vector<std::string>>(table.columns.at(0).values);
-    const auto& hashes = std::get<std::vector<std::string>>(table.columns.at(1).values);
+    const auto& paths = std::get<TextColumn>(table.columns.at(0).values);
+    const auto& hashes = std::get<TextColumn>(table.columns.at(1).values);
     for (std::size_t i = 0; i < std::min(paths.size(), hashes.size()); ++i)
         files.push_back({paths[i], hashes[i]});
     return files;

@@ -3,6 +3,7 @@
 #include "model/project/store/tablebuilder.h"
 
 #include <cassert>
+#include <type_traits>
 
 namespace quadrille {
 
@@ -37,7 +38,9 @@ void TableBuilder::add(std::span<const Cell> cells)
         std::visit(
             [&](const auto& value) {
                 using Value = std::decay_t<decltype(value)>;
-                std::get<std::vector<Value>>(column->values).push_back(value);
+                using Column =
+                    std::conditional_t<std::is_same_v<Value, std::string>, TextColumn, std::vector<Value>>;
+                std::get<Column>(column->values).push_back(value);
             },
             cell);
         ++column->shape.front();

@@ -76,9 +76,9 @@ NpyColumn npyColumn(const DataValues& values)
 {
     static constexpr std::array<const char*, std::variant_size_v<DataValues>> types{
         "<f4", "<f8", "<i8", "|u1", "", "<f4", "<f4"};
-    if (const auto* texts = std::get_if<std::vector<std::string>>(&values)) {
+    if (const auto* texts = std::get_if<TextColumn>(&values)) {
         std::size_t width = 1;
-        for (const std::string& text : *texts)
+        for (const std::string& text : texts->words())
             width = std::max(width, codePoints(text).size());
         return {"<U" + std::to_string(width), [texts, width](std::string& out, std::size_t row) {
                     std::u32string points = codePoints((*texts)[row]);
@@ -90,7 +90,7 @@ NpyColumn npyColumn(const DataValues& values)
     return {types.at(values.index()), [&values](std::string& out, std::size_t row) {
                 std::visit(
                     [&](const auto& list) {
-                        if constexpr (!std::is_same_v<std::decay_t<decltype(list)>, std::vector<std::string>>)
+                        if constexpr (!std::is_same_v<std::decay_t<decltype(list)>, TextColumn>)
                             appendBytes(out, given(list[row]));
                     },
                     values);

@@ -66,7 +66,11 @@ protected:
     std::vector<Value> column(const std::string& table, const std::string& name)
     {
         for (const DataArray& column : this->table(table).columns) {
-            if (column.name == name)
+            if (column.name != name)
+                continue;
+            if constexpr (std::is_same_v<Value, std::string>)
+                return std::get<TextColumn>(column.values).list();
+            else
                 return std::get<std::vector<Value>>(column.values);
         }
         ADD_FAILURE() << "no column " << name;

@@ -64,7 +64,7 @@ private:
             std::vector<std::string> words{name};
             for (const std::string& input : from) {
                 const auto result = context.resultOf(input);
-                const auto& earlier = std::get<std::vector<std::string>>(result->arrays.at(0).values);
+                const auto& earlier = std::get<TextColumn>(result->arrays.at(0).values);
                 words.insert(words.end(), earlier.begin(), earlier.end());
             }
             Result result;
@@ -101,8 +101,7 @@ TEST_F(Rebuild, ComputesEverythingOnceAndNothingTwice)
     EXPECT_EQ(run().count(StepState::Computed), 4U);
     EXPECT_THAT(steps.takeRuns(), ElementsAre(1, 1, 1, 1));
     const Result last = readResultFile(resultOf("b/two"));
-    EXPECT_THAT(std::get<std::vector<std::string>>(last.arrays[0].values),
-                ElementsAre("b/two", "b/one", "a"));
+    EXPECT_THAT(std::get<TextColumn>(last.arrays[0].values), ElementsAre("b/two", "b/one", "a"));
     EXPECT_EQ(run().count(StepState::Fresh), 4U);
     EXPECT_THAT(steps.takeRuns(), ElementsAre(0, 0, 0, 0));
 }
