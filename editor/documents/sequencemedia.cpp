@@ -73,7 +73,7 @@ bool SequenceMedia::isLoading() const
 void SequenceMedia::retry(const QString& name)
 {
     Item* const item = find<Item>(name);
-    if (item != nullptr && (item->phase == ResultPhase::Failed || item->phase == ResultPhase::Idle))
+    if (item != nullptr && item->phase == ResultPhase::Failed)
         open(name, *item);
 }
 
@@ -182,6 +182,12 @@ void SequenceMedia::open(const QString& name, Item& item)
             done.opened = std::move(opened);
             shape(done);
         });
+}
+
+void SequenceMedia::stopped(const QString& /*name*/, ResultState& state)
+{
+    state.phase = ResultPhase::Failed;
+    state.error = Error(ErrorCode::Cancelled);
 }
 
 void SequenceMedia::shape(Item& item)

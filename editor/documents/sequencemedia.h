@@ -41,7 +41,7 @@ public:
     FrameRange usedFrames(const QString& name) const;
     /// The range in source frames that stands for frames of the untrimmed sequence; empty for all of them.
     std::optional<FrameRange> sourceRange(const QString& name, FrameRange used) const;
-    /// Opens a failed sequence again.
+    /// Opens a sequence again that failed or was stopped.
     void retry(const QString& name);
     /// Opens those sequences again that show clips of animations which were computed meanwhile.
     void refresh() { updateNow(); }
@@ -71,6 +71,8 @@ private:
 
     void follow(const ChangeEvent& event) override;
     void update() override;
+    /// It is not there: that is an error to those who look.
+    void stopped(const QString& name, ResultState& state) override;
     static std::shared_ptr<const OpenedSequence>
     openWhole(const Source& source, const std::shared_ptr<SourceCache>& sources, const Progress& progress);
     void open(const QString& name, Item& item);

@@ -131,6 +131,21 @@ private slots:
         QTRY_COMPARE(state("stroll"), ResultPhase::Failed);
         QTRY_COMPARE(state("part"), ResultPhase::Failed);
     }
+
+    void canBeOpenedAgainAfterItWasStopped()
+    {
+        QTRY_COMPARE(state("walk"), ResultPhase::Ready);
+        Project project = m_document->project();
+        project.settings.axes.up = UpAxis::Z; // all are opened anew
+        m_document->reset(project);
+        m_jobs->cancelAll();
+        QTRY_COMPARE(state("walk"), ResultPhase::Failed);
+        QCOMPARE(m_media->resultState("walk")->error->code(), ErrorCode::Cancelled);
+        QVERIFY(m_media->sequence("walk") == nullptr);
+        m_media->retry("walk");
+        QTRY_COMPARE(state("walk"), ResultPhase::Ready);
+        QVERIFY(!m_media->resultState("walk")->error);
+    }
 };
 
 } // namespace quadrille
