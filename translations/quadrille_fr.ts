@@ -3045,13 +3045,6 @@
     </message>
 </context>
 <context>
-    <name>quadrille::AnimationResults</name>
-    <message>
-        <source>Animation “%1”</source>
-        <translation>Animation «&#xa0;%1&#xa0;»</translation>
-    </message>
-</context>
-<context>
     <name>quadrille::AnimationPage</name>
     <message>
         <source>Whose sequences the animation is made of</source>
@@ -3266,6 +3259,13 @@
     <message>
         <source>Proven best in the Essential graph</source>
         <translation>Meilleur prouvé dans le graphe essentiel</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AnimationResults</name>
+    <message>
+        <source>Animation “%1”</source>
+        <translation>Animation «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -4083,17 +4083,6 @@
     </message>
 </context>
 <context>
-    <name>quadrille::EvaluationResults</name>
-    <message>
-        <source>Looking for evaluations</source>
-        <translation>Recherche d’évaluations</translation>
-    </message>
-    <message>
-        <source>Evaluation “%1”</source>
-        <translation>Évaluation « %1 »</translation>
-    </message>
-</context>
-<context>
     <name>quadrille::EvaluationPanel</name>
     <message>
         <source>What was measured</source>
@@ -4218,6 +4207,17 @@
     <message>
         <source>Comma-separated values (*.csv)</source>
         <translation>Valeurs séparées par des virgules (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::EvaluationResults</name>
+    <message>
+        <source>Looking for evaluations</source>
+        <translation>Recherche d’évaluations</translation>
+    </message>
+    <message>
+        <source>Evaluation “%1”</source>
+        <translation>Évaluation « %1 »</translation>
     </message>
 </context>
 <context>
@@ -4728,10 +4728,6 @@
     <message>
         <source>Graphs</source>
         <translation>Graphes</translation>
-    </message>
-    <message>
-        <source>Path costs</source>
-        <translation>Coûts des chemins</translation>
     </message>
     <message>
         <source>Gaps of the graphs</source>
@@ -11090,21 +11086,6 @@ maximal %2</translation>
     </message>
 </context>
 <context>
-    <name>quadrille::VariationResults</name>
-    <message>
-        <source>Aligning “%1”</source>
-        <translation>Alignement de «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Learning “%1”</source>
-        <translation>Apprentissage de «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Drawing “%1”</source>
-        <translation>Tirage de «&#xa0;%1&#xa0;»</translation>
-    </message>
-</context>
-<context>
     <name>quadrille::VariationPage</name>
     <message>
         <source>Whose movement is learned; its takes are chosen anew with another one</source>
@@ -11132,6 +11113,21 @@ maximal %2</translation>
             <numerusform>%n variation</numerusform>
             <numerusform>%n variations</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::VariationResults</name>
+    <message>
+        <source>Aligning “%1”</source>
+        <translation>Alignement de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Learning “%1”</source>
+        <translation>Apprentissage de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Drawing “%1”</source>
+        <translation>Tirage de «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>

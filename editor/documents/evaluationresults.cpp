@@ -50,7 +50,8 @@ void EvaluationResults::follow(const ChangeEvent& event)
         return;
     const QStringList names = evaluationsOf(document().project());
     const bool isOther = event.kind == ChangeEvent::Kind::Reset;
-    forget([&](const QString& name, const ResultState& /*state*/) { return isOther || !names.contains(name); });
+    forget(
+        [&](const QString& name, const ResultState& /*state*/) { return isOther || !names.contains(name); });
     for (const QString& name : names) {
         if (find(name) == nullptr)
             make<State>(name);

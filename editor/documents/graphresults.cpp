@@ -67,7 +67,8 @@ void GraphResults::follow(const ChangeEvent& event)
 void GraphResults::update()
 {
     const QStringList wanted = characters();
-    forget([&](const QString& character, const ResultState& /*state*/) { return !wanted.contains(character); });
+    forget(
+        [&](const QString& character, const ResultState& /*state*/) { return !wanted.contains(character); });
     for (const QString& character : wanted) {
         Source source = sourceOf(character);
         Item& item = make<Item>(character);

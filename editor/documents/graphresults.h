@@ -51,7 +51,7 @@ private:
     struct Item : State
     {
         std::optional<Source> source; ///< of the last work
-        bool isWanted = false; ///< to be computed; otherwise only opened where the results are there
+        bool isWanted = false;        ///< to be computed; otherwise only opened where the results are there
     };
 
     void follow(const ChangeEvent& event) override;

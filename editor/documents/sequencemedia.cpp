@@ -66,8 +66,8 @@ std::optional<FrameRange> SequenceMedia::sourceRange(const QString& name, FrameR
 
 bool SequenceMedia::isLoading() const
 {
-    return std::ranges::any_of(
-        states(), [](const auto& each) { return each.second->phase == ResultPhase::Computing; });
+    return std::ranges::any_of(states(),
+                               [](const auto& each) { return each.second->phase == ResultPhase::Computing; });
 }
 
 void SequenceMedia::retry(const QString& name)
@@ -171,10 +171,8 @@ void SequenceMedia::open(const QString& name, Item& item)
     item.issues.clear();
     start(
         name, item, {.text = tr("Opening “%1”").arg(name)},
-        [source = *item.source, sources = document().session().sources()](const Progress& progress,
-                                                                          const Post& /*post*/) {
-            return openWhole(source, sources, progress);
-        },
+        [source = *item.source, sources = document().session().sources()](
+            const Progress& progress, const Post& /*post*/) { return openWhole(source, sources, progress); },
         [this](const QString& current, std::shared_ptr<const OpenedSequence> opened) {
             Item& done = *find<Item>(current);
             done.whole = opened->sequence;

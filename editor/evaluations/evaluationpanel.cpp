@@ -27,7 +27,6 @@ namespace quadrille {
 
 namespace {
 
-
 /// "fig9-equal-density" of fig9: what is behind the name, or the results themselves.
 QString tabTitle(const QString& table, const QString& evaluation)
 {
@@ -146,7 +145,7 @@ void EvaluationPanel::showState(const EvaluationResults::State& shown)
     case ResultPhase::Waiting:
     case ResultPhase::Ready:
         m_empty->setText(shown.phase != ResultPhase::Ready ? tr("Looking for results…")
-                                                       : tr("There was nothing to measure."));
+                                                           : tr("There was nothing to measure."));
         break;
     case ResultPhase::Impossible:
         m_empty->setText(tr("There is nothing in the project that this could be about: takes of a character "

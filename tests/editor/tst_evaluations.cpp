@@ -27,7 +27,6 @@
 
 namespace quadrille {
 
-
 class EvaluationsTest : public GraphFixture
 {
     Q_OBJECT
@@ -141,7 +140,7 @@ private slots:
         compute("fig7");
         context().document.saveAs(m_folder->filePath("again.quadrille").toStdString());
         add("fig4");
-        compute("fig4");                             // now beside the file
+        compute("fig4");                                   // now beside the file
         QTRY_COMPARE(phaseOf("fig7"), ResultPhase::Ready); // which was kept in memory, and stored there
         context().document.save();
         context().document.load(m_folder->filePath("again.quadrille").toStdString());

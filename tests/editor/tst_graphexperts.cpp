@@ -16,9 +16,13 @@
 
 #include <QClipboard>
 #include <QContextMenuEvent>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
 #include <QHeaderView>
 #include <QMenu>
 #include <QSplitter>
+#include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
@@ -197,6 +201,42 @@ private slots:
         QCOMPARE(curve.front().x(), explorer().comparison().front().alpha);
         QVERIFY(curve.front().y() < curve.back().y());
         QCOMPARE(text("logSliderLow").isEmpty(), false);
+    }
+
+    void tablesAreSavedAsCsv()
+    {
+        compute();
+        QDir(m_folder->path()).mkdir("tables");
+        const QString folder = m_folder->filePath("tables");
+        QTimer::singleShot(0, this, [&] {
+            QFileDialog* chooser = nullptr;
+            QTRY_VERIFY((chooser = workspace().findChild<QFileDialog*>()) != nullptr && chooser->isVisible());
+            chooser->setDirectory(folder);
+            chooser->selectFile(folder);
+            QTest::keyClick(chooser, Qt::Key_Return);
+            if (chooser->isVisible())
+                static_cast<QDialog*>(chooser)->accept();
+        });
+        context().actions.action("graph.saveTables")->trigger();
+        QTRY_VERIFY(QFile::exists(folder + "/graph-components.csv"));
+        QFile edges(folder + "/essential-graph-edges.csv");
+        QVERIFY(edges.open(QIODevice::ReadOnly));
+        QCOMPARE(edges.readAll().count('\n'),
+                 static_cast<qsizetype>(explorer().graphs()->essential.edges().size()) + 1);
+        QFile statistics(folder + "/graph-statistics.csv");
+        QVERIFY(statistics.open(QIODevice::ReadOnly));
+        QVERIFY(statistics.readAll().contains("motion,0.01,180,"));
+        edges.seek(0);
+        QCOMPARE(edges.readLine().trimmed(),
+                 QByteArray("i,j,weight,kind,cost,pose-cost,contact-cost,velocity-cost,length (frame),"
+                            "from-sequence,from-frame (frame),to-sequence,to-frame (frame)"));
+        const QList<QByteArray> first = edges.readLine().trimmed().split(',');
+        const NamedFrame from = graph().nameOf(first.at(0).toInt());
+        const NamedFrame to = graph().nameOf(first.at(1).toInt());
+        QCOMPARE(
+            first.mid(9),
+            (QList<QByteArray>{QByteArray::fromStdString(from.sequence), QByteArray::number(from.frame.value),
+                               QByteArray::fromStdString(to.sequence), QByteArray::number(to.frame.value)}));
     }
 };
 

@@ -43,10 +43,7 @@ private:
         for (const StepReport& step : report.steps)
             QVERIFY2(!step.error, step.error ? step.error->what() : "");
     }
-    ResultPhase state(const char* name) const
-    {
-        return m_media->resultState(QLatin1String(name))->phase;
-    }
+    ResultPhase state(const char* name) const { return m_media->resultState(QLatin1String(name))->phase; }
     std::int64_t frames(const char* name) const
     {
         const MeshSequence* sequence = m_media->sequence(QLatin1String(name));

@@ -145,7 +145,8 @@ private slots:
         QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
         QVERIFY(!entry().correctsContacts);
         // What was learned stays; variations are drawn again.
-        QVERIFY(resultState().does(VariationResults::Work::Drawing) || resultState().phase == ResultPhase::Ready);
+        QVERIFY(resultState().does(VariationResults::Work::Drawing) ||
+                resultState().phase == ResultPhase::Ready);
         QVERIFY(test::waitForVariations(context(), "sways"));
         document().undo();
         QVERIFY(entry().correctsContacts && box->isChecked());

@@ -16,7 +16,6 @@ class VariationsFixture : public QObject
     Q_OBJECT
 
 protected:
-
     EditorContext& context() { return m_window->context(); }
     ProjectDocument& document() { return context().document; }
     CurrentVariation& variation() { return m_window->variations().variation(); }

@@ -57,8 +57,8 @@ inline bool isFailed(const VariationResults::State& state)
     return state.phase == ResultPhase::Failed;
 }
 
-inline bool waitForState(EditorContext& context, const QString& name, bool (*holds)(const VariationResults::State&),
-                         int milliseconds = patience)
+inline bool waitForState(EditorContext& context, const QString& name,
+                         bool (*holds)(const VariationResults::State&), int milliseconds = patience)
 {
     return QTest::qWaitFor(
         [&] {

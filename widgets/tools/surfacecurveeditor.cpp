@@ -44,6 +44,7 @@ void SurfaceCurveEditor::setFigure(int figure)
     if (figure == m_figure)
         return;
     m_figure = figure;
+    m_content.preview.clear();
     m_seen.reset();
     m_drawing = {};
     m_drag.reset();

@@ -198,9 +198,11 @@ void AnimateWorkspace::showState()
         notice = tr("No animation yet.");
     else if (!entry->asksForSomething())
         notice = tr("Draw a path, drop poses onto the timeline, or line up takes in the storyboard.");
-    else if (resultState != nullptr && resultState->result == nullptr && resultState->phase == ResultPhase::Waiting)
+    else if (resultState != nullptr && resultState->result == nullptr &&
+             resultState->phase == ResultPhase::Waiting)
         notice = tr("Computing the graph of transitions…");
-    else if (resultState != nullptr && resultState->result == nullptr && resultState->phase == ResultPhase::Computing)
+    else if (resultState != nullptr && resultState->result == nullptr &&
+             resultState->phase == ResultPhase::Computing)
         notice = tr("Seeking a walk…");
     if (m_path->editor().mode() != widgets::PathEditor::Mode::Edit)
         notice.clear();

@@ -121,7 +121,8 @@ void AnimationBar::refreshState()
     actions.action("animate.stop")->setEnabled(phase == ResultPhase::Computing);
     const AnimationEntry* entry = m_animation.entry();
     const bool asks = entry != nullptr && entry->asksForSomething();
-    actions.action("animate.solve")->setEnabled(asks && (phase == ResultPhase::Idle || phase == ResultPhase::Failed));
+    actions.action("animate.solve")
+        ->setEnabled(asks && (phase == ResultPhase::Idle || phase == ResultPhase::Failed));
     m_stop->setVisible(phase == ResultPhase::Computing);
     m_solve->setVisible(!m_stop->isVisibleTo(this));
     m_state->setText(stateText());

@@ -17,7 +17,6 @@ namespace quadrille {
 
 namespace {
 
-
 constexpr int progressWidth = 240;
 // Distances, costs, lengths, windows and turns of a pair of frames, and what a graph is computed with.
 constexpr double bytesPerPair = 56;
