@@ -22,7 +22,8 @@ bool asksTheSame(const AnimationEntry& a, const AnimationEntry& b);
 void setAnimation(ProjectDocument& document, const QString& name, const QString& text,
                   const QString& property, AnimationEntry after, EditPhase phase = EditPhase::Final);
 
-/// The graph settings of a character, the usual ones where the project names none.
+/// The graph settings of a character, the usual ones where the project names none. A copy; setGraph() puts it
+/// in.
 GraphEntry graphEntry(const Project& project, const QString& character);
 /// Exchanges the graph settings of the entry's character.
 void setGraph(ProjectDocument& document, const QString& text, const QString& property,

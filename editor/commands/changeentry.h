@@ -9,7 +9,8 @@
 
 namespace quadrille {
 
-/// Whether an edit is complete, or a step of a drag that the next one replaces.
+/// Whether an edit is complete, or a step of a drag that the next one replaces. A drag ends by a Final one of
+/// the same property.
 enum class EditPhase
 {
     Final,
@@ -82,7 +83,7 @@ private:
 };
 
 /// Edits a copy of an entry and pushes the change.
-/// \param edit takes Entry&. Nothing happens when there is no such entry or nothing changes.
+/// \param edit takes Entry&. Nothing happens when it changes nothing. \pre The entry exists.
 template <typename Entry, typename Edit>
 void editEntry(ProjectDocument& document, const QString& text, const QString& name, const QString& property,
                const Edit& edit, EditPhase phase = EditPhase::Final)

@@ -9,7 +9,7 @@
 namespace quadrille {
 
 /// An edit that reaches through several sections: an entry that gets another name or goes, with all that
-/// refers to it.
+/// refers to it. Holds the project before and after it.
 class ChangeProject : public ProjectCommand
 {
 public:

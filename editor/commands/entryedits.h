@@ -11,6 +11,7 @@ namespace quadrille {
 
 // What edits of entries of all kinds have in common. Texts are what the history calls them, translated.
 
+/// \param place  that it takes in its section, from 0. \return whether it was taken.
 template <typename Entry>
 bool insertEntry(ProjectDocument& document, const QString& text, std::size_t place, Entry entry)
 {

@@ -10,7 +10,7 @@
 
 namespace quadrille {
 
-/// Whether an entry of a section has the name, be it one that cannot be read.
+/// Whether an entry of a section has the name, be it one that cannot be read. Case and spaces count.
 bool isTaken(const Project& project, Section section, const QString& name);
 
 /// Why a text cannot be a name, or nothing. Spaces around it do not count.

@@ -36,6 +36,7 @@ struct ProjectPart
     {
         return std::get<PlacedEntries<Entry>>(entries);
     }
+    /// Whether there is no entry; a rate alone does not count.
     bool isEmpty() const
     {
         return std::apply([](const auto&... placed) { return (placed.empty() && ...); }, entries);

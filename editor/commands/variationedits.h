@@ -19,7 +19,7 @@ QString duplicateVariation(ProjectDocument& document, const QString& name);
 void setVariation(ProjectDocument& document, const QString& name, const QString& text,
                   const QString& property, VariationEntry after, EditPhase phase = EditPhase::Final);
 
-/// The parts of a character's body: none where the project names none.
+/// The parts of a character's body: none where the project names none. A copy; setBodyParts() puts it in.
 BodyPartsEntry bodyPartsEntry(const Project& project, const QString& character);
 /// Exchanges the body parts of the entry's character.
 void setBodyParts(ProjectDocument& document, const QString& text, const QString& property,

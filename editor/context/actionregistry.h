@@ -30,16 +30,21 @@ public:
         QList<QKeySequence> shortcuts;
     };
 
+    /// \param settings  hold the user's shortcuts; they outlive the registry.
     explicit ActionRegistry(Settings& settings, QObject* parent = nullptr);
 
-    /// Makes an action that runs `run` when triggered.
+    /// Makes an action that runs `run` when triggered. The registry owns it. \pre No action has its id yet.
     QAction* add(Entry entry, std::function<void()> run);
-    /// Makes an action that can be on or off.
+    /// Makes an action that can be on or off. \param checked  how it begins; `run` is not called for that,
+    /// only when it is toggled later.
     QAction* addToggle(Entry entry, bool checked, std::function<void(bool)> run);
     /// \pre There is one.
     QAction* action(const QString& id) const;
+    /// In the order in which they were added.
     QList<QAction*> actions() const;
+    /// Translated. \pre The action is of this registry; so for the next two.
     QString group(const QAction* action) const;
+    /// Those that it was made with, whatever the user made of them.
     QList<QKeySequence> ownShortcuts(const QAction* action) const;
     /// Gives an action other shortcuts and remembers them.
     void setShortcuts(QAction* action, const QList<QKeySequence>& shortcuts);

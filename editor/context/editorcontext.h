@@ -19,7 +19,8 @@
 namespace quadrille {
 
 /// What everything in a window works on. Panels, dialogs and workspaces take it by reference and talk to each
-/// other through it alone.
+/// other through it alone. Members are made in this order and destroyed in the opposite one: later ones refer
+/// to earlier ones.
 struct EditorContext
 {
     EditorContext()

@@ -27,10 +27,10 @@ public:
     /// Code such as "fr"; empty follows the system.
     QString language() const;
     void setLanguage(const QString& code);
-    /// Seconds between two autosaves; 0 switches them off.
+    /// Seconds between two autosaves; 0 switches them off. Never above 10, which it is unless set.
     int autosaveSeconds() const;
     void setAutosaveSeconds(int seconds);
-    /// Megabytes that the undo history may take.
+    /// Megabytes that the undo history may take. 64 unless set.
     int historyMegabytes() const;
     void setHistoryMegabytes(int megabytes);
     bool loopsPlayback() const;

@@ -14,7 +14,7 @@ QByteArray placeOf(const QWidget& window);
 
 /// Gives a window the place and size that it had, as far as the screen of now has room: it is never larger
 /// than the screen, nor beside it. One that filled the screen fills that of now.
-/// \param place  as placeOf() gave it; an empty one leaves the window as it is.
+/// \param place  as placeOf() gave it; with an empty one the window only comes onto the screen.
 void placeWindow(QMainWindow& window, const QByteArray& place);
 
 /// Arranges a window's docks. \param state  as QMainWindow::saveState gave it.

@@ -24,11 +24,14 @@ public:
         std::shared_ptr<const AnimationResult> result; ///< the last one; may be null, may be outdated
     };
 
+    /// Refers to document, graphs and jobs.
     AnimationResults(ProjectDocument& document, GraphResults& graphs, JobRunner& jobs,
                      QObject* parent = nullptr);
     ~AnimationResults() override;
 
-    /// The animations that somebody looks at: these are solved.
+    /// The animations that somebody looks at: these are solved. The graphs of their characters are asked for,
+    /// and computed where they are missing. Those that are not among them any more are forgotten, with the
+    /// work on them. Names that the project does not have (yet) do no harm.
     void want(const QStringList& names);
     /// Null when the project has no such animation, or nobody ever wanted it.
     const State* resultState(const QString& name) const { return find<const State>(name); }
@@ -36,7 +39,7 @@ public:
     std::shared_ptr<const AnimationResult> result(const QString& name) const;
     /// The character that an animation is of; empty in a project without characters.
     QString characterOf(const QString& name) const;
-    /// Seeks again what failed or was stopped.
+    /// Seeks again what failed or was stopped. Nothing happens where nobody wants it.
     void retry(const QString& name);
 
 private:

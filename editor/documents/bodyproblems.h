@@ -18,6 +18,7 @@ public:
 
     /// One sentence, translated; empty where nothing is known to be wrong.
     QString problemOf(const QString& character) const { return m_problems.value(character); }
+    /// \param problem  empty when nothing is wrong any more. `changed` is told where it is another one.
     void set(const QString& character, const QString& problem);
 
 signals:

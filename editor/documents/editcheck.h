@@ -22,6 +22,7 @@ public:
     /// Those of a document; made when they are first asked for.
     static EditRefusals& of(ProjectDocument& document);
 
+    /// Counts it and tells it.
     void refuse(const Error& error);
     /// How many there were so far: an edit during which it grows was not taken.
     int count() const { return m_count; }
@@ -36,7 +37,7 @@ private:
     int m_count = 0;
 };
 
-/// Pushes a command. \return whether it was taken.
+/// Pushes a command. One that changes nothing counts as taken. \return whether it was taken.
 bool wasTaken(ProjectDocument& document, std::unique_ptr<ProjectCommand> command);
 
 } // namespace quadrille

@@ -26,7 +26,9 @@ public:
 
     /// Null when the project has no such evaluation. \param name  see evaluationName().
     const State* resultState(const QString& name) const { return find<const State>(name); }
-    /// Computes it and what it needs, as a rebuild does. Nothing happens while it is being computed.
+    /// Computes it and what it needs, as a rebuild does. Nothing happens while it is being computed; a name
+    /// that the project does not have is ignored. Tables of before stay until it is done; `changed` tells
+    /// beginning and end.
     void compute(const QString& name);
 
 private:

@@ -31,7 +31,8 @@ public:
     QStringList characters() const;
     /// The character that a graph is of when nobody chooses: the first; empty without any.
     QString firstCharacter() const;
-    /// Computes the graph of a character where it is missing or failed, and keeps it up to date.
+    /// Computes the graph of a character where it is missing or failed, and keeps it up to date. It is, until
+    /// the user stops such a job. Nothing happens for a character without sequences.
     void ask(const QString& character);
 
 private:

@@ -23,6 +23,7 @@ public:
     /// Those of a document; made at the first use, and gone with it.
     static LabelColors& of(ProjectDocument& document);
 
+    /// A new label is given one, which may be that of another once all sixteen are taken.
     QColor color(const QString& label);
     QColor color(const std::string& label) { return color(QString::fromStdString(label)); }
 

@@ -24,9 +24,11 @@ class MediaWatch : public QObject
 
 public:
     explicit MediaWatch(ProjectDocument& document, QObject* parent = nullptr);
+    /// Waits for the look under way.
     ~MediaWatch() override;
 
-    /// Files that were written since they were opened.
+    /// Files that were written since they were opened. They are forgotten when another project is opened or
+    /// this one is read again, not when a file gets its old content back.
     QStringList changedFiles() const;
     /// Whether the files of all entries of the project were looked at: what is written from now on is told.
     bool isWatching() const;

@@ -34,7 +34,7 @@ public:
     ~ProjectDocument() override;
 
     const Project& project() const { return m_project; }
-    /// Null when there is no such entry.
+    /// Null when there is no such entry. Good until the next edit; so for all that follow.
     const SequenceEntry* sequence(const QString& name) const;
     const CharacterEntry* character(const QString& name) const;
     const AnimationEntry* animation(const QString& name) const;
@@ -42,17 +42,20 @@ public:
     const ExportEntry* exportEntry(const QString& name) const;
     /// \param name  see evaluationName().
     const EvaluationEntry* evaluation(const QString& name) const;
-    /// The character of a sequence: the one it names, or the only one.
+    /// The character of a sequence: the one it names, or the only one. Null where it names one that is not
+    /// there, or names none and there are several.
     const CharacterEntry* characterOf(const SequenceEntry& sequence) const;
 
     /// The project file; empty while it is untitled.
     const std::filesystem::path& file() const { return m_file; }
     bool isUntitled() const { return m_file.empty(); }
-    /// What results lie beside while the document is untitled.
+    /// What results lie beside while the document is untitled. It lies in a temporary folder, which goes with
+    /// the document.
     std::filesystem::path untitledFile() const;
     /// The file that results lie beside: the project's, or one in a temporary folder while it is untitled.
     std::filesystem::path workingFile() const;
-    /// The project as its file would hold it, beside workingFile(): for jobs that rebuild parts of it.
+    /// The project as its file would hold it, beside workingFile(): for jobs that rebuild parts of it. A copy
+    /// of all of it, with paths relative to that file's folder.
     Project snapshot() const;
     /// The snapshot with its file and what all values of this project share, for jobs that want results.
     WorkingProject working() const;
@@ -60,35 +63,46 @@ public:
     ResultSession& session() const { return *m_session; }
     /// The file's name without folder and ending, or "Untitled".
     QString title() const;
+    /// Whether it was edited since it was opened or saved – edits that were taken back do not count –, or
+    /// recovered and not saved since.
     bool isModified() const { return m_recovered || !m_undoStack.isClean(); }
 
     QUndoStack* undoStack() { return &m_undoStack; }
+    /// False where the last command has given its memory back, too.
     bool canUndo() const;
     void undo();
     void redo();
-    /// Runs a command and puts it on the undo stack; one that changes nothing is dropped.
+    /// Runs a command and puts it on the undo stack; one that changes nothing is dropped. One whose project
+    /// could not be read again from its file is dropped as well, and EditRefusals::of tells why. Cost: that
+    /// of running the command and of refusalOf(), which goes through the whole project.
     void push(std::unique_ptr<ProjectCommand> command);
     /// Oldest commands beyond this many bytes can no longer be undone.
     void setHistoryBytes(std::size_t bytes);
 
-    /// Shows a project value that has no file: a new one, or one recovered after a crash.
-    /// \param recovered it holds edits that were never saved.
+    /// Shows a project value that has no file: a new one, or one recovered after a crash. The history is
+    /// emptied and a new session of results begins; `changed` tells Reset, then File. So for `load` and
+    /// `recover`.
+    /// \param recovered it holds edits that were never saved. \param project  with absolute paths.
     void reset(Project project, bool recovered = false);
-    /// Shows the project of a file.
+    /// Shows the project of a file. What cannot be read of it is kept aside, as readUsableProject does. Reads
+    /// the file at once, on the interface thread.
     /// \throws Error as loadProject; the document stays as it was then.
     void load(const std::filesystem::path& file);
     /// Shows a value in the place of `file`, as recovered after a crash: modified from the start.
     void recover(Project project, const std::filesystem::path& file);
     /// Writes the project to its file.
-    /// \throws Error as saveProject; the file on disk and the document stay as they were then.
+    /// \throws Error as saveProject; the file on disk and the document stay as they were then. \pre It has
+    /// one.
     void save();
-    /// Writes the project to another file, which is its file from now on.
+    /// Writes the project to another file, which is its file from now on. Media keep their places. \throws
+    /// Error as `save`.
     void saveAs(const std::filesystem::path& file);
 
 signals:
     /// An entry has another name, before `changed` says so: whoever keeps something under a name keeps it
     /// under the new one from now on. Nothing is shown anew yet.
     void renamed(const quadrille::ChangeEvent& event);
+    /// After every edit, undo and redo, for each of its events; the project is as it will be by then.
     void changed(const quadrille::ChangeEvent& event);
 
 private:

@@ -28,11 +28,13 @@ public:
     };
 
     explicit ProjectGuard(QObject* parent = nullptr);
+    /// Waits for the look under way.
     ~ProjectGuard() override;
 
-    /// Takes the lock of a file, if nobody has it, for watch().
+    /// Takes the lock of a file, if nobody has it, for watch(). Who has it otherwise is told by its state and
+    /// holder. May wait for the folder.
     static std::shared_ptr<ProjectLock> lockOf(const std::filesystem::path& file);
-    /// Begins to watch a file with the content that it has now.
+    /// Begins to watch a file with the content that it has now. Reads the file once, for its hash.
     /// \param lock of the file; foreign only when it shall be read only.
     void watch(const std::filesystem::path& file, std::shared_ptr<ProjectLock> lock);
     /// Gives the lock back and watches nothing.
@@ -44,18 +46,22 @@ public:
     Access access() const { return m_access; }
     /// Who has the project instead; in words.
     QString holder() const { return m_holder; }
-    /// Looks at the lock at once. May wait for the folder.
+    /// Looks at the lock at once. May wait for the folder. `accessChanged` is told where something is
+    /// another.
     void lookNow();
-    /// Takes the lock from whoever has it.
+    /// Takes the lock from whoever has it. May wait for the folder.
     void takeOver();
-    /// Whether the file has another content than the program knows, at once; not where it is gone.
+    /// Whether the file has another content than the program knows, at once; not where it is gone. Reads the
+    /// file where its stamp is another; may wait for the folder.
     bool isChanged();
-    /// What is in the file now is known: it was just written or read.
+    /// What is in the file now is known: it was just written or read. Reads the file; may wait for the
+    /// folder.
     void noteContent();
     /// Milliseconds between two looks.
     void setInterval(int milliseconds) { m_timer.setInterval(milliseconds); }
 
 signals:
+    /// Access or holder is another.
     void accessChanged();
     /// Somebody else wrote the file, and is done with it. Once for each content.
     void changed();

@@ -16,7 +16,8 @@ std::filesystem::path toPath(const QString& text);
 /// open: so that undo stays right when the project is saved elsewhere. "clip:…" sources stay.
 Project withAbsolutePaths(Project project, const std::filesystem::path& folder);
 
-/// The project with every path relative to `folder`, forward slashes, as its file holds them.
+/// The project with every path relative to `folder`, forward slashes, as its file holds them. Where there is
+/// no way from the folder to a path (another drive) it stays absolute. What would read as a clip gets “./”.
 Project withRelativePaths(Project project, const std::filesystem::path& folder);
 
 } // namespace quadrille

@@ -39,6 +39,7 @@ struct SectionInfo
     const char* key;   ///< in the file
     const char* icon;  ///< of its entries
     const char* title; ///< with “%1” for how many entries it has; see titleOf()
+    /// Of its entries, in project order.
     QStringList (*names)(const Project& project);
     const char* removal = nullptr;   ///< what the history calls the removal of %n entries, where it can
     std::optional<NamedKind> kind{}; ///< where others speak of its entries
@@ -78,7 +79,8 @@ inline constexpr bool holds = false;
 template <typename Value, typename... Values>
 inline constexpr bool holds<Value, std::tuple<Place<Values>...>> = (std::is_same_v<Value, Values> || ...);
 
-/// Where an entry stands: among others of its kind, or as one value.
+/// Where an entry stands: among others of its kind, or as one value. \return a Place: section and member of
+/// Project.
 template <typename Entry>
 constexpr auto placeOf()
 {
@@ -97,13 +99,15 @@ void forEachNamed(ProjectType& project, const Function& function)
 
 } // namespace sectionlists
 
+/// Of a kind of entries, or of a value that is edited as a whole.
 template <typename Entry>
 constexpr Section sectionOf()
 {
     return sectionlists::placeOf<Entry>().first;
 }
 
-/// The entries of one kind. \tparam ProjectType Project or const Project.
+/// The entries of one kind. \tparam ProjectType Project or const Project. \tparam Entry  of a kind with names
+/// of its own.
 template <typename Entry, typename ProjectType>
 auto& entriesOf(ProjectType& project)
 {

@@ -22,7 +22,9 @@ public:
     const EntryRef& current() const { return m_current; }
     /// The selected sequences in the order of selecting; the current one is among them.
     const QStringList& sequences() const { return m_sequences; }
-    /// The sequence that the viewport and the timeline show: the last one selected that still exists.
+    /// The sequence that the viewport and the timeline show: the last one selected that still exists. Where
+    /// that one goes, the first of the project; empty in a project without any. So for animations and
+    /// variations.
     const QString& shownSequence() const { return m_shown; }
     /// The selected animations in the order of selecting; those of the last time one was selected.
     const QStringList& animations() const { return m_animations; }
@@ -31,13 +33,19 @@ public:
     /// The variations that their workspace works on: the last ones selected that still exist.
     const QString& shownVariation() const { return m_shownVariation; }
 
+    /// A sequence or an animation becomes the only one selected of its kind. Selecting anything but sequences
+    /// lets go of these. `changed` is told where the selection is another.
     void select(const EntryRef& entry);
+    /// No names clear the selection.
     /// \param current one of `names`, or empty for the last.
     void selectSequences(const QStringList& names, const QString& current = {});
+    /// The last of them is the current one; nothing happens without names.
     void selectAnimations(const QStringList& names);
+    /// Nothing is selected then; what is shown stays.
     void clear() { select({}); }
 
 signals:
+    /// Also when an entry, be it not a selected one, has another name.
     void changed();
 
 private:

@@ -33,18 +33,20 @@ public:
 
     /// Null when the project has no such sequence.
     const State* resultState(const QString& name) const { return find<const State>(name); }
-    /// The sequence when it is ready, else null.
+    /// The sequence when it is ready, else null. Good until `changed` tells its name.
     const MeshSequence* sequence(const QString& name) const;
     /// The sequence with all frames of its source, at the project's rate, else null.
     const MeshSequence* untrimmed(const QString& name) const;
-    /// The frames of the untrimmed sequence that the project uses.
+    /// The frames of the untrimmed sequence that the project uses. Empty while it is not open.
     FrameRange usedFrames(const QString& name) const;
     /// The range in source frames that stands for frames of the untrimmed sequence; empty for all of them.
+    /// Ends are rounded to the nearest frame of the source. Also empty while it is not open.
     std::optional<FrameRange> sourceRange(const QString& name, FrameRange used) const;
-    /// Opens a sequence again that failed or was stopped.
+    /// Opens a sequence again that failed or was stopped. Nothing happens where it did not.
     void retry(const QString& name);
     /// Opens those sequences again that show clips of animations which were computed meanwhile.
     void refresh() { updateNow(); }
+    /// Whether any of them is being opened.
     bool isLoading() const;
     UpAxis upAxis() const { return document().project().settings.axes.up; }
 

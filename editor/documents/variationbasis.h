@@ -20,6 +20,8 @@ struct VariationBasis
     bool operator==(const VariationBasis&) const = default;
 };
 
+/// Equal for two projects where the same takes are aligned and the same models learned. Labels do not count,
+/// nor sequences that are not learned from, unless one of these is a clip itself.
 VariationBasis basisOf(const Project& project, const VariationEntry& entry);
 
 /// What is drawn depends on these, besides the models.
@@ -35,6 +37,7 @@ struct VariationDrawing
     bool operator==(const VariationDrawing&) const = default;
 };
 
+/// It does not say which variations the user discarded.
 VariationDrawing drawingOf(const VariationEntry& entry);
 
 } // namespace quadrille

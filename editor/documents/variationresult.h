@@ -18,10 +18,10 @@ namespace quadrille {
 struct PartProgress
 {
     std::string part;
-    std::vector<double> objective; ///< of each iteration that is known
-    GpdmState state;
-    std::vector<std::string> activeBounds;
-    std::optional<GpdmStop> stop; ///< why learning ended; nothing while it goes on
+    std::vector<double> objective;         ///< of each iteration that is known
+    GpdmState state;                       ///< latents and kernels as far as they are
+    std::vector<std::string> activeBounds; ///< hyperparameters that stayed at a bound
+    std::optional<GpdmStop> stop;          ///< why learning ended; nothing while it goes on
     /// Mean distance of a vertex from the training poses, metres; and that of as many principal components.
     /// Nothing before it is known.
     std::optional<double> error;

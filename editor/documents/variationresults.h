@@ -44,15 +44,20 @@ public:
     VariationResults(ProjectDocument& document, JobRunner& jobs, QObject* parent = nullptr);
     ~VariationResults() override;
 
-    /// The variations that somebody looks at.
+    /// The variations that somebody looks at. Of those that nobody wants any more the last three are kept;
+    /// work on them ends, but for learning.
     void want(const QStringList& names);
     /// Null where the project has none of this name, or nobody wanted them lately.
     const State* resultState(const QString& name) const { return find<const State>(name); }
-    /// A variation by its number among all of an entry's, from 1; null until it is drawn.
+    /// A variation by its number among all of an entry's, from 1; null until it is drawn. Also null where it
+    /// could not be drawn. Good until `changed` tells the name.
     const MeshSequence* clip(const QString& name, int number) const;
-    /// Learns the models of all parts, anew where they are there.
+    /// Learns the models of all parts, anew where they are there. Where its takes are not aligned for an
+    /// error, they are tried again; nothing else happens while they are being aligned, or nobody wants it.
+    /// Parts become known to `changed` several times a second while it lasts.
     void learn(const QString& name);
-    /// Ends learning; the best so far stays, and comes soon.
+    /// Ends learning; the best so far stays, and comes soon. Also ends aligning and drawing, without a
+    /// result.
     void stop(const QString& name) override;
     /// Tries again what failed.
     void retry(const QString& name);

@@ -14,7 +14,8 @@
 
 namespace quadrille {
 
-/// Variations as jobs see them.
+/// Variations as jobs see them. Copies, for a thread of its own; so all of this header is called on threads
+/// of jobs. \pre (of all functions) The project has a variation of this name.
 struct VariationJob
 {
     WorkingProject working;

@@ -60,7 +60,7 @@ class WantedResults : public QObject
 public:
     ~WantedResults() override;
 
-    /// Ends the work on a result; what is there so far stays.
+    /// Ends the work on a result; what is there so far stays. Nothing happens where there is none.
     virtual void stop(const QString& name);
 
 signals:
@@ -112,6 +112,7 @@ protected:
 
     ProjectDocument& document() const { return m_document; }
     const States& states() const { return m_states; }
+    /// Null where there is none of this name. Good until it is forgotten.
     ResultState* find(const QString& name) const;
     /// \param State  what the derived class made by `make`.
     template <typename State>
@@ -139,8 +140,10 @@ protected:
     template <typename Work, typename Done>
     void start(const QString& name, ResultState& state, const Shown& shown, Work work, Done done);
 
+    /// After the delay, counted from the last call.
     void updateSoon() { m_delay.start(); }
     bool isUpdateDue() const { return m_delay.isActive(); }
+    /// At once, instead of what is due.
     void updateNow();
 
 private:

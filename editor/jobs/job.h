@@ -59,9 +59,10 @@ public:
     State state() const { return m_state; }
     bool isOver() const { return m_state >= State::Done; }
     bool isBackground() const { return m_settings.background; }
-    /// Done part of the work, 0 … 1.
+    /// Done part of the work, 0 … 1. It never falls.
     double fraction() const { return m_fraction; }
-    /// Estimate; empty until there is something to go by.
+    /// Estimate; empty until there is something to go by. As if the rest went as fast, from half a second and
+    /// a hundredth of the work on.
     std::optional<Seconds> timeLeft() const;
     /// Asks the job to stop; it tells no error then. From any thread, while the job lives.
     void cancel();

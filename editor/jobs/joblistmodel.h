@@ -24,6 +24,7 @@ public:
         TimeLeftRole,                ///< QString, "2 min left"; empty while unknown
     };
 
+    /// \param runner  outlives the model.
     explicit JobListModel(JobRunner& runner, QObject* parent = nullptr);
 
     int rowCount(const QModelIndex& parent = {}) const override;

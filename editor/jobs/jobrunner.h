@@ -25,7 +25,8 @@ class JobRunner : public QObject
 {
     Q_OBJECT
 public:
-    /// \param threads that work at a time; 0 chooses by the machine.
+    /// Jobs that find no thread free wait, in the order they were started.
+    /// \param threads that work at a time; 0: two to eight, by the cores.
     explicit JobRunner(QObject* parent = nullptr, int threads = 0);
     /// Cancels all jobs and waits for their threads; nothing is handed on any more.
     ~JobRunner() override;
@@ -38,10 +39,13 @@ public:
 
     /// Jobs that are not over yet, in the order they were started.
     std::vector<Job*> jobs() const;
+    /// Does not wait for them.
     void cancelAll();
 
 signals:
+    /// It waits for its thread now. Background jobs are told as well.
     void started(quadrille::Job* job);
+    /// After the job's own `ended`; it is deleted when control is back in the event loop.
     void ended(quadrille::Job* job);
     /// A job failed that has no handler of its own.
     void failed(quadrille::Job* job, const quadrille::Error& error);

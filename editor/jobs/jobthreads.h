@@ -32,20 +32,23 @@ struct JobTask
     std::optional<Error> error;
 };
 
-/// A few threads that work off tasks in the order they came.
+/// A few threads that work off tasks in the order they came. On Linux they run at a lower priority than the
+/// interface.
 class JobThreads
 {
 public:
     /// \param wake is called from the threads when a task has something to tell, seldom more often than
-    /// twenty times a second and task.
+    /// twenty times a second and task. \param count  at most so many; a thread is started when a task finds
+    /// none idle.
     JobThreads(int count, std::function<void()> wake);
     /// Cancels everything and waits for the threads.
     ~JobThreads();
     JobThreads(const JobThreads&) = delete;
     JobThreads& operator=(const JobThreads&) = delete;
 
+    /// From any thread.
     void add(std::shared_ptr<JobTask> task);
-    /// Ends tasks that were cancelled before a thread took them.
+    /// Ends tasks that were cancelled before a thread took them. They are over then, without result or error.
     void dropCancelled();
 
 private:
