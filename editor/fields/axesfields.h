@@ -21,6 +21,7 @@ public:
     explicit AxesFields(bool offersPrograms = false, QWidget* parent = nullptr);
 
     CoordinateSystem axes() const;
+    /// A unit without a name gets an item of its own.
     void setAxes(const CoordinateSystem& axes);
     /// What "As the project" stands for in the list of programs.
     void setProjectAxes(const CoordinateSystem& axes);

@@ -35,8 +35,12 @@ public:
         std::function<bool(const Entry&)> isShown = {};
     };
 
+    /// \param form  rows are added to it; outlives this. \param edit  is called when the user changes a
+    /// field, with a change of the entry to be made undoably.
     FieldForm(SettingForm& form, Edit edit) : m_form(form), m_edit(std::move(edit)) {}
 
+    /// A row for a number. Of an optional one, what is below the lowest stands for none; then
+    /// `look.automatic` must have a text. The form owns the field; so for those that follow.
     template <typename Value>
     QDoubleSpinBox* addNumber(Row row, Lens<Entry, Value> lens, const NumberLook& look)
     {
@@ -112,6 +116,7 @@ public:
         m_bindings.push_back({field, std::move(show), std::move(isUsual), std::move(row.isShown)});
     }
 
+    /// Puts the values of an entry into all fields; nothing is edited.
     void show(const Entry& entry)
     {
         const QScopedValueRollback showing(m_isShowing, true);
@@ -124,6 +129,7 @@ public:
     /// Whether fields change because of show(); nothing is edited then.
     bool isShowing() const { return m_isShowing; }
 
+    /// For retranslates(): texts inside of fields; those of rows follow by themselves.
     void retranslate()
     {
         const QScopedValueRollback showing(m_isShowing, true);

@@ -20,6 +20,7 @@ public:
     /// What is wrong with a text as the name of an item, or nothing.
     using Check = std::function<std::optional<Error>(const QModelIndex&, const QString&)>;
 
+    /// \param check  is asked when the user leaves the field or presses Return or Tab.
     explicit NameDelegate(Check check, QObject* parent = nullptr);
 
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,

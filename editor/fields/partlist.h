@@ -14,11 +14,13 @@ class PartList : public QListWidget
 public:
     explicit PartList(const QString& name, QWidget* parent = nullptr);
 
+    /// The current row stays where there still is one; nobody is told. An empty list hides itself.
     void fill(const QStringList& texts);
     /// Without telling anybody; −1 for none.
     void showRow(int row);
 
 signals:
+    /// The list itself takes nothing away.
     void deletionRequested(int row);
 
 protected:

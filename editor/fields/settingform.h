@@ -27,14 +27,17 @@ public:
     /// A heading that shows and hides the rows after it, up to the next heading; closed at first.
     /// \param name  object name of its button.
     void addFold(const char* name, Text text);
+    /// Adds a row below the others; the form owns the field.
     /// \param name  object name of the field; its button is called the same with "Reset" behind.
     /// \param label  empty: the field says itself what it is, as a check box does.
     /// \param tip  what the setting does, in one sentence.
     void add(const char* name, Text label, Text tip, QWidget* field, std::function<void()> reset);
-    /// Whether a field has its usual value: the button shows only where it has not.
+    /// Whether a field has its usual value: the button shows only where it has not. \pre The field was added;
+    /// so for the next two.
     void setUsual(const QWidget* field, bool usual);
     /// Why a setting does nothing, or failed; empty for nothing.
     void setProblem(const QWidget* field, const QString& sentence);
+    /// A row inside of a closed fold stays hidden either way.
     void setRowVisible(const QWidget* field, bool visible);
 
 private:

@@ -21,6 +21,8 @@ public:
     void setStartFolder(const QString& folder) { m_startFolder = folder; }
 
 signals:
+    /// The user chose a picture, a folder, or none: a reference without paths. The field still shows what it
+    /// did.
     void chosen(const quadrille::TextureReference& texture);
 
 protected:

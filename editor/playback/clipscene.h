@@ -39,6 +39,7 @@ public:
         Section section = Section::Sequences; ///< whose names the clips have
     };
 
+    /// Refers to viewport and jobs, and takes the viewport's figures for its own.
     ClipScene(widgets::Viewport& viewport, Source source, JobRunner& jobs, QObject* parent = nullptr);
     ~ClipScene() override;
 
@@ -52,7 +53,7 @@ public:
     void update(const QString& name);
     /// What comes next is shown from where the camera is now.
     void keepCamera();
-    /// Whether one of them can be seen.
+    /// Whether none of them can be seen.
     bool isEmpty() const { return m_actors.empty(); }
     bool isComparing() const { return m_names.size() > 1; }
     const QStringList& shown() const { return m_names; }
@@ -66,15 +67,16 @@ public:
     /// The length of the longest sequence shown that is ready; 0 without any.
     std::int64_t frameCount() const;
     SceneGhosts& ghosts() { return m_ghosts; }
-    /// Whether the frame that is shown is pinned as a ghost, of any clip.
+    /// Whether the frame that was asked for last is pinned as a ghost, of any clip.
     bool isPinned() const;
-    /// Pins the frame that is shown as a ghost of each clip, or takes it away.
+    /// Pins that frame as a ghost of each clip, or takes it away.
     void setPinned(bool pinned);
-    /// The figure that shows a sequence; −1 when there is none yet.
+    /// The figure that shows a sequence; −1 when there is none yet. It is another one when the clip comes
+    /// with another topology.
     int figureOf(const QString& name) const;
-    /// The picture that a sequence wears now; null when there is none.
+    /// The picture that a sequence wears now; null when there is none. Of the first material.
     QImage textureOf(const QString& name) const;
-    /// The sequence as it is shown; null until it can be.
+    /// The sequence as it is shown; null until it can be. Good until `changed`; so for loadedFrame().
     const MeshSequence* sequenceOf(const QString& name) const;
     /// What was read of the frame that a sequence shows now, without positions; null until there is any.
     const LoadedFrame* loadedFrame(const QString& name) const;

@@ -34,19 +34,26 @@ class FrameLoader : public QObject
     Q_OBJECT
 
 public:
+    /// \param threads  all are started here.
     explicit FrameLoader(QObject* parent = nullptr, int threads = 2);
+    /// Waits for the frames being read.
     ~FrameLoader() override;
 
-    /// Makes a stream that shows a sequence.
+    /// Makes a stream that shows a sequence. \return its number, from 1; none is used twice.
     int addStream(const MeshSequence& sequence);
-    /// Exchanges what a stream shows; what was wanted of the old sequence is not delivered any more.
+    /// Exchanges what a stream shows; what was wanted of the old sequence is not delivered any more. \pre The
+    /// stream is there; so for `want`.
     void setSequence(int stream, const MeshSequence& sequence);
+    /// Nothing of it is delivered any more.
     void removeStream(int stream);
+    /// Up to twelve frames are read ahead, two when standing, as far as half the media cache has room for
+    /// them.
     /// \param step frames from one to the next while playing, negative backwards, 0 when standing.
     /// \pre 0 ≤ frame < the sequence's frameCount().
     void want(int stream, FrameIndex frame, int step = 0);
 
 signals:
+    /// Also where reading failed: then there is an error. Never for an older wish than one that was told of.
     void loaded(int stream, const quadrille::LoadedFrame& frame);
 
 private:
@@ -84,7 +91,7 @@ private:
     std::vector<std::thread> m_threads;
 };
 
-/// Reads one frame and its textures from the cache or their files; never throws.
+/// Reads one frame and its textures from the cache or their files; never throws. Called from any thread.
 LoadedFrame loadFrame(const MeshSequence& sequence, FrameIndex frame);
 
 } // namespace quadrille

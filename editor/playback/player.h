@@ -18,11 +18,14 @@ class Player : public QObject
     Q_OBJECT
 
 public:
+    /// \param scene  outlives it.
     explicit Player(ClipScene& scene, QObject* parent = nullptr);
 
+    /// The true rate, frames a second.
     void setFps(double fps);
     /// Frames that play, both included. \pre 0 ≤ first ≤ last < the scene's frameCount().
     void setRange(FrameIndex first, FrameIndex last);
+    /// Whether it begins again at the end of the range, or stops there.
     void setLooping(bool looping);
     void setBackAndForth(bool backAndForth) { m_clock.setBackAndForth(backAndForth); }
     bool isPlaying() const { return m_clock.isPlaying(); }
@@ -32,19 +35,24 @@ public:
 
 public slots:
     void toggle();
+    /// At an end it begins again from the other one. Nothing happens while the scene shows no frame.
     /// \param speed times the true rate; negative plays backwards.
     void play(double speed = 1.0);
     void pause();
     /// Plays, and goes back to where it is now when it stops. While it plays, that is to stop.
     void playAndReturn();
+    /// Stops, and goes so many frames on, or back where negative. It may leave the range.
     void step(int frames);
+    /// Kept inside the scene's frames. While it plays, it plays on from there.
     void goTo(qint64 frame);
     void goToStart() { goTo(m_first.value); }
     void goToEnd() { goTo(m_last.value); }
-    /// J and L: plays in a direction (−1, 1), twice as fast each time it is asked for again.
+    /// J and L: plays in a direction (−1, 1), twice as fast each time it is asked for again. Up to eight
+    /// times the true rate.
     void shuttle(int direction);
 
 signals:
+    /// While it plays, when the frame is shown; else when it is asked for.
     void frameChanged(qint64 frame);
     void playingChanged(bool playing);
     /// Frames painted a second while it plays, about twice a second; 0 when that is not known yet.

@@ -28,12 +28,14 @@ public:
         Shown,
     };
 
+    /// Refers to viewport, scene and jobs.
     PoseHeatMap(widgets::Viewport& viewport, ClipScene& scene, JobRunner& jobs, QObject* parent = nullptr);
     ~PoseHeatMap() override;
 
     void setOn(bool on);
     State state() const { return m_state; }
-    /// Surface distance of the two frames that are coloured now, radians; there when shown.
+    /// Surface distance of the two frames that are coloured now, radians; there when shown. Mean over the
+    /// triangles that have an area in both.
     std::optional<double> distance() const;
 
 signals:

@@ -25,16 +25,20 @@ class SceneGhosts : public QObject
 public:
     using ColorOf = std::function<QColor(const QString& clip, std::int64_t frame)>;
 
+    /// \param colorOf  of a frame's ghost, without its transparency.
     SceneGhosts(widgets::Viewport& viewport, JobRunner& jobs, ColorOf colorOf, QObject* parent = nullptr);
 
     /// A figure shows a clip, or another one of this name.
     void show(const QString& clip, int figure, const MeshSequence& sequence);
+    /// The clip is not shown any more.
     void remove(const QString& clip);
     void rename(const QString& before, const QString& after);
 
-    /// Ghosts every `interval` frames; 0 for none.
+    /// Ghosts every `interval` frames; 0 for none. They are farther apart where there would be more than
+    /// about two dozen.
     void setInterval(int interval);
     int interval() const { return m_interval; }
+    /// \param frame  of the clip, from 0.
     void setPinned(const QString& clip, FrameIndex frame, bool pinned);
     bool isPinned(const QString& clip, FrameIndex frame) const;
     bool hasPinned() const { return !m_pinned.empty(); }
@@ -42,6 +46,7 @@ public:
     void unpinAll();
 
 signals:
+    /// Frames were pinned or unpinned; not by renaming.
     void pinnedChanged();
 
 private:

@@ -19,7 +19,8 @@ struct SequenceBounds
     float lowest = 0; ///< smallest height of any vertex, metres
 };
 
-/// Reads at most `maximalFrames` frames, evenly spread, past the media cache.
+/// Reads at most `maximalFrames` frames, evenly spread, past the media cache. From any thread; blocks while
+/// files are read.
 /// \throws Error as MeshSequence::frame, Cancelled.
 SequenceBounds surveySequence(const MeshSequence& sequence, UpAxis up, int maximalFrames,
                               const Progress& progress);

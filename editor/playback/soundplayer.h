@@ -15,7 +15,8 @@ class SoundOutput
 {
 public:
     virtual ~SoundOutput() = default;
-    /// Plays from a time of the sound on, seconds; silence first where it is below zero.
+    /// Plays from a time of the sound on, seconds; silence first where it is below zero. \param gain
+    /// decibels. What plays ends.
     virtual void start(std::shared_ptr<const Sound> sound, double gain, double from) = 0;
     virtual void stop() = 0;
     /// The time of the sound that is heard now, seconds. \pre It was started.
@@ -41,6 +42,7 @@ public:
     void setFps(double fps);
     void setMuted(bool muted);
     void setOutput(std::unique_ptr<SoundOutput> output);
+    /// Whether the output was started and not stopped since.
     bool isSounding() const { return m_isSounding; }
 
 private:

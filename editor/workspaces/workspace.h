@@ -34,12 +34,14 @@ public:
 
     using QWidget::QWidget;
 
-    /// What the actions of the menus View and Playback act on.
+    /// What the actions of the menus View and Playback act on. The same for as long as it lives.
     virtual SceneView& view() = 0;
+    /// Asked for once, when the window is made.
     virtual std::vector<Panel> panels() { return {}; }
     /// The captured frame that is shown now, or that is nearest to what is shown; none without any.
     virtual std::optional<NamedFrame> shownPose() { return std::nullopt; }
-    /// Brings a panel to the front of those that share its place. \param content as in Panel.
+    /// Brings a panel to the front of those that share its place. Shows its dock where it is hidden. \param
+    /// content as in Panel.
     static void showPanel(QWidget* content);
     /// The workspace comes to the front, or goes.
     virtual void setActive(bool /*active*/) {}

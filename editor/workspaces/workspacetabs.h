@@ -47,14 +47,17 @@ public:
     void begin();
     /// Tabs and docks are hidden while there is no project to work on; what is hidden comes back as it was.
     void setShown(bool shown);
+    /// Shows a workspace; nothing happens for one that is not there.
     void select(const QString& id);
+    /// Its id; empty before `begin`.
     QString current() const;
     Workspace* currentWorkspace() const;
     ViewActions& viewActions() { return *m_viewActions; }
 
     /// The arrangements of all workspaces, for a session.
     QJsonObject states();
-    /// Takes arrangements from a session; workspaces that it does not name keep theirs.
+    /// Takes arrangements from a session; workspaces that it does not name keep theirs. The workspace that is
+    /// shown is arranged at once.
     void setStates(const QJsonObject& states);
 
     /// How the docks of the workspace that is shown are arranged now.
@@ -65,6 +68,7 @@ public:
     void resetArrangement();
 
 signals:
+    /// Another workspace is shown, by its id.
     void currentChanged(const QString& id);
 
 protected:

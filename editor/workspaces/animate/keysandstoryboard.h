@@ -27,9 +27,9 @@ public:
 
     std::vector<Workspace::Panel> panels();
     AnimationTimeline& timeline() { return *m_timeline; }
-    /// Where the pose comes from that is added as a key.
     /// Makes the docks of both as high as what is in them needs: one line while there is nothing.
     void fitDocks();
+    /// Where the pose comes from that is added as a key.
     void setShownPose(ShownPose shownPose) { m_shownPose = std::move(shownPose); }
 
 private:
