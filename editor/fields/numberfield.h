@@ -34,7 +34,7 @@ struct NumberLook
     double lowest = 0;                ///< where the file takes less, or has no end
     double highest = 1000;
 };
-/// What stands for an empty value: one step below the lowest. As shown.
+/// What stands for an empty value: one step below the lowest that is shown.
 double emptyNumber(const NumberLook& look);
 /// Whether a shown number stands for an empty value: any below the lowest.
 bool isEmptyNumber(const NumberLook& look, double shown);

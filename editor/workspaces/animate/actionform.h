@@ -28,6 +28,7 @@ class ActionForm : public QWidget
     Q_OBJECT
 
 public:
+    /// Refers to document and media.
     ActionForm(ProjectDocument& document, SequenceMedia& media, QWidget* parent = nullptr);
 
     /// Shows an action; nothing can be edited without one. Emits nothing.
@@ -37,7 +38,9 @@ public:
     void edit();
 
 signals:
-    /// \param text what the history calls the edit. \param property tells what is edited.
+    /// The user edited it.
+    /// \param text what the history calls the edit. \param property tells what is edited. \param action  as
+    /// it is to be.
     void edited(const quadrille::ActionEntry& action, const QString& text, const QString& property,
                 quadrille::EditPhase phase);
 

@@ -23,11 +23,14 @@ class AnimationCamera : public QObject
 public:
     explicit AnimationCamera(CurrentAnimation& animation, QObject* parent = nullptr);
 
-    /// Makes what is seen now a key at the playhead; in the place of one that stands there.
+    /// Makes what is seen now a key at the playhead; in the place of one that stands there. A camera key
+    /// counts as standing there within half a frame.
     void addKey();
-    /// Makes the chosen key what is seen now.
+    /// Makes the chosen key what is seen now. Nothing happens without one.
     void replaceKey();
+    /// \param key  among those of the animation, from 0; −1: nothing happens.
     void removeKey(int key);
+    /// The camera of the view follows the keys with the playhead; following the figure is switched off.
     void setLookingThrough(bool looks);
     widgets::MomentLane& lane() { return *m_lane; }
 

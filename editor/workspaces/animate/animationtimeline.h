@@ -25,17 +25,21 @@ public:
 
     /// Whose row stands below the others.
     void setNotes(FrameNotes& notes);
-    /// Puts a pose where the playhead is, or behind all keys where one stands there already.
+    /// Puts a pose where the playhead is, or behind all keys where one stands there already. That is one
+    /// second behind the last. The key is selected then; so below. Without an animation one is made first.
     void addKey(const NamedFrame& pose);
     /// Puts a pose at a time, or at the next frame that is free. \param time seconds.
     void addKey(const NamedFrame& pose, double time);
+    /// \param key  in the order of times, from 0; nothing happens for one that there is not.
     void removeKey(int key);
     /// The frame of the timeline at which a key is met, or is to be met. \pre There is one.
     int frameOfKey(int key) const;
+    /// Puts player and playhead there; nothing happens for one that there is not.
     void goToKey(int key);
-    /// Shows the first of some planned frames. \param frames output frames, before post-processing.
+    /// Shows the first of some planned frames. Nothing happens where post-processing has left none of them.
+    /// \param frames output frames, before post-processing.
     void goToPlanned(const FrameRange& frames);
-    /// −1 for none.
+    /// −1 for none. Emits nothing.
     void selectKey(int key);
     /// Chooses a transition of the walk; −1 for none. Emits nothing.
     void selectJunction(int junction);

@@ -19,15 +19,15 @@ QString poseText(const std::string& sequence, FrameIndex frame);
 /// What frames are called: a label, a sequence, or "dance 10–40".
 QString choiceText(const FrameChoice& frames);
 
-/// The rows of an animation's timeline.
+/// The rows of an animation's timeline. Refers to what it is made with.
 struct AnimationTracks
 {
     Q_DECLARE_TR_FUNCTIONS(quadrille::AnimationTracks)
 
 public:
     const AnimationEntry& entry;
-    const AnimationResult* result; ///< null without one
-    const std::vector<std::int64_t>& planned;
+    const AnimationResult* result;            ///< null without one
+    const std::vector<std::int64_t>& planned; ///< see plannedFrames
     const std::vector<ClipPart>& parts;
     double fps;
 

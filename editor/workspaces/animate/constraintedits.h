@@ -24,14 +24,17 @@ std::vector<ActionEntry> actionsOf(const AnimationEntry& animation);
 void setActions(AnimationEntry& animation, std::vector<ActionEntry> actions);
 
 /// The time itself, or the next frame after it that no key stands at: no two keys have one time. Seconds.
+/// Never before 0.
 double freeKeyTime(const std::vector<KeyEntry>& keys, double time, double fps);
 
-/// When the pose of each key is shown, output frames; empty where the result knows nothing of the key.
+/// When the pose of each key is shown, output frames; empty where the result knows nothing of the key. Keys
+/// are known by their poses: one that was moved since keeps its frame.
 /// \param result  maybe of the animation as it was before its last edits; may be null.
 std::vector<std::optional<std::int64_t>> obtainedFrames(const std::vector<KeyEntry>& keys,
                                                         const AnimationResult* result);
 
-/// Output frames of each action, empty where the result knows nothing of it; as above.
+/// Output frames of each action, empty where the result knows nothing of it; as above. Actions are known by
+/// all of their values.
 std::vector<std::optional<FrameRange>> obtainedRanges(const std::vector<ActionEntry>& actions,
                                                       const AnimationResult* result);
 

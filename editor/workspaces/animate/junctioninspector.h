@@ -24,14 +24,17 @@ public:
     explicit JunctionInspector(JobRunner& jobs, QObject* parent = nullptr);
     ~JunctionInspector() override;
 
-    /// \param entry  how transitions are blended.
+    /// Nothing is measured for a character whose feet are not known.
+    /// \param entry  how transitions are blended. \pre There is a transition between the frames.
     void inspect(const std::shared_ptr<const OpenedCharacter>& character, const FramePair& transition,
                  const AnimationEntry& entry);
+    /// Forgets what was asked for and measured.
     void clear();
     /// Of the transition that was asked for last; nothing until they are there.
     const std::optional<JunctionMeasures>& measures() const { return m_measures; }
 
 signals:
+    /// There are measures, or none any more.
     void changed();
 
 private:

@@ -34,7 +34,7 @@ public:
 
     /// What is looked at in place of the clip while another transition is chosen.
     TransitionPreview& preview() { return *m_preview; }
-    /// Selects a transition of the walk by its number.
+    /// Selects a transition of the walk by its number. \param junction  from 0.
     void select(int junction);
 
 signals:

@@ -25,6 +25,7 @@ public:
 
     explicit KeysAndStoryboard(CurrentAnimation& animation, QObject* parent = nullptr);
 
+    /// Makes them; called once.
     std::vector<Workspace::Panel> panels();
     AnimationTimeline& timeline() { return *m_timeline; }
     /// Makes the docks of both as high as what is in them needs: one line while there is nothing.

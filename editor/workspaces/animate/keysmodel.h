@@ -37,7 +37,8 @@ public:
     QVariant data(const QModelIndex& index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
-    /// Edits the animation. \param value seconds; of the tolerance, less than 0 for any.
+    /// Edits the animation. A wanted time that another key has becomes the next free one. \param value
+    /// seconds; of the tolerance, less than 0 for any.
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     /// What the deviations are, for a summary; empty where no key is met yet. Seconds.
     std::vector<double> deviations() const;

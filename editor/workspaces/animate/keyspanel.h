@@ -27,13 +27,14 @@ public:
 
     /// −1 for none. Emits nothing.
     void selectKey(int key);
-    /// Opens the field of its wanted time.
+    /// Opens the field of its wanted time. \param key  from 0.
     void editKey(int key);
 
 signals:
     void keySelected(int key);
     /// Double click: to be shown.
     void keyChosen(int key);
+    /// The panel itself removes nothing.
     void removalRequested(int key);
 
 protected:

@@ -13,7 +13,7 @@ namespace quadrille {
 
 class PathTool;
 
-/// A field for a number from `lowest` on; of lengths, what is usual in metres.
+/// A field for a number from `lowest` on; of lengths, what is usual in metres. The caller owns it.
 QDoubleSpinBox* numberField(double lowest, int decimals, double step);
 /// Without telling anybody.
 void setValue(QDoubleSpinBox* field, double value);
@@ -26,7 +26,8 @@ QString unitOf(const PathTool& tool);
 /// A length in the project's unit, without its name, as exact as two decimals of metres.
 QString lengthText(const PathTool& tool, double length);
 /// Writes the project's unit behind the numbers of fields, with steps and decimals that suit it, and lets
-/// them reach as far as a path may; those that may be negative, to both sides.
+/// them reach as far as a path may; those that may be negative, to both sides. \pre They were made by
+/// numberField().
 void setUnit(const PathTool& tool, std::initializer_list<QDoubleSpinBox*> fields);
 
 } // namespace quadrille

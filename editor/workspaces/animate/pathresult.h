@@ -19,6 +19,7 @@ class PathResult : public QObject
     Q_OBJECT
 
 public:
+    /// Registers the action that shows deviations.
     explicit PathResult(CurrentAnimation& animation, QObject* parent = nullptr);
 
     /// Lines from where the body is to where it was to be.

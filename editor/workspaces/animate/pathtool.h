@@ -35,13 +35,17 @@ public:
     /// Edits the path. \pre there is one. \param property  see setAnimation.
     void edit(const QString& text, const QString& property, const Edit& edit,
               EditPhase phase = EditPhase::Final);
-    /// The height of a body's centre above the ground, as far as it is known; the project's unit.
+    /// The height of a body's centre in the project's coordinates: at the first frame of the clip, without
+    /// one that of a grown person's waist above the ground.
     double usualHeight() const;
 
-    /// Begins to draw: a path, or what is beside one.
+    /// Begins to draw: a path, or what is beside one. Brings the workspace to the front. In that mode
+    /// already, it ends drawing.
     void draw(widgets::PathEditor::Mode mode);
-    /// Asks something of a stretch that is free yet, and selects it.
+    /// Asks something of a stretch that is free yet, and selects it. It is half of what lies behind all
+    /// others, or of the whole path where nothing does. \pre There is a path.
     void addSpan();
+    /// Of the path, and of the one that is drawn next; so below.
     void setCurve(PathCurve curve);
     void setInSpace(bool inSpace);
     /// What a path begins with that is drawn next.

@@ -23,7 +23,7 @@ struct ReportRow
 };
 
 /// All of a result: how long it is, what it costs, whether a better walk may exist, and how keys, path, spans
-/// and actions were met.
+/// and actions were met. Of an animation that keeps a walk, only the first two. \param fps  of the project.
 std::vector<ReportRow> reportOf(const AnimationResult& result, double fps);
 
 /// A point of the chart of the deviation from the path: seconds before post-processing, and metres. Empty
@@ -35,7 +35,8 @@ struct DeviationAt
 };
 std::vector<DeviationAt> deviationsOf(const AnimationResult& result, double fps);
 
-/// A file of comma-separated values; numbers have points, texts are quoted where they need it.
+/// A file of comma-separated values; numbers have points, texts are quoted where they need it. The first row
+/// names the columns.
 QString reportCsv(const std::vector<ReportRow>& rows);
 /// One row for each frame of the clip that is shown: its time, where it comes from, and how far it is from
 /// the path while nothing was done to the clip's frames.

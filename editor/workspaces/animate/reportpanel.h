@@ -28,7 +28,8 @@ public:
     /// Registers the actions.
     explicit ReportPanel(CurrentAnimation& animation, QWidget* parent = nullptr);
 
-    /// Writes the table to a file, or says in the panel why it could not.
+    /// Writes the table to a file, or says in the panel why it could not. \param ofFrames  a row for each
+    /// frame, instead of the table that is shown.
     void save(const QString& file, bool ofFrames);
 
 private:

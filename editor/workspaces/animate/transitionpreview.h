@@ -23,9 +23,12 @@ public:
     explicit TransitionPreview(JobRunner& jobs, QObject* parent = nullptr);
     ~TransitionPreview() override;
 
-    /// \param entry  how it is blended.
+    /// The clip of before stays until it is there. Nothing happens for the transition that was asked for
+    /// last.
+    /// \param entry  how it is blended. \pre There is a transition between the frames.
     void show(const std::shared_ptr<const OpenedCharacter>& character, const FramePair& transition,
               const AnimationEntry& entry);
+    /// Forgets the clip, and what is being blended.
     void end();
     /// What a scene calls it; no animation has this name.
     static QString name() { return QStringLiteral("/preview"); }

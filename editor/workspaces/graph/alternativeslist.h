@@ -25,9 +25,11 @@ public:
     AlternativesList(GraphExplorer& explorer, TransitionSpeeds& speeds, FramePictures& pictures,
                      QWidget* parent = nullptr);
 
-    /// Shows those of a transition; none without one.
+    /// Shows those of a transition; none without one. At most ten are listed, only those of takes that are
+    /// looked at; their speeds are asked for.
     void show(const std::optional<FramePair>& pair);
-    /// Shows the best from one take to another, until a transition is shown that is not among them.
+    /// Shows the best from one take to another, until a transition is shown that is not among them. \param
+    /// from, to  takes, by their places in the character's layout.
     void showBest(int from, int to);
     /// The takes of showBest, while these are shown.
     const std::optional<std::pair<int, int>>& ends() const { return m_ends; }
@@ -36,6 +38,7 @@ public:
     const std::vector<FramePair>& listed() const { return m_listed; }
 
 signals:
+    /// By a click or Return; not what is shown already.
     void chosen(const quadrille::FramePair& pair);
 
 private:

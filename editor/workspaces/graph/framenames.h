@@ -10,7 +10,7 @@ namespace quadrille {
 
 class GraphExplorer;
 
-/// "walk 12".
+/// "walk 12". \pre There is a character; so below.
 QString frameName(const GraphExplorer& explorer, NodeIndex frame);
 /// Where a transition leads from and where to: "walk 12 › jog 3".
 QString pairName(const GraphExplorer& explorer, const FramePair& pair);

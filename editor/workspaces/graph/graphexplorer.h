@@ -43,12 +43,15 @@ public:
     /// Explores another character, or none. One with the same transitions as before only takes its place.
     void setCharacter(std::shared_ptr<const OpenedCharacter> opened);
     const std::shared_ptr<const OpenedCharacter>& character() const { return m_opened; }
+    /// Computes both graphs for it, unless they are there; signals tell what comes of it.
     void setAlpha(double alpha);
     double alpha() const { return m_alpha; }
     /// Which takes are looked at; all of another character.
     const TakeFilter& filter() const { return m_filter; }
+    /// One that names all takes is an empty one.
     void setFilter(TakeFilter filter);
-    /// Compares the graphs over the values of figure9Alphas and beyond, unless that was done.
+    /// Compares the graphs over the values of figure9Alphas and beyond, unless that was done. Nothing happens
+    /// before there are graphs. It comes by itself once gaps are there.
     void askForComparison();
 
     /// The last that is known of each, maybe of an earlier α; null until there is any.
@@ -58,6 +61,7 @@ public:
     const std::shared_ptr<const ExploredGaps>& gaps() const { return m_gaps; }
     /// One for each α; empty until it was made.
     const std::vector<GraphComparison>& comparison() const { return m_comparison; }
+    /// Whether a comparison is on its way.
     bool isComparing() const { return m_comparing != nullptr; }
 
 signals:
@@ -65,9 +69,11 @@ signals:
     void characterChanged();
     /// The same transitions, opened anew: what was opened before can be let go.
     void characterReplaced();
+    /// graphs() are others; what is known of their paths comes later.
     void graphsChanged();
     void pathsChanged();
     void gapsChanged();
+    /// A comparison is there, or its job ended without.
     void comparisonChanged();
     void filterChanged();
 

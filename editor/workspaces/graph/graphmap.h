@@ -68,7 +68,8 @@ signals:
     void moved(const quadrille::FramePair& pair);
     /// What can be done with a cell is asked for.
     void menuRequested(const quadrille::FramePair& pair, const QPoint& globalPosition);
-    /// What can be done with a take, or with the transitions from one to another, is asked for.
+    /// What can be done with a take, or with the transitions from one to another, is asked for. \param from,
+    /// to  places of takes in the character's layout; equal for a take itself.
     void takesMenuRequested(int from, int to, const QPoint& globalPosition);
     /// All takes are to be looked at again.
     void filterDropped();

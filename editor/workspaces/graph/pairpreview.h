@@ -41,11 +41,15 @@ public:
     explicit PairPreview(JobRunner& jobs, QObject* parent = nullptr);
     ~PairPreview() override;
 
+    /// \param opened  null for none. What was made and asked for is forgotten.
     void setCharacter(std::shared_ptr<const OpenedCharacter> opened);
     /// Takes one with the same frames instead; what was made stays.
     void replaceCharacter(std::shared_ptr<const OpenedCharacter> opened) { m_opened = std::move(opened); }
-    /// Whether speeds stay smooth and standing feet in place (BlendSettings::gentle), or as published.
+    /// Whether speeds stay smooth and standing feet in place (BlendSettings::gentle), or as published. The
+    /// clip that is shown is made anew.
     void setGentle(bool gentle);
+    /// Makes both frames: they stand at the origin, turned as the transition turns them. Nothing happens
+    /// without a character.
     void showFrames(const FramePair& pair);
     /// \pre there is a transition between them.
     void makeClip(const FramePair& pair);
@@ -58,6 +62,7 @@ signals:
     /// Other frames can be shown.
     void framesChanged();
     void clipChanged();
+    /// A clip could not be made; that of before stays.
     void clipFailed(const quadrille::Error& error);
 
 private:

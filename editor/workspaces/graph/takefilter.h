@@ -15,6 +15,7 @@ struct TakeFilter
 
     bool isEmpty() const { return takes.empty(); }
     bool has(int take) const { return takes.empty() || std::ranges::find(takes, take) != takes.end(); }
+    /// Whether transitions from one take to another are looked at.
     bool passes(int from, int to) const
     {
         return takes.size() == 1 ? has(from) || has(to) : has(from) && has(to);

@@ -41,7 +41,7 @@ public:
     /// Measures these in their order, instead of others that were asked for before. \pre there is a
     /// transition between the frames of each.
     void ask(std::vector<FramePair> pairs);
-    /// Null until it is measured.
+    /// Null until it is measured. A transition that could not be blended has neither. Good until `changed`.
     const Speeds* of(const FramePair& pair) const;
 
 signals:

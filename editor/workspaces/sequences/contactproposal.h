@@ -24,7 +24,7 @@ public:
     void clear();
 
 signals:
-    /// A sequence shows no feet that stand.
+    /// A sequence shows no feet that stand. Its contacts stay.
     void foundNothing(const QString& sequence);
 
 private:

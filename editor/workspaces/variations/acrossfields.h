@@ -56,7 +56,8 @@ private:
     bool m_isShowing = false; ///< fields change because of the document
 };
 
-/// Leaves a second pair out that can not be there any more.
+/// Leaves a second pair out that can not be there any more. That is so without a blend, and where two of the
+/// four takes are the same.
 void dropImpossibleAcross(SamplesEntry& samples);
 
 } // namespace quadrille

@@ -34,6 +34,7 @@ public:
     const std::optional<Error>& error() const { return m_error; }
 
 signals:
+    /// There is another surface, none any more, an error, or one is being read.
     void changed();
 
 private:

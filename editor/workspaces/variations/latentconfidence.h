@@ -22,6 +22,7 @@ struct LatentConfidence
     double greatest = 1;
 };
 
+/// Cost: O((n + places) · N²) for n frames of paths, N latents of the state and at most 14³ places.
 /// \param paths  trajectories, frames × dimensions of the model. \throws Error Cancelled.
 LatentConfidence confidenceOf(const GpdmState& state, const std::vector<RowMatrix>& paths,
                               const Progress& progress = {});

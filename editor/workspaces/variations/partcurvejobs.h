@@ -36,6 +36,7 @@ public:
     void forgetSurface() { m_symmetry.reset(); }
 
 signals:
+    /// A job was begun: what was told of the last one is out of date.
     void begun();
     void busyChanged();
     void failed(const quadrille::Error& error);

@@ -20,11 +20,13 @@ public:
     /// \throws Error as SurfaceCurve::restore.
     PartCurveRoute(const PartCurveContent& content, const PartCurveEntry* entry, bool snaps);
     const std::string& name() const { return m_name; }
+    /// Under which putInto() puts it.
     void setName(const std::string& name) { m_name = name; }
     const SurfaceCurve& curve() const { return m_curve; }
     /// The body as it was when the edit began.
     const BodyPartsEntry& before() const { return m_before; }
 
+    /// \param before  the point that it comes before, from 0; their number: behind the last.
     void insert(std::size_t before, const widgets::SurfacePlace& place);
     /// \return false where the point is there already, or was tried to be put there last.
     bool move(std::size_t index, const widgets::SurfacePlace& place);
@@ -33,7 +35,8 @@ public:
     bool hasMoved() const { return m_last.has_value(); }
     /// Leads the curve on to a place, by a point behind the last one; further calls move that point.
     void leadTo(const widgets::SurfacePlace& place);
-    /// The vertices of the two pieces at the last point, from the point before it to the first one.
+    /// The vertices of the two pieces at the last point, from the point before it to the first one. Empty
+    /// without points.
     std::vector<std::uint32_t> lastPieces() const;
     /// Puts the curve in the place of that of its name, or behind the others.
     void putInto(BodyPartsEntry& body) const;

@@ -48,6 +48,7 @@ public:
     const BodyPartsEntry& body() const { return m_content.body; }
     const PartCut& cut() const { return m_content.cut; }
     const PartSelection& selected() const { return m_content.selected; }
+    /// A curve is selected in the view as well.
     void select(const PartSelection& selection);
     /// Whether a job changes curves or parts right now.
     bool isBusy() const;
@@ -55,6 +56,7 @@ public:
     void setActive(bool active);
 
     bool snaps() const { return m_content.drawing.snaps; }
+    /// Kept in the settings; so for the next two setters.
     void setSnaps(bool snaps);
     /// How far a point jumps to a crease, metres.
     double snapRadius() const { return m_content.drawing.snapRadius; }
@@ -65,16 +67,22 @@ public:
 
     void edit(const QString& text, const QString& property, const Edit& edit,
               EditPhase phase = EditPhase::Final);
+    /// Proposes parts in a job: all curves and parts give way to them. Nothing happens before there is a
+    /// surface.
     void propose();
+    /// Brings workspace and panel to the front, and begins or ends drawing a curve in the view.
     void draw();
     /// A part from the selected curve and the one beside it, or from one curve and a second that is made.
     void addPart();
     void addSecondCurve();
     /// The selected curve, or part, to the other side.
     void mirror();
+    /// Leads the selected curve to where the limb is thinnest nearby.
     void shorten();
+    /// Nothing happens where nothing is selected. That a part lacks a curve then is told.
     void removeSelected();
-    /// \return whether the name was free.
+    /// \return whether the name was free. \param name  the one that it has already counts as free. `told`
+    /// says so where it is taken.
     bool rename(const PartSelection& which, const QString& name);
     /// Curves are drawn in the pose that is shown from now on.
     void takeShownPose();
@@ -83,7 +91,7 @@ public:
     std::vector<std::string> looseCurves() const { return m_content.looseCurves(); }
     /// Length, metres; 0 while the surface is not there.
     double lengthOfCurve(const std::string& name) const { return m_content.lengthOfCurve(name); }
-    /// In the user's words.
+    /// In the user's words. What to do about it is left out.
     static QString sentence(const Error& error);
 
 signals:

@@ -16,14 +16,16 @@ namespace quadrille {
 // What may take long: bodies with curves that were computed. Each gives what becomes of a body, needs nothing
 // else, and runs on any thread.
 
-/// For a figure in the pose of a surface. \param overlap  metres.
+/// For a figure in the pose of a surface. Overlaps count as shares of the figure's height there. \param
+/// overlap  metres.
 ProposalSettings proposalSettings(const SurfaceGraph& graph, UpAxis up, double overlap);
 /// All curves and parts give way to those that proposeParts finds. \throws Error as that.
 BodyPartsEntry withProposedParts(BodyPartsEntry body, const std::shared_ptr<const SurfaceGraph>& graph,
                                  const std::shared_ptr<const Topology>& topology,
                                  const ProposalSettings& settings, const Progress& progress);
 
-/// With a curve beside another: towards the end of the limb, or on its other side where there is no room.
+/// With a curve beside another: towards the end of the limb, or on its other side where there is no room. It
+/// comes behind all others, under `name`, which is to be free.
 /// \param metres  between the two. \throws Error as parallelCurve.
 BodyPartsEntry withSecondCurve(BodyPartsEntry body, const std::shared_ptr<const SurfaceGraph>& graph,
                                const PartCurveEntry& first, const std::string& name, double metres);

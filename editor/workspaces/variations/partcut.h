@@ -25,9 +25,12 @@ struct PartCut
     /// Null where it cannot be cut.
     const BodyPart* part(const std::string& name) const;
     /// The part that most of some vertices belong to, the one that an overlap ends in; empty without parts.
+    /// Of several with as many the last, which is nearest to the end of the limb.
     std::string partOf(std::span<const VertexIndex> vertices) const;
 };
 
+/// Never throws: where what is left hangs together no more, there are no parts. Cost: that of partProblems
+/// and cutIntoParts; it is called on the interface thread with each edit.
 PartCut cutBody(const SurfaceGraph& graph, const BodyPartsEntry& body);
 
 /// The colour that a part has in view and tree, by its place in the project.
@@ -41,7 +44,7 @@ struct PartColors
     widgets::ColorKey key;
 };
 
-/// \param title, overlap  words of the key, translated.
+/// \param title, overlap  words of the key, translated. \param triangleCount  of the body's topology.
 PartColors partColors(const PartCut& cut, const BodyPartsEntry& body, std::size_t triangleCount,
                       const QString& title, const QString& overlap);
 

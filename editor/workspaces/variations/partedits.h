@@ -17,7 +17,7 @@ PartCurveEntry* findCurve(BodyPartsEntry& body, const std::string& name);
 const PartCurveEntry* findCurve(const BodyPartsEntry& body, const std::string& name);
 PartEntry* findPart(BodyPartsEntry& body, const std::string& name);
 const PartEntry* findPart(const BodyPartsEntry& body, const std::string& name);
-/// The part that all others hang on; null without one.
+/// The part that all others hang on; null without one. Good until parts come or go; so for the four above.
 const PartEntry* rootOf(const BodyPartsEntry& body);
 
 /// As cutIntoParts takes them.
@@ -38,7 +38,8 @@ void removeCurve(BodyPartsEntry& body, const std::string& name);
 void renamePart(BodyPartsEntry& body, const std::string& before, const std::string& after);
 /// What hangs on it hangs on its parent then; its curves stay. Without the root, all parts go.
 void removePart(BodyPartsEntry& body, const std::string& name);
-/// Adds a part that two curves bound. A body without parts gets the one that all others hang on first.
+/// Adds a part that two curves bound. A body without parts gets the one that all others hang on first. The
+/// part comes behind all others.
 /// \param root  the name of that. \param parent  empty: the root.
 void addPart(BodyPartsEntry& body, const std::string& name, const std::string& root,
              const std::string& parent, const std::vector<std::string>& curves);

@@ -33,6 +33,7 @@ public:
         std::function<int()> firstFrame; ///< the frame of the timeline at which the notes' frame 0 is
     };
 
+    /// \param view  outlives it, as does what the keeper refers to.
     FrameNotes(SceneView& view, Keeper keeper, QObject* parent = nullptr);
 
     static constexpr auto trackId = QLatin1String("notes");
@@ -40,13 +41,17 @@ public:
     widgets::TimelineTrack track() const;
     std::vector<FrameNote> notes() const { return m_keeper.notes().value_or(std::vector<FrameNote>()); }
     bool isThere() const { return m_keeper.notes().has_value(); }
-    /// Lets a note be written at a frame of the timeline; one that is there is edited.
+    /// Lets a note be written at a frame of the timeline; one that is there is edited. Nothing happens where
+    /// there is nothing to write notes on, or before frame 0 of the notes.
     void write(int frame);
+    /// \param note  its place among notes(), from 0; so for the next two. \pre There is one.
     void edit(int note);
     void remove(int note);
     void goTo(int note);
-    /// To the next note behind the playhead, or before it. \param step  1 or −1.
+    /// To the next note behind the playhead, or before it. Nothing happens where there is none. \param step
+    /// 1 or −1.
     void goToNeighbour(int step);
+    /// The frame of the timeline at which a note is.
     int frameOf(const FrameNote& note) const
     {
         return static_cast<int>(note.frame.value) + m_keeper.firstFrame();

@@ -39,7 +39,7 @@ public:
     Player& player() { return *m_player; }
     widgets::MessageStrip& message() { return *m_message; }
     ViewTools& tools() { return *m_tools; }
-    /// Puts a widget below the timeline.
+    /// Puts a widget below the timeline. It becomes the view's.
     void addBelowTimeline(QWidget* widget);
 
     /// Shows these clips; the last is what following and framing are about unless setCurrent says another.
@@ -48,12 +48,16 @@ public:
     void setCurrent(const QString& name);
     /// Takes the frames that play from the timeline.
     void updateRange();
-    /// The part of the frames that plays again and again; none: all that plays.
+    /// The part of the frames that plays again and again; none: all that plays. Frames of the timeline, both
+    /// included. A part switches looping on, in the settings too.
     void setLoop(std::optional<std::pair<int, int>> loop);
+    /// Begins the part there; it ends where what plays ended, or there as well. So for its end.
     void setLoopStart(int frame);
     void setLoopEnd(int frame);
-    /// What the ruler counts as long as the user has not chosen.
+    /// What the ruler counts as long as the user has not chosen. Their choice for this timeline is kept on
+    /// this computer.
     void setUsualUnit(widgets::Timeline::Unit unit);
+    /// What the user chose, remembered for this timeline.
     void setRulerUnit(widgets::Timeline::Unit unit);
     /// Puts the playhead, and the number beside the buttons, where no clip needs to be.
     void setPlayhead(int frame);
@@ -64,9 +68,13 @@ public:
     void playWhenReady() { m_playsWhenReady = true; }
 
     void setNamesShown(bool shown);
+    /// Lets the camera go along with the current clip.
     void setFollowing(bool follows);
+    /// Ghosts are as far apart as the tools say.
     void setGhostsShown(bool shown);
+    /// All clips are framed anew.
     void setLayoutMode(widgets::Viewport::Layout layout);
+    /// Brings all of the current clip into the view.
     void frameCurrent();
     /// A tool colours figures, whatever the menu says; or does so no longer.
     void setColoredByTool(bool colored);

@@ -9,6 +9,7 @@ namespace quadrille {
 // How the user wants timelines to be, on this computer, in every project. Each timeline goes by the object
 // name of its widget.
 
+/// \param usual  what counts as long as the user has not chosen.
 widgets::Timeline::Unit timelineUnit(const QString& timeline, widgets::Timeline::Unit usual);
 void setTimelineUnit(const QString& timeline, widgets::Timeline::Unit unit);
 /// Rows that are sized or folded.
