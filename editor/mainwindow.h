@@ -48,6 +48,7 @@ public:
 
     /// Opens what the command line names: a project, or sequences.
     void open(const QStringList& files);
+    /// Opens it to see a take play, as the tile of the welcome page does.
     void openSample();
     /// Says that settings or a session could not be used, and where they are now.
     void tellPutAside(const QString& file);

@@ -18,16 +18,19 @@ class Autosave : public QObject
     Q_OBJECT
 
 public:
+    /// \param document  outlives it.
     explicit Autosave(ProjectDocument& document, QObject* parent = nullptr);
-    /// Ends well: takes the copy away.
+    /// Ends well: takes the copy away. Waits until that is done.
     ~Autosave() override;
 
     /// \param seconds that an edit is without a copy at most; 0 for no copies.
     void setDelay(int seconds);
-    /// Copies now if there are unsaved edits since the last copy.
+    /// Copies now if there are unsaved edits since the last copy. Takes the project's value at once and
+    /// writes it on a thread of its own.
     void copyNow();
 
     /// Takes a recovered copy over: it goes once this program has one of its own, or nothing is unsaved.
+    /// \param recovery  its id.
     void adopt(const QString& recovery);
 
 signals:

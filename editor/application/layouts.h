@@ -20,13 +20,14 @@ class WorkspaceTabs;
 class Layouts
 {
 public:
+    /// Reads the file of layouts; blocks.
     Layouts();
 
     /// In alphabetical order.
     QStringList names(const QString& workspace) const;
     /// As QMainWindow::saveState gave it; empty when there is none of this name.
     QByteArray state(const QString& workspace, const QString& name) const;
-    /// Takes the place of another of the same name.
+    /// Takes the place of another of the same name. It is written at once; so for `remove`.
     void save(const QString& workspace, const QString& name, const QByteArray& state);
     void remove(const QString& workspace, const QString& name);
 

@@ -32,9 +32,11 @@ public:
 
     /// Whether a path is that of a project, by its ending.
     static bool isProject(const QString& file);
-    /// Asks whether unsaved edits shall be saved. \return false when the user rather goes on as it is.
+    /// Asks whether unsaved edits shall be saved. A project without unsaved edits is not asked about. Blocks
+    /// until it is answered. \return false when the user rather goes on as it is.
     bool mayClose();
     /// Opens a project file without asking about the open one. One that is open elsewhere is asked about.
+    /// Where it cannot be read, the copy of before the last save is offered.
     /// \return whether it is open now.
     bool load(const QString& file);
     /// Opens a project file in the place of the one that is open, after asking whether to save that.
@@ -60,6 +62,7 @@ public slots:
 signals:
     /// Another project takes the place of the open one.
     void aboutToLeave();
+    /// The project was written to its file.
     void saved();
     /// Something failed, in the user's words.
     void failed(const QString& message);

@@ -18,7 +18,8 @@ enum class Locked
     TakeOver,
     Cancel,
 };
-/// A project that is open elsewhere. \param holder in words.
+/// A project that is open elsewhere. \param holder in words. \param title  of the project; so for those
+/// below.
 Locked askLocked(QWidget* window, const QString& title, const QString& holder);
 
 enum class Unwritable

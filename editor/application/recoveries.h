@@ -20,7 +20,7 @@ struct Recovery
     Project project; ///< with absolute paths
 
     QString title() const;
-    /// Characters, sequences, animations, … that it holds.
+    /// Characters, sequences, animations, … that it holds. What cannot be read counts, too.
     int entryCount() const;
 };
 
@@ -31,9 +31,9 @@ struct Recoveries
     QStringList unreadable;
 };
 
-/// All copies that no running program holds.
+/// All copies that no running program holds. Reads each of them; blocks.
 Recoveries findRecoveries();
-/// Deletes a copy for good.
+/// Deletes a copy for good. Nothing happens for an empty id, or one that there is not. From any thread.
 void discardRecovery(const QString& id);
 
 /// For who keeps copies: writes one. Copies keep absolute paths: they lie in another folder than the project.

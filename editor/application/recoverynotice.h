@@ -18,7 +18,7 @@ class RecoveryNotice : public QWidget
 public:
     explicit RecoveryNotice(QWidget* parent = nullptr);
 
-    /// Looks again what there is.
+    /// Looks again what there is. It is done when the row is shown, too.
     void refresh();
 
 signals:

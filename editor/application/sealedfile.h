@@ -20,6 +20,7 @@ struct SealedContents
 /// that cannot be used is put aside (“….aside”), out of the way of the next; one from before there were
 /// checksums is taken for an empty one.
 SealedContents readSealed(const QString& path, int format);
+/// The keys “format” and “checksum” are the file's own.
 /// \return whether it could be written; a file that was there stays otherwise.
 bool writeSealed(const QString& path, QJsonObject values, int format);
 

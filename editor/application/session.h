@@ -33,7 +33,8 @@ struct KeptSession
 };
 
 /// The session of a project file, or of the window itself when `project` is empty. Qt believes what it is
-/// given as geometry and docks, so only what the program wrote itself gets there (see sealedfile.h).
+/// given as geometry and docks, so only what the program wrote itself gets there (see sealedfile.h). Reads
+/// the file; blocks.
 KeptSession loadSession(const std::filesystem::path& project);
 /// Sessions are a convenience: that one could not be written is not told.
 void saveSession(const Session& session, const std::filesystem::path& project);

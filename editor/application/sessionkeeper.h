@@ -30,7 +30,8 @@ public:
     /// Gives the window the place, size and docks that it had when the program was last ended.
     /// \pre It was not shown yet.
     void restoreWindow();
-    /// Remembers the open project, if it has a file, with a picture of it.
+    /// Remembers the open project, if it has a file, with a picture of it. Draws the view for the picture,
+    /// and writes both at once.
     void keep();
     /// Remembers the window itself.
     void keepWindow();

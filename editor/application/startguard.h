@@ -25,16 +25,19 @@ public:
 
     /// \param folder  where the markers are; made when it is not there.
     explicit StartGuard(const QString& folder, QObject* parent = nullptr);
+    /// Succeeds, where that is not known yet: the program ended in order.
     ~StartGuard() override;
 
     /// Starts in a row before this one that failed.
     int failedStarts() const { return static_cast<int>(m_failed.size()); }
     /// Waits until a window is shown and there was nothing left to be done; then this start has succeeded.
+    /// \pre The window has a handle: it was shown, or made native.
     void watch(QWidget& window);
     /// Forgets this start and those that failed before.
     void succeed();
 
 signals:
+    /// Told at most once.
     void succeeded();
 
 protected:

@@ -16,7 +16,7 @@ class CardDelegate : public NameDelegate
 public:
     using NameDelegate::NameDelegate;
 
-    /// The card that moves, and how many pictures it has gone on by.
+    /// The card that moves, and how many pictures it has gone on by. An invalid card: none moves.
     void setMoving(const QModelIndex& card, int phase);
     QModelIndex moving() const { return m_moving; }
     int phase() const { return m_phase; }

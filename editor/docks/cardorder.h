@@ -24,6 +24,7 @@ public:
     explicit CardOrder(QObject* parent = nullptr);
 
     By by() const { return m_by; }
+    /// Sequences that are alike in that go by name.
     void setBy(By by);
 
 protected:

@@ -28,7 +28,8 @@ public:
 
     explicit CardPictures(EditorContext& context, QObject* parent = nullptr);
 
-    /// The pictures of a sequence; none until they are drawn, which asking for them sets going.
+    /// The pictures of a sequence; none until they are drawn, which asking for them sets going. Those of
+    /// before stay until new ones are drawn.
     QList<QImage> pictures(const QString& sequence);
     /// Those that are there, without asking for them.
     qsizetype countOf(const QString& sequence) const;
@@ -36,6 +37,7 @@ public:
     void setActive(bool active, double devicePixelRatio);
     /// How much memory pictures may take; those of the sequence that was asked for last stay in any case.
     void setMostBytes(std::size_t bytes) { m_mostBytes = bytes; }
+    /// How much all pictures take now. Cost: O(pictures).
     std::size_t bytes() const;
 
 signals:

@@ -17,7 +17,7 @@ public:
 
     /// What stands there while there are no cards.
     void setEmptyText(const QString& text);
-    /// Where a menu about the current card opens that was asked for by key.
+    /// Where a menu about the current card opens that was asked for by key; in pixels of the list.
     QPoint menuPlace() const;
 
 protected:

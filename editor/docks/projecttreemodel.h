@@ -46,10 +46,13 @@ public:
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    /// Renames the entry. \return false where it is refused; EditRefusals tells why.
     bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
+    /// The entry of a row: of a section one without a name, of an invalid index the section Project.
     EntryRef entry(const QModelIndex& index) const;
+    /// Invalid where the tree does not show it.
     QModelIndex indexOf(const EntryRef& entry) const;
     /// Says that the status of an entry is another now.
     void updateStatus(const EntryRef& entry);

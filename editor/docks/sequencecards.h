@@ -34,7 +34,7 @@ public:
         LengthRole = Qt::UserRole, ///< QString of two lines: "3.16 s · 25 fps", "79 frames"
         PicturesRole,              ///< QList<QImage>, to be shown one after the other; maybe empty
         LabelsRole,                ///< QList<CardLabel>
-        StateRole,                 ///< SequenceMedia::State as int
+        StateRole,                 ///< ResultPhase of its media as int
         SearchRole,                ///< QString: name and labels
         ColorRole,                 ///< QColor: of the sequence, as in the graph of its character
         SecondsRole,               ///< double: its length; 0 until it is open
@@ -43,11 +43,14 @@ public:
 
     explicit SequenceCards(EditorContext& context, QObject* parent = nullptr);
 
+    /// Empty for an invalid index.
     QString name(const QModelIndex& index) const;
+    /// Invalid where there is none.
     QModelIndex indexOf(const QString& name) const;
     /// Which of a card's pictures is looked at: the frame of it is what a drag takes along.
     void setMoving(const QModelIndex& index, int phase);
-    /// The frame of the sequence that the picture shows which is looked at.
+    /// The frame of the sequence that the picture shows which is looked at. A third of the way where there
+    /// are no pictures yet; 0 before it is open.
     FrameIndex shownFrame(const QModelIndex& index) const;
     CardPictures& pictures() const { return *m_pictures; }
 

@@ -32,6 +32,7 @@ class TexturePanel : public QWidget
     Q_OBJECT
 
 public:
+    /// Refers to context and scene.
     TexturePanel(EditorContext& context, ClipScene& scene, QWidget* parent = nullptr);
     ~TexturePanel() override;
 

@@ -19,6 +19,7 @@ struct ErrorText
     QString oneLine() const;
 };
 
+/// In the language of now.
 ErrorText describe(const Error& error);
 ErrorText describe(const Issue& issue);
 

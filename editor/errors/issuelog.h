@@ -41,6 +41,7 @@ public:
 
     explicit IssueLog(QObject* parent = nullptr);
 
+    /// That something was cancelled is not kept.
     /// \param subject what it is about, e.g. the name of a sequence. \param jump shows the culprit; may be
     /// empty.
     void add(const Error& error, const QString& subject = {}, std::function<void()> jump = {});
@@ -48,8 +49,9 @@ public:
     /// Forgets what is known of a subject: it was reloaded, renamed or removed.
     void clear(const QString& subject);
     void clear();
-    /// Shows the culprit of a row.
+    /// Shows the culprit of a row. Nothing happens where it has none.
     void jump(const QModelIndex& index) const;
+    /// How many rows have it; repeats do not count. Cost: linear.
     int count(Severity severity) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;

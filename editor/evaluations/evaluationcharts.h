@@ -31,7 +31,8 @@ struct EvaluationChart
     std::variant<Bars, Lines> content;
 };
 
-/// The charts that make sense of an evaluation's tables, the most telling one first.
+/// The charts that make sense of an evaluation's tables, the most telling one first. None where there is no
+/// plan for any.
 /// \param table  one of evaluationTables. \param up  of the project: ways are shown as seen from above.
 std::vector<EvaluationChart> chartsOf(const std::string& table, const std::vector<DataItem>& tables,
                                       UpAxis up);

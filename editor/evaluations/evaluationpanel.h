@@ -37,7 +37,8 @@ class EvaluationPanel : public QWidget
 public:
     explicit EvaluationPanel(EditorContext& context, QWidget* parent = nullptr);
 
-    /// Writes the table that is shown as comma-separated values.
+    /// Writes the table that is shown as comma-separated values. Where it cannot be written, the panel says
+    /// why.
     void save(const QString& file);
     /// Less than what is in it: a low window must not grow with it.
     QSize minimumSizeHint() const override { return {200, 60}; }

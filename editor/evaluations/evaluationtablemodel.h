@@ -22,6 +22,7 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
+    /// Shows other tables; none make it empty.
     /// \pre All are tables of the same columns.
     void show(std::vector<DataItem> tables);
     const std::vector<DataItem>& tables() const { return m_tables; }

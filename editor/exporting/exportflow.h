@@ -26,6 +26,7 @@ public:
     ExportFlow(EditorContext& context, std::function<SceneView*()> view, QWidget* window);
 
     /// Asks how some clips shall go out, each "sequences/NAME" or "animations/NAME", or "variations/NAME".
+    /// \pre There is a clip.
     void exportClips(const QStringList& clips);
     /// Shows an export of the project, to be changed and written again.
     void editExport(const QString& name);

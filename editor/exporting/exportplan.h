@@ -21,16 +21,19 @@ struct ExportPlan
     QString edited;
     bool isKept = true; ///< in the project, so that a rebuild repeats it
 
+    /// \pre The entry's format is that of an exporter.
     const FormatInfo& format() const;
     bool isPicture() const;
-    /// The entries that are written, one for each clip.
+    /// The entries that are written, one for each clip. Where there are several, all frames of each are
+    /// written.
     std::vector<ExportEntry> entries() const;
-    /// Files that an entry will write, for people: one, or first and last of a series.
+    /// Files that an entry will write, for people: one, or first and last of a series. \param frames  that
+    /// will be written.
     QString filesText(const ExportEntry& entry, std::int64_t frames) const;
 };
 
 /// A new export of some clips in a format, beside the project or in a folder, to a file that is not there
-/// yet.
+/// yet. Looks at the disk. \pre There is a clip, and an exporter of the format.
 ExportPlan planExport(const QStringList& clips, const std::string& format, const QString& folder);
 /// The name in "sequences/NAME" or "animations/NAME".
 QString nameOfClip(const QString& clip);

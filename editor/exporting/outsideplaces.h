@@ -11,6 +11,7 @@ namespace quadrille {
 class OutsidePlaces
 {
 public:
+    /// \param project  its file. \param folder  that is written into, not those below it.
     bool isAllowed(const QString& project, const QString& folder) const;
     void allow(const QString& project, const QString& folder);
 

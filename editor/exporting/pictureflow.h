@@ -27,7 +27,8 @@ public:
     /// \param viewport  null when there is none.
     PictureFlow(EditorContext& context, ViewportInFront viewport, QWidget* window);
 
-    /// Draws the picture and writes it in a job. \param file  PNG, JPEG or TIFF by its ending.
+    /// Draws the picture and writes it in a job. `saved` tells when it is written; what fails goes to the
+    /// issues. \param file  PNG, JPEG or TIFF by its ending.
     void save(const QString& file);
 
 signals:

@@ -26,7 +26,8 @@ struct SeenCamera
 std::optional<SeenCamera> seenCamera(SceneView& view, const QString& name, const MeshSequence& clip);
 
 /// The camera of a film's first frame, so that the frame that was shown looks as it did: a camera that goes
-/// along with the figure is taken back along its way.
+/// along with the figure is taken back along its way. A fixed camera stays as it was seen; for others, frames
+/// of the film are read.
 /// \param film   the clip as it is written, cut and in the project's coordinates.
 /// \param shown  the frame of the film that was shown; one outside of it is taken as its nearest end.
 /// \throws Error as MeshSequence::frame, Cancelled.

@@ -24,14 +24,15 @@ struct HelpHit
     QString excerpt; ///< one line around the first place
 };
 
-/// Names of all pages, without ending.
+/// Names of all pages, without ending. In alphabetical order.
 QStringList helpPages();
 /// File of a page in a language, English where it has no translation; empty when there is no such page.
 QString helpPageFile(const QString& page, const QString& language);
-/// The sections of a page, in order. The marks of Markdown are taken out of texts.
+/// The sections of a page, in order. The marks of Markdown are taken out of texts. None where there is no
+/// such page. Reads the page each time.
 QList<HelpSection> helpSections(const QString& page, const QString& language);
 /// Sections in which all words of a text stand (their beginnings suffice), best first: those that have them
-/// in their headings. Case and accents do not matter.
+/// in their headings. Case and accents do not matter. An empty text has none. Reads all pages.
 QList<HelpHit> searchHelp(const QString& words, const QString& language);
 
 } // namespace quadrille

@@ -20,7 +20,7 @@ struct HelpTopic
 };
 
 /// What the manual says about a widget: that of the nearest widget above it that the table of topics names;
-/// the contents without any.
+/// the contents without any. \param widget  null: the contents.
 HelpTopic helpTopicOf(const QWidget* widget);
 
 /// What F1 is about: what is under the mouse in a window, else what has the focus there.

@@ -22,12 +22,15 @@ public:
     /// \param window what dialogs belong to.
     ImportFlow(EditorContext& context, QWidget* window);
 
-    /// Shows the import preview for files and folders.
+    /// Shows the import preview for files and folders. Looks for them in a job; the preview comes when it is
+    /// done. \pre There is a path.
     void preview(const QStringList& paths);
-    /// Brings files and folders in without asking, as the command line does.
+    /// Brings files and folders in without asking, as the command line does. It is done in a job. Issues of
+    /// takes go to the log; those that cannot be opened are told by `failed`, the others are imported.
     void open(const QStringList& paths);
 
 signals:
+    /// \param names  that the sequences got.
     void imported(const QStringList& names);
     void failed(const quadrille::Error& error);
 

@@ -25,6 +25,7 @@ public:
     void showValues(const ImportPlan& plan);
     /// The row's place in the plan; −1 without one.
     int currentTake() const { return indexOfTopLevelItem(currentItem()); }
+    /// \param take  its place in the plan; so below. \pre There is one.
     bool isWanted(int take) const;
     QString nameOf(int take) const;
     void retranslate();

@@ -11,7 +11,7 @@ namespace quadrille {
 QString pseudoLanguage();
 
 /// A text as the pseudo-language says it: in brackets, with accents, two fifths longer. Placeholders,
-/// mnemonics, markup and patterns of file names stay.
+/// mnemonics, markup and patterns of file names stay. A blank text stays as it is.
 QString pseudoTranslated(const QString& text);
 
 /// Translates every text of the program and of Qt into the pseudo-language.

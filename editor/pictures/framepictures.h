@@ -24,14 +24,18 @@ class FramePictures : public QObject
 public:
     static constexpr int side = 64; ///< logical pixels, square
 
+    /// Refers to document, media and jobs. About a thousand pictures are kept, of which all go when there are
+    /// more.
     FramePictures(ProjectDocument& document, SequenceMedia& media, JobRunner& jobs,
                   QObject* parent = nullptr);
 
-    /// A picture of a frame; null until it is drawn, or where there is no such frame.
+    /// A picture of a frame; null until it is drawn, or where there is no such frame. Asking for it sets
+    /// drawing going; `drawn` tells when to ask again. \param frame  of the sequence as the project has it,
+    /// from 0.
     QImage picture(const QString& sequence, FrameIndex frame);
 
 signals:
-    /// There are new pictures.
+    /// There are new pictures. Also when there may be others: a sequence was opened, or is another one.
     void drawn();
 
 private:

@@ -9,7 +9,7 @@
 
 namespace quadrille {
 
-/// The same pixels for Qt; null for null.
+/// The same pixels for Qt; null for null. Shared, not copied: the picture keeps the image alive.
 QImage toQImage(std::shared_ptr<const Image> image);
 /// \overload taking the pixels over.
 QImage toQImage(Image image);

@@ -22,7 +22,8 @@ public:
 
     explicit TakePreview(JobRunner& jobs, QWidget* parent = nullptr);
 
-    /// Draws a take on the theme's background; empties the picture without one.
+    /// Draws a take on the theme's background; empties the picture without one. The picture of before stays
+    /// until it is there; an error stands in its place.
     /// \param axes what its positions are in.
     void draw(const MeshSequence* sequence, const CoordinateSystem& axes = {});
     /// Draws a take as a picture will look; its size is brought into the square.

@@ -105,8 +105,8 @@ private:
         LoadedFrame arrived;                         ///< to be shown when that of all others is there
         bool isAwaited = false;
         std::vector<QVector3D> path; ///< of the centroid, on the ground
-        float lowest = 0;            ///< height of the ground under it, metres
-        double height = 0;           ///< of the figure, metres; 0 before it is known
+        float lowest = 0;            ///< height of the ground under it, in the unit of positions
+        double height = 0;           ///< of the figure, in the same unit; 0 before it is known
         bool hasFailed = false;
     };
 

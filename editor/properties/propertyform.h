@@ -27,10 +27,12 @@ public:
     virtual void show(const QString& name) = 0;
 
 protected:
+    /// The page owns the field.
     /// \param tip what the property does, in one sentence.
     void addField(const char* objectName, Text label, QWidget* field, Text tip);
     /// A value that is only read.
     QLabel* addFact(const char* objectName, Text label);
+    /// A field without label, as wide as the page, which owns it.
     void addWide(const char* objectName, QWidget* field);
     void setFieldVisible(QWidget* field, bool visible);
     /// Shows the name of an entry; what is being typed stays while the entry keeps its name.

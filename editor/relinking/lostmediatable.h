@@ -31,6 +31,7 @@ public:
     /// The row's place in the plan; −1 without one.
     int currentMedium() const { return indexOfTopLevelItem(currentItem()); }
     void selectMedium(int medium) { setCurrentItem(topLevelItem(medium)); }
+    /// \param medium  its place in the plan.
     bool isWanted(int medium) const;
     void retranslate();
 

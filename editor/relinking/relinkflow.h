@@ -36,6 +36,7 @@ public:
     void noteContents();
 
 signals:
+    /// \param media  how many have another path.
     void relinked(int media);
 
 private:

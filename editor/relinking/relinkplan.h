@@ -32,12 +32,13 @@ struct RelinkPlan
     KnownMedia known; ///< contents by absolute path
 
     /// Takes over what a search found: the better match wins, of equal ones the newer. What was chosen by
-    /// hand stays.
+    /// hand stays. What has another content than was noted is not wanted by itself.
     void take(const std::vector<FoundMedium>& found);
-    /// Takes over what the user chose for one medium.
+    /// Takes over what the user chose for one medium. One that is missing takes back what was chosen.
     void takeByHand(std::size_t medium, const FoundMedium& chosen);
     /// A search in a folder for everything that was not chosen by hand.
     MediaSearch searchIn(const std::filesystem::path& folder) const;
+    /// How many were found, by hand or by a search, wanted or not.
     std::size_t foundCount() const;
     /// Old and new path of everything that is wanted.
     std::vector<std::pair<std::string, std::string>> newPaths() const;
@@ -47,7 +48,8 @@ struct RelinkPlan
 /// \param project with absolute paths.
 std::vector<MediaUse> missingMedia(const Project& project);
 /// The plan of everything that is lost, with nothing found yet, and what the project's cache folder knows.
-/// \param projectFile empty while it is untitled.
+/// Looks at the disk.
+/// \param projectFile empty while it is untitled. \param project  with absolute paths.
 RelinkPlan planRelinking(const Project& project, const std::filesystem::path& projectFile);
 
 /// A medium that a user chose, and what a search from there found of the others.
@@ -57,7 +59,8 @@ struct ChosenMedium
     std::vector<FoundMedium> others;
 };
 /// Compares a file that was chosen by hand, and looks for the rest in its folder, the folders below, and
-/// where they would be had they moved alike. A numbered file stands for its series. \throws Error Cancelled.
+/// where they would be had they moved alike. A numbered file stands for its series. Reads the disk; for the
+/// thread of a job. \throws Error Cancelled.
 ChosenMedium examineChoice(const RelinkPlan& plan, std::size_t medium, const std::filesystem::path& file,
                            const Progress& progress);
 

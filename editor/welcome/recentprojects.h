@@ -25,6 +25,7 @@ public:
 
     /// Looks again which projects there are, and at their pictures.
     void refresh();
+    /// Takes a project out of the list; its file stays.
     void forget(const QString& file);
 
 signals:

@@ -17,7 +17,8 @@ class ProjectFiles;
 class WorkspaceTabs;
 struct EditorContext;
 
-/// Copies a sample that was made when the program was built, with those of its results that are there.
+/// Copies a sample that was made when the program was built, with those of its results that are there. For
+/// the thread of a job.
 /// \return its project file; nothing where there is no sample, or it could not be copied whole.
 /// \throws Error Cancelled.
 std::optional<std::filesystem::path> copySample(const std::filesystem::path& shipped,
@@ -34,7 +35,8 @@ public:
     SampleFlow(EditorContext& context, ProjectFiles& files, WorkspaceTabs& workspaces,
                QObject* parent = nullptr);
 
-    /// Asks whether to save what is open before the sample takes its place.
+    /// Asks whether to save what is open before the sample takes its place. Nothing happens while it is being
+    /// made.
     void open(SampleGoal goal);
     /// Stops making the sample.
     void cancel();

@@ -21,6 +21,7 @@ public:
     void showProgress(double fraction, const QString& sentence);
     void endProgress();
     bool isInProgress() const { return m_fraction >= 0; }
+    /// Negative while nothing is on its way.
     double fraction() const { return m_fraction; }
 
     QSize sizeHint() const override;
