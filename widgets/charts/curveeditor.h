@@ -28,22 +28,26 @@ public:
 
     explicit CurveEditor(QWidget* parent = nullptr);
 
+    /// Ignored while a point is dragged. Emits nothing.
     /// \pre two points or more, times rising from 0, moments not falling, in seconds.
     void setPoints(const QList<QPointF>& points);
     const QList<QPointF>& points() const { return m_points; }
-    /// How the curve runs between its points; straight until it is set.
+    /// How the curve runs between its points; straight until it is set. An empty one makes it straight again.
     void setInterpolation(Interpolation interpolation);
     /// Length of the original, seconds: no moment lies beyond. Points above it are shown, and held below it
     /// as soon as they are moved.
     void setLength(double seconds);
-    /// What points snap to and arrows move by.
+    /// What points snap to and arrows move by: frames a second, > 0.
     void setFps(double fps);
     void setAxisTitles(const QString& time, const QString& moment);
 
     /// −1 where none is.
     int selected() const { return m_selected; }
+    /// Emits nothing; −1, or a point that there is not, for none.
     void select(int point);
+    /// Where a time and moment are drawn, in pixels of this widget.
     QPointF positionOf(const QPointF& point) const;
+    /// The time and moment at a pixel; they may lie beyond the axes.
     QPointF pointAt(const QPointF& position) const;
 
     QSize sizeHint() const override { return {280, 220}; }

@@ -27,7 +27,8 @@ public:
 
     explicit ActionPalette(QWidget* parent = nullptr);
 
-    /// Shows the palette over its parent with these actions.
+    /// Shows the palette over its parent with these actions. Returns at once; the action runs when it is
+    /// chosen. \pre The actions live as long as it is shown.
     void ask(const std::vector<Entry>& entries);
     /// How well typed text fits a name; 0: not at all. Every typed word must be in it, whole words and their
     /// beginnings count more.

@@ -16,7 +16,7 @@ class FieldNote : public MessageStrip
     Q_OBJECT
 
 public:
-    /// Puts a note below a field, or above where there is no room.
+    /// Puts a note below a field, or above where there is no room. Its window owns the note.
     /// \param place of the field that it belongs to; all of it by default.
     static void show(QWidget& field, const QString& sentence, const QString& remedy = {},
                      const QRect& place = {});

@@ -10,6 +10,7 @@ namespace quadrille::widgets {
 
 /// The size a legend wants: an upright bar with its numbers beside it and title and unit above.
 QSizeF legendSize(const QFont& font, const ScalarRange& range);
+/// \param place  at least as large as legendSize() says.
 void paintLegend(QPainter& painter, const QRectF& place, const ScalarRange& range, const QColor& text);
 
 /// Explains the colours of a scalar.

@@ -28,14 +28,17 @@ public:
 
     /// \param remedy may be empty.
     void show(Kind kind, const QString& sentence, const QString& remedy = {});
+    /// Hides it; the text of the button stays.
     void clear();
     bool isEmpty() const { return m_sentence.isEmpty(); }
     Kind kind() const { return m_kind; }
+    /// Sentence and remedy, as they are shown.
     QString text() const;
     /// A button that helps; an empty text takes it away.
     void setAction(const QString& text);
 
 signals:
+    /// The button was pressed.
     void actionTriggered();
 
 protected:

@@ -38,7 +38,7 @@ public:
     void setPicture(TexturePicture picture);
     const QImage& image() const { return m_picture.image; }
     /// Lines in texture coordinates drawn over the picture. Without a picture they are drawn over the square
-    /// that all coordinates from 0 to 1 make.
+    /// that all coordinates from 0 to 1 make. They are drawn into a picture once for each zoom and place.
     void setUvEdges(QList<QLineF> edges);
     const QList<QLineF>& uvEdges() const { return m_edges; }
     /// What stands in the middle while there is neither a picture nor edges.
@@ -51,14 +51,18 @@ public:
     /// Pixels of the screen for each pixel of the texture: 1 is 100 %.
     double zoom() const;
     bool isFitted() const { return m_isFitted; }
-    /// Makes the texture larger or smaller; what is at `position` stays there.
+    /// Makes the texture larger or smaller; what is at `position` stays there; in pixels of this widget. It
+    /// is not fitted any more.
     void zoomAbout(const QPointF& position, double factor);
+    /// Fits it into the view, and keeps it so when the view gets another size.
     void fit();
+    /// A pixel of the texture for each of the screen.
     void showActualSize();
 
+    /// Where texture coordinates are drawn, in logical pixels of this widget; uvAt() is the way back.
     QPointF positionOf(const QPointF& uv) const;
     QPointF uvAt(const QPointF& position) const;
-    /// May lie outside of the picture.
+    /// The pixel of the texture at a place of this widget; may lie outside of the picture.
     QPoint pixelAt(const QPointF& position) const;
 
     QSize sizeHint() const override { return {280, 280}; }

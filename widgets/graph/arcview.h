@@ -49,20 +49,23 @@ public:
 
     explicit ArcView(QWidget* parent = nullptr);
 
+    /// Arcs count the frames of all of them, from 0 on. Takes the arcs away that were there.
     void setSequences(std::vector<ArcSequence> sequences);
     void setArcs(Side side, const QString& title, std::shared_ptr<const std::vector<Arc>> arcs);
     void setEmptyText(const QString& text);
-    /// How a weight reads, e.g. "0.42".
+    /// "walk 12 → jog 3: 0.42"; for screen readers and read-outs.
     QString arcText(const Arc& arc) const;
 
     /// The arc that is named now: hovered, or chosen by keyboard.
     std::optional<Place> currentArc() const;
-    /// Bundles that show on a side.
+    /// Bundles that show on a side. They are those of the zoom of now.
     const std::vector<ArcBundle>& shown(Side side) const;
+    /// None where no arc is near.
     std::optional<Place> arcAt(const QPointF& position) const;
     /// Where an arc is drawn, in this widget's coordinates.
     ArcCurve curve(Side side, const Arc& arc) const;
     QRectF sequenceRect(int sequence) const;
+    /// More detail above one.
     void zoomBy(double factor);
 
     QSize sizeHint() const override { return {720, 320}; }

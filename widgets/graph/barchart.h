@@ -52,7 +52,8 @@ public slots:
     void copyCsv() const;
 
 signals:
-    /// The category that is read is another one. \param top, bottom  of it in this widget's coordinates.
+    /// The category that is read is another one. It is not told when none is read any more. \param top,
+    /// bottom  of it in this widget's coordinates.
     void readingMoved(int top, int bottom);
 
 protected:

@@ -47,7 +47,8 @@ public:
     void setAxes(ChartAxis x, ChartAxis y);
     void setSeries(std::vector<ChartSeries> series);
     const std::vector<ChartSeries>& series() const { return m_series; }
-    /// A line across the chart. \param name  what stands at it, e.g. "α".
+    /// A line across the chart. \param name  what stands at it, e.g. "α". \param x  none for no line. Ignored
+    /// while it is dragged. Emits nothing.
     void setMarker(std::optional<double> x, const QString& name);
     std::optional<double> marker() const { return m_marker; }
     void setEmptyText(const QString& text);

@@ -27,6 +27,7 @@ public:
     double value() const { return m_value; }
     QSlider* slider() const { return m_slider; }
     QDoubleSpinBox* spinBox() const { return m_number; }
+    /// Whether the handle is held.
     bool isDragging() const;
     /// What the ends stand for, in a word each; the place for them is there once there are any.
     void setEnds(const QString& low, const QString& high);

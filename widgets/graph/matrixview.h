@@ -75,6 +75,7 @@ public:
     void setEmptyText(const QString& text);
     const MatrixValues& values() const;
 
+    /// Emits nothing.
     void setCurrentCell(const std::optional<MatrixCell>& cell);
     std::optional<MatrixCell> currentCell() const;
     std::optional<MatrixCell> hoveredCell() const;
@@ -84,6 +85,8 @@ public:
     /// Logical pixels of the screen for each cell, along the side on which there are fewer.
     double cellSize() const;
     bool isFitted() const;
+    /// Makes cells larger or smaller by a factor; what is at `position`, in pixels of this widget, stays
+    /// there.
     void zoomAbout(const QPointF& position, double factor);
     void fit();
     /// Moves the view as little as needed for a cell to show.

@@ -43,10 +43,13 @@ public:
 
     /// Takes all links away.
     void setNodes(std::vector<TakeNode> nodes);
+    /// One for each node, in their order.
     void setPictures(const std::vector<QImage>& pictures);
+    /// Ends are nodes by their places.
     /// \param title  of what is counted, e.g. "Essential graph".
     void setLinks(const QString& title, std::vector<TakeLink> links);
     const std::vector<TakeLink>& links() const { return m_links; }
+    /// Emits nothing.
     void setChosen(std::vector<int> nodes);
     const std::vector<int>& chosen() const { return m_chosen; }
     void setEmptyText(const QString& text);

@@ -34,7 +34,8 @@ public:
     explicit LatentView(QWidget* parent = nullptr);
     ~LatentView() override;
 
-    /// The first paths frame the view; later ones leave the camera where it is.
+    /// The first paths frame the view; later ones leave the camera where it is. What was chosen stays by its
+    /// place, where there still is one.
     void setPaths(std::vector<LatentPath> paths);
     const std::vector<LatentPath>& paths() const;
     /// \param dimensions  of the space. In two the view looks from above; beyond three the first three are

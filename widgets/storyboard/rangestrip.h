@@ -32,6 +32,7 @@ public:
     /// Where an end is taken hold of.
     QPoint startHandle() const;
     QPoint endHandle() const;
+    /// Kept inside the frames there are.
     int frameAt(int x) const;
 
     QSize sizeHint() const override;

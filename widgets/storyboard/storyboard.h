@@ -41,6 +41,7 @@ public:
     explicit Storyboard(QWidget* parent = nullptr);
     ~Storyboard() override;
 
+    /// The current card stays by its place; where there are fewer, the last one becomes it.
     void setCards(std::vector<StoryCard> cards);
     const std::vector<StoryCard>& cards() const { return m_cards; }
     /// −1 for none. Emits nothing.

@@ -82,7 +82,8 @@ public:
     static Theme& instance();
     /// The current colour of a role.
     static QColor color(ColorRole role) { return instance().m_colors[role]; }
-    /// Colour of the n-th sequence or variation: Okabe–Ito, then Tableau 10, then over again.
+    /// Colour of the n-th sequence or variation: Okabe–Ito, then Tableau 10, then over again. \param index
+    /// from 0.
     static QColor categorical(int index);
     /// The application font with digits of equal width, for numbers that change.
     static QFont tabularFont(const QFont& base);

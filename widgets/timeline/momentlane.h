@@ -20,15 +20,18 @@ class MomentLane : public TimelineLane
 public:
     using TimelineLane::TimelineLane;
 
+    /// `momentSelected` is told where the chosen one goes.
     /// \param seconds ascending.
     void setMoments(std::vector<double> seconds);
     const std::vector<double>& moments() const { return m_moments; }
     /// −1 for none. Emits nothing.
     void setSelected(int moment);
     int selected() const { return m_selected; }
+    /// \pre There is one.
     QPointF centreOf(int moment) const;
 
 signals:
+    /// The user chose it, or the chosen one went; −1 for none.
     void momentSelected(int moment);
     void momentMoved(int moment, double seconds, bool committed);
     void momentActivated(int moment);

@@ -19,6 +19,7 @@ public:
     explicit PlaybackBar(QWidget* parent = nullptr);
 
     void setFrameCount(int frames);
+    /// The true rate, for times beside frames.
     void setFps(double fps);
     /// Emits nothing.
     void setCurrentFrame(int frame);

@@ -25,15 +25,17 @@ public:
 
     using TimelineLane::TimelineLane;
 
-    /// \param seconds  how long it is; 0 for no sound.
+    /// \param seconds  how long it is; 0 for no sound. \param peaks  called when the lane is painted.
     void setSound(const QString& name, double seconds, Peaks peaks);
     void setMuted(bool muted);
     /// When it begins. Emits nothing.
     void setOffset(double seconds);
     double offset() const { return m_offset; }
+    /// Where the sound is drawn, in this widget; it may reach beyond.
     QRectF soundRect() const;
 
 signals:
+    /// Rounded to milliseconds; it may be before the first frame.
     void offsetEdited(double seconds, bool committed);
     void removalRequested();
     /// A click while there is no sound.

@@ -24,12 +24,11 @@ class TimelineZoomBar;
 /// signals come with `committed` false, at the end once with true; Escape ends with the old values.
 ///
 /// Wheel scrolls, Ctrl+wheel, pinch and the ends of the bar under the ruler zoom; ← → step, Home and End
-/// jump,
-/// + − 0 zoom, I and O set the range, or the loop where the range is fixed; a drag over the ruler with Shift
-/// sets the loop, a click with Shift takes it away. Insert makes a span, Up and Down select spans and keys,
-/// Ctrl+← → move and Shift+← → stretch the selected one, Delete removes it, Return names it. Dragging snaps
-/// to edges, keys and playhead unless Alt is held. A click on the title of a row folds it, a drag of the
-/// title's lower edge sizes it.
+/// jump, + − 0 zoom, I and O set the range, or the loop where the range is fixed; a drag over the ruler with
+/// Shift sets the loop, a click with Shift takes it away. Insert makes a span, Up and Down select spans and
+/// keys, Ctrl+← → move and Shift+← → stretch the selected one, Delete removes it, Return names it. Dragging
+/// snaps to edges, keys and playhead unless Alt is held. A click on the title of a row folds it, a drag of
+/// the title's lower edge sizes it.
 class Timeline : public QWidget
 {
     Q_OBJECT
@@ -43,12 +42,14 @@ public:
     explicit Timeline(QWidget* parent = nullptr);
     ~Timeline() override;
 
+    /// \param frames  0: there is no clip. The playhead is kept inside.
     void setFrameCount(int frames);
     int frameCount() const { return scale().frameCount(); }
     void setFps(double fps);
     void setUnit(Unit unit);
     Unit unit() const { return m_content.inSeconds ? Unit::Seconds : Unit::Frames; }
-    /// Emits nothing.
+    /// Emits nothing. Kept inside the frames there are; the view scrolls as little as needed to show it.
+    /// `viewChanged` is told.
     void setCurrentFrame(int frame);
     int currentFrame() const { return m_content.current; }
     /// The frames that play, both included; none: all.
@@ -61,8 +62,10 @@ public:
     std::optional<std::pair<int, int>> loop() const { return m_content.loop; }
     /// The loop as far as it lies in the range, else the range.
     std::pair<int, int> playedRange() const { return m_layout.playedRange(); }
+    /// `selectionChanged` is told where the selected span goes.
     void setTracks(std::vector<TimelineTrack> tracks);
     const std::vector<TimelineTrack>& tracks() const { return m_content.tracks; }
+    /// One that there is not: none. Emits nothing.
     void setSelectedSpan(const std::optional<SpanRef>& span);
     std::optional<SpanRef> selectedSpan() const { return m_content.selected; }
     /// The track of keys that frames can be dropped onto, from anywhere over the timeline; empty for none.
@@ -72,11 +75,14 @@ public:
     /// Rows that are not as usual; also of tracks that are not there now.
     void setRows(std::vector<TimelineRow> rows);
     const std::vector<TimelineRow>& rows() const { return m_layout.rows().all(); }
+    /// `rowsEdited` is told, as where the user folds it.
     void setFolded(const QString& track, bool folded);
     bool isFolded(const QString& track) const { return m_layout.rows().of(track).isFolded; }
 
     const TimelineScale& scale() const { return m_layout.scale(); }
+    /// Shows all frames, and keeps doing so until it is zoomed.
     void zoomToFit();
+    /// About the playhead where it shows, else about the middle; more detail above one.
     void zoomBy(double factor);
     /// Where something is drawn, in this widget's coordinates; for tests and tool tips.
     /// Of a key, its mark and picture.
@@ -85,6 +91,7 @@ public:
     QRect rulerRect() const { return m_layout.rulerRect(); }
     /// What a row is called, left of its track.
     QRect titleRect(const QString& track) const { return m_layout.titleRect(track); }
+    /// The middle of a frame.
     int xOfFrame(int frame) const { return m_layout.x(frame + 0.5); }
 
     QSize sizeHint() const override { return {640, m_layout.contentHeight()}; }
@@ -95,6 +102,7 @@ signals:
     void viewChanged();
     /// The user moved the playhead.
     void frameScrubbed(int frame);
+    /// A drag of the playhead begins or ends.
     void scrubbingChanged(bool scrubbing);
     void rangeEdited(int first, int last, bool committed);
     void loopEdited(int first, int last, bool committed);

@@ -35,6 +35,7 @@ public:
     const TimelineDrag& drag() const { return m_drag; }
     bool isDragging() const { return m_drag.grip.kind != TimelineGrip::Kind::None; }
     const std::optional<SpanRef>& hovered() const { return m_hovered; }
+    /// Tells `spanHovered` where it is another.
     void hover(const std::optional<SpanRef>& span);
     /// Where nothing is dragged.
     Qt::CursorShape cursorAt(const QPointF& position) const;

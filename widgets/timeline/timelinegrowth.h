@@ -15,6 +15,7 @@ class TimelineGrowth : public QObject
 {
     Q_OBJECT
 public:
+    /// Disabled at first.
     /// \param layout  outlives this; its scale gets the further frames.
     explicit TimelineGrowth(TimelineLayout& layout);
     void setEnabled(bool enabled);
@@ -28,6 +29,7 @@ public:
     void forget() { m_framesBefore = 0; }
 
 signals:
+    /// There are more frames, and what is held is over others.
     void grown(const QPointF& held);
     void takenBack();
 

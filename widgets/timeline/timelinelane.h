@@ -15,12 +15,14 @@ class TimelineLane : public QWidget
     Q_OBJECT
 
 public:
+    /// \param timeline  outlives the lane.
     explicit TimelineLane(Timeline& timeline, QWidget* parent = nullptr);
 
     void setFps(double fps);
     double fps() const { return m_fps; }
     /// What stands on the left, and what the lane says while it is empty.
     void setTexts(const QString& title, const QString& notice);
+    /// Pixels of this widget; secondsAt() is the way back.
     double xOf(double seconds) const;
     double secondsAt(double x) const;
     QSize sizeHint() const override;
@@ -36,6 +38,7 @@ protected:
     /// Paints what the lane holds, right of its title.
     virtual void paintContent(QPainter& painter, const QRectF& area) = 0;
     virtual bool isEmpty() const = 0;
+    /// What is right of the title, in this widget.
     QRectF area() const;
     double pixelsPerSecond() const;
 

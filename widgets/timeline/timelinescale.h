@@ -10,12 +10,14 @@ namespace quadrille::widgets {
 class TimelineScale
 {
 public:
+    /// At least one. A scale that shows all frames keeps doing so; so for setWidth().
     void setFrameCount(int frames);
     int frameCount() const { return m_frameCount; }
     void setWidth(double pixels);
     double width() const { return m_width; }
 
     double xOf(double frame) const { return (frame - m_first) * m_pixelsPerFrame; }
+    /// It may lie beyond the frames there are.
     double frameAt(double x) const { return m_first + x / m_pixelsPerFrame; }
     /// The frame that covers a pixel, kept inside the frames there are.
     int nearestFrame(double x) const;
@@ -23,10 +25,12 @@ public:
     double firstVisible() const { return m_first; }
     double visibleFrames() const { return m_width / m_pixelsPerFrame; }
 
+    /// Shows all frames.
     void fit();
     bool isFitted() const;
     /// Zooms by a factor above one to see more detail; what is at `x` stays there.
     void zoom(double factor, double x);
+    /// As far as there are frames to show.
     void scrollTo(double firstFrame);
     /// Shows so many frames from a first one on, as far as there are such and they can be told apart.
     void show(double firstFrame, double frames);

@@ -20,8 +20,10 @@ struct GroundView
     float ground = 0; ///< its height
     Ruler ruler;
 
+    /// Which coordinate points up.
     int upIndex() const { return camera.upAxis == UpAxis::Y ? 1 : 2; }
     QVector3D up() const { return upIndex() == 1 ? QVector3D(0, 1, 0) : QVector3D(0, 0, 1); }
+    /// The place right below or above, at the ground's height.
     QVector3D onGround(QVector3D place) const;
     /// None behind the camera.
     std::optional<QPointF> project(const QVector3D& place) const;

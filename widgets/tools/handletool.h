@@ -25,7 +25,8 @@ public:
 
     virtual bool isDragging() const = 0;
     virtual bool isDrawing() const = 0;
-    /// Whether the pointer went far enough from a press for it to be no click.
+    /// Whether the pointer went far enough from a press for it to be no click. Positions are pixels of the
+    /// view.
     static bool isDrag(const QPointF& pressedAt, const QPointF& position);
 
 protected:

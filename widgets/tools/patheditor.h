@@ -34,12 +34,15 @@ public:
 
     /// Makes the curve of points, also of those that are not yet there. \pre set before any shape.
     void setSampler(PathSampler sampler) { m_sampler = std::move(sampler); }
+    /// Emits nothing, but for a selected part that goes. A drag ends where the shape has more or fewer parts
+    /// than at its press.
     void setShape(const PathShape& shape);
     const PathShape& shape() const { return m_content.shape; }
     const SampledCurve& curve() const { return m_content.curve; }
     /// Shows nothing and uses no events while false.
     void setActive(bool active);
     bool isActive() const { return m_active; }
+    /// Any mode but Edit lets go of the selection. `modeChanged` is told.
     void setMode(Mode mode);
     Mode mode() const { return m_drawing.mode(); }
     void setSelected(const PathPart& part);
@@ -54,10 +57,12 @@ public:
     /// The part that would be dragged from here.
     PathPart partAt(const QPointF& position) const { return layout().partAt(position); }
 
-    /// What double click and Delete do, for menus. \param length  along the curve.
+    /// What double click and Delete do, for menus. Nothing happens without a curve. \param length  along the
+    /// curve.
     void insertPoint(double length);
     void removeSelected() { deleteSelected(); }
-    /// Puts the handles of the selected point of a Bézier path onto one line.
+    /// Puts the handles of the selected point of a Bézier path onto one line. Nothing happens where none is
+    /// selected.
     void smoothSelected();
 
     void paint(QPainter& painter) const override;

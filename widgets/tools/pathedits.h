@@ -17,7 +17,8 @@ PathShape withStretchEndAt(PathShape shape, const PathPart& part, double length,
 /// The selected part a step of the ruler further, as an arrow or Page Up and Down want it in the view.
 /// \return none where the key has nothing to move.
 std::optional<PathShape> nudgedSelection(const PathLayout& layout, int key, Qt::KeyboardModifiers modifiers);
-/// The selected disc with another radius; none where none is selected.
+/// The selected disc with another radius; none where none is selected. It is five centimetres at least.
+/// \param by  added to the radius, in the view's unit.
 std::optional<PathShape> resizedSelection(const PathLayout& layout, float by);
 
 /// Between which anchor and the next a length of the curve is.

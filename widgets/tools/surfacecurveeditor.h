@@ -106,7 +106,7 @@ signals:
     void pointInserted(int curve, int after, const quadrille::widgets::SurfacePlace& place);
     void pointRemovalRequested(int curve, int point);
     void curveRemovalRequested(int curve);
-    /// Return was pressed on it: to be looked at closer.
+    /// Return was pressed on it: to be looked at closer. \param curve  its place among curves().
     void activated(int curve);
     void contextMenuRequested(const quadrille::widgets::SurfaceCurvePart& part, const QPoint& globalPosition);
 

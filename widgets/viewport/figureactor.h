@@ -32,8 +32,10 @@ public:
     /// Without the offset; a degenerate box at the origin before the first positions.
     QVector3D lowerBound() const;
     QVector3D upperBound() const;
+    /// The mean of all vertices, without the offset.
     QVector3D centroid() const;
 
+    /// They are copied. Normals and bounds follow. Cost: O(vertices + triangles).
     /// \pre three values per vertex.
     void setPositions(std::span<const float> positions);
     /// A null image takes the texture away.

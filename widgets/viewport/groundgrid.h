@@ -30,6 +30,7 @@ public:
     void setFloor(double brightness);
     /// \param pixels  of the screen for one logical pixel.
     void setPixelRatio(double pixels);
+    /// Takes effect with the next follow(), as the height does.
     void setRuler(const Ruler& ruler);
     /// Height of the ground along the up axis.
     void setHeight(float height);

@@ -12,12 +12,12 @@ namespace quadrille::widgets {
 /// A line in the world that keeps its width on the screen. Figures in front of it hide it.
 struct SceneCurve
 {
-    std::vector<QVector3D> points; ///< metres
+    std::vector<QVector3D> points; ///< in the view, whose unit all lengths here are in
     QColor color;
     /// One for each point, in place of `color`; or none.
     std::vector<QColor> colors;
     float width = 2.5F; ///< logical pixels
-    /// Length of dashes and of the gaps between them, metres along the line; 0: drawn through. What colours
+    /// Length of dashes and of the gaps between them, along the line; 0: drawn through. What colours
     /// mean must be told by dashes or labels too.
     float dash = 0.0F;
     bool pairs = false; ///< each two points are a line of their own
@@ -60,15 +60,17 @@ struct SceneMarks
     bool operator==(const SceneMarks&) const = default;
 };
 
-/// Corners of a circle on the ground.
+/// Corners of a circle on the ground. \param up  length one.
 std::vector<QVector3D> circleOnGround(const QVector3D& centre, float radius, const QVector3D& up,
                                       int corners = 48);
 
-/// Triangles of a polygon without crossings, as indices of its corners; either way round.
+/// Triangles of a polygon without crossings, as indices of its corners; either way round. There are three for
+/// each triangle. Ears are cut off; cost: O(corners³) at worst.
 /// \param up  normal of the plane that it is seen in.
 std::vector<int> triangulate(const std::vector<QVector3D>& outline, const QVector3D& up);
 
-/// Lines across a polygon, each as two points, at 45 degrees. \param spacing  metres between them, > 0.
+/// Lines across a polygon, each as two points, at 45 degrees. None for fewer than three corners. \param
+/// spacing  between them, in the unit of the outline, > 0.
 std::vector<QVector3D> hatchLines(const std::vector<QVector3D>& outline, const QVector3D& up, float spacing);
 
 } // namespace quadrille::widgets

@@ -17,6 +17,7 @@ struct SceneFigure;
 class SceneShadows
 {
 public:
+    /// \param renderer  outlives them.
     explicit SceneShadows(vtkRenderer* renderer) : m_renderer(renderer) {}
 
     /// Null: no shadows.
@@ -30,7 +31,8 @@ public:
     /// A figure has other positions.
     void changed(int figure) { m_stale.insert(figure); }
     void remove(int figure);
-    /// Makes what is missing.
+    /// Makes what is missing. Shadows of figures that are not to be seen, or see-through, are hidden; from
+    /// below the ground there are none.
     void update(const std::map<int, SceneFigure>& figures, const Turntable& camera);
 
 private:

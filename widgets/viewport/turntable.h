@@ -44,7 +44,9 @@ struct Turntable
 
     bool operator==(const Turntable&) const = default;
 
+    /// Where the eye is.
     QVector3D position() const;
+    /// Length one, as that of `right` and `up`.
     QVector3D forward() const;
     QVector3D right() const;
     QVector3D up() const;
@@ -57,13 +59,14 @@ struct Turntable
     void zoom(float factor, const QPointF& cursor, const QSizeF& view);
     /// Points at the middle of a box and steps back until it fills the view.
     void frame(const QVector3D& lower, const QVector3D& upper, const QSizeF& view);
+    /// Target and distance stay.
     void look(StandardView view);
 
     /// The ray through a pixel of the view.
     Ray rayThrough(const QPointF& pixel, const QSizeF& view) const;
     /// Where a point appears, in pixels from the upper left. \return false when it is behind the camera.
     bool project(const QVector3D& point, const QSizeF& view, QPointF* pixel) const;
-    /// Metres per pixel at the target's depth.
+    /// How long a pixel is at the target's depth, in the unit of the target.
     float metresPerPixel(const QSizeF& view) const;
 
     /// Between two cameras, t = 0 … 1; turns the shorter way round.

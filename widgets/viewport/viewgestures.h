@@ -23,6 +23,7 @@ class ViewGestures : public QObject
 {
     Q_OBJECT
 public:
+    /// \param surface  owns it, and loses the events that it takes.
     explicit ViewGestures(QWidget* surface);
 
     void setPreset(MousePreset preset) { m_preset = preset; }

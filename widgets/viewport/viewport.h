@@ -80,7 +80,7 @@ public:
     int addFigure(FigureMesh mesh, const QString& name = {});
     void removeFigure(int figure);
     void setFigureName(int figure, const QString& name);
-    void clear();
+    void clear(); ///< marks stay
     std::vector<int> figures() const;
     /// None where there is no such figure.
     std::optional<FigureShape> figureShape(int figure) const;
@@ -91,7 +91,7 @@ public:
     void setTexture(int figure, const QImage& texture, int material = 0);
     /// Of clay; an invalid colour means the theme's.
     void setFigureColor(int figure, const QColor& color);
-    void setFigureOffset(int figure, const QVector3D& offset);
+    void setFigureOffset(int figure, const QVector3D& offset); ///< besides that of its lane
     void setFigureVisible(int figure, bool visible);
     /// The box that a figure stays in over all its frames, in its own coordinates: the lane that it needs,
     /// and what framing shows unless the camera goes along with the figure.
@@ -132,7 +132,7 @@ public:
     /// What coordinates are in; metres by default. The camera keeps what it sees.
     void setRuler(const Ruler& ruler);
     const Ruler& ruler() const;
-    void setGroundHeight(float height);
+    void setGroundHeight(float height); ///< along the up axis
     float groundHeight() const;
     /// The camera moves along with a figure; no figure: it stays.
     void setFollowed(std::optional<int> figure);
@@ -146,8 +146,8 @@ public:
 
     void setMousePreset(MousePreset preset);
     MousePreset mousePreset() const;
-    Turntable camera() const;
-    void setCamera(const Turntable& camera);
+    Turntable camera() const;                ///< where a movement under way ends
+    void setCamera(const Turntable& camera); ///< at once
     /// Moves the camera so that one figure, or all that are visible, fill the view, with the curves that are
     /// drawn about them. Those belong to the figure that stands in its place.
     void frameFigure(int figure);
@@ -158,7 +158,7 @@ public:
     std::optional<Pick> pick(const QPointF& position) const;
     /// Null when nothing can be drawn yet.
     QImage snapshot(const SnapshotOptions& options = {});
-    VtkView* view() const;
+    VtkView* view() const; ///< null without OpenGL
 
     QSize sizeHint() const override { return {960, 640}; }
     QSize minimumSizeHint() const override { return {160, 120}; }
@@ -171,7 +171,7 @@ signals:
     void missed(Qt::MouseButton button);
     /// The pointer is over a figure, or over none any more.
     void hovered(const std::optional<quadrille::widgets::Pick>& pick);
-    void measured(double length);
+    void measured(double length); ///< between two clicks with Tool::Measure, metres
     /// A figure has other positions.
     void figureChanged(int figure);
     void toolChanged(quadrille::widgets::Viewport::Tool tool);
