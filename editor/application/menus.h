@@ -27,7 +27,8 @@ public:
 
     /// Panels and layouts of the workspace are put in here by who knows them.
     QMenu& view() { return *m_view; }
-    /// The texts of a menu's entries begin with one capital letter; so does this.
+    /// The texts of a menu's entries begin with one capital letter; so does this. \param name  its object
+    /// name. \param actions  ids; an empty one is a separator.
     QMenu* addSubmenu(QMenu& menu, const char* name, std::function<QString()> title,
                       const QStringList& actions = {});
 

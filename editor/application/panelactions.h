@@ -22,6 +22,7 @@ class PanelActions : public QObject
     Q_OBJECT
 
 public:
+    /// \param docks  all there are, which outlive this.
     PanelActions(const QList<QDockWidget*>& docks, QMainWindow& window);
 
     /// Of all docks; those of other workspaces are not visible.

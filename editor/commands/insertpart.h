@@ -41,10 +41,11 @@ struct ProjectPart
     {
         return std::apply([](const auto&... placed) { return (placed.empty() && ...); }, entries);
     }
+    /// What its entries take in memory.
     std::size_t bytes() const;
 };
 
-/// Puts a part into the project.
+/// Puts a part into the project; undoing takes it out again.
 class InsertPart : public ProjectCommand
 {
 public:

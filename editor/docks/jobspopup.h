@@ -20,6 +20,7 @@ class JobsPopup : public QFrame
 {
     Q_OBJECT
 public:
+    /// \param jobs  outlive it.
     explicit JobsPopup(JobListModel& jobs, QWidget* parent = nullptr);
 
     /// Shows it with its lower right corner at a place on the screen.

@@ -22,6 +22,7 @@ class StatusJobs : public QWidget
     Q_OBJECT
 
 public:
+    /// \param jobs  outlive it. Its button cancels all of them, also those in the background.
     explicit StatusJobs(JobRunner& jobs, QWidget* parent = nullptr);
 
     /// Lists all running jobs, each with its own button to cancel it.

@@ -24,7 +24,8 @@ auto lensOf(Member member)
     return Lens<Entry, Value>{[member](const Entry& entry) { return memberOf(entry, member); },
                               [member](Entry& entry, Value value) { memberOf(entry, member) = value; }};
 }
-/// A member of what an entry may have: as usual where it has not, and then not written.
+/// A member of what an entry may have: as usual where it has not, and then not written. \param outer  a
+/// member that is optional.
 template <typename Entry, typename Outer, typename Member>
 auto lensInside(Outer outer, Member member)
 {

@@ -31,6 +31,7 @@ class ImportDialog : public QDialog
     Q_OBJECT
 
 public:
+    /// Opens the takes in a job. \param found  as findSources() gave it.
     ImportDialog(EditorContext& context, FoundSources found, QWidget* parent = nullptr);
     ~ImportDialog() override;
 

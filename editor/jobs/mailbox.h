@@ -14,6 +14,7 @@ namespace quadrille {
 class Mailbox
 {
 public:
+    /// Where an object's messages go; copies mean the same.
     class Address
     {
     public:
@@ -44,6 +45,7 @@ public:
     Mailbox(const Mailbox&) = delete;
     Mailbox& operator=(const Mailbox&) = delete;
 
+    /// To be copied into a job; it may live longer than the mailbox.
     const Address& address() const { return m_address; }
 
 private:

@@ -8,6 +8,7 @@ namespace quadrille {
 
 struct AnimationEntry;
 
+/// An animation: what is asked of it, how it is finished, and what came out.
 class AnimationPage : public EntryPage
 {
     Q_OBJECT

@@ -6,6 +6,7 @@
 
 namespace quadrille {
 
+/// Variations: the takes that they are learned from, and what is drawn of them.
 class VariationPage : public EntryPage
 {
     Q_OBJECT

@@ -51,6 +51,8 @@ public:
 
     /// Arcs count the frames of all of them, from 0 on. Takes the arcs away that were there.
     void setSequences(std::vector<ArcSequence> sequences);
+    /// \param title  of the graph. \param arcs  null for none; frames count as in setSequences(), and are
+    /// inside.
     void setArcs(Side side, const QString& title, std::shared_ptr<const std::vector<Arc>> arcs);
     void setEmptyText(const QString& text);
     /// "walk 12 → jog 3: 0.42"; for screen readers and read-outs.
@@ -64,6 +66,7 @@ public:
     std::optional<Place> arcAt(const QPointF& position) const;
     /// Where an arc is drawn, in this widget's coordinates.
     ArcCurve curve(Side side, const Arc& arc) const;
+    /// Where its bar is drawn; it may reach beyond the widget.
     QRectF sequenceRect(int sequence) const;
     /// More detail above one.
     void zoomBy(double factor);
@@ -72,8 +75,10 @@ public:
     QSize minimumSizeHint() const override { return {280, 140}; }
 
 signals:
+    /// The arc that is named is another one, by the pointer or by keys.
     void arcHovered(int from, int to);
     void hoverEnded();
+    /// A click or Return.
     void arcActivated(int from, int to);
 
 protected:

@@ -49,6 +49,7 @@ public:
     QSize minimumSizeHint() const override;
 
 public slots:
+    /// Onto the clipboard.
     void copyCsv() const;
 
 signals:

@@ -44,7 +44,9 @@ class LineChart : public QWidget
 public:
     explicit LineChart(QWidget* parent = nullptr);
 
+    /// The title of y is the chart's accessible name.
     void setAxes(ChartAxis x, ChartAxis y);
+    /// The read-out stays where a point still has that x.
     void setSeries(std::vector<ChartSeries> series);
     const std::vector<ChartSeries>& series() const { return m_series; }
     /// A line across the chart. \param name  what stands at it, e.g. "α". \param x  none for no line. Ignored
@@ -54,7 +56,8 @@ public:
     void setEmptyText(const QString& text);
     bool isEmpty() const;
 
-    /// One row for each x, one column for each series; separated by commas, numbers with points.
+    /// One row for each x, one column for each series; separated by commas, numbers with points. Cells of
+    /// series without a point there are empty. Cost: O(points²) at worst.
     QString csv() const;
     /// What is read out: the x of points, and "α = 0.01; Essential: 3.2; …".
     std::optional<double> readX() const { return m_readX; }
@@ -66,6 +69,7 @@ public:
     QSize minimumSizeHint() const override { return {200, 120}; }
 
 public slots:
+    /// Onto the clipboard.
     void copyCsv() const;
 
 signals:

@@ -16,6 +16,7 @@ struct MatrixMark
     bool operator==(const MatrixMark&) const = default;
 };
 
+/// One cell gives all back as they are. Cost: O(marks + (side / cells)²).
 /// \param cells  how many cells along each side share one mark.
 /// \return of every square of cells that has marks the lightest (of two alike the first), by rows of squares.
 std::vector<MatrixMark> thinMarks(const std::vector<MatrixMark>& marks, int cells);

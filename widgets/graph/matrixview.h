@@ -88,6 +88,7 @@ public:
     /// Makes cells larger or smaller by a factor; what is at `position`, in pixels of this widget, stays
     /// there.
     void zoomAbout(const QPointF& position, double factor);
+    /// Shows all, and keeps doing so when the widget gets another size.
     void fit();
     /// Moves the view as little as needed for a cell to show.
     void reveal(const MatrixCell& cell);
@@ -105,8 +106,10 @@ public:
     QSize minimumSizeHint() const override { return {240, 240}; }
 
 signals:
+    /// The pointer is over another cell.
     void cellHovered(int row, int column);
     void hoverEnded();
+    /// By the user: a click or a key.
     void currentCellChanged(int row, int column);
     /// A click or Return.
     void cellActivated(int row, int column);

@@ -55,6 +55,7 @@ public:
     void setEmptyText(const QString& text);
 
     int nodeAt(const QPointF& position) const; ///< −1 for none
+    /// None where no arrow is near; edges inside of a take belong to its node.
     std::optional<TakeLink> linkAt(const QPointF& position) const;
     /// Where things are drawn, in this widget's coordinates.
     QRectF nodeRect(int node) const;

@@ -67,8 +67,9 @@ public:
     QSize minimumSizeHint() const override { return {160, 140}; }
 
 signals:
-    /// The user wants to see a frame of a path.
+    /// The user wants to see a frame of a path. A click on it, or Return.
     void activated(int path, int frame);
+    /// The pointer or the keys are at another place, or at none.
     void chosenChanged();
 
 protected:

@@ -61,6 +61,7 @@ public:
     QSize minimumSizeHint() const override;
 
 signals:
+    /// By the user, or because there are fewer; −1 for none.
     void currentChanged(int card);
     /// \param before the card that it is to come before, counted with the card where it was; the number of
     /// cards for the end.
@@ -69,6 +70,7 @@ signals:
     void deletionRequested(int card);
     /// Double click or Return: to be edited.
     void activated(int card);
+    /// \param before  as insertionAt().
     void framesDropped(int before, const std::vector<quadrille::widgets::DraggedFrames>& frames);
     /// \param card −1 when there was none under the pointer.
     void menuRequested(int card, const QPoint& globalPosition);

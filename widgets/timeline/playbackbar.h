@@ -18,14 +18,16 @@ class PlaybackBar : public QWidget
 public:
     explicit PlaybackBar(QWidget* parent = nullptr);
 
+    /// \param frames  0 disables the bar. Emits nothing.
     void setFrameCount(int frames);
     /// The true rate, for times beside frames.
     void setFps(double fps);
-    /// Emits nothing.
+    /// Emits nothing. It may lie behind the last frame that plays.
     void setCurrentFrame(int frame);
+    /// The rate reached is hidden when it stops.
     void setPlaying(bool playing);
     void setLooping(bool looping);
-    /// Ways of looping to choose from, beside the button that loops.
+    /// Ways of looping to choose from, beside the button that loops. \param actions  outlive the bar.
     void setLoopActions(const QList<QAction*>& actions);
     /// Frames a second reached while playing; 0 hides the number.
     void setFpsReached(double fps);

@@ -104,6 +104,7 @@ signals:
     void frameScrubbed(int frame);
     /// A drag of the playhead begins or ends.
     void scrubbingChanged(bool scrubbing);
+    /// Both ends included; so for the loop and for spans.
     void rangeEdited(int first, int last, bool committed);
     void loopEdited(int first, int last, bool committed);
     void loopRemovalRequested();
@@ -113,12 +114,14 @@ signals:
     void spanCreated(const QString& track, int first, int last);
     void spanEdited(const quadrille::widgets::SpanRef& span, int first, int last, bool committed);
     void keyMoved(const quadrille::widgets::SpanRef& key, int frame, bool committed);
+    /// \param track  that of setDropTrack(). \param frame  where they become a key.
     void framesDropped(const QString& track, int frame, const quadrille::widgets::DraggedFrames& frames);
     /// The span or key under the pointer is another one.
     void spanHovered(const std::optional<quadrille::widgets::SpanRef>& span);
     void selectionChanged(const std::optional<quadrille::widgets::SpanRef>& span);
     /// Double click or Return: to be renamed.
     void spanActivated(const quadrille::widgets::SpanRef& span);
+    /// Delete or Backspace was pressed; nothing is taken away yet.
     void spanDeletionRequested(const quadrille::widgets::SpanRef& span);
     /// \param span  none when there was none under the pointer.
     void contextMenuRequested(const QString& track, const std::optional<quadrille::widgets::SpanRef>& span,

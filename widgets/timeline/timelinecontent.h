@@ -31,7 +31,7 @@ struct TimelineContent
     const TimelineSpan* span(const SpanRef& ref) const;
     const TimelineKey* key(const SpanRef& ref) const;
     bool exists(const SpanRef& ref) const { return span(ref) != nullptr || key(ref) != nullptr; }
-    /// The first frame of a span, the nearest one to a key; 0 where there is no such.
+    /// The first frame of a span, the nearest one to a key; 0 where there is no such. Cost: linear.
     int startOf(const SpanRef& ref) const;
     /// "12", or "0:03.48".
     QString frameText(double frame) const;

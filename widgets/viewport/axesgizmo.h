@@ -24,6 +24,7 @@ public:
     std::optional<QPointF> endOf(StandardView view) const;
 
 signals:
+    /// An end was clicked on.
     void lookRequested(quadrille::widgets::StandardView view);
 
 protected:

@@ -38,9 +38,11 @@ public:
     /// They are copied. Normals and bounds follow. Cost: O(vertices + triangles).
     /// \pre three values per vertex.
     void setPositions(std::span<const float> positions);
-    /// A null image takes the texture away.
+    /// A null image takes the texture away. Its pixels are shared, and copied only for formats that VTK does
+    /// not take. Nothing happens for a material that there is not.
     void setTexture(const QImage& texture, int material);
     bool hasTexture() const;
+    /// Colours are made at once: later changes of the range need another call.
     /// \pre one value per vertex or triangle; empty takes them away.
     void setScalars(std::span<const float> values, ScalarPlace place, const ScalarRange& range);
     /// In place of scalars. \pre one per triangle; empty takes them away.
@@ -48,6 +50,7 @@ public:
     bool hasScalars() const;
     void setOffset(const QVector3D& offset);
     void setVisible(bool visible);
+    /// 0 … 1.
     void setOpacity(double opacity);
     void setColors(const QColor& clay, const QColor& wire);
     void setShading(Shading shading);

@@ -17,15 +17,18 @@ namespace quadrille::widgets {
 class GhostActor
 {
 public:
-    /// \pre three values per vertex.
+    /// \pre three values per vertex. \param positions  are copied. \param color  its alpha is the opacity;
+    /// opaque means the usual one.
     GhostActor(vtkRenderer* renderer, const FigureLights& lights, const FigureMesh& mesh,
                std::span<const float> positions, const QColor& color);
     ~GhostActor();
     GhostActor(const GhostActor&) = delete;
     GhostActor& operator=(const GhostActor&) = delete;
 
+    /// With the offset.
     QVector3D centroid() const;
-    /// The place above its middle that is as high as it is, without the offset.
+    /// The place above its middle that is as high as it is, without the offset. \param up  length one. Cost:
+    /// O(vertices).
     QVector3D head(const QVector3D& up) const;
     void setOffset(const QVector3D& offset);
     void setVisible(bool visible);

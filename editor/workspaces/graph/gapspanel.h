@@ -21,6 +21,7 @@ class GapsPanel : public QWidget
     Q_OBJECT
 
 public:
+    /// \param explorer  outlives it, as for all panels of the graph.
     explicit GapsPanel(GraphExplorer& explorer, QWidget* parent = nullptr);
 
 signals:

@@ -49,7 +49,8 @@ public:
     GraphExplorer& explorer() { return *m_explorer; }
     GraphMap& map() { return *m_map; }
     GraphBar& bar() { return *m_bar; }
-    /// Chooses a transition and plays it.
+    /// Chooses a transition and plays it. Where there is none between the frames, both frames are shown.
+    /// Nothing happens before a graph is opened.
     void activate(const FramePair& pair);
 
 private:

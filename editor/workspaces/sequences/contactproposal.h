@@ -20,7 +20,10 @@ public:
     /// Registers the actions.
     explicit ContactProposal(EditorContext& context, QObject* parent = nullptr);
 
+    /// Starts anew where it was under way. What is found is dropped where frames or range of the sequence are
+    /// others by then.
     void propose();
+    /// Takes all contacts of the sequence that is shown away, undoably.
     void clear();
 
 signals:

@@ -32,6 +32,7 @@ public:
     const PoseHeatMap& heatMap() const { return *m_heatMap; }
     /// Why there are no colours, in a sentence; empty while there is nothing to say.
     QString problem() const;
+    /// What helps with the problem; it means nothing without one.
     QString remedy() const;
 
 signals:

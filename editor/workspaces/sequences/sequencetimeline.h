@@ -27,25 +27,29 @@ class SequenceTimeline : public QObject
     Q_OBJECT
 
 public:
+    /// Refers to timeline, document and media.
     SequenceTimeline(widgets::Timeline& timeline, ProjectDocument& document, SequenceMedia& media,
                      QObject* parent = nullptr);
     ~SequenceTimeline() override;
 
     /// \param comparedFrames the length to show while comparing; 0: one sequence is edited.
     void show(const QString& sequence, std::int64_t comparedFrames = 0);
-    /// Adds a label over some frames from the playhead on and lets it be named.
+    /// Adds a label over some frames from the playhead on and lets it be named. Both are one edit, which
+    /// Escape takes back. Nothing happens while sequences are compared, or before this one is open.
     void addLabel();
     /// Adds a contact of a foot from the playhead on.
     void addContact(const QString& foot);
-    /// Makes the playhead the first or last frame.
+    /// Makes the playhead the first or last frame. The other end comes along where the playhead is beyond it.
     void trimStartHere();
     void trimEndHere();
+    /// All frames of the source are used again.
     void removeTrim();
     /// Whose row stands below the others.
     void setNotes(FrameNotes& notes) { m_notes = &notes; }
     const QString& sequence() const { return m_sequence; }
     bool isEditing() const { return entry() != nullptr && m_comparedFrames == 0; }
-    /// Opens a field for the name of a label.
+    /// Opens a field for the name of a label. Nothing happens for spans of other rows. \param phase  of the
+    /// edit that naming makes.
     void nameSpan(const widgets::SpanRef& span, EditPhase phase = EditPhase::Final);
 
 signals:

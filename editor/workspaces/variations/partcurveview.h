@@ -28,9 +28,11 @@ public:
 
     /// The surface is another now.
     void forgetSurface() { m_shown.clear(); }
+    /// It is the first clip that has as many vertices and triangles as the surface; none where no clip has.
     void refreshFigure();
     /// The body instead of all its way, the first time that its parts are worked on.
     void frameFigure();
+    /// Gives the editor all curves of the content; those that stayed as they were are not led anew.
     /// \param drawn  the curve that is drawn, by name.
     void refreshCurves(const std::string& drawn);
     void refreshColors();
