@@ -52,6 +52,7 @@ public:
 
     static constexpr std::size_t defaultBudget = std::size_t{512} << 20;
 
+    /// 512 MB by default.
     explicit MediaCache(std::size_t budgetBytes = defaultBudget);
 
     /// The cache that everything uses unless told otherwise.
@@ -60,9 +61,12 @@ public:
     /// Item `index` of a source, from the cache or by `load`, which runs without a lock and may throw (what
     /// it throws reaches all who wait). `load` must not ask for the same item.
     std::shared_ptr<const void> get(MediaId id, std::int64_t index, const std::function<Loaded()>& load);
-    /// Forgets all items of a source.
+    /// Forgets all items of a source. One that is being loaded is kept when it comes all the same. Cost:
+    /// linear in all items.
     void drop(MediaId id);
+    /// Drops what is beyond it at once. An item larger than the budget is handed out, but not kept.
     void setBudget(std::size_t bytes);
+    /// Hits and misses count from the beginning; waiting for a load of another thread is a hit.
     Statistics statistics() const;
 
 private:

@@ -10,7 +10,9 @@ namespace quadrille {
 
 /// Values evened out along their order by a Gaussian. Beyond both ends they are continued
 /// point-symmetrically: the ends stay as they are, straight lines stay straight, and what ascends still does.
-/// \param deviation  standard deviation of the Gaussian, in steps; 0: nothing is changed.
+/// Fewer than three values are not changed. It is cut off at three deviations.
+/// \param deviation  standard deviation of the Gaussian, in steps; 0: nothing is changed. \pre deviation ≥ 0.
+/// Cost: O(values · deviation).
 template <typename Value>
 std::vector<Value> evened(const std::vector<Value>& values, double deviation)
 {

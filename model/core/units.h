@@ -63,7 +63,8 @@ using Vec2d = Eigen::Vector2d;
 using Vec3f = Eigen::Vector3f;
 using Vec3d = Eigen::Vector3d;
 
-/// Vertex positions of one frame, metres, in vertex order. Twelve bytes a vertex, contiguous.
+/// Vertex positions of one frame in vertex order, in the unit of whoever holds them: a project's sequences
+/// and clips are in its own. Twelve bytes a vertex, contiguous.
 using Positions = std::span<const Vec3f>;
 using MutablePositions = std::span<Vec3f>;
 static_assert(sizeof(Vec3f) == 12);

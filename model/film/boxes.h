@@ -12,6 +12,7 @@ namespace quadrille {
 class FilmBytes
 {
 public:
+    /// \param bytes  1 … 8, the lowest so many of the value.
     FilmBytes& add(std::uint64_t value, int bytes)
     {
         for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8)
@@ -45,13 +46,14 @@ private:
     std::string m_text;
 };
 
-/// A box of MP4 (ISO/IEC 14496-12): its size, its type, what is in it.
+/// A box of MP4 (ISO/IEC 14496-12): its size, its type, what is in it. \param type  four letters. \pre It
+/// stays below 4 GB.
 inline std::string box(std::string_view type, std::string_view content)
 {
     return FilmBytes().add32(8 + content.size()).add(type).add(content).text();
 }
 
-/// A box with a version and flags.
+/// A box with a version and flags. \param flags  the lowest 24 bits of them.
 inline std::string fullBox(std::string_view type, int version, std::uint32_t flags, std::string_view content)
 {
     return box(type, FilmBytes().add8(static_cast<std::uint64_t>(version)).add(flags, 3).add(content).text());

@@ -10,7 +10,8 @@
 
 namespace quadrille {
 
-/// A value in [0, 1) that belongs to a cell of an integer lattice.
+/// A value in [0, 1) that belongs to a cell of an integer lattice. The same for the same cell and seed, on
+/// every machine.
 inline double latticeValue(int x, int y, int z, std::uint64_t seed)
 {
     std::uint64_t key = seed;
@@ -19,7 +20,8 @@ inline double latticeValue(int x, int y, int z, std::uint64_t seed)
     return Random(key).unit();
 }
 
-/// Smooth value noise in [−1, 1] with a wavelength of about two units.
+/// Smooth value noise in [−1, 1] with a wavelength of about two units. Values of the cells about a place,
+/// blended by 3t² − 2t³ along each axis.
 inline double valueNoise(double x, double y, double z, std::uint64_t seed)
 {
     const double fx = std::floor(x);

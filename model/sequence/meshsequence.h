@@ -46,7 +46,8 @@ private:
     std::shared_ptr<const void> m_owner;
 };
 
-/// Frames of one topology at one rate: a value that shares what is heavy. Positions are metres.
+/// Frames of one topology at one rate: a value that shares what is heavy. Positions are in the unit and
+/// axes that it was opened for: those of the project, where it has one.
 struct MeshSequence
 {
     std::string name;

@@ -25,6 +25,7 @@ class SourceCache
 {
 public:
     /// As openSource. Cost, where it is open: one system call for each file that the source is made of.
+    /// \param character  null for none. \param folder  that relative paths are taken from.
     std::shared_ptr<const OpenedSequence> open(const SequenceEntry& entry, const CharacterEntry* character,
                                                const ProjectSettings& settings,
                                                const std::filesystem::path& folder, const Progress& progress);

@@ -12,6 +12,7 @@ namespace quadrille {
 
 // What results of variations are written and read with.
 
+/// \pre The shape's sizes multiply to the number of values.
 inline DataArray arrayOfDoubles(std::string name, std::string description, std::string unit,
                                 std::vector<std::int64_t> shape, std::vector<double> values)
 {
@@ -24,6 +25,7 @@ inline DataArray arrayOfDoubles(std::string name, std::string description, std::
     return array;
 }
 
+/// An array of rows × columns.
 inline DataArray matrixArray(std::string name, std::string description, std::string unit,
                              const RowMatrix& matrix)
 {

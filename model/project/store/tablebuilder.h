@@ -28,6 +28,7 @@ public:
     /// \pre As many cells as columns, each of its column's type.
     void add(std::span<const Cell> cells);
     void add(std::initializer_list<Cell> cells) { add(std::span(cells.begin(), cells.size())); }
+    /// What was written; the builder is not used any more.
     DataTable table() &&;
 
 private:

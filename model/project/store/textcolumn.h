@@ -57,6 +57,7 @@ public:
     using iterator = Iterator;
 
     TextColumn() = default;
+    /// Cost: O(texts) look-ups of a hash.
     TextColumn(const std::vector<std::string>& texts);
     TextColumn(std::initializer_list<std::string> texts) : TextColumn(std::vector<std::string>(texts)) {}
 
@@ -72,7 +73,9 @@ public:
     Iterator end() const { return {this, size()}; }
     /// Each different text, in the order in which they come.
     const std::vector<std::string>& words() const { return m_words; }
+    /// All texts, each a copy.
     std::vector<std::string> list() const;
+    /// What it takes in memory.
     std::uint64_t bytes() const;
 
     void reserve(std::size_t size) { m_places.reserve(size); }

@@ -28,7 +28,10 @@ public:
                stage.isFollowing == m_stage.isFollowing;
     }
     bool isEmpty() const { return m_open.empty(); }
+    /// Whether a candidate of this rank would be kept; adding others is a waste.
     bool takes(double rank) const { return rank < m_limit; }
+    /// Beyond eight times the width the less promising half goes, and nothing so bad is taken any more. Cost:
+    /// O(log n), amortised.
     void add(const Candidate& candidate, std::int64_t width)
     {
         m_open.push_back(candidate);
@@ -43,6 +46,7 @@ public:
         m_open.resize(most);
         std::make_heap(m_open.begin(), m_open.end(), isWorse);
     }
+    /// The most promising one, which goes. \pre It is not empty.
     Candidate take()
     {
         std::pop_heap(m_open.begin(), m_open.end(), isWorse);
@@ -70,6 +74,7 @@ template <typename Candidate>
 class BeamFront
 {
 public:
+    /// Made where there is none yet. Good until another is made.
     BeamLayer<Candidate>& layer(const AutomatonState& stage, int quarters)
     {
         for (BeamLayer<Candidate>& layer : m_layers) {
@@ -84,7 +89,7 @@ public:
         const std::int64_t turns = std::max(std::int64_t{1}, least / 8);
         return std::max(least, turns * static_cast<std::int64_t>(m_layers.size()));
     }
-    /// The best state of the layer whose turn it is.
+    /// The best state of the layer whose turn it is. None where all layers are empty.
     std::optional<Candidate> take()
     {
         for (std::size_t tried = 0; tried < m_layers.size(); ++tried) {

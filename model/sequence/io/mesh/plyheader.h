@@ -40,6 +40,7 @@ struct PlyElement
     std::int64_t count = 0;
     std::vector<PlyProperty> properties;
 
+    /// Whether a property is a list, so that elements differ in length.
     bool hasLists() const;
     /// Bytes that an element takes in a binary file; with lists, at least.
     std::size_t bytes() const;

@@ -12,7 +12,7 @@
 
 namespace quadrille {
 
-/// Reads the values of a binary PLY body one after the other.
+/// Reads the values of a binary PLY body one after the other. Refers to its body.
 class PlyBinaryValues
 {
 public:
@@ -93,7 +93,7 @@ private:
     bool m_isBigEndian;
 };
 
-/// Reads the values of an ASCII PLY body one after the other.
+/// Reads the values of an ASCII PLY body one after the other. Refers to its body.
 class PlyTextValues
 {
 public:
