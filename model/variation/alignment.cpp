@@ -21,7 +21,7 @@ namespace quadrille {
 namespace {
 
 /// A take as it is matched: its frames that may be used, with contacts. The reference keeps all.
-struct Candidate
+struct CycleCandidate
 {
     MeshSequence sequence;
     FrameIndex first{0}; ///< frame of the take that the sequence begins with
@@ -67,10 +67,10 @@ FrameRange usableFrames(const TrainingTake& take)
 }
 
 /// \param cut  to the frames that may be used.
-Candidate candidateOf(const TrainingTake& take, bool cut, UpAxis up, const Progress& progress)
+CycleCandidate candidateOf(const TrainingTake& take, bool cut, UpAxis up, const Progress& progress)
 {
     const FrameRange frames = usableFrames(take);
-    Candidate candidate{
+    CycleCandidate candidate{
         .sequence = take.sequence, .first = FrameIndex(0), .isGiven = take.range.has_value(), .contacts = {}};
     if (candidate.sequence.contacts.empty())
         candidate.sequence.contacts = detectContacts(take.sequence, {.up = up}, progress);
@@ -85,7 +85,7 @@ Candidate candidateOf(const TrainingTake& take, bool cut, UpAxis up, const Progr
 /// What all is matched by.
 struct Matching
 {
-    std::vector<Candidate> candidates;
+    std::vector<CycleCandidate> candidates;
     std::size_t reference = 0;
     FrameRange usable;                   ///< frames of the reference
     Table<float> referenceDistances;     ///< of all its frames to each other
@@ -95,8 +95,8 @@ struct Matching
 
 void fillCosts(Matching& matching, const AlignmentSettings& settings, const Progress& progress)
 {
-    const std::vector<Candidate>& candidates = matching.candidates;
-    const Candidate& reference = candidates[matching.reference];
+    const std::vector<CycleCandidate>& candidates = matching.candidates;
+    const CycleCandidate& reference = candidates[matching.reference];
     std::vector<MeshSequence> sequences{reference.sequence};
     for (std::size_t t = 0; t < candidates.size(); ++t) {
         if (t != matching.reference)
@@ -129,7 +129,7 @@ struct ReferenceFrames
     bool isCycle = false;
 };
 
-Table<float> ownDistances(const Candidate& candidate, const AlignmentSettings& settings,
+Table<float> ownDistances(const CycleCandidate& candidate, const AlignmentSettings& settings,
                           const Progress& progress)
 {
     return poseDistances(CharacterFrames(std::span(&candidate.sequence, 1)), settings.distance, progress)
@@ -196,7 +196,7 @@ std::pair<TakeUse, FrameRange> usedFrames(const Table<float>& distances, const T
 WarpReport reportOf(const Matching& matching, std::size_t take, const ReferenceFrames& frames,
                     const Table<float>& own, const AlignmentSettings& settings)
 {
-    const Candidate& candidate = matching.candidates[take];
+    const CycleCandidate& candidate = matching.candidates[take];
     const Table<float> costs = matching.costs[take].middleRows(frames.first, frames.count);
     WarpReport report{.firstColumn = candidate.first, .contacts = candidate.contacts};
     if (take == matching.reference) {

@@ -235,6 +235,22 @@ private slots:
         QVERIFY(!tool().rename({PartSelection::Kind::Part, "trunk"}, "left arm"));
         QVERIFY(said("bodyPartsNotice").contains("left arm"));
     }
+
+    /// Lengths of curves, radii and overlaps are metres, whatever the project's unit.
+    void theSurfaceIsInMetres()
+    {
+        const auto before = tool().surface().graph();
+        ProjectSettings settings = document().project().settings;
+        settings.axes.metresPerUnit = 0.01;
+        setSettings(document(), settings);
+        // The takes, whose files are in metres, are in centimetres now.
+        const auto isThere = [&] {
+            const auto now = tool().surface().graph();
+            return now != nullptr && now != before && (now->pose()[3] - before->pose()[3]).norm() < 1e-5F;
+        };
+        QTRY_VERIFY(isThere());
+        QVERIFY(before->pose()[3].norm() > 0.1F);
+    }
 };
 
 } // namespace quadrille

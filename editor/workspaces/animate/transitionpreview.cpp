@@ -39,15 +39,16 @@ TransitionPreview::~TransitionPreview() = default;
 void TransitionPreview::show(const std::shared_ptr<const OpenedCharacter>& character,
                              const FramePair& transition, const AnimationEntry& entry)
 {
-    if (m_transition == transition)
+    const Asked asked{character, transition, entry.interpolation, entry.gentleBlend};
+    if (m_asked == asked)
         return;
     if (m_job)
         m_job->cancel();
-    m_transition = transition;
+    m_asked = asked;
     m_job = m_jobs.start(
         {.name = tr("Preview of a transition"),
          .receiver = this,
-         .stillStands = [this, transition] { return m_transition == transition; },
+         .stillStands = [this, asked] { return m_asked == asked; },
          .background = true},
         [character, transition, entry](const Progress& progress) {
             return blend(*character, transition, entry, progress);
@@ -56,11 +57,15 @@ void TransitionPreview::show(const std::shared_ptr<const OpenedCharacter>& chara
             m_clip = std::move(clip);
             emit changed();
         });
+    connect(m_job, &Job::ended, this, [this, asked](Job::State state) {
+        if (state == Job::State::Failed && m_asked == asked)
+            m_asked.reset(); // may be tried again
+    });
 }
 
 void TransitionPreview::end()
 {
-    m_transition.reset();
+    m_asked.reset();
     if (m_job)
         m_job->cancel();
     if (std::exchange(m_clip, std::nullopt))

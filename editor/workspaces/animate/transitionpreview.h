@@ -23,8 +23,8 @@ public:
     explicit TransitionPreview(JobRunner& jobs, QObject* parent = nullptr);
     ~TransitionPreview() override;
 
-    /// The clip of before stays until it is there. Nothing happens for the transition that was asked for
-    /// last.
+    /// The clip of before stays until it is there. Nothing happens for what was asked for last, unless it
+    /// failed.
     /// \param entry  how it is blended. \pre There is a transition between the frames.
     void show(const std::shared_ptr<const OpenedCharacter>& character, const FramePair& transition,
               const AnimationEntry& entry);
@@ -40,9 +40,18 @@ signals:
     void changed();
 
 private:
+    struct Asked
+    {
+        std::shared_ptr<const OpenedCharacter> character;
+        FramePair transition;
+        InterpolationMethod interpolation;
+        bool isGentle = false;
+        bool operator==(const Asked&) const = default;
+    };
+
     JobRunner& m_jobs;
     QPointer<Job> m_job;
-    std::optional<FramePair> m_transition;
+    std::optional<Asked> m_asked; ///< what was asked for last; nothing where it failed
     std::optional<MeshSequence> m_clip;
 };
 

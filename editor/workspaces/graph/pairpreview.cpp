@@ -177,10 +177,12 @@ void PairPreview::startClip()
          .receiver = this,
          .stillStands = [this, generation = m_generation] { return generation == m_generation; },
          .failed =
-             [this, opened = m_opened](const Error& error) {
+             [this, opened = m_opened, pair](const Error& error) {
                  m_clipJob.clear();
-                 m_wantedClip.reset();
+                 if (m_wantedClip == pair)
+                     m_wantedClip.reset();
                  emit clipFailed(opened->graph.named(error));
+                 startClip();
              },
          .background = true},
         [opened = m_opened, pair, isGentle = m_isGentle](const Progress& progress) {

@@ -42,7 +42,8 @@ void BodySurface::update()
         source = {.topology = sequence->topology,
                   .frames = sequence->source,
                   .frame = sequence->sourceFrame(
-                      FrameIndex(std::clamp<std::int64_t>(wanted->frame.value, 0, last)))};
+                      FrameIndex(std::clamp<std::int64_t>(wanted->frame.value, 0, last))),
+                  .metresPerUnit = m_variation.context().document.project().settings.axes.metresPerUnit};
     }
     if (source == m_source)
         return;
@@ -69,8 +70,12 @@ void BodySurface::read(const MeshSequence& sequence, FrameIndex frame)
                  emit changed();
              },
          .background = true},
-        [sequence, frame](const Progress&) {
-            return SurfaceGraph(sequence.topology, sequence.frame(frame).positions());
+        [sequence, frame, metres = static_cast<float>(m_source.metresPerUnit)](const Progress&) {
+            const Frame read = sequence.frame(frame);
+            std::vector<Vec3f> pose(read.positions().begin(), read.positions().end());
+            for (Vec3f& position : pose)
+                position *= metres;
+            return SurfaceGraph(sequence.topology, pose);
         },
         [this](SurfaceGraph graph) {
             m_graph = std::make_shared<const SurfaceGraph>(std::move(graph));

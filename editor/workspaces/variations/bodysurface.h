@@ -25,7 +25,7 @@ class BodySurface : public QObject
 public:
     explicit BodySurface(CurrentVariation& variation, QObject* parent = nullptr);
 
-    /// Null until it is there.
+    /// In metres. Null until it is there.
     std::shared_ptr<const SurfaceGraph> graph() const { return m_graph; }
     /// Which pose that is; none without sequences.
     std::optional<NamedFrame> pose() const;
@@ -44,6 +44,7 @@ private:
         std::shared_ptr<const void> topology;
         std::shared_ptr<const void> frames;
         FrameIndex frame{0};
+        double metresPerUnit = 1;
         bool operator==(const Source&) const = default;
     };
     void update();
