@@ -82,6 +82,7 @@ void GraphExplorer::setCharacter(std::shared_ptr<const OpenedCharacter> opened)
     m_measured.reset();
     m_gaps.reset();
     m_comparison.clear();
+    m_compared.clear();
     m_filter = {};
     emit characterChanged();
     emit filterChanged();
@@ -93,6 +94,10 @@ void GraphExplorer::setAlpha(double alpha)
     if (alpha == m_alpha)
         return;
     m_alpha = alpha;
+    // It goes on where it was once α rests.
+    if (isBusy(m_comparing))
+        m_comparing->cancel();
+    m_comparing.clear();
     computeGraphs();
 }
 
@@ -160,8 +165,12 @@ void GraphExplorer::take(std::shared_ptr<const MeasuredGraphs> measured)
 void GraphExplorer::computeGaps()
 {
     const bool isAtRest = m_measured && m_measured->graphs->alpha == m_alpha;
-    if (!isAtRest || isBusy(m_gapsJob) || (m_gaps && m_gaps->alpha == m_alpha))
+    if (!isAtRest || isBusy(m_gapsJob))
         return;
+    if (m_gaps && m_gaps->alpha == m_alpha) {
+        askForComparison();
+        return;
+    }
     m_gapsJob = m_jobs.start(
         {.name = tr("Gaps of the graphs"),
          .receiver = this,
@@ -183,7 +192,6 @@ void GraphExplorer::computeGaps()
             m_gaps = std::move(gaps);
             emit gapsChanged();
             computeGaps();
-            askForComparison();
         });
 }
 
@@ -196,22 +204,22 @@ void GraphExplorer::askForComparison()
          .receiver = this,
          .stillStands = [this, generation = m_generation] { return generation == m_generation; },
          .background = true},
-        [opened = m_opened, minima = m_graphs->minima](const Progress& progress) {
-            std::vector<GraphComparison> comparison;
-            for (std::size_t i = 0; i < comparedAlphas.size(); ++i) {
-                const double share = 1.0 / comparedAlphas.size();
-                const auto part = static_cast<double>(i);
-                comparison.push_back(compareAt(opened->graph.costs(), minima, comparedAlphas[i],
-                                               progress.part(part * share, (part + 1) * share)));
-            }
-            return comparison;
-        },
-        [this](std::vector<GraphComparison> comparison) {
+        [opened = m_opened, minima = m_graphs->minima, alpha = comparedAlphas.at(m_compared.size())](
+            const Progress& progress) { return compareAt(opened->graph.costs(), minima, alpha, progress); },
+        [this](GraphComparison compared) {
             m_comparing.clear();
-            m_comparison = std::move(comparison);
+            m_compared.push_back(std::move(compared));
+            if (m_compared.size() < comparedAlphas.size()) {
+                askForComparison();
+                return;
+            }
+            m_comparison = std::exchange(m_compared, {});
             emit comparisonChanged();
         });
-    connect(m_comparing, &Job::ended, this, [this] { emit comparisonChanged(); });
+    connect(m_comparing, &Job::ended, this, [this](Job::State state) {
+        if (state != Job::State::Done)
+            emit comparisonChanged();
+    });
 }
 
 } // namespace quadrille

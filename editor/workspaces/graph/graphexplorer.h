@@ -92,6 +92,7 @@ private:
     std::shared_ptr<const MeasuredGraphs> m_measured;
     std::shared_ptr<const ExploredGaps> m_gaps;
     std::vector<GraphComparison> m_comparison;
+    std::vector<GraphComparison> m_compared; ///< of it, as far as it came
     QPointer<Job> m_graphsJob;
     double m_computedAlpha = 0; ///< by that job
     QPointer<Job> m_gapsJob;
