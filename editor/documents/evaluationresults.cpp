@@ -37,7 +37,7 @@ ResultPhase phaseOf(const OpenedEvaluation& opened)
 } // namespace
 
 EvaluationResults::EvaluationResults(ProjectDocument& document, JobRunner& jobs, QObject* parent)
-    : WantedResults(document, jobs, std::nullopt, evaluationDelay, parent), m_jobs(jobs)
+    : WantedResults(document, jobs, std::nullopt, evaluationDelay, parent)
 {
 }
 
@@ -65,7 +65,7 @@ void EvaluationResults::update()
     if (m_opening)
         m_opening->cancel();
     const QStringList names = evaluationsOf(document().project());
-    m_opening = m_jobs.start(
+    m_opening = jobs().start(
         {.name = tr("Looking for evaluations"),
          .receiver = this,
          .failed =

@@ -38,7 +38,6 @@ private:
     void take(const QStringList& names, std::vector<OpenedEvaluation> opened);
     static void take(State& state, OpenedEvaluation opened);
 
-    JobRunner& m_jobs;
     QPointer<Job> m_opening; ///< of all of them
 };
 

@@ -111,6 +111,8 @@ protected:
     virtual void stopped(const QString& name, ResultState& state);
 
     ProjectDocument& document() const { return m_document; }
+    /// For work that is of no single result.
+    JobRunner& jobs() const { return m_jobs; }
     const States& states() const { return m_states; }
     /// Null where there is none of this name. Good until it is forgotten.
     ResultState* find(const QString& name) const;
