@@ -10,10 +10,13 @@ body=$(cd "$(dirname "$0")/../resources/sample/body" && pwd)
 cd "$body"
 export LC_ALL=C # one order of names everywhere
 
-# The files, and all that their bytes depend on most.
+# The files, and the code that their bytes depend on most, whatever its comments say.
 sums() {
-    sha256sum figures.cbor ./*.png ../maker/*.h ../maker/*.cpp \
-        ../../../model/sample/{noise.h,surfacemesh.cpp,texelmap.cpp}
+    local source
+    sha256sum figures.cbor ./*.png
+    for source in ../maker/*.h ../maker/*.cpp ../../../model/sample/{noise.h,surfacemesh.cpp,texelmap.cpp}; do
+        sed -E 's@(^|[[:space:]]+)//.*$@@; /^[[:space:]]*$/d' "$source" | sha256sum | sed "s@-\$@$source@"
+    done
 }
 
 case ${1:-} in
