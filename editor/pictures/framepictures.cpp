@@ -4,6 +4,7 @@
 
 #include "editor/jobs/jobrunner.h"
 #include "editor/pictures/pictures.h"
+#include "model/core/error.h"
 #include "model/render/renderframe.h"
 #include "model/render/thumbnail.h"
 
@@ -33,8 +34,14 @@ std::vector<Drawing> drawAll(std::vector<Drawing> drawings, const RenderOptions&
     for (std::int64_t i = 0; i < count; ++i) {
         progress.report(i, count);
         Drawing& each = drawings[static_cast<std::size_t>(i)];
-        const Camera camera = figureCameras(each.sequence, {each.frame}, look).front();
-        each.picture = renderFrame(each.sequence, each.frame, camera, look);
+        try {
+            const Camera camera = figureCameras(each.sequence, {each.frame}, look).front();
+            each.picture = renderFrame(each.sequence, each.frame, camera, look);
+        } catch (const Error& error) {
+            if (error.code() == ErrorCode::Cancelled)
+                throw;
+            // It stays without a picture; why is told where the sequence is shown.
+        }
     }
     return drawings;
 }
@@ -93,7 +100,7 @@ void FramePictures::draw()
          .receiver = this,
          .failed =
              [goOn](const Error&) {
-                 goOn(); /* told where the sequence is shown */
+                 goOn(); // it was cancelled
              },
          .background = true},
         [drawings = std::move(drawings), look](const Progress& progress) {
