@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/appearance/pca.h"
+
+#include "model/appearance/pcakernels.h"
+#include "model/core/badargument.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <tbb/cache_aligned_allocator.h>
+
+namespace quadrille {
+
+namespace {
+
+constexpr std::int64_t wave = 8; ///< blocks whose sums are kept at a time, to be added in their order
+
+std::size_t filledUp(std::int64_t size, std::size_t unit)
+{
+    return (static_cast<std::size_t>(size) + unit - 1) / unit * unit;
+}
+
+/// How the values of samples are cut: into blocks that fit a thread's share of memory.
+struct Blocks
+{
+    std::int64_t length = 0;
+    std::int64_t count = 0;
+
+    explicit Blocks(const SampleSet& samples)
+    {
+        constexpr std::int64_t values = 16 << 18; // 16 MB
+        const auto depth = static_cast<std::int64_t>(pcaDepth);
+        length = std::clamp(values / samples.count / depth * depth, depth, 128 * depth);
+        count = (samples.size + length - 1) / length;
+    }
+};
+
+/// Some values of all samples, a row for each sample, with zeros in rows and columns that fill up.
+struct Block
+{
+    std::int64_t first = 0;
+    std::int64_t values = 0;
+    std::size_t depth = 0;
+    std::size_t stride = 0;
+    bool isWhole = true;
+    std::vector<double> mean;
+    std::vector<float, tbb::cache_aligned_allocator<float>> rows;
+};
+
+Block readBlock(const SampleSet& samples, const Blocks& blocks, std::int64_t index, const Progress& progress)
+{
+    Block block;
+    block.first = index * blocks.length;
+    block.values = std::min(blocks.length, samples.size - block.first);
+    block.depth = filledUp(block.values, pcaDepth);
+    block.stride = block.depth + 16; // no power of two, as rows would then meet in the cache
+    block.rows.resize(filledUp(samples.count, pcaRows) * block.stride);
+    block.mean.resize(static_cast<std::size_t>(block.values));
+    for (std::int64_t s = 0; s < samples.count; ++s) {
+        const std::span row(block.rows.data() + static_cast<std::size_t>(s) * block.stride,
+                            block.mean.size());
+        samples.read(s, block.first, row);
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            block.mean[k] += double{row[k]};
+            block.isWhole = block.isWhole && std::abs(row[k]) <= 255 && row[k] == std::floor(row[k]);
+        }
+        progress.report(s, samples.count);
+    }
+    for (double& mean : block.mean)
+        mean /= static_cast<double>(samples.count);
+    return block;
+}
+
+/// Takes a value from all of each column.
+template <typename Offset>
+void subtract(Block& block, std::int64_t samples, const Offset& offsetOf)
+{
+    std::vector<float> offsets(block.mean.size());
+    std::transform(block.mean.begin(), block.mean.end(), offsets.begin(), offsetOf);
+    for (std::int64_t s = 0; s < samples; ++s) {
+        float* row = block.rows.data() + static_cast<std::size_t>(s) * block.stride;
+        for (std::size_t k = 0; k < offsets.size(); ++k)
+            row[k] -= offsets[k];
+    }
+}
+
+/// Products of all pairs of samples in a block, below and on the diagonal, four rows after the other. They
+/// are taken from a place near the mean, a whole number where the values are.
+std::vector<double> productsIn(const SampleSet& samples, const Blocks& blocks, std::int64_t index,
+                               const Progress& progress)
+{
+    Block block = readBlock(samples, blocks, index, progress.part(0, 0.5));
+    subtract(block, samples.count,
+             [&](double mean) { return static_cast<float>(block.isWhole ? std::round(mean) : mean); });
+    const std::size_t rows = filledUp(samples.count, pcaRows);
+    std::vector<double> products(rows * (rows + pcaRows) / 2);
+    std::size_t place = 0;
+    for (std::size_t first = 0; first < rows; first += pcaRows) {
+        addRowProducts(block.rows.data(), block.stride, block.depth, first, block.isWhole,
+                       products.data() + place);
+        place += pcaRows * (first + pcaRows);
+        progress.part(0.5, 1).report(static_cast<std::int64_t>(place),
+                                     static_cast<std::int64_t>(products.size()));
+    }
+    return products;
+}
+
+/// Products of the samples as seen from their mean.
+Eigen::MatrixXd centredProducts(const SampleSet& samples, const Blocks& blocks, const Progress& progress,
+                                const Executor& executor)
+{
+    const std::size_t rows = filledUp(samples.count, pcaRows);
+    std::vector<double> sums(rows * (rows + pcaRows) / 2);
+    for (std::int64_t begin = 0; begin < blocks.count; begin += wave) {
+        const std::int64_t count = std::min(wave, blocks.count - begin);
+        std::vector<std::vector<double>> parts(static_cast<std::size_t>(count));
+        executor.run(makeTasks<double>(
+                         count,
+                         [&](std::int64_t task, const Progress& own) {
+                             return productsIn(samples, blocks, begin + task, own);
+                         },
+                         [&](std::int64_t task, std::span<const double> part) {
+                             parts[static_cast<std::size_t>(task)].assign(part.begin(), part.end());
+                         }),
+                     progress.part(static_cast<double>(begin) / static_cast<double>(blocks.count),
+                                   static_cast<double>(begin + count) / static_cast<double>(blocks.count)));
+        for (const std::vector<double>& part : parts)
+            std::transform(part.begin(), part.end(), sums.begin(), sums.begin(), std::plus());
+    }
+    Eigen::MatrixXd gram(samples.count, samples.count);
+    std::size_t place = 0;
+    for (std::int64_t row = 0; row < samples.count; ++row) {
+        const std::size_t width = filledUp(row + 1, pcaRows);
+        for (std::int64_t column = 0; column <= row; ++column)
+            gram(row, column) = gram(column, row) = sums[place + static_cast<std::size_t>(column)];
+        place += width;
+    }
+    const Eigen::VectorXd means = gram.rowwise().mean();
+    const double mean = means.mean();
+    gram.colwise() -= means;
+    gram.rowwise() -= means.transpose();
+    gram.array() += mean;
+    return gram;
+}
+
+/// Means of a block, then its part of each component.
+std::vector<float> combinationsIn(const SampleSet& samples, const Blocks& blocks, std::int64_t index,
+                                  const Eigen::MatrixXd& weights, const Progress& progress)
+{
+    Block block = readBlock(samples, blocks, index, progress.part(0, 0.5));
+    subtract(block, samples.count, [](double mean) { return static_cast<float>(mean); });
+    std::vector<float> values(block.mean.begin(), block.mean.end());
+    const Eigen::Index count = weights.cols();
+    std::vector<double> four(static_cast<std::size_t>(samples.count) * pcaRows);
+    std::vector<float> sums(pcaRows * block.stride);
+    for (Eigen::Index first = 0; first < count; first += pcaRows) {
+        const Eigen::Index some = std::min<Eigen::Index>(pcaRows, count - first);
+        std::fill(four.begin(), four.end(), 0.0);
+        for (Eigen::Index s = 0; s < weights.rows(); ++s)
+            for (Eigen::Index c = 0; c < some; ++c)
+                four[static_cast<std::size_t>(s) * pcaRows + static_cast<std::size_t>(c)] =
+                    weights(s, first + c);
+        combineRows(block.rows.data(), static_cast<std::size_t>(samples.count), block.stride, block.depth,
+                    four.data(), sums.data());
+        for (Eigen::Index c = 0; c < some; ++c) {
+            const float* row = sums.data() + static_cast<std::size_t>(c) * block.stride;
+            values.insert(values.end(), row, row + block.values);
+        }
+        progress.part(0.5, 1).report(first, count);
+    }
+    return values;
+}
+
+/// Turns components whose largest entry is negative.
+void turn(LinearSpace& space, std::int64_t samples, std::int64_t count)
+{
+    for (std::int64_t c = 0; c < count; ++c) {
+        float* component = space.components.data() + c * space.size();
+        const float* largest = std::max_element(component, component + space.size(),
+                                                [](float a, float b) { return std::abs(a) < std::abs(b); });
+        if (*largest >= 0)
+            continue;
+        std::transform(component, component + space.size(), component, std::negate());
+        for (std::int64_t s = 0; s < samples; ++s) {
+            double& coefficient = space.coefficients[static_cast<std::size_t>(s * count + c)];
+            coefficient = -coefficient;
+        }
+    }
+}
+
+} // namespace
+
+LinearSpace principalComponents(const SampleSet& samples, std::int64_t components, const Progress& progress,
+                                const Executor& executor)
+{
+    if (samples.count <= 0 || samples.size <= 0 || components < 0)
+        refuse("Principal components need at least one sample with values", "Give samples.");
+    const Blocks blocks(samples);
+    const Eigen::MatrixXd gram = centredProducts(samples, blocks, progress.part(0, 0.6), executor);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
+    const Eigen::VectorXd values = solver.eigenvalues().reverse();
+    LinearSpace space;
+    constexpr double zero = 1e-10;
+    for (Eigen::Index k = 0; k < values.size() && values[k] > std::max(0.0, zero * values[0]); ++k)
+        space.eigenvalues.push_back(values[k] / static_cast<double>(samples.count));
+    const std::int64_t count = std::min(components, static_cast<std::int64_t>(space.eigenvalues.size()));
+    const Eigen::MatrixXd vectors = solver.eigenvectors().rowwise().reverse().leftCols(count);
+    const Eigen::VectorXd lengths = values.head(count).cwiseSqrt();
+    const Eigen::MatrixXd weights = vectors * lengths.cwiseInverse().asDiagonal();
+    space.mean.resize(static_cast<std::size_t>(samples.size));
+    space.components.resize(static_cast<std::size_t>(count * samples.size));
+    executor.run(makeTasks<float>(
+                     blocks.count,
+                     [&](std::int64_t task, const Progress& own) {
+                         return combinationsIn(samples, blocks, task, weights, own);
+                     },
+                     [&](std::int64_t task, std::span<const float> part) {
+                         const std::int64_t first = task * blocks.length;
+                         const std::int64_t length = static_cast<std::int64_t>(part.size()) / (count + 1);
+                         std::copy_n(part.begin(), length, space.mean.begin() + first);
+                         for (std::int64_t c = 0; c < count; ++c)
+                             std::copy_n(part.begin() + (c + 1) * length, length,
+                                         space.components.begin() + c * samples.size + first);
+                     }),
+                 progress.part(0.6, 1));
+    for (std::int64_t s = 0; s < samples.count; ++s)
+        for (std::int64_t c = 0; c < count; ++c)
+            space.coefficients.push_back(vectors(s, c) * lengths[c]);
+    turn(space, samples.count, count);
+    return space;
+}
+
+} // namespace quadrille
