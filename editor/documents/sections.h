@@ -27,6 +27,7 @@ enum class Section
     Animations,
     BodyParts, ///< an entry is called by its character
     Variations,
+    Appearances,
     Evaluations, ///< an entry is called by its table, and its character where it names one: see
                  ///< evaluationName()
     Exports,
@@ -67,6 +68,7 @@ inline constexpr std::tuple named{
     Place<std::vector<SequenceEntry>>(Section::Sequences, &Project::sequences),
     Place<std::vector<AnimationEntry>>(Section::Animations, &Project::animations),
     Place<std::vector<VariationEntry>>(Section::Variations, &Project::variations),
+    Place<std::vector<AppearanceEntry>>(Section::Appearances, &Project::appearances),
     Place<std::vector<ExportEntry>>(Section::Exports, &Project::exports)};
 /// What is edited as one value.
 inline constexpr std::tuple whole{

@@ -3,6 +3,7 @@
 #include "model/project/checks/validate.h"
 
 #include "model/project/checks/validateanimations.h"
+#include "model/project/checks/validateappearances.h"
 #include "model/project/checks/validateevaluations.h"
 #include "model/project/checks/validatevariations.h"
 #include "model/project/document/clipdependencies.h"
@@ -34,6 +35,7 @@ public:
         checkGraphs();
         validateAnimations(m_project, m_problems);
         validateVariations(m_project, m_problems);
+        validateAppearances(m_project, m_problems);
         validateEvaluations(m_project, m_problems);
         for (std::size_t i = 0; i < m_project.exports.size(); ++i) {
             if (const std::string& what = m_project.exports[i].what; !what.empty())

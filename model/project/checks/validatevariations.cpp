@@ -3,6 +3,7 @@
 #include "model/project/checks/validatevariations.h"
 
 #include "model/core/contains.h"
+#include "model/project/checks/sectionvalidator.h"
 #include "model/project/document/blendedges.h"
 #include "model/project/document/findentry.h"
 #include "model/project/document/problemtexts.h"
@@ -17,33 +18,6 @@ namespace quadrille {
 namespace {
 
 constexpr std::size_t mostBlends = 100; ///< takes that are made by one blend
-
-/// What both sections have in common.
-class SectionValidator
-{
-public:
-    SectionValidator(const Project& project, std::string pointer, ProjectProblems& problems)
-        : m_project(project), m_pointer(std::move(pointer)), m_problems(problems)
-    {
-    }
-
-protected:
-    void invalid(const std::string& key, std::string reason, std::string remedy = {})
-    {
-        m_problems.push_back(invalidAt(m_pointer + key, std::move(reason), std::move(remedy)));
-    }
-    void warn(const std::string& key, std::string reason, std::string remedy = {})
-    {
-        m_problems.push_back(warningAt(m_pointer + key, std::move(reason), std::move(remedy)));
-    }
-
-    const Project& project() const { return m_project; }
-
-private:
-    const Project& m_project;
-    std::string m_pointer;
-    ProjectProblems& m_problems;
-};
 
 class PartsValidator : SectionValidator
 {
@@ -117,13 +91,7 @@ public:
 private:
     void checkTraining(const VariationEntry& entry)
     {
-        std::vector<std::string> own;
-        const std::string character = characterNameOf(project(), entry);
-        for (const SequenceEntry& sequence : project().sequences) {
-            const CharacterEntry* of = characterOf(project(), sequence);
-            if ((of ? of->name : "") == character)
-                own.push_back(sequence.name);
-        }
+        const std::vector<std::string> own = sequencesOf(characterNameOf(project(), entry));
         if (entry.training.empty())
             warn("", "The variations " + quoted(entry.name) + " have no takes to learn from",
                  "Name them under “sequences”.");

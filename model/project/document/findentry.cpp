@@ -48,6 +48,19 @@ const VariationEntry* findVariation(const Project& project, const std::string& n
     return findEntry(project.variations, name);
 }
 
+const AppearanceEntry* findAppearance(const Project& project, const std::string& name)
+{
+    return findEntry(project.appearances, name);
+}
+
+const AppearanceEntry* appearanceOf(const Project& project, const std::string& character)
+{
+    const auto found = std::ranges::find_if(project.appearances, [&](const AppearanceEntry& entry) {
+        return characterNameOf(project, entry) == character;
+    });
+    return found == project.appearances.end() ? nullptr : &*found;
+}
+
 std::string characterNameOf(const Project& project, const AnimationEntry& animation)
 {
     return characterOrOnlyOne(project, animation.character);
@@ -56,6 +69,11 @@ std::string characterNameOf(const Project& project, const AnimationEntry& animat
 std::string characterNameOf(const Project& project, const VariationEntry& variation)
 {
     return characterOrOnlyOne(project, variation.character);
+}
+
+std::string characterNameOf(const Project& project, const AppearanceEntry& appearance)
+{
+    return characterOrOnlyOne(project, appearance.character);
 }
 
 const BodyPartsEntry* bodyPartsOf(const Project& project, const std::string& character)

@@ -13,10 +13,14 @@ const CharacterEntry* characterOf(const Project& project, const SequenceEntry& e
 const SequenceEntry* findSequence(const Project& project, const std::string& name);
 const AnimationEntry* findAnimation(const Project& project, const std::string& name);
 const VariationEntry* findVariation(const Project& project, const std::string& name);
-/// The character of an animation, a variation or parts of a body: the one it names, or the only one; empty
+const AppearanceEntry* findAppearance(const Project& project, const std::string& name);
+/// The model that clips of a character take their textures from: the first one of its own; null without one.
+const AppearanceEntry* appearanceOf(const Project& project, const std::string& character);
+/// The character of an animation, a variation or an appearance: the one it names, or the only one; empty
 /// when the project has none.
 std::string characterNameOf(const Project& project, const AnimationEntry& animation);
 std::string characterNameOf(const Project& project, const VariationEntry& variation);
+std::string characterNameOf(const Project& project, const AppearanceEntry& appearance);
 /// The parts of a character's body; null where the project has none.
 const BodyPartsEntry* bodyPartsOf(const Project& project, const std::string& character);
 

@@ -4,6 +4,7 @@
 
 #include "model/graph/motiongraph.h"
 #include "model/project/document/animationentry.h"
+#include "model/project/document/appearanceentry.h"
 #include "model/project/document/evaluationentry.h"
 #include "model/project/document/problem.h"
 #include "model/project/document/variationentry.h"
@@ -151,6 +152,7 @@ struct Project
     std::vector<GraphEntry> graphs;        ///< the section “graph”; one for each character at most
     std::vector<AnimationEntry> animations;
     std::vector<VariationEntry> variations;
+    std::vector<AppearanceEntry> appearances; ///< the section “appearance”
     std::vector<EvaluationEntry> evaluations;
     std::vector<ExportEntry> exports;
     /// Sections and keys that this version does not know.

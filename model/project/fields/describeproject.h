@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/project/fields/describeanimation.h"
+#include "model/project/fields/describeappearance.h"
 #include "model/project/fields/describeexport.h"
 #include "model/project/fields/describegraph.h"
 #include "model/project/fields/describevariation.h"
@@ -79,6 +80,8 @@ void describe(Fields& f, Type<Project>)
         {.help = "Transitions and graphs of each character; with one character without a list, too."});
     f.list("animations", &E::animations);
     f.list("variations", &E::variations);
+    f.list("appearance", &E::appearances,
+           {.help = "Models of the textures of characters; clips of a character take the first of its own."});
     f.list("evaluations", &E::evaluations,
            {.help = "Which of the papers' tables to compute, as “fig7” or {\"table\": \"fig7\", …}.",
             .shortKey = "table"});

@@ -84,6 +84,29 @@ inline AnimationEntry fullAnimation()
     return animation;
 }
 
+/// With every key that is known.
+inline AppearanceEntry fullAppearance()
+{
+    AppearanceEntry entry;
+    entry.name = "look";
+    entry.character = "liam";
+    entry.sequences = {"talk", "softly"};
+    entry.components = 30;
+    entry.warpShare = 0.25;
+    entry.flow = FlowMethod::Dis;
+    entry.reference = NamedFrame{"talk", FrameIndex(4)};
+    CompletionEntry completion;
+    completion.frame = {"softly", FrameIndex(7)};
+    completion.mask = "masks/softly_7.png";
+    MaskStrokeEntry stroke;
+    stroke.points = {0.2, 0.3, 0.25, 0.31};
+    stroke.radius = 0.04;
+    stroke.erases = true;
+    completion.strokes = {stroke};
+    entry.completions = {completion};
+    return entry;
+}
+
 /// A project in which every known key of the file has a value that is not the default.
 inline Project fullProject()
 {
@@ -130,6 +153,7 @@ inline Project fullProject()
     project.bodyParts = {fullBodyParts()};
     project.animations = {fullAnimation()};
     project.variations = {fullVariation()};
+    project.appearances = {fullAppearance()};
     EvaluationEntry evaluation;
     evaluation.table = "fig9";
     evaluation.character = "liam";

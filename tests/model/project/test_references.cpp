@@ -141,6 +141,7 @@ TEST(References, ToACharacterTakeAllThatIsMadeOfIt)
     EXPECT_EQ(project.sequences.front().name, "leap");
     EXPECT_TRUE(project.graphs.empty());
     EXPECT_TRUE(project.animations.empty());
+    EXPECT_TRUE(project.appearances.empty());
     EXPECT_TRUE(project.evaluations.empty());
     EXPECT_THAT(namesIn(project.exports), ::testing::ElementsAre("sequences/leap"));
     EXPECT_FALSE(hasErrors(validate(project)));

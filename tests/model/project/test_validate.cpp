@@ -12,6 +12,7 @@
 using namespace quadrille;
 using namespace quadrille::test;
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 namespace {
@@ -19,7 +20,7 @@ namespace {
 std::string onlyProblem(const Project& project)
 {
     const auto problems = validate(project);
-    EXPECT_EQ(problems.size(), 1U);
+    EXPECT_EQ(problems.size(), 1U) << (problems.size() > 1 ? problems[1].toString() : "");
     return problems.empty() ? "" : problems[0].pointer + " " + problems[0].toString();
 }
 
@@ -43,6 +44,31 @@ TEST(Validate, TheCharacterMayBeLeftOutOnlyWhereThereIsOne)
     project.characters[0].name = "dancer";
     project.sequences[0].character = "dacner";
     EXPECT_THAT(onlyProblem(project), HasSubstr("Did you mean “dancer”?"));
+}
+
+TEST(Validate, ModelsOfAppearanceAreChecked)
+{
+    const auto problemOf = [](auto change) {
+        Project project = fullProject();
+        change(project.appearances[0]);
+        return onlyProblem(project);
+    };
+    using Entry = AppearanceEntry;
+    EXPECT_THAT(problemOf([](Entry& e) { e.components = 0; }), HasSubstr("/appearance/0/components"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.warpShare = 1.1; }), HasSubstr("/appearance/0/warp_share"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.sequences[1] = "softy"; }),
+                AllOf(HasSubstr("/appearance/0/sequences/1"), HasSubstr("Did you mean “softly”?")));
+    EXPECT_THAT(problemOf([](Entry& e) { e.sequences[1] = "talk"; }), HasSubstr("twice"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.reference->sequence = "x"; }),
+                HasSubstr("/appearance/0/reference/sequence"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.reference->frame = FrameIndex(-1); }),
+                HasSubstr("/appearance/0/reference/frame"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.completions[0].frame.sequence = "x"; }),
+                HasSubstr("/appearance/0/completions/0/frame/sequence"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.completions[0].strokes[0].points.pop_back(); }),
+                HasSubstr("/completions/0/strokes/0/points"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.completions[0].strokes[0].radius = 0; }),
+                HasSubstr("/completions/0/strokes/0/radius"));
 }
 
 TEST(Validate, GraphsAreChecked)
