@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/appearance/buildappearance.h"
+
+#include "model/core/badargument.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+
+std::int64_t textureComponents(const BuildAppearanceOptions& options)
+{
+    if (!options.isAligned)
+        return options.components;
+    const double share = std::clamp(options.textureShare, 0.0, 1.0);
+    return std::llround(share * static_cast<double>(options.components));
+}
+
+BuiltAppearance buildAppearance(const TextureSource& textures, const Topology& topology,
+                                const BuildAppearanceOptions& options, FlowCache* cache,
+                                const Progress& progress, const Executor& executor)
+{
+    if (textures.count <= 0 || options.components < 0)
+        refuse("An appearance is built from at least one texture, into components",
+               "Give sequences that have a texture per frame.");
+    const std::shared_ptr<const Image> first = textures.read(0);
+    if (!first || first->isEmpty())
+        refuse("The first texture is empty", "Choose sequences that have a texture per frame.");
+    const ChartLookup charts(usedTexels(topology, first->width, first->height, options.gutter));
+    const double most = options.isAligned ? 0.95 : 0.3; // of the time
+    const auto alignment =
+        options.isAligned
+            ? alignTextures(textures, charts, options.alignment, cache, progress.part(0, most), executor)
+            : gatherTextures(textures, charts, options.alignment, progress.part(0, most), executor);
+    BuiltAppearance built;
+    built.used = charts.used();
+    built.grid = alignment->grid();
+    built.reference = alignment->reference;
+    built.rounds = alignment->rounds;
+    built.figures = alignment->figures;
+    const std::int64_t count = textureComponents(options);
+    const double between = most + 0.9 * (1 - most);
+    built.textures =
+        principalComponents(alignment->alignedSamples(), count, progress.part(most, between), executor);
+    built.warps = principalComponents(alignment->backwardSamples(), options.components - count,
+                                      progress.part(between, 1), executor);
+    return built;
+}
+
+} // namespace quadrille

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/appearance/chartlookup.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+
+namespace {
+
+constexpr auto none = static_cast<std::uint32_t>(-1);
+
+/// Displacements between nodes; beyond them, those of the last.
+Vec2f atPlace(std::span<const float> nodes, const WarpGrid& grid, const Vec2f& place)
+{
+    const auto along = [&](float at, int count) {
+        const float position =
+            std::clamp(at / static_cast<float>(grid.spacing), 0.0F, static_cast<float>(count - 1));
+        const int node = std::min(static_cast<int>(position), std::max(0, count - 2));
+        return std::pair(node, position - static_cast<float>(node));
+    };
+    const auto [i, tx] = along(place.x(), grid.width);
+    const auto [j, ty] = along(place.y(), grid.height);
+    const auto node = [&](int column, int row) {
+        column = std::min(column, grid.width - 1);
+        row = std::min(row, grid.height - 1);
+        const float* n = nodes.data() + 2 * (std::ptrdiff_t{row} * grid.width + column);
+        return Vec2f(n[0], n[1]);
+    };
+    return (1 - ty) * ((1 - tx) * node(i, j) + tx * node(i + 1, j)) +
+           ty * ((1 - tx) * node(i, j + 1) + tx * node(i + 1, j + 1));
+}
+
+} // namespace
+
+ChartLookup::ChartLookup(UsedTexels used) : m_used(std::move(used))
+{
+    m_charts.resize(cell(m_used.width, m_used.height) + 1);
+    m_indices.assign(m_charts.size(), none);
+    for (std::size_t k = 0; k < m_used.texels.size(); ++k) {
+        const auto [x, y] = place(k);
+        m_charts[cell(x, y)] = static_cast<std::uint16_t>(m_used.charts[k] + 1);
+        m_indices[cell(x, y)] = static_cast<std::uint32_t>(k);
+    }
+    findSources();
+}
+
+std::array<int, 2> ChartLookup::place(std::size_t texel) const
+{
+    const auto width = static_cast<std::uint32_t>(m_used.width);
+    return {static_cast<int>(m_used.texels[texel] % width), static_cast<int>(m_used.texels[texel] / width)};
+}
+
+void ChartLookup::findSources()
+{
+    m_sources.assign(m_used.texels.size(), none);
+    std::vector<std::uint32_t> front;
+    for (std::size_t k = 0; k < m_sources.size(); ++k) {
+        if (m_used.covered[k] != 0) {
+            m_sources[k] = static_cast<std::uint32_t>(k);
+            front.push_back(static_cast<std::uint32_t>(k));
+        }
+    }
+    for (std::size_t next = 0; next < front.size(); ++next) {
+        const auto [x, y] = place(front[next]);
+        for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+            if (x + dx < 0 || y + dy < 0)
+                continue;
+            const std::uint32_t beside = m_indices[cell(x + dx, y + dy)];
+            if (beside == none || m_sources[beside] != none ||
+                m_used.charts[beside] != m_used.charts[front[next]])
+                continue;
+            m_sources[beside] = m_sources[front[next]];
+            front.push_back(beside);
+        }
+    }
+    // Charts between the centres of texels have nothing but gutter.
+    for (std::size_t k = 0; k < m_sources.size(); ++k)
+        if (m_sources[k] == none)
+            m_sources[k] = static_cast<std::uint32_t>(k);
+}
+
+bool ChartLookup::isInside(const Vec2f& place, std::uint16_t chart) const
+{
+    const float left = std::floor(place.x());
+    const float top = std::floor(place.y());
+    if (!(left >= 0 && top >= 0 && left < static_cast<float>(m_used.width) &&
+          top < static_cast<float>(m_used.height)))
+        return false;
+    const std::uint16_t* charts = m_charts.data() + cell(static_cast<int>(left), static_cast<int>(top));
+    const bool isWide = place.x() > left;
+    const bool isHigh = place.y() > top;
+    const int below = m_used.width + 1;
+    return charts[0] == chart && (!isWide || charts[1] == chart) && (!isHigh || charts[below] == chart) &&
+           (!isWide || !isHigh || charts[below + 1] == chart);
+}
+
+Vec2f ChartLookup::shortened(std::size_t texel, const Vec2f& displacement) const
+{
+    constexpr int parts = 8;
+    const auto [x, y] = place(texel);
+    const Vec2f from(static_cast<float>(x), static_cast<float>(y));
+    const auto chart = static_cast<std::uint16_t>(m_used.charts[texel] + 1);
+    // What points out of an edge slides along it.
+    const bool isAcross = std::abs(displacement.x()) > std::abs(displacement.y());
+    const Vec2f larger = isAcross ? Vec2f(displacement.x(), 0) : Vec2f(0, displacement.y());
+    for (int part = parts; part > 0; --part)
+        for (const Vec2f& direction : {displacement, larger}) {
+            const Vec2f shorter = direction * (static_cast<float>(part) / parts);
+            if (isInside(from + shorter, chart))
+                return shorter;
+        }
+    const Vec2f smaller = displacement - larger;
+    return isInside(from + smaller, chart) ? smaller : Vec2f::Zero();
+}
+
+void ChartLookup::keepInside(std::vector<Vec2f>& field) const
+{
+    for (std::size_t k = 0; k < field.size(); ++k)
+        field[k] = field[m_sources[k]]; // those of covered texels stay
+    for (std::size_t k = 0; k < field.size(); ++k)
+        field[k] = shortened(k, field[k]);
+}
+
+std::vector<std::uint8_t> ChartLookup::colours(const Image& texture) const
+{
+    std::vector<std::uint8_t> colours;
+    colours.reserve(3 * m_used.texels.size());
+    for (const std::uint32_t source : m_sources) {
+        const std::uint8_t* pixel = texture.pixels.data() + std::size_t{4} * m_used.texels[source];
+        colours.insert(colours.end(), pixel, pixel + 3);
+    }
+    return colours;
+}
+
+std::vector<std::uint8_t> ChartLookup::colours(const Image& texture, const std::vector<Vec2f>& field) const
+{
+    const std::vector<std::uint8_t> still = colours(texture);
+    std::vector<std::uint8_t> moved(3 * m_used.texels.size());
+    for (std::size_t k = 0; k < field.size(); ++k) {
+        const auto [x, y] = place(k);
+        const Vec2f at(static_cast<float>(x) + field[k].x(), static_cast<float>(y) + field[k].y());
+        const int left = std::clamp(static_cast<int>(std::floor(at.x())), 0, m_used.width - 1);
+        const int top = std::clamp(static_cast<int>(std::floor(at.y())), 0, m_used.height - 1);
+        const float tx = at.x() - static_cast<float>(left);
+        const float ty = at.y() - static_cast<float>(top);
+        float sums[3] = {};
+        float whole = 0;
+        for (const auto& [dx, dy, weight] : {std::tuple{0, 0, (1 - tx) * (1 - ty)},
+                                             {1, 0, tx * (1 - ty)},
+                                             {0, 1, (1 - tx) * ty},
+                                             {1, 1, tx * ty}}) {
+            if (!(weight > 0) || m_charts[cell(left + dx, top + dy)] != m_used.charts[k] + 1)
+                continue;
+            const std::uint8_t* colour = still.data() + std::size_t{3} * m_indices[cell(left + dx, top + dy)];
+            for (std::size_t c = 0; c < 3; ++c)
+                sums[c] += weight * static_cast<float>(colour[c]);
+            whole += weight;
+        }
+        for (std::size_t c = 3 * k; c < 3 * k + 3; ++c)
+            moved[c] = whole > 0 ? static_cast<std::uint8_t>(sums[c - 3 * k] / whole + 0.5F) : still[c];
+    }
+    return moved;
+}
+
+std::vector<float> ChartLookup::atNodes(const std::vector<Vec2f>& field, const WarpGrid& grid) const
+{
+    constexpr int passes = 3; // means draw nodes at edges inwards, what is left is added
+    const auto nodes = static_cast<std::size_t>(grid.nodes());
+    std::vector<float> values(2 * nodes);
+    for (int pass = 0; pass < passes; ++pass) {
+        std::vector<Eigen::Vector3f> sums(nodes, Eigen::Vector3f::Zero());
+        for (std::size_t k = 0; k < field.size(); ++k) {
+            const auto [x, y] = place(k);
+            const Vec2f at(static_cast<float>(x), static_cast<float>(y));
+            const Vec2f left = field[k] - atPlace(values, grid, at);
+            const Vec2f cell = at / static_cast<float>(grid.spacing);
+            const int i = x / grid.spacing;
+            const int j = y / grid.spacing;
+            const float tx = cell.x() - static_cast<float>(i);
+            const float ty = cell.y() - static_cast<float>(j);
+            for (const auto& [di, dj, weight] : {std::tuple{0, 0, (1 - tx) * (1 - ty)},
+                                                 {1, 0, tx * (1 - ty)},
+                                                 {0, 1, (1 - tx) * ty},
+                                                 {1, 1, tx * ty}})
+                if (weight > 0)
+                    sums[static_cast<std::size_t>((j + dj) * grid.width + i + di)] +=
+                        weight * Eigen::Vector3f(left.x(), left.y(), 1);
+        }
+        for (std::size_t node = 0; node < nodes; ++node)
+            if (sums[node].z() > 0)
+                for (const std::size_t axis : {0U, 1U})
+                    values[2 * node + axis] += sums[node][static_cast<Eigen::Index>(axis)] / sums[node].z();
+    }
+    return values;
+}
+
+std::vector<Vec2f> ChartLookup::atTexels(std::span<const float> nodes, const WarpGrid& grid) const
+{
+    std::vector<Vec2f> field(m_used.texels.size());
+    for (std::size_t k = 0; k < field.size(); ++k) {
+        const auto [x, y] = place(k);
+        field[k] = shortened(k, atPlace(nodes, grid, Vec2f(static_cast<float>(x), static_cast<float>(y))));
+    }
+    return field;
+}
+
+std::vector<Vec2f> ChartLookup::inverse(std::span<const float> nodes, const WarpGrid& grid) const
+{
+    constexpr int iterations = 12; // each leaves as much of the error as the warp stretches
+    std::vector<Vec2f> field(m_used.texels.size());
+    for (std::size_t k = 0; k < field.size(); ++k) {
+        const auto [x, y] = place(k);
+        const Vec2f from(static_cast<float>(x), static_cast<float>(y));
+        Vec2f found = Vec2f::Zero();
+        for (int iteration = 0; iteration < iterations; ++iteration) {
+            const Vec2f before = found;
+            found = -atPlace(nodes, grid, from + found);
+            if ((found - before).squaredNorm() < 1e-6F)
+                break;
+        }
+        field[k] = found;
+    }
+    keepInside(field);
+    return field;
+}
+
+} // namespace quadrille
