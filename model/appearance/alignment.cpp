@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <mutex>
+#include <set>
 #include <string>
 
 namespace quadrille {
@@ -223,13 +224,13 @@ std::shared_ptr<const TextureAlignment> alignTextures(const TextureSource& textu
     std::int64_t reference = aligner.gather(progress.part(0, 0.05));
     int round = 0;
     double done = 0.05;
-    for (bool isFound = textures.count < 3; !isFound && round < options.rounds; ++round) {
+    std::set<std::int64_t> tried;
+    // Two textures may be each other's medoid: none is tried twice.
+    for (; textures.count > 2 && round < options.rounds && tried.insert(reference).second; ++round) {
         // How many rounds it takes is not known before.
         const double end = done + (0.6 - done) / 2;
-        const std::int64_t medoid = aligner.align(reference, options.search, false, progress.part(done, end));
+        reference = aligner.align(reference, options.search, false, progress.part(done, end));
         done = end;
-        isFound = medoid == reference;
-        reference = medoid;
     }
     aligner.align(reference, options.flow, true, progress.part(done, 1));
     aligner.result()->reference = reference;

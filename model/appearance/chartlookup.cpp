@@ -107,7 +107,7 @@ Vec2f ChartLookup::shortened(std::size_t texel, const Vec2f& displacement) const
     const Vec2f larger = isAcross ? Vec2f(displacement.x(), 0) : Vec2f(0, displacement.y());
     for (int part = parts; part > 0; --part)
         for (const Vec2f& direction : {displacement, larger}) {
-            const Vec2f shorter = direction * (static_cast<float>(part) / parts);
+            Vec2f shorter = direction * (static_cast<float>(part) / parts);
             if (isInside(from + shorter, chart))
                 return shorter;
         }
@@ -159,7 +159,7 @@ std::vector<std::uint8_t> ChartLookup::colours(const Image& texture, const std::
             whole += weight;
         }
         for (std::size_t c = 3 * k; c < 3 * k + 3; ++c)
-            moved[c] = whole > 0 ? static_cast<std::uint8_t>(sums[c - 3 * k] / whole + 0.5F) : still[c];
+            moved[c] = whole > 0 ? static_cast<std::uint8_t>(std::lround(sums[c - 3 * k] / whole)) : still[c];
     }
     return moved;
 }
@@ -167,6 +167,7 @@ std::vector<std::uint8_t> ChartLookup::colours(const Image& texture, const std::
 std::vector<float> ChartLookup::atNodes(const std::vector<Vec2f>& field, const WarpGrid& grid) const
 {
     constexpr int passes = 3; // means draw nodes at edges inwards, what is left is added
+    const auto width = static_cast<std::size_t>(grid.width);
     const auto nodes = static_cast<std::size_t>(grid.nodes());
     std::vector<float> values(2 * nodes);
     for (int pass = 0; pass < passes; ++pass) {
@@ -185,7 +186,7 @@ std::vector<float> ChartLookup::atNodes(const std::vector<Vec2f>& field, const W
                                                  {0, 1, (1 - tx) * ty},
                                                  {1, 1, tx * ty}})
                 if (weight > 0)
-                    sums[static_cast<std::size_t>((j + dj) * grid.width + i + di)] +=
+                    sums[static_cast<std::size_t>(j + dj) * width + static_cast<std::size_t>(i + di)] +=
                         weight * Eigen::Vector3f(left.x(), left.y(), 1);
         }
         for (std::size_t node = 0; node < nodes; ++node)

@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Parts of the making of an appearance model: texels of a layout, principal components beside those of
-// OpenCV.
+// OpenCV, and displacements beside OpenCV's TV-L1 alone, with their error: the sample's warps are known.
+#include "model/appearance/flow.h"
 #include "model/appearance/pca.h"
-#include "model/appearance/usedtexels.h"
 #include "model/core/random.h"
+#include "model/sample/appearance.h"
 
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/optflow.hpp>
 
 using namespace quadrille;
 
@@ -90,6 +93,118 @@ void takeComponentsByOpenCv(benchmark::State& state)
     }
 }
 
+/// Textures of a take that differ in light and warp, as files hold them, and where the texels of each are in
+/// the next.
+struct TexturePairs
+{
+    explicit TexturePairs(const std::string& kind, int size, int count)
+    {
+        const SampleCharacter sample = makeSampleCharacter({.textureSize = size, .takesPerKind = 1});
+        charts = std::make_unique<ChartLookup>(usedTexels(*sample.body.topology, size, size));
+        const TexelMap texels = mapTexels(sample.body.topology->data(), size, 8);
+        for (const SampleTake& take : sample.takes) {
+            if (take.kind != kind || !take.appearance)
+                continue;
+            const std::int64_t frames = take.sequence.frameCount();
+            for (int k = 0; k <= count; ++k) {
+                const FrameIndex frame((k * 17) % frames);
+                const Image texture = frameTexture(
+                    sample.body, texels, take.sequence.frame(frame).positions(), *take.appearance, frame);
+                textures.push_back(decodeImage(encodeImage(texture, ".jpg", 86)));
+                warps.push_back(take.appearance->warps[static_cast<std::size_t>(frame.value)]);
+            }
+        }
+    }
+
+    /// Mean distance from the truth over covered texels, texels.
+    double errorOf(std::size_t pair, const std::vector<Vec2f>& field) const
+    {
+        const double size = charts->used().width;
+        double sum = 0;
+        double count = 0;
+        for (std::size_t k = 0; k < field.size(); ++k) {
+            if (charts->used().covered[k] == 0)
+                continue;
+            const auto [x, y] = charts->place(k);
+            const Vec2d at(x + 0.5, y + 0.5);
+            const Vec2f from = warps[pair].at(at.x() / size, at.y() / size);
+            Vec2f wanted = Vec2f::Zero();
+            for (int iteration = 0; iteration < 20; ++iteration) {
+                const Vec2d there = (at + wanted.cast<double>()) / size;
+                wanted = from - warps[pair + 1].at(there.x(), there.y());
+            }
+            sum += static_cast<double>((field[k] - wanted).norm());
+            ++count;
+        }
+        return sum / count;
+    }
+
+    std::unique_ptr<ChartLookup> charts;
+    std::vector<Image> textures;
+    std::vector<SampleWarp> warps;
+};
+
+constexpr int pairs = 3;
+
+template <typename Find>
+void measureFlow(benchmark::State& state, const Find& find)
+{
+    const TexturePairs take(state.range(1) == 0 ? "idle" : "reach low", static_cast<int>(state.range(0)),
+                            pairs);
+    double error = 0;
+    for (auto _ : state) {
+        error = 0;
+        for (std::size_t k = 0; k < pairs; ++k) {
+            const std::vector<Vec2f> field = find(take.textures[k], take.textures[k + 1], *take.charts);
+            state.PauseTiming();
+            error += take.errorOf(k, field) / pairs;
+            state.ResumeTiming();
+        }
+    }
+    state.counters["texels"] = error;
+    state.SetItemsProcessed(state.iterations() * pairs);
+}
+
+void findFlow(benchmark::State& state, FlowMethod method)
+{
+    measureFlow(state, [method](const Image& fixed, const Image& moving, const ChartLookup& charts) {
+        return denseFlow(fixed, moving, charts, {.method = method});
+    });
+}
+
+/// The backward warp of each pair by inverting the forward one, beside a flow of its own (findFlow).
+void invertFlow(benchmark::State& state)
+{
+    const TexturePairs take("idle", static_cast<int>(state.range(0)), 1);
+    const int size = static_cast<int>(state.range(0));
+    const WarpGrid grid = WarpGrid::over(size, size);
+    const auto nodes = take.charts->atNodes(
+        denseFlow(take.textures[1], take.textures[0], *take.charts, {.method = FlowMethod::Dis}), grid);
+    std::vector<Vec2f> field;
+    for (auto _ : state)
+        field = take.charts->inverse(nodes, grid);
+    state.counters["texels"] = take.errorOf(0, field);
+    state.SetItemsProcessed(state.iterations());
+}
+
+/// OpenCV's, as it is made, of grey pictures.
+void findFlowByOpenCv(benchmark::State& state)
+{
+    measureFlow(state, [](const Image& fixed, const Image& moving, const ChartLookup& charts) {
+        cv::Mat grey[2];
+        for (const auto& [image, out] : {std::pair(&fixed, &grey[0]), std::pair(&moving, &grey[1])})
+            cv::cvtColor(cv::Mat(image->height, image->width, CV_8UC4,
+                                 const_cast<std::uint8_t*>(image->pixels.data())),
+                         *out, cv::COLOR_RGBA2GRAY);
+        cv::Mat flow;
+        cv::optflow::DualTVL1OpticalFlow::create()->calc(grey[0], grey[1], flow);
+        std::vector<Vec2f> field;
+        for (const std::uint32_t texel : charts.used().texels)
+            field.emplace_back(flow.ptr<cv::Vec2f>()[texel][0], flow.ptr<cv::Vec2f>()[texel][1]);
+        return field;
+    });
+}
+
 } // namespace
 
 BENCHMARK(findUsedTexels)->Arg(1024)->Arg(2048)->Unit(benchmark::kMillisecond);
@@ -104,3 +219,12 @@ BENCHMARK(takeComponentsByOpenCv)
     ->Args({200, 3 << 20})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+// Takes for which nothing was tuned; JPEG of quality 86. "texels": mean distance from the true displacement.
+BENCHMARK_CAPTURE(findFlow, TvL1, FlowMethod::TvL1)
+    ->ArgsProduct({{512, 1024}, {0, 1}})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(findFlow, Dis, FlowMethod::Dis)
+    ->ArgsProduct({{512, 1024}, {0, 1}})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(findFlowByOpenCv)->Args({512, 0})->Unit(benchmark::kMillisecond);
+BENCHMARK(invertFlow)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);

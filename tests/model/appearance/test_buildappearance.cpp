@@ -87,6 +87,18 @@ TEST(BuildAppearance, SharesComponentsOut)
     EXPECT_EQ(textureComponents({.isAligned = false, .components = 10}), 10);
 }
 
+TEST(BuildAppearance, HasAsManyWarpsAsTexturesLeave)
+{
+    const Topology topology(test::atlasOf({{6, 6, 60, 58}, {66, 6, 90, 58}}, 96, 64));
+    const ChartLookup charts = test::twoCharts();
+    BuildAppearanceOptions options{.gutter = 3, .components = 3};
+    options.alignment.flow.method = FlowMethod::Dis;
+    const BuiltAppearance built = buildAppearance(test::shiftedTextures(charts, 4), topology, options);
+    EXPECT_EQ(built.textures.count(), 2);
+    EXPECT_EQ(built.warps.count(), 1);
+    EXPECT_EQ(built.warps.samples(), 4);
+}
+
 TEST(BuildAppearance, RefusesNothing)
 {
     const Topology topology(test::atlasOf({{6, 6, 60, 58}}, 96, 64));

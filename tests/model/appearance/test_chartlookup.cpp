@@ -95,6 +95,20 @@ TEST(ChartLookup, LooksColoursUpBetweenTexelsOfTheChart)
     EXPECT_EQ(still[12], 60);
 }
 
+TEST(ChartLookup, NeverMixesColoursOfTwoCharts)
+{
+    // Their gutters meet: aAAabBBb.
+    const ChartLookup charts(
+        usedTexels(Topology(test::atlasOf({{1, 0, 3, 1}, {5, 0, 7, 1}}, 8, 1)), 8, 1, 1));
+    Image texture(8, 1);
+    for (int x = 0; x < 8; ++x)
+        std::fill_n(texture.pixel(x, 0), 3, static_cast<std::uint8_t>(x < 4 ? 10 : 200));
+    std::vector<Vec2f> field(8, Vec2f(0.5F, 0));
+    const std::vector<std::uint8_t> moved = charts.colours(texture, field);
+    EXPECT_EQ(moved[9], 10);
+    EXPECT_EQ(moved[12], 200);
+}
+
 TEST(ChartLookup, KeepsSmoothFieldsOnAGrid)
 {
     const ChartLookup charts = wholeAtlas(41);
