@@ -97,9 +97,9 @@ private:
 };
 
 /// Finds the reference by iterated medoid shift (SMCAS §5.1): it begins with the texture nearest to their
-/// mean, aligns all to it, and goes on with the medoid of the aligned, until that was tried. Distances are squares,
-/// of which the medoid is the texture nearest to the mean. Then all are aligned to it. Backward warps invert
-/// the forward ones.
+/// mean, aligns all to it, and goes on with the medoid of the aligned, until that was tried. Distances are
+/// squares, of which the medoid is the texture nearest to the mean. Then all are aligned to it. Backward
+/// warps invert the forward ones.
 ///
 /// \param cache  none: nothing is kept.
 /// \throws Error BadArgument where there is no texture, sizes differ from those of the atlas or options make
