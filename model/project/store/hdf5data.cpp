@@ -8,109 +8,12 @@ namespace quadrille::hdf5data {
 
 namespace {
 
-Hdf5Handle handle(hid_t id, Hdf5Handle::Close close)
-{
-    return {check(id), close};
-}
-
-/// UTF-8 text of a fixed size, padded with zeros.
-Hdf5Handle textType(std::size_t size)
-{
-    Hdf5Handle type = handle(H5Tcopy(H5T_C_S1), H5Tclose);
-    check(H5Tset_size(type.id(), std::max<std::size_t>(size, 1)));
-    check(H5Tset_cset(type.id(), H5T_CSET_UTF8));
-    check(H5Tset_strpad(type.id(), H5T_STR_NULLPAD));
-    return type;
-}
-
-/// Texts one after the other, each `size` bytes.
-std::vector<char> packTexts(const TextColumn& texts, std::size_t size)
-{
-    std::vector<char> packed(std::max<std::size_t>(texts.size() * size, 1));
-    for (std::size_t i = 0; i < texts.size(); ++i)
-        std::copy(texts[i].begin(), texts[i].end(), packed.begin() + static_cast<std::ptrdiff_t>(i * size));
-    return packed;
-}
-
-TextColumn unpackTexts(const std::vector<char>& packed, std::size_t size)
-{
-    TextColumn texts;
-    texts.reserve(packed.size() / size);
-    for (std::size_t at = 0; at + size <= packed.size(); at += size) {
-        std::string text(packed.data() + at, size);
-        text.erase(text.find_last_not_of('\0') + 1);
-        texts.push_back(text);
-    }
-    return texts;
-}
-
 std::size_t longest(const TextColumn& texts)
 {
     std::size_t size = 1;
     for (const std::string& text : texts.words())
         size = std::max(size, text.size());
     return size;
-}
-
-/// In the file values are little-endian, in memory native.
-template <typename T>
-std::pair<hid_t, hid_t> typesOf()
-{
-    if constexpr (std::is_same_v<T, float>)
-        return {H5T_IEEE_F32LE, H5T_NATIVE_FLOAT};
-    else if constexpr (std::is_same_v<T, double>)
-        return {H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE};
-    else if constexpr (std::is_same_v<T, std::int64_t>)
-        return {H5T_STD_I64LE, H5T_NATIVE_INT64};
-    else if constexpr (std::is_same_v<T, std::uint16_t>)
-        return {H5T_STD_U16LE, H5T_NATIVE_UINT16};
-    else
-        return {H5T_STD_U8LE, H5T_NATIVE_UINT8};
-}
-
-Hdf5Handle spaceOf(const std::vector<std::int64_t>& shape)
-{
-    const std::vector<hsize_t> extents(shape.begin(), shape.end());
-    if (extents.empty())
-        return handle(H5Screate(H5S_SCALAR), H5Sclose);
-    return handle(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose);
-}
-
-Hdf5Handle createDataset(hid_t parent, const DataArray& array, hid_t type)
-{
-    const Hdf5Handle space = spaceOf(array.shape);
-    const Hdf5Handle properties = handle(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-    check(H5Pset_obj_track_times(properties.id(), false));
-    return handle(
-        H5Dcreate2(parent, array.name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
-        H5Dclose);
-}
-
-void writeTexts(hid_t object, const char* name, const std::vector<std::string>& texts)
-{
-    const std::size_t size = longest(texts);
-    const Hdf5Handle type = textType(size);
-    const Hdf5Handle space = spaceOf({static_cast<std::int64_t>(texts.size())});
-    const Hdf5Handle attribute =
-        handle(H5Acreate2(object, name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    check(H5Awrite(attribute.id(), type.id(), packTexts(texts, size).data()));
-}
-
-/// Texts of an attribute, one or several.
-std::vector<std::string> readTexts(hid_t object, const char* name)
-{
-    const Hdf5Handle attribute = handle(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
-    const Hdf5Handle type = handle(H5Aget_type(attribute.id()), H5Tclose);
-    const Hdf5Handle space = handle(H5Aget_space(attribute.id()), H5Sclose);
-    const auto count = static_cast<std::size_t>(check(H5Sget_simple_extent_npoints(space.id())));
-    const std::size_t size = H5Tget_size(type.id());
-    constexpr std::size_t largestAttribute = std::size_t{1} << 20;
-    if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) > 0 || size == 0 ||
-        count > largestAttribute / size)
-        throw Failure{};
-    std::vector<char> packed(count * size);
-    check(H5Aread(attribute.id(), type.id(), packed.data()));
-    return unpackTexts(packed, size).list();
 }
 
 template <typename T>
@@ -162,7 +65,7 @@ DataValues readValues(hid_t dataset, const std::vector<std::int64_t>& shape, std
         std::vector<char> packed(count * size);
         if (count > 0)
             check(H5Dread(dataset, type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, packed.data()));
-        return unpackTexts(packed, size);
+        return unpackTexts<TextColumn>(packed, size);
     }
     default:
         throw Failure{};
@@ -170,28 +73,6 @@ DataValues readValues(hid_t dataset, const std::vector<std::int64_t>& shape, std
 }
 
 } // namespace
-
-Hdf5Handle createFile(const std::filesystem::path& path)
-{
-    const Hdf5Handle properties = handle(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
-    check(H5Pset_link_creation_order(properties.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
-    check(H5Pset_obj_track_times(properties.id(), false));
-    const Hdf5Handle access = hdf5FileAccess();
-    return handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties.id(), access.id()), H5Fclose);
-}
-
-Hdf5Handle createGroup(hid_t parent, const std::string& name)
-{
-    const Hdf5Handle properties = handle(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
-    check(H5Pset_link_creation_order(properties.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
-    check(H5Pset_obj_track_times(properties.id(), false));
-    return handle(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Gclose);
-}
-
-Hdf5Handle openGroup(hid_t parent, const std::string& name)
-{
-    return handle(H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose);
-}
 
 std::vector<Member> members(hid_t group)
 {
@@ -207,21 +88,6 @@ std::vector<Member> members(hid_t group)
     return found;
 }
 
-void writeText(hid_t object, const char* name, const std::string& text)
-{
-    const Hdf5Handle type = textType(text.size());
-    const Hdf5Handle space = handle(H5Screate(H5S_SCALAR), H5Sclose);
-    const Hdf5Handle attribute =
-        handle(H5Acreate2(object, name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    check(H5Awrite(attribute.id(), type.id(), text.c_str()));
-}
-
-std::string readText(hid_t object, const char* name)
-{
-    const auto texts = readTexts(object, name);
-    return texts.empty() ? "" : texts.front();
-}
-
 void writeArray(hid_t parent, const DataArray& array)
 {
     const Hdf5Handle dataset = std::visit(
@@ -230,14 +96,14 @@ void writeArray(hid_t parent, const DataArray& array)
             if constexpr (std::is_same_v<Value, std::string>) {
                 const std::size_t size = longest(values);
                 const Hdf5Handle type = textType(size);
-                Hdf5Handle created = createDataset(parent, array, type.id());
+                Hdf5Handle created = createDataset(parent, array.name, array.shape, type.id());
                 if (!values.empty())
                     check(H5Dwrite(created.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT,
                                    packTexts(values, size).data()));
                 return created;
             } else {
                 const auto [inFile, inMemory] = typesOf<Value>();
-                Hdf5Handle created = createDataset(parent, array, inFile);
+                Hdf5Handle created = createDataset(parent, array.name, array.shape, inFile);
                 if (!values.empty())
                     check(H5Dwrite(created.id(), inMemory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
                 return created;

@@ -4,7 +4,6 @@
 
 #include "model/core/contenthash.h"
 #include "model/core/file.h"
-#include "model/core/message.h"
 #include "model/project/store/hdf5data.h"
 
 #include <algorithm>
@@ -168,10 +167,7 @@ void writeResultFile(const fs::path& path, const ResultHeader& header, const Res
                 writeTable(file.id(), filesTable(result.files));
             hdf5data::check(H5Fflush(file.id(), H5F_SCOPE_GLOBAL));
         } catch (const hdf5data::Failure& failure) {
-            if (failure.systemError != 0)
-                throwSystemError(path, failure.systemError, ErrorCode::WriteFailed);
-            throw Error(ErrorCode::WriteFailed,
-                        {path, {}, {{"reason", QUADRILLE_MESSAGE("it could not be written to its end")}}});
+            hdf5data::throwWriting(path, failure);
         }
     });
 }
