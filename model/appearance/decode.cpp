@@ -1,0 +1,280 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/appearance/decode.h"
+
+#include "model/appearance/decodekernels.h"
+#include "model/appearance/spreadtexels.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+
+namespace quadrille {
+
+static_assert(std::endian::native == std::endian::little, "pixels are read as R + 256 · G + …");
+
+namespace {
+
+constexpr int valuesOfDecodedBlock = static_cast<int>(QuantisedSpace::blockSize);
+static_assert(valuesOfDecodedBlock % 3 == 0, "no texel lies in two blocks");
+
+} // namespace
+
+/// The warps of the texels of a row, between those of the rows of nodes around it.
+class AppearanceDecoder::RowWarp
+{
+public:
+    /// \param width  texels. \param rows  what the warps of two rows of nodes are kept in.
+    RowWarp(const WarpGrid& grid, std::span<const float> warp, int width, std::vector<float>& rows)
+        : m_grid(grid), m_warp(warp), m_width(static_cast<std::size_t>(width))
+    {
+        rows.resize(4 * m_width);
+        m_rows = rows.data();
+    }
+
+    /// \pre y does not descend.
+    void moveTo(int y)
+    {
+        const int node = std::min(y / m_grid.spacing, m_grid.height - 1);
+        if (node != m_node) {
+            if (node == m_node + 1 && m_node >= 0)
+                std::copy_n(m_rows + 2 * m_width, 2 * m_width, m_rows);
+            else
+                spread(node, m_rows);
+            spread(std::min(node + 1, m_grid.height - 1), m_rows + 2 * m_width);
+            m_node = node;
+        }
+        m_weight = static_cast<float>(y - node * m_grid.spacing) / static_cast<float>(m_grid.spacing);
+    }
+    WarpRows at(int x) const
+    {
+        const float* first = m_rows + x;
+        return {{first, first + 2 * m_width}, {first + m_width, first + 3 * m_width}, m_weight};
+    }
+
+private:
+    /// A row of nodes, made as wide as the texels: all x, then all y.
+    void spread(int node, float* row) const
+    {
+        const float* nodes =
+            m_warp.data() + 2 * static_cast<std::size_t>(node) * static_cast<std::size_t>(m_grid.width);
+        const auto spacing = static_cast<std::size_t>(m_grid.spacing);
+        for (std::size_t x = 0; x < m_width; x += spacing, nodes += 2) {
+            const bool isLast = x / spacing + 1 >= static_cast<std::size_t>(m_grid.width);
+            const float* next = isLast ? nodes : nodes + 2;
+            const std::size_t count = isLast ? m_width - x : std::min(spacing, m_width - x);
+            for (std::size_t i = 0; i < count; ++i) {
+                const float weight = static_cast<float>(i) / static_cast<float>(spacing);
+                row[x + i] = nodes[0] + weight * (next[0] - nodes[0]);
+                row[m_width + x + i] = nodes[1] + weight * (next[1] - nodes[1]);
+            }
+            if (isLast)
+                break;
+        }
+    }
+
+    const WarpGrid& m_grid;
+    std::span<const float> m_warp;
+    std::size_t m_width;
+    float* m_rows = nullptr;
+    int m_node = -1;
+    float m_weight = 0;
+};
+
+AppearanceDecoder::AppearanceDecoder(std::shared_ptr<const AppearanceModel> model,
+                                     std::optional<Image> background)
+    : m_model(std::move(model))
+{
+    const UsedTexels& used = m_model->texels;
+    const auto width = static_cast<std::uint32_t>(used.width);
+    const std::uint32_t stride = width + 1;
+    const auto places = static_cast<std::size_t>(stride) * static_cast<std::size_t>(used.height + 1);
+    m_charts.resize(places);
+    m_quads.resize(places);
+    for (std::size_t t = 0; t < used.texels.size(); ++t) {
+        const std::uint32_t texel = used.texels[t];
+        const auto x = static_cast<int>(texel % width);
+        const auto y = static_cast<int>(texel / width);
+        const auto chart = static_cast<std::uint16_t>(used.charts[t] + 1);
+        m_places.push_back(static_cast<std::uint32_t>(y) * stride + static_cast<std::uint32_t>(x));
+        m_charts[m_places.back()] = chart;
+        if (!m_runs.empty() && m_runs.back().y == y && m_runs.back().chart == chart &&
+            m_runs.back().x + m_runs.back().length == x)
+            ++m_runs.back().length;
+        else
+            m_runs.push_back({x, y, 1, chart});
+    }
+    for (const std::uint32_t place : m_places) {
+        const std::uint16_t chart = m_charts[place];
+        if (m_charts[place + 1] == chart && m_charts[place + stride] == chart &&
+            m_charts[place + stride + 1] == chart)
+            m_quads[place] = chart;
+    }
+    if (background) {
+        assert(background->width == used.width && background->height == used.height);
+        m_background = *std::move(background);
+    } else {
+        m_background = Image(used.width, used.height);
+        DecodeScratch scratch;
+        align({}, scratch);
+        copyUsed(scratch, m_background);
+        spreadTexels(used, m_background);
+    }
+}
+
+void AppearanceDecoder::align(std::span<const float> coefficients, DecodeScratch& scratch) const
+{
+    const QuantisedSpace& space = m_model->textures;
+    scratch.aligned.resize(m_charts.size());
+    alignas(64) std::array<float, valuesOfDecodedBlock> values;
+    alignas(64) std::array<std::uint8_t, valuesOfDecodedBlock + 1> bytes{};
+    const std::uint32_t* place = m_places.data();
+    const std::uint32_t* end = place + m_places.size();
+    for (std::int64_t b = 0; b < space.blocks(); ++b) {
+        combineBlock(space, b, coefficients, values);
+        roundToBytes(values.data(), valuesOfDecodedBlock, bytes.data());
+        for (int i = 0; i < valuesOfDecodedBlock && place != end; i += 3, ++place) {
+            std::uint32_t texel = 0; // with a byte of the next
+            std::memcpy(&texel, bytes.data() + i, sizeof(texel));
+            scratch.aligned[*place] = texel | 0xFF000000U;
+        }
+    }
+}
+
+std::uint32_t AppearanceDecoder::carefulTexel(const std::uint32_t* aligned, const Run& run, int column,
+                                              Vec2f offset) const
+{
+    const UsedTexels& used = m_model->texels;
+    const auto stride = static_cast<std::size_t>(used.width) + 1;
+    const auto placeOf = [&](float x, float y) {
+        return static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x);
+    };
+    const Vec2f from(static_cast<float>(run.x + column), static_cast<float>(run.y));
+    const Vec2f last(static_cast<float>(used.width - 1), static_cast<float>(used.height - 1));
+    constexpr int mostHalvings = 64;
+    for (int halvings = 0; halvings < mostHalvings; ++halvings, offset *= 0.5F) {
+        const Vec2f at = (from + offset).cwiseMax(0.0F).cwiseMin(last);
+        const Vec2f corner(std::floor(at.x()), std::floor(at.y()));
+        if (!std::isfinite(at.x() + at.y()))
+            break;
+        const Vec2f part = at - corner;
+        std::array<float, 3> sum{};
+        float weights = 0;
+        for (int tap = 0; tap < 4; ++tap) {
+            const bool right = tap % 2 != 0;
+            const bool below = tap / 2 != 0;
+            const std::size_t place =
+                placeOf(corner.x(), corner.y()) + (right ? 1 : 0) + (below ? stride : 0);
+            if (m_charts[place] != run.chart)
+                continue;
+            const float weight = (right ? part.x() : 1 - part.x()) * (below ? part.y() : 1 - part.y());
+            weights += weight;
+            for (std::size_t c = 0; c < 3; ++c)
+                sum[c] += weight * static_cast<float>(aligned[place] >> (8 * c) & 255U);
+        }
+        if (weights > 0) {
+            std::uint32_t texel = 0xFF000000U;
+            for (std::size_t c = 0; c < 3; ++c)
+                texel |= static_cast<std::uint32_t>(std::min(255.0F, sum[c] / weights + 0.5F)) << (8 * c);
+            return texel;
+        }
+    }
+    return aligned[placeOf(from.x(), from.y())];
+}
+
+void AppearanceDecoder::dealign(DecodeScratch& scratch, Image& texture) const
+{
+    const UsedTexels& used = m_model->texels;
+    RowWarp warp(m_model->grid, scratch.warp, used.width, scratch.rows);
+    RowLookup lookup{.plane = scratch.aligned.data(),
+                     .stride = used.width + 1,
+                     .lastX = used.width - 1,
+                     .lastY = used.height - 1};
+    alignas(64) std::array<std::int32_t, lookupsAtOnce> places;
+    alignas(64) std::array<std::uint32_t, lookupsAtOnce> texels;
+    for (const Run& run : m_runs) {
+        warp.moveTo(run.y);
+        for (int done = 0; done < run.length; done += lookupsAtOnce) {
+            lookup.x = run.x + done;
+            lookup.y = run.y;
+            lookup.count = std::min(lookupsAtOnce, run.length - done);
+            const WarpRows rows = warp.at(lookup.x);
+            lookUpRow(lookup, rows, places.data(), texels.data());
+            for (int i = 0; i < lookup.count; ++i) {
+                const auto n = static_cast<std::size_t>(i);
+                if (m_quads[static_cast<std::size_t>(places[n])] == run.chart)
+                    continue;
+                const Vec2f offset(rows.x[0][i] + rows.weight * (rows.x[1][i] - rows.x[0][i]),
+                                   rows.y[0][i] + rows.weight * (rows.y[1][i] - rows.y[0][i]));
+                texels[n] = carefulTexel(scratch.aligned.data(), run, done + i, offset);
+            }
+            std::memcpy(texture.pixel(lookup.x, lookup.y), texels.data(),
+                        sizeof(std::uint32_t) * static_cast<std::size_t>(lookup.count));
+        }
+    }
+}
+
+void AppearanceDecoder::copyUsed(const DecodeScratch& scratch, Image& texture) const
+{
+    const auto stride = static_cast<std::size_t>(m_model->texels.width) + 1;
+    for (const Run& run : m_runs)
+        std::memcpy(texture.pixel(run.x, run.y),
+                    scratch.aligned.data() + static_cast<std::size_t>(run.y) * stride +
+                        static_cast<std::size_t>(run.x),
+                    sizeof(std::uint32_t) * static_cast<std::size_t>(run.length));
+}
+
+void AppearanceDecoder::decode(const AppearanceCoefficients& coefficients, DecodeScratch& scratch,
+                               Image& texture) const
+{
+    texture = m_background;
+    align(coefficients.textures, scratch);
+    const QuantisedSpace& warps = m_model->warps;
+    if (warps.size == 0)
+        return copyUsed(scratch, texture);
+    scratch.warp.resize(warps.mean.size());
+    for (std::int64_t b = 0; b < warps.blocks(); ++b)
+        combineBlock(
+            warps, b, coefficients.warps,
+            std::span(scratch.warp)
+                .subspan(static_cast<std::size_t>(b * QuantisedSpace::blockSize), QuantisedSpace::blockSize));
+    dealign(scratch, texture);
+}
+
+Image AppearanceDecoder::decode(const AppearanceCoefficients& coefficients) const
+{
+    DecodeScratch scratch;
+    Image texture;
+    decode(coefficients, scratch, texture);
+    return texture;
+}
+
+Image AppearanceDecoder::decodeAligned(std::span<const float> textures) const
+{
+    DecodeScratch scratch;
+    Image texture = m_background;
+    align(textures, scratch);
+    copyUsed(scratch, texture);
+    return texture;
+}
+
+Image AppearanceDecoder::dealigned(const Image& aligned, std::span<const float> warp) const
+{
+    const UsedTexels& used = m_model->texels;
+    assert(aligned.width == used.width && aligned.height == used.height);
+    assert(static_cast<std::int64_t>(warp.size()) == 2 * m_model->grid.nodes());
+    DecodeScratch scratch;
+    scratch.aligned.resize(m_charts.size());
+    for (std::size_t t = 0; t < used.texels.size(); ++t)
+        std::memcpy(&scratch.aligned[m_places[t]], aligned.pixels.data() + std::size_t{4} * used.texels[t],
+                    sizeof(std::uint32_t));
+    scratch.warp.assign(warp.begin(), warp.end());
+    Image texture = m_background;
+    dealign(scratch, texture);
+    return texture;
+}
+
+} // namespace quadrille

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/appearance/decodekernels.h"
+
+#include "model/core/simd.h"
+
+namespace quadrille {
+
+namespace {
+
+[[gnu::always_inline]] inline float limited(float value, float most)
+{
+    value = value > 0 ? value : 0; // also what is no number
+    return value < most ? value : most;
+}
+
+[[gnu::always_inline]] inline float channel(std::uint32_t pixel, int shift)
+{
+    return static_cast<float>(static_cast<std::int32_t>(pixel >> shift & 255U));
+}
+
+} // namespace
+
+QUADRILLE_SIMD_CLONES
+void roundToBytes(const float* values, int count, std::uint8_t* bytes)
+{
+#pragma omp simd
+    for (int i = 0; i < count; ++i)
+        bytes[i] = static_cast<std::uint8_t>(static_cast<std::int32_t>(limited(values[i], 255.0F) + 0.5F));
+}
+
+QUADRILLE_SIMD_CLONES
+void lookUpRow(const RowLookup& lookup, const WarpRows& warp, std::int32_t* places, std::uint32_t* texels)
+{
+    alignas(64) float across[lookupsAtOnce];
+    alignas(64) float down[lookupsAtOnce];
+    const auto mostX = static_cast<float>(lookup.lastX);
+    const auto mostY = static_cast<float>(lookup.lastY);
+    const auto row = static_cast<float>(lookup.y);
+    const int count = lookup.count;
+    const int stride = lookup.stride;
+    const int first = lookup.x;
+#pragma omp simd
+    for (int i = 0; i < count; ++i) {
+        const float toX = warp.x[0][i] + warp.weight * (warp.x[1][i] - warp.x[0][i]);
+        const float toY = warp.y[0][i] + warp.weight * (warp.y[1][i] - warp.y[0][i]);
+        const float x = limited(static_cast<float>(first + i) + toX, mostX);
+        const float y = limited(row + toY, mostY);
+        const auto left = static_cast<std::int32_t>(x);
+        const auto top = static_cast<std::int32_t>(y);
+        across[i] = x - static_cast<float>(left);
+        down[i] = y - static_cast<float>(top);
+        places[i] = top * stride + left;
+    }
+    const std::uint32_t* plane = lookup.plane;
+#pragma omp simd
+    for (int i = 0; i < count; ++i) {
+        const std::uint32_t a = plane[places[i]];
+        const std::uint32_t b = plane[places[i] + 1];
+        const std::uint32_t c = plane[places[i] + stride];
+        const std::uint32_t d = plane[places[i] + stride + 1];
+        std::uint32_t texel = 0xFF000000U;
+        for (int shift = 0; shift < 24; shift += 8) {
+            const float upper = channel(a, shift) + across[i] * (channel(b, shift) - channel(a, shift));
+            const float lower = channel(c, shift) + across[i] * (channel(d, shift) - channel(c, shift));
+            const float value = upper + down[i] * (lower - upper) + 0.5F;
+            texel |= static_cast<std::uint32_t>(static_cast<std::int32_t>(value)) << shift;
+        }
+        texels[i] = texel;
+    }
+}
+
+} // namespace quadrille

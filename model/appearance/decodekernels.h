@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace quadrille {
+
+/// Numbers rounded to bytes, limited to 0 … 255.
+void roundToBytes(const float* values, int count, std::uint8_t* bytes);
+
+inline constexpr int lookupsAtOnce = 256;
+
+/// Warps of some texels of a row, between those of two rows of nodes.
+struct WarpRows
+{
+    const float* x[2];
+    const float* y[2];
+    float weight = 0; ///< of the second row
+};
+
+/// Some texels of a row, looked up in a plane of R G B A.
+struct RowLookup
+{
+    const std::uint32_t* plane = nullptr;
+    int stride = 0;
+    int lastX = 0; ///< the largest place that may be looked up; one more must be there
+    int lastY = 0;
+    int x = 0; ///< of the first texel
+    int y = 0;
+    int count = 0; ///< at most lookupsAtOnce
+};
+
+/// Texels at x + warp(x), bilinear. \param places  where in the plane the upper left one of the four lies.
+void lookUpRow(const RowLookup& lookup, const WarpRows& warp, std::int32_t* places, std::uint32_t* texels);
+
+} // namespace quadrille
