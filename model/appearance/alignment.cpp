@@ -221,12 +221,15 @@ std::shared_ptr<const TextureAlignment> alignTextures(const TextureSource& textu
                                                       const Progress& progress, const Executor& executor)
 {
     Aligner aligner(textures, charts, options, cache, executor);
-    std::int64_t reference = aligner.gather(progress.part(0, 0.05));
+    std::int64_t reference = options.reference.value_or(0);
+    if (!options.reference)
+        reference = aligner.gather(progress.part(0, 0.05));
     int round = 0;
     double done = 0.05;
     std::set<std::int64_t> tried;
     // Two textures may be each other's medoid: none is tried twice.
-    for (; textures.count > 2 && round < options.rounds && tried.insert(reference).second; ++round) {
+    const bool isSought = !options.reference && textures.count > 2;
+    for (; isSought && round < options.rounds && tried.insert(reference).second; ++round) {
         // How many rounds it takes is not known before.
         const double end = done + (0.6 - done) / 2;
         reference = aligner.align(reference, options.search, false, progress.part(done, end));

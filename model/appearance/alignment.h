@@ -44,8 +44,9 @@ struct AlignmentOptions
     FlowOptions flow;
     /// While the reference is looked for.
     FlowOptions search{.method = FlowMethod::Dis};
-    int spacing = 4; ///< between nodes of warps, texels
-    int rounds = 5;  ///< at most, of looking for the reference
+    int spacing = 4;                       ///< between nodes of warps, texels
+    int rounds = 5;                        ///< at most, of looking for the reference
+    std::optional<std::int64_t> reference; ///< known: not looked for
     /// Where scratch files lie: 3 bytes per texel, and 16 per node, of each texture. Empty: the system's
     /// folder.
     std::filesystem::path scratchFolder;

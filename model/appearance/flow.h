@@ -3,15 +3,10 @@
 #pragma once
 
 #include "model/appearance/chartlookup.h"
+#include "model/appearance/flowmethod.h"
 #include "model/core/progress.h"
 
 namespace quadrille {
-
-enum class FlowMethod
-{
-    TvL1, ///< Zach, Pock & Bischof 2007, begun where Dis ends
-    Dis,  ///< dense inverse search, Kroeger et al. 2016: three times as fast
-};
 
 struct FlowOptions
 {

@@ -221,7 +221,7 @@ MeshSequence resampled(const MeshSequence& sequence, double fps)
                 sequence.sourceFrame(FrameIndex(std::min(nearest(FrameIndex(f)), sequence.frameCount() - 1)));
             textures.push_back(sequence.textures.textures().at(static_cast<std::size_t>(source.value)));
         }
-        result.textures = TextureSet::perFrame(std::move(textures));
+        result.textures = TextureSet::perFrame(std::move(textures)).blendedBy(sequence.textures.blender());
     }
     const auto convert = [&](FrameRange& frames) {
         const auto toNew = [&](FrameIndex frame) {

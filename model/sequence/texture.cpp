@@ -4,6 +4,13 @@
 
 namespace quadrille {
 
+std::shared_ptr<const Image> Texture::load() const
+{
+    if (embedded)
+        return embedded;
+    return std::make_shared<const Image>(made ? made() : readImage(file));
+}
+
 TextureSet::TextureSet(Kind kind, std::vector<Texture> textures)
     : m_kind(kind), m_textures(std::move(textures))
 {
@@ -22,6 +29,13 @@ TextureSet TextureSet::perFrame(std::vector<Texture> textures)
 TextureSet TextureSet::perMaterial(std::vector<Texture> textures)
 {
     return {Kind::PerMaterial, std::move(textures)};
+}
+
+TextureSet TextureSet::blendedBy(std::shared_ptr<const TextureBlender> blender) const
+{
+    TextureSet blended = *this;
+    blended.m_blender = std::move(blender);
+    return blended;
 }
 
 int TextureSet::indexFor(FrameIndex sourceFrame, int material) const
@@ -55,7 +69,7 @@ std::shared_ptr<const Image> TextureSet::image(int index, MediaCache& cache) con
     if (texture.isEmpty())
         return nullptr;
     return std::static_pointer_cast<const Image>(cache.get(m_id, index, [&texture] {
-        auto image = std::make_shared<const Image>(readImage(texture.file));
+        auto image = texture.load();
         const std::size_t bytes = image->pixels.size();
         return MediaCache::Loaded{std::move(image), bytes};
     }));

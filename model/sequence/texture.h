@@ -7,18 +7,46 @@
 #include "model/core/units.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace quadrille {
 
-/// One texture: a file, or a picture embedded in a scene file.
+/// One texture: a file, a picture embedded in a scene file, or one that is made when it is asked for.
 struct Texture
 {
     std::filesystem::path file;
     std::shared_ptr<const Image> embedded;
+    /// Called from any thread; the same picture each time. What it throws reaches who asked.
+    std::function<Image()> made;
 
-    bool isEmpty() const { return file.empty() && !embedded; }
+    bool isEmpty() const { return file.empty() && !embedded && !made; }
+    /// The picture, read or made now. \pre !isEmpty() \throws Error what readImage throws.
+    std::shared_ptr<const Image> load() const;
+};
+
+/// The texture of a captured frame.
+struct CapturedTexture
+{
+    std::string sequence; ///< its name
+    FrameIndex frame;     ///< of the sequence
+    Texture texture;
+};
+
+/// Makes the textures of frames that were not captured (SMCAS §5.3). Safe from any thread.
+class TextureBlender
+{
+public:
+    virtual ~TextureBlender() = default;
+    /// The texture between those of two captured frames. \param weight  of the second, 0 … 1.
+    /// \return an empty one where it does not know both.
+    virtual Texture between(const CapturedTexture& first, const CapturedTexture& second,
+                            double weight) const = 0;
+    /// What is shown in place of a captured frame's own texture, such as one that was completed; an empty one
+    /// where that is its own.
+    virtual Texture inPlaceOf(const CapturedTexture& texture) const = 0;
 };
 
 /// The textures of a sequence: none, one, one per frame, or one per material. Cheap to copy; read when asked
@@ -41,7 +69,12 @@ public:
     /// \param textures one for each material of the topology; empty ones where a material has none.
     static TextureSet perMaterial(std::vector<Texture> textures);
 
+    /// The same textures, with what makes those in between in clips. \param blender  may be null.
+    TextureSet blendedBy(std::shared_ptr<const TextureBlender> blender) const;
+
     Kind kind() const { return m_kind; }
+    /// May be null: then a frame in between has the texture of the nearer one.
+    const std::shared_ptr<const TextureBlender>& blender() const { return m_blender; }
     const std::vector<Texture>& textures() const { return m_textures; }
     /// Index into `textures()` for a source frame and a material; −1 when there is none.
     int indexFor(FrameIndex sourceFrame, int material = 0) const;
@@ -54,6 +87,7 @@ private:
 
     Kind m_kind = Kind::None;
     std::vector<Texture> m_textures;
+    std::shared_ptr<const TextureBlender> m_blender;
     MediaId m_id;
 };
 

@@ -211,6 +211,22 @@ std::vector<std::string> sequencesOfClip(const Project& project, const std::stri
     return names;
 }
 
+std::string characterOfClip(const Project& project, const std::string& clip)
+{
+    if (const auto name = nameOfClip(clip, animationsSection)) {
+        const AnimationEntry* animation = findAnimation(project, *name);
+        return animation ? characterNameOf(project, *animation) : "";
+    }
+    if (const auto varied = variationOfClip(clip)) {
+        const VariationEntry* variation = findVariation(project, varied->variation);
+        return variation ? characterNameOf(project, *variation) : "";
+    }
+    const auto name = nameOfClip(clip, "sequences");
+    const SequenceEntry* sequence = name ? findSequence(project, *name) : nullptr;
+    const CharacterEntry* character = sequence ? characterOf(project, *sequence) : nullptr;
+    return character ? character->name : "";
+}
+
 std::vector<std::string> sequencesOfGraph(const Project& project, const std::string& character)
 {
     std::vector<std::string> names;

@@ -60,6 +60,9 @@ std::optional<std::string> shownClip(const Project& project, const SequenceEntry
 /// there is no such clip.
 std::vector<std::string> sequencesOfClip(const Project& project, const std::string& clip);
 
+/// The character of a clip “SECTION/NAME”; empty where there is none.
+std::string characterOfClip(const Project& project, const std::string& clip);
+
 /// The sequences that the graph of a character is made of, in project order: all of the character's but those
 /// that are clips of its own animations, or variations of such.
 std::vector<std::string> sequencesOfGraph(const Project& project, const std::string& character);

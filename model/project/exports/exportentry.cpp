@@ -8,6 +8,7 @@
 #include "model/project/exports/dataset.h"
 #include "model/project/fields/pictureoptions.h"
 #include "model/project/media/opensequence.h"
+#include "model/project/store/appearanceresult.h"
 #include "model/sequence/io/registry.h"
 
 #include <algorithm>
@@ -44,8 +45,14 @@ bool isDataSet(const ExportEntry& entry)
 
 std::vector<std::string> stepsOf(const Project& project, const ExportEntry& entry)
 {
-    return isDataSet(entry) ? dataSetSteps(project, variationOfClip(entry.what)->variation)
-                            : clipStepsOf(project, entry.what);
+    std::vector<std::string> steps = isDataSet(entry)
+                                         ? dataSetSteps(project, variationOfClip(entry.what)->variation)
+                                         : clipStepsOf(project, entry.what);
+    if (!steps.empty() && entry.textures) {
+        const std::vector<std::string> looks = appearanceSteps(project, characterOfClip(project, entry.what));
+        steps.insert(steps.end(), looks.begin(), looks.end());
+    }
+    return steps;
 }
 
 const AudioEntry* soundOf(const Project& project, const ExportEntry& entry)

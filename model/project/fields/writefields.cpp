@@ -238,6 +238,11 @@ Json writeFields(const VariationEntry& variation)
     return toJson(variation, {CoordinateSystem()});
 }
 
+Json writeFields(const AppearanceEntry& appearance)
+{
+    return toJson(appearance, {CoordinateSystem()});
+}
+
 Json writeFields(const AnimationEntry& animation, UpAxis up)
 {
     return toJson(animation, {CoordinateSystem{up, 1}});

@@ -7,6 +7,7 @@
 #include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
+#include "model/project/store/appearanceresult.h"
 #include "model/project/store/clipresult.h"
 #include "model/project/store/resultstore.h"
 #include "model/sequence/io/basemesh.h"
@@ -226,7 +227,23 @@ OpenedSequence SequenceOpener::openFile(const SequenceEntry& entry, const Charac
     }
     if (character != nullptr)
         shareTopology(opened, *character);
+    TextureSet& textures = opened.sequence.textures;
+    if (textures.kind() == TextureSet::Kind::PerFrame)
+        textures = textures.blendedBy(blenderOf(character != nullptr ? character->name : ""));
     return opened;
+}
+
+std::shared_ptr<const TextureBlender> SequenceOpener::blenderOf(const std::string& character)
+{
+    const AppearanceEntry* entry = appearanceOf(m_project, character);
+    if (entry == nullptr || m_results.empty())
+        return nullptr;
+    const std::scoped_lock lock(m_mutex);
+    std::shared_ptr<const TextureBlender>& blender = m_blenders[entry->name];
+    if (!blender)
+        blender = std::make_shared<const ModelTextures>(
+            [results = m_results, name = entry->name] { return readAppearances(results, name); });
+    return blender;
 }
 
 void SequenceOpener::shareTopology(OpenedSequence& opened, const CharacterEntry& character)

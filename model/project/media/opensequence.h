@@ -67,6 +67,8 @@ private:
     OpenedSequence openFile(const SequenceEntry& entry, const CharacterEntry* character,
                             const Progress& progress);
     void shareTopology(OpenedSequence& opened, const CharacterEntry& character);
+    /// What makes the textures between those of a character; null where it has no model of appearance.
+    std::shared_ptr<const TextureBlender> blenderOf(const std::string& character);
     Slot& slot(const std::string& clip);
 
     Project m_project;
@@ -76,8 +78,9 @@ private:
     /// Held for as long as the opener lives.
     std::vector<std::shared_ptr<const OpenedSequence>> m_held;
     std::mutex m_mutex;
-    std::map<std::string, Slot> m_slots;  ///< by clip
-    std::map<std::string, Mesh> m_meshes; ///< by character
+    std::map<std::string, Slot> m_slots;                                     ///< by clip
+    std::map<std::string, Mesh> m_meshes;                                    ///< by character
+    std::map<std::string, std::shared_ptr<const TextureBlender>> m_blenders; ///< by model of appearance
 };
 
 /// One sequence by itself; see SequenceOpener::open.

@@ -63,7 +63,7 @@ std::vector<BuildStep> makeSteps(const StepMaking& making)
 {
     std::vector<BuildStep> steps;
     for (auto make : {makeSequenceSteps, makeGraphSteps, makeAnimationSteps, makeVariationSteps,
-                      makeEvaluationSteps, makeSheetSteps, makeExportSteps}) {
+                      makeAppearanceSteps, makeEvaluationSteps, makeSheetSteps, makeExportSteps}) {
         for (BuildStep& step : make(making))
             steps.push_back(std::move(step));
     }

@@ -12,7 +12,7 @@ namespace {
 
 bool isSame(const Texture& a, const Texture& b)
 {
-    return a.file == b.file && a.embedded == b.embedded;
+    return a.file == b.file && a.embedded == b.embedded && !a.made && !b.made;
 }
 
 bool isSame(const TextureSet& a, const TextureSet& b)
@@ -36,6 +36,34 @@ Place placeOf(const CharacterFrames& character, NodeIndex node)
             FrameIndex(node - character.layout().firstOf(sequence))};
 }
 
+Texture textureAt(const Place& place)
+{
+    const TextureSet& set = place.sequence.textures;
+    const int index = set.indexFor(place.sequence.sourceFrame(place.frame));
+    return index < 0 ? Texture() : set.textures()[static_cast<std::size_t>(index)];
+}
+
+CapturedTexture capturedAt(const Place& place)
+{
+    return {place.sequence.name, place.frame, textureAt(place)};
+}
+
+/// What the textures' blender makes of a frame; empty where there is none, or the frame shows its own.
+Texture blendedTexture(const FrameProvenance& origin, const CharacterFrames& character)
+{
+    const Place nearest = placeOf(character, origin.nearest());
+    const std::shared_ptr<const TextureBlender>& blender = nearest.sequence.textures.blender();
+    if (!blender)
+        return {};
+    if (origin.source != origin.destination) {
+        Texture between = blender->between(capturedAt(placeOf(character, origin.source)),
+                                           capturedAt(placeOf(character, origin.destination)), origin.lambda);
+        if (!between.isEmpty())
+            return between;
+    }
+    return blender->inPlaceOf(capturedAt(nearest));
+}
+
 TextureSet texturesOf(const Clip& clip, const CharacterFrames& character)
 {
     const TextureSet* common = nullptr;
@@ -47,8 +75,8 @@ TextureSet texturesOf(const Clip& clip, const CharacterFrames& character)
         if (!common)
             common = &set;
         isCommon = isCommon && set.kind() != TextureSet::Kind::PerFrame && isSame(*common, set);
-        const int index = set.indexFor(place.sequence.sourceFrame(place.frame));
-        textures.push_back(index < 0 ? Texture() : set.textures()[static_cast<std::size_t>(index)]);
+        Texture blended = blendedTexture(origin, character);
+        textures.push_back(blended.isEmpty() ? textureAt(place) : std::move(blended));
     }
     if (isCommon)
         return common ? *common : TextureSet();

@@ -11,8 +11,8 @@ namespace quadrille {
 
 EncodedTexture encodeTexture(const Texture& texture)
 {
-    if (texture.embedded)
-        return {encodeImage(*texture.embedded, ".png"), ".png", "image/png"};
+    if (texture.embedded || texture.made)
+        return {encodeImage(*texture.load(), ".png"), ".png", "image/png"};
     const FileContent file = readFile(texture.file);
     const std::string_view text = file.text();
     const std::vector<std::byte> bytes(file.bytes().begin(), file.bytes().end());

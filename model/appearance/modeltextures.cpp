@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/appearance/modeltextures.h"
+
+#include <algorithm>
+
+namespace quadrille {
+
+struct ModelTextures::Opened
+{
+    explicit Opened(FrameAppearances known) : appearances(std::move(known)), decoder(appearances.model) {}
+
+    const AppearanceCoefficients* find(const CapturedTexture& texture) const
+    {
+        const auto found = appearances.coefficients.find({texture.sequence, texture.frame});
+        return found == appearances.coefficients.end() ? nullptr : &found->second;
+    }
+    Texture completed(const CapturedTexture& texture) const
+    {
+        const auto found = appearances.completed.find({texture.sequence, texture.frame});
+        return found == appearances.completed.end() ? Texture() : found->second;
+    }
+
+    FrameAppearances appearances;
+    AppearanceDecoder decoder;
+};
+
+Image blendedTexture(const AppearanceDecoder& decoder, const AppearanceCoefficients& first,
+                     const Image& firstTexture, const AppearanceCoefficients& second,
+                     const Image& secondTexture, double weight)
+{
+    Image blended = decoder.decode(interpolated(first, second, weight));
+    const Image atFirst = decoder.decode(first);
+    const Image atSecond = decoder.decode(second);
+    const auto ofSecond = static_cast<float>(weight);
+    const float ofFirst = 1 - ofSecond;
+    for (std::size_t i = 0; i < blended.pixels.size(); ++i) {
+        const float left = ofFirst * static_cast<float>(firstTexture.pixels[i] - atFirst.pixels[i]) +
+                           ofSecond * static_cast<float>(secondTexture.pixels[i] - atSecond.pixels[i]);
+        const float value = static_cast<float>(blended.pixels[i]) + left + 0.5F;
+        blended.pixels[i] = static_cast<std::uint8_t>(std::clamp(value, 0.0F, 255.0F));
+    }
+    return blended;
+}
+
+ModelTextures::ModelTextures(std::function<std::optional<FrameAppearances>()> open) : m_open(std::move(open))
+{
+}
+
+std::shared_ptr<const ModelTextures::Opened> ModelTextures::opened() const
+{
+    const std::scoped_lock lock(m_mutex);
+    if (!m_opened) {
+        if (auto appearances = m_open())
+            m_opened = std::make_shared<const Opened>(std::move(*appearances));
+    }
+    return m_opened;
+}
+
+Texture ModelTextures::inPlaceOf(const CapturedTexture& texture) const
+{
+    const auto known = opened();
+    return known ? known->completed(texture) : Texture();
+}
+
+Texture ModelTextures::between(const CapturedTexture& first, const CapturedTexture& second,
+                               double weight) const
+{
+    const auto known = opened();
+    const AppearanceCoefficients* atFirst = known ? known->find(first) : nullptr;
+    const AppearanceCoefficients* atSecond = known ? known->find(second) : nullptr;
+    if (!atFirst || !atSecond)
+        return {};
+    const auto pictureOf = [&](const CapturedTexture& captured) {
+        Texture completed = known->completed(captured);
+        return completed.isEmpty() ? captured.texture : completed;
+    };
+    return {.made = [known, atFirst, atSecond, firstTexture = pictureOf(first),
+                     secondTexture = pictureOf(second), weight] {
+        return blendedTexture(known->decoder, *atFirst, *firstTexture.load(), *atSecond,
+                              *secondTexture.load(), weight);
+    }};
+}
+
+} // namespace quadrille

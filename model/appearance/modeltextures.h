@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/appearance/decode.h"
+#include "model/sequence/texture.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace quadrille {
+
+/// A model of appearance, and what it knows of captured frames.
+struct FrameAppearances
+{
+    using Key = std::pair<std::string, FrameIndex>; ///< sequence and frame of it
+
+    std::shared_ptr<const AppearanceModel> model;
+    std::map<Key, AppearanceCoefficients> coefficients; ///< of the textures that it knows
+    std::map<Key, Texture> completed;                   ///< shown in place of those that were captured
+};
+
+/// The texture between two whose coefficients are known: the model's, at coefficients in between (SMCAS
+/// §5.3), and what it leaves out of both, blended, so that the ends are the captured textures themselves.
+/// \param weight  of the second. \pre Both pictures have the atlas's size. Cost: three decodes.
+Image blendedTexture(const AppearanceDecoder& decoder, const AppearanceCoefficients& first,
+                     const Image& firstTexture, const AppearanceCoefficients& second,
+                     const Image& secondTexture, double weight);
+
+/// Textures of clips by a model of appearance.
+class ModelTextures : public TextureBlender
+{
+public:
+    /// \param open  called when a texture is asked for, until it gives a model; nothing: there is none yet,
+    /// and no texture is known.
+    explicit ModelTextures(std::function<std::optional<FrameAppearances>()> open);
+
+    Texture between(const CapturedTexture& first, const CapturedTexture& second,
+                    double weight) const override;
+    Texture inPlaceOf(const CapturedTexture& texture) const override;
+
+private:
+    struct Opened;
+
+    /// Null where there is no model yet.
+    std::shared_ptr<const Opened> opened() const;
+
+    std::function<std::optional<FrameAppearances>()> m_open;
+    mutable std::mutex m_mutex;
+    mutable std::shared_ptr<const Opened> m_opened;
+};
+
+} // namespace quadrille

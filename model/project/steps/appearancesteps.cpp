@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/appearance/appearancefile.h"
+#include "model/appearance/buildappearance.h"
+#include "model/appearance/completion.h"
+#include "model/appearance/texturequality.h"
+#include "model/core/contenthash.h"
+#include "model/core/error.h"
+#include "model/project/document/findentry.h"
+#include "model/project/document/madeclips.h"
+#include "model/project/document/paths.h"
+#include "model/project/fields/writefields.h"
+#include "model/project/media/sequencesettings.h"
+#include "model/project/steps/appearancetraining.h"
+#include "model/project/steps/buildstep.h"
+#include "model/project/steps/completionmask.h"
+#include "model/project/steps/flowfiles.h"
+#include "model/project/store/resultplaces.h"
+#include "model/project/store/tablebuilder.h"
+
+#include <algorithm>
+
+namespace quadrille {
+
+namespace {
+
+/// What the steps of an entry share.
+struct AppearanceWork
+{
+    std::shared_ptr<SequenceOpener> opener;
+    AppearanceEntry entry;
+    std::filesystem::path projectFile;
+
+    std::filesystem::path folder() const { return appearanceFolder(cacheFolder(projectFile), entry.name); }
+    BuildStep step(std::string name) const
+    {
+        BuildStep made;
+        made.name = std::move(name);
+        made.dataPrefix = "appearance/" + entry.name;
+        made.character = characterNameOf(opener->project(), entry);
+        return made;
+    }
+    WrittenFile written(const std::filesystem::path& file, const Progress& progress) const
+    {
+        return {storedPath(file, opener->folder()), hashFile(file, progress)};
+    }
+};
+
+std::vector<std::filesystem::path> filesOf(SequenceOpener& opener, const std::vector<std::string>& sequences,
+                                           const Progress& progress)
+{
+    std::vector<std::filesystem::path> files;
+    for (const std::string& name : sequences) {
+        const auto own = opener.filesOf(name, progress);
+        files.insert(files.end(), own.begin(), own.end());
+    }
+    return files;
+}
+
+/// Of textures and of the layout that warps are computed by.
+FlowFiles flowFiles(const AppearanceWork& work, const AppearanceTraining& training,
+                    const BuildAppearanceOptions& options, const Progress& progress)
+{
+    std::vector<std::string> hashes;
+    for (const Texture& texture : training.textures) {
+        progress.report(std::ssize(hashes), std::ssize(training.textures));
+        ContentHasher hasher;
+        if (texture.file.empty())
+            hasher.addBytes(std::as_bytes(std::span(texture.load()->pixels)));
+        hashes.push_back(texture.file.empty() ? hasher.hex() : hashFile(texture.file, progress));
+    }
+    const TopologyData& layout = training.topology->data();
+    ContentHasher settings;
+    settings.add(std::int64_t{options.gutter});
+    settings.add(std::int64_t{options.alignment.spacing});
+    settings.addBytes(std::as_bytes(std::span(layout.uvs)));
+    settings.addBytes(std::as_bytes(std::span(layout.triangleUvs)));
+    return {work.folder() / "flows", std::move(hashes), settings.hex()};
+}
+
+DataArray columnOfValues(const char* name, const char* unit, const char* description,
+                         std::vector<double> values)
+{
+    DataArray array = columnOf(name, unit, std::move(values));
+    array.description = description;
+    return array;
+}
+
+DataArray coefficientsArray(const char* name, const char* description, const QuantisedSpace& space)
+{
+    return {.name = name,
+            .description = description,
+            .shape = {space.samples(), space.count},
+            .values = space.coefficients};
+}
+
+/// How well each texture is met.
+DataTable metricsTable(const AppearanceModel& model, const BuiltAppearance& built,
+                       const TextureSource& source, const Progress& progress)
+{
+    const AppearanceDecoder decoder(std::make_shared<const AppearanceModel>(model));
+    std::vector<double> qualities(2 * model.frames.size());
+    localExecutor().run(makeTasks<double>(
+                            source.count,
+                            [&](std::int64_t row, const Progress&) {
+                                const Image made =
+                                    decoder.decode(coefficientsOf(model, static_cast<std::size_t>(row)));
+                                const PictureQuality quality =
+                                    textureQuality(*source.read(row), made, model.texels);
+                                return std::vector<double>{quality.similarity, quality.meanSquaredError};
+                            },
+                            [&](std::int64_t row, std::span<const double> values) {
+                                std::copy(values.begin(), values.end(), qualities.begin() + 2 * row);
+                            }),
+                        progress);
+    TableBuilder table("metrics", "How well the model meets each texture, over the texels that are used, and "
+                                  "how far the texture was aligned.");
+    table.whole("row").text("sequence").whole("frame", "frame").real("similarity");
+    table.real("mean-squared-error", "grey level²").real("displacement", "texel");
+    table.real("difference-before", "grey level").real("difference-after", "grey level");
+    for (std::size_t row = 0; row < model.frames.size(); ++row) {
+        const AlignmentFigures& figures = built.figures[row];
+        table.add({static_cast<std::int64_t>(row), model.frames[row].sequence, model.frames[row].frame.value,
+                   qualities[2 * row], qualities[2 * row + 1], figures.displacement, figures.before,
+                   figures.after});
+    }
+    return std::move(table).table();
+}
+
+Result buildModel(const AppearanceWork& work, const Progress& progress)
+{
+    const AppearanceTraining training = appearanceTraining(*work.opener, work.entry, progress.part(0, 0.02));
+    const TextureSource source = training.source();
+    BuildAppearanceOptions options;
+    options.components = work.entry.components;
+    options.textureShare = 1 - work.entry.warpShare;
+    options.alignment.flow.method = work.entry.flow;
+    options.alignment.reference = training.reference;
+    options.alignment.scratchFolder = work.folder();
+    std::filesystem::create_directories(work.folder());
+    FlowFiles flows = flowFiles(work, training, options, progress.part(0.02, 0.04));
+    const BuiltAppearance built =
+        buildAppearance(source, *training.topology, options, &flows, progress.part(0.04, 0.9));
+    const AppearanceModel model = quantised(built.used, built.grid, built.textures, built.warps,
+                                            training.frames(), progress.part(0.9, 0.92));
+    const std::filesystem::path file = work.folder() / "model.h5";
+    writeAppearanceFile(file, model);
+    flows.removeOthers();
+    Result result;
+    result.arrays = {
+        columnOfValues("eigenvalues", "grey level²",
+                       "Variances along Eigen textures, also of those left out.", model.textures.eigenvalues),
+        columnOfValues("warp-eigenvalues", "texel²", "Variances along Eigen warps, also of those left out.",
+                       model.warps.eigenvalues),
+        coefficientsArray("coefficients", "Textures × components: where they lie among Eigen textures.",
+                          model.textures),
+        coefficientsArray("warp-coefficients", "Textures × components: where they lie among Eigen warps.",
+                          model.warps),
+        columnOf("reference", "row", std::vector{built.reference})};
+    result.arrays.back().description = "The texture that all others are aligned to.";
+    result.tables = {rowsTable(training.rows), metricsTable(model, built, source, progress.part(0.92, 1))};
+    result.files = {work.written(file, progress)};
+    return result;
+}
+
+BuildStep modelStep(const std::shared_ptr<const AppearanceWork>& work)
+{
+    const Project& project = work->opener->project();
+    BuildStep step = work->step(appearanceModelStep(work->entry.name));
+    const std::vector<std::string> sequences = trainingSequences(project, work->entry);
+    AppearanceEntry learned = work->entry;
+    learned.name.clear();
+    for (CompletionEntry& completion : learned.completions) { // all that counts is which textures they are
+        completion.mask.clear();
+        completion.strokes.clear();
+    }
+    step.settings = writeFields(learned).dump();
+    for (const std::string& name : sequences) {
+        if (const SequenceEntry* sequence = findSequence(project, name))
+            step.settings += "\n" + name + "\n" + sequenceSettings(project, *sequence);
+    }
+    step.inputs = clipInputs(project, sequences);
+    step.files = [work, sequences](const Progress& progress) {
+        return filesOf(*work->opener, sequences, progress);
+    };
+    step.compute = [work](const StepContext&, const Progress& progress) {
+        return buildModel(*work, progress);
+    };
+    return step;
+}
+
+/// Fills in what is masked of one texture.
+CompletedFrame complete(const AppearanceWork& work, const AppearanceDecoder& decoder,
+                        const ChartLookup& charts, const CompletionEntry& completion,
+                        const Progress& progress)
+{
+    const auto opened = work.opener->open(completion.frame.sequence);
+    if (completion.frame.frame.value >= opened->sequence.frameCount())
+        throw Error(ErrorCode::ProjectInvalid,
+                    {.values = {{"reason", "“" + completion.frame.sequence + "” has no frame " +
+                                               std::to_string(completion.frame.frame.value)},
+                                {"remedy", "It has " + std::to_string(opened->sequence.frameCount()) +
+                                               " frames, from 0."}}});
+    const auto texture = opened->sequence.texture(completion.frame.frame);
+    const UsedTexels& used = decoder.model().texels;
+    const auto known = knownTexels(completion, texture.get(), used, work.opener->folder());
+    CompletionOptions options;
+    options.estimate = [&](const Image& fixed, const Image& moving, std::span<const std::uint8_t>) {
+        return charts.atNodes(denseFlow(fixed, moving, charts, {}, progress.part(0, 0.3)),
+                              decoder.model().grid);
+    };
+    CompletedTexture completed = completeTexture(decoder, *texture, known, options, progress.part(0.3, 1));
+    const std::filesystem::path file =
+        work.folder() /
+        (completion.frame.sequence + "_" + std::to_string(completion.frame.frame.value) + ".png");
+    writeImage(completed.texture, file);
+    return {completion.frame.sequence, completion.frame.frame, file, std::move(completed.coefficients)};
+}
+
+BuildStep completionsStep(const std::shared_ptr<const AppearanceWork>& work)
+{
+    const Project& project = work->opener->project();
+    BuildStep step = work->step(appearanceCompletionsStep(work->entry.name));
+    AppearanceEntry masked;
+    masked.completions = work->entry.completions;
+    step.settings = writeFields(masked).dump();
+    std::vector<std::string> sequences;
+    for (const CompletionEntry& completion : masked.completions) {
+        const std::string& name = completion.frame.sequence;
+        if (std::ranges::find(sequences, name) == sequences.end())
+            sequences.push_back(name);
+    }
+    for (const std::string& name : sequences) {
+        if (const SequenceEntry* sequence = findSequence(project, name))
+            step.settings += "\n" + name + "\n" + sequenceSettings(project, *sequence);
+    }
+    step.inputs = clipInputs(project, sequences);
+    step.inputs.push_back(appearanceModelStep(work->entry.name));
+    step.files = [work, sequences](const Progress& progress) {
+        std::vector<std::filesystem::path> files = filesOf(*work->opener, sequences, progress);
+        for (const CompletionEntry& completion : work->entry.completions) {
+            if (!completion.mask.empty())
+                files.push_back(resolvePath(completion.mask, work->opener->folder()));
+        }
+        return files;
+    };
+    step.compute = [work](const StepContext&, const Progress& progress) {
+        const auto model =
+            std::make_shared<const AppearanceModel>(readAppearanceFile(work->folder() / "model.h5"));
+        const AppearanceDecoder decoder(model);
+        const ChartLookup charts(model->texels);
+        std::vector<CompletedFrame> frames;
+        const auto count = static_cast<double>(work->entry.completions.size());
+        for (const CompletionEntry& completion : work->entry.completions) {
+            const auto done = static_cast<double>(frames.size());
+            frames.push_back(complete(*work, decoder, charts, completion,
+                                      progress.part(done / count, (done + 1) / count)));
+        }
+        Result result = completionsResult(frames);
+        for (const CompletedFrame& frame : frames)
+            result.files.push_back(work->written(frame.file, progress));
+        return result;
+    };
+    return step;
+}
+
+} // namespace
+
+std::vector<BuildStep> makeAppearanceSteps(const StepMaking& making)
+{
+    std::vector<BuildStep> steps;
+    for (const AppearanceEntry& entry : making.opener->project().appearances) {
+        const auto work =
+            std::make_shared<const AppearanceWork>(AppearanceWork{making.opener, entry, making.projectFile});
+        steps.push_back(modelStep(work));
+        if (!entry.completions.empty())
+            steps.push_back(completionsStep(work));
+    }
+    return steps;
+}
+
+} // namespace quadrille

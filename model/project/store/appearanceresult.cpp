@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/store/appearanceresult.h"
+
+#include "model/appearance/appearancefile.h"
+#include "model/project/document/findentry.h"
+#include "model/project/store/resultstore.h"
+#include "model/project/store/tablebuilder.h"
+
+#include <algorithm>
+
+namespace quadrille {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr auto completionsName = "completions";
+constexpr auto textureCoefficientsName = "completed-coefficients";
+constexpr auto warpCoefficientsName = "completed-warp-coefficients";
+
+const DataTable* findTable(const Result& result, const char* name)
+{
+    const auto found = std::ranges::find(result.tables, name, &DataTable::name);
+    return found == result.tables.end() ? nullptr : &*found;
+}
+
+DataArray coefficientArray(const char* name, std::span<const CompletedFrame> frames,
+                           std::vector<float> AppearanceCoefficients::*member)
+{
+    const std::size_t count = frames.empty() ? 0 : (frames.front().coefficients.*member).size();
+    std::vector<double> values;
+    for (const CompletedFrame& frame : frames)
+        values.insert(values.end(), (frame.coefficients.*member).begin(), (frame.coefficients.*member).end());
+    return {.name = name,
+            .description = "Frames × components: where the completed textures lie in the model.",
+            .shape = {static_cast<std::int64_t>(frames.size()), static_cast<std::int64_t>(count)},
+            .values = std::move(values)};
+}
+
+std::vector<float> coefficientRow(const Result& result, const char* name, std::size_t row)
+{
+    const auto found = std::ranges::find(result.arrays, name, &DataArray::name);
+    const auto count = static_cast<std::size_t>(found->shape[1]);
+    const auto& values = std::get<std::vector<double>>(found->values);
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(row * count);
+    return {first, first + static_cast<std::ptrdiff_t>(count)};
+}
+
+void addCompletions(FrameAppearances& appearances, const Result& result, const fs::path& folder)
+{
+    const DataTable* table = findTable(result, completionsName);
+    if (table == nullptr)
+        return;
+    const auto& sequences = columnNamed<TextColumn>(*table, "sequence");
+    const auto& frames = columnNamed<std::vector<std::int64_t>>(*table, "frame");
+    const auto& files = columnNamed<TextColumn>(*table, "file");
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const FrameAppearances::Key key(sequences[i], FrameIndex(frames[i]));
+        appearances.completed[key] = {.file = folder / files[i]};
+        appearances.coefficients[key] = {coefficientRow(result, textureCoefficientsName, i),
+                                         coefficientRow(result, warpCoefficientsName, i)};
+    }
+}
+
+} // namespace
+
+std::string appearanceModelStep(const std::string& name)
+{
+    return "appearance/" + name + "/model";
+}
+
+std::string appearanceCompletionsStep(const std::string& name)
+{
+    return "appearance/" + name + "/completions";
+}
+
+std::vector<std::string> appearanceSteps(const Project& project, const std::string& character)
+{
+    const AppearanceEntry* entry = appearanceOf(project, character);
+    if (entry == nullptr)
+        return {};
+    std::vector<std::string> steps{appearanceModelStep(entry->name)};
+    if (!entry->completions.empty())
+        steps.push_back(appearanceCompletionsStep(entry->name));
+    return steps;
+}
+
+fs::path appearanceFolder(const fs::path& results, const std::string& name)
+{
+    return results / "appearance" / name / "files";
+}
+
+DataTable rowsTable(std::span<const AppearanceRow> rows)
+{
+    TableBuilder table("frames", "The frames that were learned from, and their rows in “coefficients”.");
+    table.text("sequence").whole("frame", "frame").whole("row");
+    for (const AppearanceRow& each : rows)
+        table.add({each.sequence, each.frame.value, each.row});
+    return std::move(table).table();
+}
+
+std::vector<AppearanceRow> appearanceRows(const Result& result)
+{
+    const DataTable& table = *findTable(result, "frames");
+    const auto& sequences = columnNamed<TextColumn>(table, "sequence");
+    const auto& frames = columnNamed<std::vector<std::int64_t>>(table, "frame");
+    const auto& rows = columnNamed<std::vector<std::int64_t>>(table, "row");
+    std::vector<AppearanceRow> all;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        all.push_back({sequences[i], FrameIndex(frames[i]), rows[i]});
+    return all;
+}
+
+Result completionsResult(std::span<const CompletedFrame> frames)
+{
+    TableBuilder table(completionsName, "Textures that were completed, and their pictures.");
+    table.text("sequence").whole("frame", "frame").text("file");
+    for (const CompletedFrame& each : frames)
+        table.add({each.sequence, each.frame.value, each.file.filename().string()});
+    Result result;
+    result.tables = {std::move(table).table()};
+    result.arrays = {coefficientArray(textureCoefficientsName, frames, &AppearanceCoefficients::textures),
+                     coefficientArray(warpCoefficientsName, frames, &AppearanceCoefficients::warps)};
+    return result;
+}
+
+std::optional<FrameAppearances> readAppearances(const fs::path& results, const std::string& name)
+{
+    const ResultStore store(results);
+    const ResultPointer model = store.load(appearanceModelStep(name), {}).result;
+    if (model->files.empty())
+        return std::nullopt;
+    const fs::path folder = appearanceFolder(results, name);
+    FrameAppearances appearances{
+        .model = std::make_shared<const AppearanceModel>(readAppearanceFile(folder / "model.h5"))};
+    for (const AppearanceRow& each : appearanceRows(*model))
+        appearances.coefficients[{each.sequence, each.frame}] =
+            coefficientsOf(*appearances.model, static_cast<std::size_t>(each.row));
+    addCompletions(appearances, *store.load(appearanceCompletionsStep(name), {}).result, folder);
+    return appearances;
+}
+
+} // namespace quadrille

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/appearance/modeltextures.h"
+#include "model/project/document/project.h"
+#include "model/project/store/result.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace quadrille {
+
+// The section “appearance” as results: a model of an entry in a file of its own, NAME/model.h5 beside those
+// of the steps, and the textures that it completes as pictures.
+
+/// The steps of an entry.
+std::string appearanceModelStep(const std::string& name);
+std::string appearanceCompletionsStep(const std::string& name);
+/// Those that make what clips of a character take their textures from; none where it has no model.
+std::vector<std::string> appearanceSteps(const Project& project, const std::string& character);
+/// Where they write, in the folder of a project's results.
+std::filesystem::path appearanceFolder(const std::filesystem::path& results, const std::string& name);
+
+/// A frame that was learned from, and its row among the model's coefficients. Frames that show the same
+/// texture share one.
+struct AppearanceRow
+{
+    std::string sequence;
+    FrameIndex frame; ///< of the sequence
+    std::int64_t row = 0;
+};
+
+/// A texture that was completed.
+struct CompletedFrame
+{
+    std::string sequence;
+    FrameIndex frame;
+    std::filesystem::path file; ///< the picture, inside appearanceFolder()
+    AppearanceCoefficients coefficients;
+};
+
+/// The table “frames” of a model's result, and back. \pre Of `appearanceRows`: there is such a table.
+DataTable rowsTable(std::span<const AppearanceRow> rows);
+std::vector<AppearanceRow> appearanceRows(const Result& result);
+
+/// The table “completions” and the arrays of coefficients of a result, without its files.
+Result completionsResult(std::span<const CompletedFrame> frames);
+
+/// The model of an entry and all textures that it knows, as they were computed last; nothing where there is
+/// no model. \throws Error PermissionDenied, ReadFailed, and those of readAppearanceFile.
+std::optional<FrameAppearances> readAppearances(const std::filesystem::path& results,
+                                                const std::string& name);
+
+} // namespace quadrille
