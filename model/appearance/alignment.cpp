@@ -215,10 +215,9 @@ private:
 
 } // namespace
 
-std::shared_ptr<const TextureAlignment> alignTextures(const TextureSource& textures,
-                                                      const ChartLookup& charts,
-                                                      const AlignmentOptions& options, FlowCache* cache,
-                                                      const Progress& progress, const Executor& executor)
+std::shared_ptr<TextureAlignment> alignTextures(const TextureSource& textures, const ChartLookup& charts,
+                                                const AlignmentOptions& options, FlowCache* cache,
+                                                const Progress& progress, const Executor& executor)
 {
     Aligner aligner(textures, charts, options, cache, executor);
     std::int64_t reference = options.reference.value_or(0);
@@ -241,10 +240,9 @@ std::shared_ptr<const TextureAlignment> alignTextures(const TextureSource& textu
     return aligner.result();
 }
 
-std::shared_ptr<const TextureAlignment> gatherTextures(const TextureSource& textures,
-                                                       const ChartLookup& charts,
-                                                       const AlignmentOptions& options,
-                                                       const Progress& progress, const Executor& executor)
+std::shared_ptr<TextureAlignment> gatherTextures(const TextureSource& textures, const ChartLookup& charts,
+                                                 const AlignmentOptions& options, const Progress& progress,
+                                                 const Executor& executor)
 {
     Aligner aligner(textures, charts, options, nullptr, executor);
     aligner.result()->reference = aligner.gather(progress);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/appearance/flow.h"
+#include "model/appearance/linearspace.h"
 #include "model/appearance/pca.h"
 
 #include <filesystem>
@@ -106,15 +107,26 @@ private:
 /// \throws Error BadArgument where there is no texture, sizes differ from those of the atlas or options make
 /// no sense; Cancelled, WriteFailed (scratch), and what the source throws. Cost: O(count · rounds) flows;
 /// memory: some textures for each thread, the rest lies in scratch files.
-std::shared_ptr<const TextureAlignment>
-alignTextures(const TextureSource& textures, const ChartLookup& charts, const AlignmentOptions& options = {},
-              FlowCache* cache = nullptr, const Progress& progress = {},
-              const Executor& executor = localExecutor());
+std::shared_ptr<TextureAlignment> alignTextures(const TextureSource& textures, const ChartLookup& charts,
+                                                const AlignmentOptions& options = {},
+                                                FlowCache* cache = nullptr, const Progress& progress = {},
+                                                const Executor& executor = localExecutor());
 
 /// The same without warps: textures as they are, all warps zero, the one nearest to the mean as reference.
 /// \throws as alignTextures.
-std::shared_ptr<const TextureAlignment>
-gatherTextures(const TextureSource& textures, const ChartLookup& charts, const AlignmentOptions& options = {},
-               const Progress& progress = {}, const Executor& executor = localExecutor());
+std::shared_ptr<TextureAlignment> gatherTextures(const TextureSource& textures, const ChartLookup& charts,
+                                                 const AlignmentOptions& options = {},
+                                                 const Progress& progress = {},
+                                                 const Executor& executor = localExecutor());
+
+/// Aligns textures anew by what a space of warps keeps of their backward warps, so that what it leaves out is
+/// not lost, but stands in the aligned textures: de-aligned by the kept warp, they give the textures, but for
+/// what bilinear look-ups blur, which is put back as far as a few iterations do it (back-projection, Irani &
+/// Peleg 1991).
+/// \param alignment  whose aligned textures are replaced. \param warps  fitted to its backward warps.
+/// \throws Error Cancelled, WriteFailed (scratch), and what the source throws.
+void realignTextures(const TextureSource& textures, const ChartLookup& charts, const LinearSpace& warps,
+                     TextureAlignment& alignment, const Progress& progress = {},
+                     const Executor& executor = localExecutor());
 
 } // namespace quadrille

@@ -28,7 +28,7 @@ BuiltAppearance buildAppearance(const TextureSource& textures, const Topology& t
     if (!first || first->isEmpty())
         refuse("The first texture is empty", "Choose sequences that have a texture per frame.");
     const ChartLookup charts(usedTexels(topology, first->width, first->height, options.gutter));
-    const double most = options.isAligned ? 0.95 : 0.3; // of the time
+    const double most = options.isAligned ? 0.9 : 0.3; // of the time
     const auto alignment =
         options.isAligned
             ? alignTextures(textures, charts, options.alignment, cache, progress.part(0, most), executor)
@@ -40,11 +40,14 @@ BuiltAppearance buildAppearance(const TextureSource& textures, const Topology& t
     built.rounds = alignment->rounds;
     built.figures = alignment->figures;
     const std::int64_t count = textureComponents(options);
-    const double between = most + 0.9 * (1 - most);
-    built.textures =
-        principalComponents(alignment->alignedSamples(), count, progress.part(most, between), executor);
-    built.warps = principalComponents(alignment->backwardSamples(), options.components - count,
-                                      progress.part(between, 1), executor);
+    const auto part = [&](double from, double to) {
+        return progress.part(most + from * (1 - most), most + to * (1 - most));
+    };
+    built.warps =
+        principalComponents(alignment->backwardSamples(), options.components - count, part(0, 0.1), executor);
+    if (options.isAligned)
+        realignTextures(textures, charts, built.warps, *alignment, part(0.1, 0.4), executor);
+    built.textures = principalComponents(alignment->alignedSamples(), count, part(0.4, 1), executor);
     return built;
 }
 

@@ -137,7 +137,16 @@ std::vector<std::uint8_t> ChartLookup::colours(const Image& texture) const
 std::vector<std::uint8_t> ChartLookup::colours(const Image& texture, const std::vector<Vec2f>& field) const
 {
     const std::vector<std::uint8_t> still = colours(texture);
-    std::vector<std::uint8_t> moved(3 * m_used.texels.size());
+    const std::vector<float> moved = sampled(std::vector<float>(still.begin(), still.end()), field);
+    std::vector<std::uint8_t> rounded(moved.size());
+    std::ranges::transform(moved, rounded.begin(),
+                           [](float value) { return static_cast<std::uint8_t>(value + 0.5F); });
+    return rounded;
+}
+
+std::vector<float> ChartLookup::sampled(std::span<const float> values, const std::vector<Vec2f>& field) const
+{
+    std::vector<float> moved(values.size());
     for (std::size_t k = 0; k < field.size(); ++k) {
         const auto [x, y] = place(k);
         const Vec2f at(static_cast<float>(x) + field[k].x(), static_cast<float>(y) + field[k].y());
@@ -153,13 +162,13 @@ std::vector<std::uint8_t> ChartLookup::colours(const Image& texture, const std::
                                              {1, 1, tx * ty}}) {
             if (!(weight > 0) || m_charts[cell(left + dx, top + dy)] != m_used.charts[k] + 1)
                 continue;
-            const std::uint8_t* colour = still.data() + std::size_t{3} * m_indices[cell(left + dx, top + dy)];
+            const float* value = values.data() + std::size_t{3} * m_indices[cell(left + dx, top + dy)];
             for (std::size_t c = 0; c < 3; ++c)
-                sums[c] += weight * static_cast<float>(colour[c]);
+                sums[c] += weight * value[c];
             whole += weight;
         }
         for (std::size_t c = 3 * k; c < 3 * k + 3; ++c)
-            moved[c] = whole > 0 ? static_cast<std::uint8_t>(std::lround(sums[c - 3 * k] / whole)) : still[c];
+            moved[c] = whole > 0 ? sums[c - 3 * k] / whole : values[c];
     }
     return moved;
 }

@@ -32,6 +32,9 @@ public:
     /// Colours looked up at x + field(x), bilinear between texels of the chart, rounded to nearest.
     std::vector<std::uint8_t> colours(const Image& texture, const std::vector<Vec2f>& field) const;
 
+    /// Three values per used texel, looked up in the same way. \param values  three of each used texel.
+    std::vector<float> sampled(std::span<const float> values, const std::vector<Vec2f>& field) const;
+
     /// The field at the nodes of a grid: a mean of the texels less than a spacing away, the nearest counting
     /// most. Zero at nodes that none of them is near, on which no used texel depends.
     std::vector<float> atNodes(const std::vector<Vec2f>& field, const WarpGrid& grid) const;
