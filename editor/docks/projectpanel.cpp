@@ -3,6 +3,7 @@
 #include "editor/docks/projectpanel.h"
 
 #include "editor/commands/animationedits.h"
+#include "editor/commands/appearanceedits.h"
 #include "editor/commands/brokenedits.h"
 #include "editor/commands/entrynames.h"
 #include "editor/commands/projectedits.h"
@@ -237,6 +238,9 @@ void ProjectPanel::duplicateSelected()
     else if (current.section == Section::Variations)
         m_context.selection.select(
             {Section::Variations, duplicateVariation(m_context.document, current.name)});
+    else if (current.section == Section::Appearances)
+        m_context.selection.select(
+            {Section::Appearances, duplicateAppearance(m_context.document, current.name)});
     else
         m_context.selection.selectSequences({duplicateSequence(m_context.document, current.name)});
 }

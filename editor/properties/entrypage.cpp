@@ -16,7 +16,6 @@ EntryPage::EntryPage(EditorContext& context, Subject subject)
     , m_subject(std::move(subject))
     , m_nameField(new QLineEdit)
     , m_character(new QComboBox)
-    , m_open(new QPushButton)
 {
     const QByteArray prefix = m_subject.name;
     m_character->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -31,14 +30,15 @@ EntryPage::EntryPage(EditorContext& context, Subject subject)
         if (chosen != character())
             setCharacter(chosen);
     });
-    connect(m_open, &QPushButton::clicked, this, [this] {
-        select();
-        m_context.actions.action(QLatin1String(m_subject.workspace))->trigger();
-    });
 }
 
 void EntryPage::addOpen()
 {
+    m_open = new QPushButton;
+    connect(m_open, &QPushButton::clicked, this, [this] {
+        select();
+        m_context.actions.action(QLatin1String(m_subject.workspace))->trigger();
+    });
     addWide((QByteArray(m_subject.name) + "Open").constData(), m_open);
     retranslate();
 }
@@ -56,7 +56,8 @@ void EntryPage::show(const QString& name)
 
 void EntryPage::retranslate()
 {
-    m_open->setText(tr("Work on it"));
+    if (m_open != nullptr)
+        m_open->setText(tr("Work on it"));
 }
 
 } // namespace quadrille

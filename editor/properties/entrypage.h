@@ -29,7 +29,7 @@ protected:
     {
         Section section;
         const char* name;      ///< object names begin with it
-        const char* workspace; ///< the action that goes there
+        const char* workspace; ///< the action that goes there; null without addOpen()
         Text characterTip;
     };
     EntryPage(EditorContext& context, Subject subject);
@@ -51,7 +51,7 @@ private:
     QString m_name;
     QLineEdit* m_nameField;
     QComboBox* m_character;
-    QPushButton* m_open;
+    QPushButton* m_open = nullptr;
 };
 
 } // namespace quadrille

@@ -6,6 +6,7 @@
 #include "editor/fields/verticalscroll.h"
 #include "editor/language/retranslate.h"
 #include "editor/properties/animationpage.h"
+#include "editor/properties/appearancepage.h"
 #include "editor/properties/brokenpage.h"
 #include "editor/properties/characterpage.h"
 #include "editor/properties/exportpage.h"
@@ -32,6 +33,7 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
                 {Section::Sequences, new SequencePage(context)},
                 {Section::Animations, new AnimationPage(context)},
                 {Section::Variations, new VariationPage(context)},
+                {Section::Appearances, new AppearancePage(context)},
                 {Section::Exports, new ExportPage(context)},
                 {Section::Project, new BrokenPage(context)}}
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "editor/commands/animationedits.h"
+#include "editor/commands/appearanceedits.h"
 #include "editor/commands/projectedits.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
@@ -63,6 +64,37 @@ private slots:
         QVERIFY(walk().sourceAxes.has_value());
         document().undo();
         QCOMPARE(test::find<QComboBox>("sequenceHasAxes")->currentIndex(), 0);
+    }
+
+    void showsAndEditsAModelOfAppearance()
+    {
+        AppearanceEntry look;
+        look.name = "look";
+        look.sequences = {"walk"};
+        QCOMPARE(addAppearance(document(), look), QString("look"));
+        selection().select({Section::Appearances, "look"});
+        QCOMPARE(test::find<QLabel>("propertiesTitle")->text(), QString("look"));
+        QCOMPARE(test::find<QLabel>("appearanceSequences")->text(), QString("walk"));
+        const auto entry = [this] { return document().project().appearances.front(); };
+        auto* components = test::find<QDoubleSpinBox>("appearanceComponents");
+        QCOMPARE(components->value(), 50.0);
+        components->setValue(20);
+        QCOMPARE(entry().components, 20);
+        QTest::keyClick(test::find<QComboBox>("appearanceFlow"), Qt::Key_Down);
+        QVERIFY(entry().flow == FlowMethod::Dis);
+        test::find<QDoubleSpinBox>("appearanceWarps")->setValue(25);
+        QCOMPARE(entry().warpShare, 0.25);
+        document().undo();
+        document().undo();
+        document().undo();
+        QVERIFY(entry() == look);
+        QCOMPARE(components->value(), 50.0);
+
+        removeEntries(document(), Section::Sequences, {"walk"});
+        QVERIFY(document().project().appearances.empty());
+        document().undo();
+        QVERIFY(entry() == look);
+        QCOMPARE(duplicateAppearance(document(), "look"), QString("look 2"));
     }
 
     void renamesInPlaceAndRefusesATakenName()

@@ -211,6 +211,7 @@ private:
             return;
         const bool isAnyLost =
             std::erase_if(names, [&](std::string& name) { return !m_change.keeps(name); }) > 0;
+        m_isLost |= isAnyLost && names.empty() && info.loss == Loss::OfOwner;
         if constexpr (requires { m_entry.needsAllSequences(); }) {
             if (isAnyLost && m_entry.needsAllSequences())
                 names.clear();

@@ -124,6 +124,18 @@ TEST(References, ToASequenceGoWithItAndLeaveTheRestOfAnAnimation)
     EXPECT_FALSE(hasErrors(validate(project)));
 }
 
+TEST(References, OfAModelOfAppearanceGoOneByOneAndTakeItWithTheLast)
+{
+    Project project = fullProject();
+    const std::string last = project.appearances.front().sequences.back();
+    removeEntries(project, NamedKind::Sequence, {project.appearances.front().sequences.front()});
+    ASSERT_EQ(project.appearances.size(), 1U);
+    EXPECT_EQ(project.appearances.front().sequences, std::vector{last});
+    EXPECT_FALSE(project.appearances.front().reference); // it was of the other one
+    removeEntries(project, NamedKind::Sequence, {last});
+    EXPECT_TRUE(project.appearances.empty()); // none would mean all
+}
+
 TEST(References, ToAnAnimationTakeWhatShowsIt)
 {
     Project project = referringProject();

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/properties/appearancepage.h"
+
+#include "editor/commands/appearanceedits.h"
+#include "editor/context/editorcontext.h"
+#include "model/project/document/findentry.h"
+
+namespace quadrille {
+
+AppearancePage::AppearancePage(EditorContext& context)
+    : EntryPage(context,
+                {.section = Section::Appearances,
+                 .name = "appearance",
+                 .workspace = nullptr,
+                 .characterTip =
+                     [] {
+                         return tr(
+                             "Whose textures are learned; its sequences are chosen anew with another one");
+                     }})
+    , m_form(new SettingForm)
+    , m_fields(*m_form, [this](const QString& what, const char* property, const auto& change) {
+        AppearanceEntry after =
+            *findAppearance(EntryPage::context().document.project(), entryName().toStdString());
+        change(after);
+        setAppearance(EntryPage::context().document, entryName(), tr("Set “%1”").arg(what),
+                      QLatin1String(property), std::move(after));
+    })
+{
+    m_sequences = addFact("appearanceSequences", [] { return tr("Learned from"); });
+    m_completions = addFact("appearanceCompletions", [] { return tr("Completed"); });
+    addSettings();
+    addWide("appearanceSettings", m_form);
+    retranslate();
+}
+
+void AppearancePage::addSettings()
+{
+    constexpr double hundredth = 0.01;
+    m_fields.addNumber({"appearanceComponents", [] { return tr("Components"); },
+                        [] { return tr("Of Eigen textures and Eigen warps together, at most; 1 to 1000"); }},
+                       &AppearanceEntry::components,
+                       {.path = "appearance.components", .step = 5, .decimals = 0});
+    m_fields.addNumber(
+        {"appearanceWarps", [] { return tr("Warps"); },
+         [] { return tr("How many of the components are Eigen warps, which align textures"); }},
+        &AppearanceEntry::warpShare,
+        {.path = "appearance.warp_share", .scale = hundredth, .step = 5, .decimals = 0, .unit = [] {
+             return tr(" %", "percent");
+         }});
+    m_fields.addChoice({"appearanceFlow", [] { return tr("Alignment"); },
+                        [] { return tr("How the way of each texel is found from texture to texture"); }},
+                       &AppearanceEntry::flow,
+                       {[] { return tr("TV-L1"); }, [] { return tr("Dense inverse search, quick"); }});
+}
+
+QString AppearancePage::character() const
+{
+    const Project& project = context().document.project();
+    return QString::fromStdString(
+        characterNameOf(project, *findAppearance(project, entryName().toStdString())));
+}
+
+void AppearancePage::setCharacter(const QString& character)
+{
+    AppearanceEntry after = *findAppearance(context().document.project(), entryName().toStdString());
+    after.character = character.toStdString();
+    after.sequences.clear();
+    after.completions.clear();
+    after.reference.reset();
+    setAppearance(context().document, entryName(), tr("Change the character of “%1”").arg(entryName()),
+                  QStringLiteral("character"), std::move(after));
+}
+
+void AppearancePage::select()
+{
+    context().selection.select({Section::Appearances, entryName()});
+}
+
+void AppearancePage::retranslate()
+{
+    EntryPage::retranslate();
+    m_fields.retranslate();
+}
+
+void AppearancePage::show(const QString& name)
+{
+    EntryPage::show(name);
+    const AppearanceEntry& entry = *findAppearance(context().document.project(), name.toStdString());
+    QStringList sequences;
+    for (const std::string& sequence : entry.sequences)
+        sequences += QString::fromStdString(sequence);
+    m_sequences->setText(sequences.isEmpty() ? tr("all with a texture for each frame")
+                                             : sequences.join(QStringLiteral(", ")));
+    m_completions->setText(tr("%n texture(s)", nullptr, static_cast<int>(entry.completions.size())));
+    m_fields.show(entry);
+}
+
+} // namespace quadrille
