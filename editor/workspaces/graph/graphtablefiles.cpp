@@ -15,12 +15,14 @@ std::vector<std::filesystem::path> writeGraphTables(const CharacterGraph& charac
 {
     const GraphPair& graphs = *measured.graphs;
     std::vector<DataTable> tables;
-    const EdgeNaming naming{character.costs(), [&](const FramePair& pair) { return character.partsOf(pair); },
-                            character.work().sequences};
+    const auto partsOf = [&](const FramePair& pair) { return character.partsOf(pair); };
+    const EdgeNaming naming{character.costs(), character.work().sequences};
     tables.push_back(edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.",
-                               graphs.essential, naming, progress.part(0, 0.8)));
+                               graphs.essential,
+                               partsOfEdges(graphs.essential, partsOf, progress.part(0, 0.8)), naming));
     tables.push_back(edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.",
-                               graphs.motion, naming, progress.part(0.8, 0.9)));
+                               graphs.motion, partsOfEdges(graphs.motion, partsOf, progress.part(0.8, 0.9)),
+                               naming));
     TableBuilder statistics = statisticsTable("graph-statistics", "Both graphs at the project's alpha.");
     addStatistics(statistics, "essential", graphs.alpha, measured.essential);
     addStatistics(statistics, "motion", graphs.alpha, measured.motion);

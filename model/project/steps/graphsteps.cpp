@@ -285,14 +285,21 @@ BuildStep edgeStep(const CharacterInputs& work)
         const Digraph motion = storedGraph(*both, "motion-graph", frames);
         const Digraph essential = storedGraph(*both, "essential-graph", frames);
         both.reset();
-        const TransitionParts parts(work, costs, transitionsOf(motion, essential), context);
-        const EdgeNaming naming{costs, [&](const FramePair& pair) { return parts.of(pair); }, work.sequences};
+        std::vector<CostParts> motionParts;
+        std::vector<CostParts> essentialParts;
+        { // whose tables take as much room as those that follow
+            const TransitionParts parts(work, costs, transitionsOf(motion, essential), context);
+            const auto partsOf = [&](const FramePair& pair) { return parts.of(pair); };
+            motionParts = partsOfEdges(motion, partsOf, progress.part(0, 0.1));
+            essentialParts = partsOfEdges(essential, partsOf, progress.part(0.1, 1));
+        }
+        const EdgeNaming naming{costs, work.sequences};
         Result result;
         result.tables = {
             edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.", motion,
-                      naming, progress.part(0, 0.1)),
+                      motionParts, naming),
             edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.", essential,
-                      naming, progress.part(0.1, 1))};
+                      essentialParts, naming)};
         return result;
     };
     return step;

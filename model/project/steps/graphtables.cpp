@@ -17,21 +17,30 @@ DataTable graphTable(const char* name, const char* description, const Digraph& g
     return std::move(table).table();
 }
 
-DataTable edgeTable(const char* name, const char* description, const Digraph& graph, const EdgeNaming& naming,
-                    const Progress& progress)
+std::vector<CostParts> partsOfEdges(const Digraph& graph,
+                                    const std::function<CostParts(const FramePair&)>& partsOf,
+                                    const Progress& progress)
 {
     const auto& edges = graph.edges();
     std::vector<CostParts> parts(edges.size());
     std::atomic<std::size_t> done = 0;
     tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t e) {
         if (edges[e].kind == EdgeKind::Transition)
-            parts[e] = naming.partsOf({edges[e].from, edges[e].to});
+            parts[e] = partsOf({edges[e].from, edges[e].to});
         progress.report(static_cast<double>(++done) / static_cast<double>(edges.size()));
     });
+    return parts;
+}
+
+DataTable edgeTable(const char* name, const char* description, const Digraph& graph,
+                    std::span<const CostParts> parts, const EdgeNaming& naming)
+{
+    const auto& edges = graph.edges();
     TableBuilder table(name, description);
     table.whole("i").whole("j").real("weight").text("kind").real("cost");
     table.real("pose-cost").real("contact-cost").real("velocity-cost").whole("length", "frame");
     table.text("from-sequence").whole("from-frame", "frame").text("to-sequence").whole("to-frame", "frame");
+    table.reserve(edges.size());
     const FrameLayout& layout = naming.costs.layout();
     const auto sequenceOf = [&](NodeIndex node) {
         return naming.sequences[static_cast<std::size_t>(layout.sequenceOf(node))];

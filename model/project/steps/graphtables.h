@@ -17,19 +17,23 @@ namespace quadrille {
 /// A graph as other steps read it: both ends of each edge, its weight and kind.
 DataTable graphTable(const char* name, const char* description, const Digraph& graph);
 
+/// What the costs of all edges of a graph are made of; nothing of original ones.
+/// \param partsOf  asked from several threads. \throws Error Cancelled. Cost: O(edges · l_max²).
+std::vector<CostParts> partsOfEdges(const Digraph& graph,
+                                    const std::function<CostParts(const FramePair&)>& partsOf,
+                                    const Progress& progress = {});
+
 /// What names and describes the edges of a graph.
 struct EdgeNaming
 {
     const TransitionCosts& costs;
-    std::function<CostParts(const FramePair&)> partsOf; ///< asked from several threads
-    const std::vector<std::string>& sequences;          ///< names, in the order of the layout
+    const std::vector<std::string>& sequences; ///< names, in the order of the layout
 };
 
 /// All edges of a graph: both ends as frames among all of the character's, the weight, what it is made of,
-/// and both ends by sequence and frame.
-/// \throws Error Cancelled. Cost: O(edges · l_max²).
-DataTable edgeTable(const char* name, const char* description, const Digraph& graph, const EdgeNaming& naming,
-                    const Progress& progress = {});
+/// and both ends by sequence and frame. \param parts  of all edges.
+DataTable edgeTable(const char* name, const char* description, const Digraph& graph,
+                    std::span<const CostParts> parts, const EdgeNaming& naming);
 
 /// A table for addStatistics.
 TableBuilder statisticsTable(std::string name, std::string description);

@@ -30,6 +30,18 @@ TableBuilder& TableBuilder::real(std::string name, std::string unit)
     return *this;
 }
 
+void TableBuilder::reserve(std::size_t rows)
+{
+    for (DataArray& column : m_table.columns) {
+        std::visit(
+            [rows](auto& values) {
+                if constexpr (requires { values.reserve(rows); })
+                    values.reserve(rows);
+            },
+            column.values);
+    }
+}
+
 void TableBuilder::add(std::span<const Cell> cells)
 {
     assert(cells.size() == m_table.columns.size());

@@ -25,6 +25,8 @@ public:
     TableBuilder& whole(std::string name, std::string unit = {});
     TableBuilder& real(std::string name, std::string unit = {});
 
+    /// Makes room for rows, so that large tables do not take twice theirs while they grow.
+    void reserve(std::size_t rows);
     /// \pre As many cells as columns, each of its column's type.
     void add(std::span<const Cell> cells);
     void add(std::initializer_list<Cell> cells) { add(std::span(cells.begin(), cells.size())); }
