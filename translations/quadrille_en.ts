@@ -50,6 +50,16 @@
     </message>
 </context>
 <context>
+    <name>quadrille::AppearancePage</name>
+    <message numerus="yes">
+        <source>%n texture(s)</source>
+        <translation>
+            <numerusform>%n texture</numerusform>
+            <numerusform>%n textures</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::BrokenEdits</name>
     <message numerus="yes">
         <source>Remove %n unreadable parts</source>
@@ -405,6 +415,13 @@
         <translation>
             <numerusform>Remove %n evaluation</numerusform>
             <numerusform>Remove %n evaluations</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n models of appearance</source>
+        <translation>
+            <numerusform>Remove %n model of appearance</numerusform>
+            <numerusform>Remove %n models of appearance</numerusform>
         </translation>
     </message>
 </context>

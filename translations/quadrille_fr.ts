@@ -2601,6 +2601,30 @@
         <source>Choose even numbers of pixels.</source>
         <translation>Choisissez des nombres pairs de pixels.</translation>
     </message>
+    <message>
+        <source>it is no model of appearance</source>
+        <translation>ce n’est pas un modèle d’apparence</translation>
+    </message>
+    <message>
+        <source>Give all textures of the character one size.</source>
+        <translation>Donnez la même taille à toutes les textures du personnage.</translation>
+    </message>
+    <message>
+        <source>Give it one for each frame, or leave the sequence out.</source>
+        <translation>Donnez-lui-en une par image, ou omettez la séquence.</translation>
+    </message>
+    <message>
+        <source>Give sequences a folder of textures, one for each frame.</source>
+        <translation>Donnez aux séquences un dossier de textures, une par image.</translation>
+    </message>
+    <message>
+        <source>Name another one, or leave it out.</source>
+        <translation>Nommez-en une autre, ou omettez-la.</translation>
+    </message>
+    <message>
+        <source>Give it the size of the textures.</source>
+        <translation>Donnez-lui la taille des textures.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AboutDialog</name>
@@ -3413,6 +3437,88 @@
     <message>
         <source>What is found is shown here</source>
         <translation>Ce qui est trouvé s’affiche ici</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AppearanceEdits</name>
+    <message>
+        <source>Add appearance “%1”</source>
+        <translation>Ajouter l’apparence «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>Dupliquer «&#xa0;%1&#xa0;»</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AppearancePage</name>
+    <message>
+        <source>Whose textures are learned; its sequences are chosen anew with another one</source>
+        <translation>Dont les textures sont apprises&#xa0;; ses séquences sont choisies à nouveau avec un autre</translation>
+    </message>
+    <message>
+        <source>Set “%1”</source>
+        <translation>Régler «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Learned from</source>
+        <translation>Appris de</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Complétées</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Composantes</translation>
+    </message>
+    <message>
+        <source>Of Eigen textures and Eigen warps together, at most; 1 to 1000</source>
+        <translation>Textures et déformations propres ensemble, au plus&#xa0;; de 1 à 1000</translation>
+    </message>
+    <message>
+        <source>Warps</source>
+        <translation>Déformations</translation>
+    </message>
+    <message>
+        <source>How many of the components are Eigen warps, which align textures</source>
+        <translation>Combien de composantes sont des déformations propres, qui alignent les textures</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <comment>percent</comment>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Alignement</translation>
+    </message>
+    <message>
+        <source>How the way of each texel is found from texture to texture</source>
+        <translation>Comment le chemin de chaque texel est trouvé d’une texture à l’autre</translation>
+    </message>
+    <message>
+        <source>TV-L1</source>
+        <translation>TV-L1</translation>
+    </message>
+    <message>
+        <source>Dense inverse search, quick</source>
+        <translation>Recherche inverse dense, rapide</translation>
+    </message>
+    <message>
+        <source>Change the character of “%1”</source>
+        <translation>Changer le personnage de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>all with a texture for each frame</source>
+        <translation>toutes celles qui ont une texture par image</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n texture(s)</source>
+        <translation>
+            <numerusform>%n texture</numerusform>
+            <numerusform>%n textures</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8766,6 +8872,13 @@ maximal %2</translation>
         <source>Add evaluation “%1”</source>
         <translation>Ajouter l’évaluation « %1 »</translation>
     </message>
+    <message numerus="yes">
+        <source>Remove %n models of appearance</source>
+        <translation>
+            <numerusform>Supprimer %n modèle d’apparence</numerusform>
+            <numerusform>Supprimer %n modèles d’apparence</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ProjectFiles</name>
@@ -9107,6 +9220,10 @@ maximal %2</translation>
     <message>
         <source>Evaluations (%1)</source>
         <translation>Évaluations (%1)</translation>
+    </message>
+    <message>
+        <source>Appearance (%1)</source>
+        <translation>Apparence (%1)</translation>
     </message>
 </context>
 <context>
