@@ -140,7 +140,7 @@ std::vector<std::uint8_t> ChartLookup::colours(const Image& texture, const std::
     const std::vector<float> moved = sampled(std::vector<float>(still.begin(), still.end()), field);
     std::vector<std::uint8_t> rounded(moved.size());
     std::ranges::transform(moved, rounded.begin(),
-                           [](float value) { return static_cast<std::uint8_t>(value + 0.5F); });
+                           [](float value) { return static_cast<std::uint8_t>(std::lround(value)); });
     return rounded;
 }
 

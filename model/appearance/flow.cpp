@@ -19,7 +19,7 @@ namespace {
     return true;
 }();
 
-cv::Mat coveredMask(const UsedTexels& used)
+cv::Mat coverOf(const UsedTexels& used)
 {
     cv::Mat mask(used.height, used.width, CV_32F, cv::Scalar(0));
     for (std::size_t k = 0; k < used.texels.size(); ++k)
@@ -99,7 +99,7 @@ std::vector<Vec2f> denseFlow(const Image& fixed, const Image& moving, const Char
         refuse("Textures of less than 32 × 32 texels cannot be aligned",
                "Use them as they are, or larger ones.");
     progress.report(0);
-    const cv::Mat mask = coveredMask(used);
+    const cv::Mat mask = coverOf(used);
     const cv::Mat from = normalised(fixed, mask, options.normalisation);
     const cv::Mat to = normalised(moving, mask, options.normalisation);
     progress.report(0.1);

@@ -42,7 +42,7 @@ std::vector<std::uint8_t> realigned(const Image& texture, std::span<const float>
     }
     std::vector<std::uint8_t> rounded(aligned.size());
     std::ranges::transform(aligned, rounded.begin(),
-                           [](float value) { return static_cast<std::uint8_t>(value + 0.5F); });
+                           [](float value) { return static_cast<std::uint8_t>(std::lround(value)); });
     return rounded;
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
 
 namespace quadrille {
 
@@ -90,8 +91,8 @@ TextureSource AppearanceTraining::source() const
 std::vector<AppearanceFrame> AppearanceTraining::frames() const
 {
     std::vector<AppearanceFrame> first(textures.size());
-    for (auto each = rows.rbegin(); each != rows.rend(); ++each)
-        first[static_cast<std::size_t>(each->row)] = {each->sequence, each->frame};
+    for (const AppearanceRow& each : std::ranges::reverse_view(rows))
+        first[static_cast<std::size_t>(each.row)] = {each.sequence, each.frame};
     return first;
 }
 

@@ -38,7 +38,7 @@ fs::path FlowFiles::fileOf(const Key& key) const
     hasher.add(m_hashes[static_cast<std::size_t>(key.reference)]);
     hasher.add(static_cast<std::int64_t>(key.method));
     hasher.add(m_settings);
-    const fs::path file = m_folder / (hasher.hex() + ".warp");
+    fs::path file = m_folder / (hasher.hex() + ".warp");
     const std::scoped_lock lock(m_mutex);
     m_used.insert(file);
     return file;
