@@ -20,6 +20,11 @@ struct ModelTextures::Opened
         const auto found = appearances.completed.find({texture.sequence, texture.frame});
         return found == appearances.completed.end() ? Texture() : found->second;
     }
+    bool fits(const Image& texture) const
+    {
+        return texture.width == appearances.model->texels.width &&
+               texture.height == appearances.model->texels.height;
+    }
 
     FrameAppearances appearances;
     AppearanceDecoder decoder;
@@ -77,8 +82,11 @@ Texture ModelTextures::between(const CapturedTexture& first, const CapturedTextu
     };
     return {.made = [known, atFirst, atSecond, firstTexture = pictureOf(first),
                      secondTexture = pictureOf(second), weight] {
-        return blendedTexture(known->decoder, *atFirst, *firstTexture.load(), *atSecond,
-                              *secondTexture.load(), weight);
+        const auto firstPicture = firstTexture.load();
+        const auto secondPicture = secondTexture.load();
+        if (!known->fits(*firstPicture) || !known->fits(*secondPicture)) // files that changed meanwhile
+            return weight < 0.5 ? *firstPicture : *secondPicture;
+        return blendedTexture(known->decoder, *atFirst, *firstPicture, *atSecond, *secondPicture, weight);
     }};
 }
 

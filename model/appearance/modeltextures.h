@@ -32,7 +32,8 @@ Image blendedTexture(const AppearanceDecoder& decoder, const AppearanceCoefficie
                      const Image& firstTexture, const AppearanceCoefficients& second,
                      const Image& secondTexture, double weight);
 
-/// Textures of clips by a model of appearance.
+/// Textures of clips by a model of appearance. Where a picture has not the size of the model's atlas, since
+/// its file has changed, the texture in between is that of the nearer frame.
 class ModelTextures : public TextureBlender
 {
 public:

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/synthesis/finishing/retime.h"
 #include "tests/model/synthesis/cliptest.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 using namespace quadrille;
@@ -47,6 +49,46 @@ std::vector<Texture> texturesNamed(const std::string& name, int count)
     for (int i = 0; i < count; ++i)
         textures.push_back({name + std::to_string(i), nullptr});
     return textures;
+}
+
+/// Makes textures that are called as what they lie between; knows no frame of the take that is not named.
+class NamingBlender : public TextureBlender
+{
+public:
+    explicit NamingBlender(std::string unknown = {}) : m_unknown(std::move(unknown)) {}
+
+    Texture between(const CapturedTexture& first, const CapturedTexture& second, double weight) const override
+    {
+        if (first.sequence == m_unknown || second.sequence == m_unknown)
+            return {};
+        return {nameOf(first) + "-" + nameOf(second) + "-" + std::to_string(std::lround(100 * weight)),
+                nullptr};
+    }
+    Texture inPlaceOf(const CapturedTexture& texture) const override
+    {
+        return texture.sequence == "a" && texture.frame == FrameIndex(2) ? Texture{"completed", nullptr}
+                                                                         : Texture();
+    }
+
+private:
+    static std::string nameOf(const CapturedTexture& texture)
+    {
+        return texture.sequence + std::to_string(texture.frame.value) + "=" + texture.texture.file.string();
+    }
+
+    std::string m_unknown;
+};
+
+/// The two takes with a texture per frame, called a and b; the first has lost a frame.
+std::vector<MeshSequence> texturedTakes(const std::shared_ptr<const TextureBlender>& blender)
+{
+    std::vector<MeshSequence> takes = twoTakes();
+    takes[0].name = "a";
+    takes[1].name = "b";
+    takes[0].textures = TextureSet::perFrame(texturesNamed("x", 20)).blendedBy(blender);
+    takes[1].textures = TextureSet::perFrame(texturesNamed("y", 20)).blendedBy(blender);
+    takes[0].range = {FrameIndex(1), FrameIndex(19)};
+    return takes;
 }
 
 FrameRange frames(int first, int last)
@@ -127,4 +169,35 @@ TEST(ClipSequence, TakesTheTextureOfTheNearerFrame)
     const MeshSequence without = toSequence("mix", clipOf(takes, someOrigins), CharacterFrames(takes));
     EXPECT_EQ(without.textures.indexFor(FrameIndex(2)), 2);
     EXPECT_EQ(without.textures.indexFor(FrameIndex(3)), -1);
+}
+
+TEST(ClipSequence, HasMadeTexturesInFramesBetweenCapturedOnes)
+{
+    const std::vector<MeshSequence> takes = texturedTakes(std::make_shared<const NamingBlender>());
+    // Frame 0 of b is node 19.
+    const std::vector<FrameProvenance> origins{{1, 1},       {2, 2},   {3, 22, 0.4},
+                                               {4, 23, 0.5}, {24, 24}, {5, 6, 0.25}};
+    const MeshSequence sequence = toSequence("mix", clipOf(takes, origins), CharacterFrames(takes));
+    EXPECT_EQ(sequence.textures.kind(), TextureSet::Kind::PerFrame);
+    EXPECT_EQ(filesOf(sequence.textures),
+              (std::vector<std::string>{"x2", "completed", "a3=x4-b3=y3-40", "a4=x5-b4=y4-50", "y5",
+                                        "a5=x6-a6=x7-25"}));
+}
+
+TEST(ClipSequence, TakesTheNearerTextureWhereTheBlenderKnowsNone)
+{
+    const std::vector<MeshSequence> takes = texturedTakes(std::make_shared<const NamingBlender>("b"));
+    const MeshSequence sequence =
+        toSequence("mix", clipOf(takes, {{3, 22, 0.4}, {4, 23, 0.5}, {2, 21, 0.4}}), CharacterFrames(takes));
+    EXPECT_EQ(filesOf(sequence.textures), (std::vector<std::string>{"x4", "y4", "completed"}));
+}
+
+TEST(ClipSequence, HasMadeTexturesWhereItWasRetimed)
+{
+    const std::vector<MeshSequence> takes = texturedTakes(std::make_shared<const NamingBlender>());
+    const Clip clip = clipOf(takes, {{3, 3}, {4, 4}, {5, 5}});
+    const Clip slower = retimed(clip, {.time = RetimeFactor{2}}, UpAxis::Z);
+    const MeshSequence sequence = toSequence("slow", slower, CharacterFrames(takes));
+    EXPECT_EQ(filesOf(sequence.textures),
+              (std::vector<std::string>{"x4", "a3=x4-a4=x5-50", "x5", "a4=x5-a5=x6-50", "x6"}));
 }
