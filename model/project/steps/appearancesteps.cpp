@@ -6,6 +6,7 @@
 #include "model/appearance/texturequality.h"
 #include "model/core/contenthash.h"
 #include "model/core/error.h"
+#include "model/core/message.h"
 #include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
@@ -201,9 +202,18 @@ CompletedFrame complete(const AppearanceWork& work, const AppearanceDecoder& dec
                                                std::to_string(completion.frame.frame.value)},
                                 {"remedy", "It has " + std::to_string(opened->sequence.frameCount()) +
                                                " frames, from 0."}}});
-    const auto texture = opened->sequence.texture(completion.frame.frame);
-    const UsedTexels& used = decoder.model().texels;
-    const auto known = knownTexels(completion, texture.get(), used, work.opener->folder());
+    const TextureSet& textures = opened->sequence.textures;
+    const int index = textures.indexFor(opened->sequence.sourceFrame(completion.frame.frame));
+    if (index < 0)
+        throw Error(
+            ErrorCode::ProjectInvalid,
+            {.values = {{"reason", "“" + completion.frame.sequence + "” has no texture in frame " +
+                                       std::to_string(completion.frame.frame.value)},
+                        {"remedy", QUADRILLE_MESSAGE("Give it one, or take it out of the completions.")}}});
+    const auto texture = textures.image(index);
+    const auto known =
+        knownTexels(completion, *texture, decoder.model().texels,
+                    textures.textures()[static_cast<std::size_t>(index)].file, work.opener->folder());
     CompletionOptions options;
     options.estimate = [&](const Image& fixed, const Image& moving, std::span<const std::uint8_t>) {
         return charts.atNodes(denseFlow(fixed, moving, charts, {}, progress.part(0, 0.3)),

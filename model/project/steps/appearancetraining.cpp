@@ -6,6 +6,7 @@
 #include "model/core/message.h"
 #include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
+#include "model/project/document/paths.h"
 
 #include <algorithm>
 #include <map>
@@ -24,6 +25,19 @@ namespace {
 std::string sizeOf(const Image& image)
 {
     return std::to_string(image.width) + " × " + std::to_string(image.height);
+}
+
+const MeshSequence& withUvs(const OpenedSequence& opened, const SequenceOpener& opener,
+                            const std::string& name)
+{
+    if (opened.sequence.topology->data().uvs.empty()) {
+        const CharacterEntry* character =
+            characterOf(opener.project(), *findSequence(opener.project(), name));
+        const bool hasMesh = character != nullptr && !character->mesh.empty();
+        throw Error(ErrorCode::NoUvs,
+                    {.file = hasMesh ? resolvePath(character->mesh, opener.folder()) : opened.files.front()});
+    }
+    return opened.sequence;
 }
 
 /// Gathers the textures of sequences, each once.
@@ -119,7 +133,7 @@ AppearanceTraining appearanceTraining(SequenceOpener& opener, const AppearanceEn
         progress.report(static_cast<std::int64_t>(i), std::ssize(names));
         const auto opened = opener.open(names[i]);
         if (opened->sequence.textures.kind() == TextureSet::Kind::PerFrame)
-            gatherer.add(opened->sequence);
+            gatherer.add(withUvs(*opened, opener, names[i]));
         else if (!entry.sequences.empty())
             throwTraining({}, "“" + names[i] + "” has no texture for each frame",
                           QUADRILLE_MESSAGE("Give it one for each frame, or leave the sequence out."));

@@ -34,7 +34,7 @@ std::vector<std::string> trainingSequences(const Project& project, const Appeara
 /// Opens them. Frames whose textures are to be completed are left out (SMCAS §5.3), and sequences without a
 /// texture per frame where the entry names none.
 /// \throws Error what opening throws; ProjectInvalid where no frame is left, a sequence that is named has no
-/// texture per frame, or the reference is not among them.
+/// texture per frame, or the reference is not among them; NoUvs.
 AppearanceTraining appearanceTraining(SequenceOpener& opener, const AppearanceEntry& entry,
                                       const Progress& progress = {});
 

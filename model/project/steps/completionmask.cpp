@@ -28,14 +28,18 @@ double distanceToSegment(const Vec2d& point, const Vec2d& from, const Vec2d& to)
                 {file, {}, {{"reason", std::move(reason)}, {"remedy", std::move(remedy)}}});
 }
 
+std::string sizeText(int width, int height)
+{
+    return std::to_string(width) + " × " + std::to_string(height);
+}
+
 void addMask(const std::filesystem::path& file, const UsedTexels& atlas, std::span<std::uint8_t> mask)
 {
     const Image picture = readImage(file);
     if (picture.width != atlas.width || picture.height != atlas.height)
         throwMask(file,
-                  "The mask has " + std::to_string(picture.width) + " × " + std::to_string(picture.height) +
-                      " pixels, the textures " + std::to_string(atlas.width) + " × " +
-                      std::to_string(atlas.height) + " texels",
+                  "The mask has " + sizeText(picture.width, picture.height) + " pixels, the textures " +
+                      sizeText(atlas.width, atlas.height) + " texels",
                   QUADRILLE_MESSAGE("Give it the size of the textures."));
     constexpr int middle = 128; // white marks what is not known
     for (std::size_t i = 0; i < mask.size(); ++i)
@@ -72,14 +76,16 @@ void paintStrokes(std::span<const MaskStrokeEntry> strokes, int width, int heigh
     }
 }
 
-std::vector<std::uint8_t> knownTexels(const CompletionEntry& completion, const Image* texture,
-                                      const UsedTexels& atlas, const std::filesystem::path& folder)
+std::vector<std::uint8_t> knownTexels(const CompletionEntry& completion, const Image& texture,
+                                      const UsedTexels& atlas, const std::filesystem::path& file,
+                                      const std::filesystem::path& folder)
 {
-    if (texture == nullptr || texture->width != atlas.width || texture->height != atlas.height)
-        throwMask({},
+    if (texture.width != atlas.width || texture.height != atlas.height)
+        throwMask(file,
                   "The texture of “" + completion.frame.sequence + "”, frame " +
-                      std::to_string(completion.frame.frame.value) +
-                      ", has not the size of those that were learned",
+                      std::to_string(completion.frame.frame.value) + ", has " +
+                      sizeText(texture.width, texture.height) + " texels, those that were learned " +
+                      sizeText(atlas.width, atlas.height),
                   QUADRILLE_MESSAGE("Give all textures of the character one size."));
     std::vector<std::uint8_t> mask(static_cast<std::size_t>(atlas.width) *
                                    static_cast<std::size_t>(atlas.height));

@@ -19,9 +19,11 @@ void paintStrokes(std::span<const MaskStrokeEntry> strokes, int width, int heigh
                   std::span<std::uint8_t> mask);
 
 /// What is known of a texture that is to be completed: all but what its mask and strokes mark.
-/// \param texture  may be null. \param folder  the project's. \return height × width: 1 where it is known.
-/// \throws Error ProjectInvalid where texture or mask have not the size of the atlas; what reading throws.
-std::vector<std::uint8_t> knownTexels(const CompletionEntry& completion, const Image* texture,
-                                      const UsedTexels& atlas, const std::filesystem::path& folder);
+/// \param file  of the texture, for errors. \param folder  the project's. \return height × width: 1 where it
+/// is known. \throws Error ProjectInvalid where texture or mask have not the size of the atlas; what reading
+/// throws.
+std::vector<std::uint8_t> knownTexels(const CompletionEntry& completion, const Image& texture,
+                                      const UsedTexels& atlas, const std::filesystem::path& file,
+                                      const std::filesystem::path& folder);
 
 } // namespace quadrille

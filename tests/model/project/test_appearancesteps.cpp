@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/appearance/appearancefile.h"
+#include "model/appearance/texturequality.h"
+#include "tests/model/project/lookproject.h"
+
+#include <chrono>
+#include <gmock/gmock.h>
+
+using namespace quadrille;
+using namespace quadrille::test;
+namespace fs = std::filesystem;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::IsSupersetOf;
+
+namespace {
+
+constexpr int left = 26; ///< of a square of 12² texels that is not known
+constexpr int side = 12;
+
+bool isInSquare(int x, int y)
+{
+    return x >= left && x < left + side && y >= left && y < left + side;
+}
+
+/// The square in white, or as a colour of its own in a picture.
+Image squareIn(Image image, std::uint8_t grey)
+{
+    for (int y = left; y < left + side; ++y) {
+        for (int x = left; x < left + side; ++x)
+            std::fill_n(image.pixel(x, y), 3, grey);
+    }
+    return image;
+}
+
+double similarityInSquare(const Image& reference, const Image& picture)
+{
+    std::vector<std::uint8_t> mask;
+    for (int y = 0; y < reference.height; ++y) {
+        for (int x = 0; x < reference.width; ++x)
+            mask.push_back(isInSquare(x, y) ? 1 : 0);
+    }
+    return pictureQuality(reference, picture, mask).similarity;
+}
+
+class AppearanceSteps : public LookProject
+{
+protected:
+    std::vector<fs::path> flows() const
+    {
+        std::vector<fs::path> files;
+        for (const auto& entry : fs::directory_iterator(filesOfLook() / "flows"))
+            files.push_back(entry.path());
+        std::ranges::sort(files);
+        return files;
+    }
+    /// Makes all flows old, so that those can be told that are written again.
+    void age() const
+    {
+        for (const fs::path& file : flows())
+            fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(5));
+    }
+    std::vector<fs::path> writtenAgain() const
+    {
+        std::vector<fs::path> files = flows();
+        std::erase_if(files, [](const fs::path& file) {
+            return fs::last_write_time(file) < fs::file_time_type::clock::now() - std::chrono::hours(4);
+        });
+        return files;
+    }
+    void completeSlow(int frame)
+    {
+        CompletionEntry completion;
+        completion.frame = {"slow", FrameIndex(frame)};
+        completion.mask = "mask.png";
+        writeImage(squareIn(Image(64, 64), 255), folder / "mask.png");
+        writeImage(squareIn(slowPattern(frame), 0), textureFile("slow", frame));
+        look().completions = {completion};
+    }
+    std::shared_ptr<const OpenedSequence> opened(const std::string& sequence)
+    {
+        return SequenceOpener(project, folder.path(), results()).open(sequence);
+    }
+    static CapturedTexture capturedAt(const MeshSequence& sequence, int frame)
+    {
+        return {sequence.name, FrameIndex(frame),
+                sequence.textures.textures().at(static_cast<std::size_t>(frame))};
+    }
+};
+
+} // namespace
+
+TEST_F(AppearanceSteps, MakeAModelOfAllTexturesOfACharacter)
+{
+    EXPECT_THAT(computed(run("appearance")), ElementsAre("appearance/look/model"));
+    std::vector<std::string> names;
+    for (const DataItem& item : projectData(project, projectFile())) {
+        if (item.name.starts_with("appearance/"))
+            names.push_back(item.name);
+    }
+    EXPECT_THAT(names, IsSupersetOf({"appearance/look/eigenvalues", "appearance/look/warp-eigenvalues",
+                                     "appearance/look/coefficients", "appearance/look/warp-coefficients",
+                                     "appearance/look/reference", "appearance/look/frames",
+                                     "appearance/look/metrics"}));
+    const std::string prefix = "appearance/look/";
+    constexpr std::int64_t all = slowFrames + quickFrames;
+    EXPECT_THAT(item(prefix + "coefficients").shape(), ElementsAre(all, 6));
+    EXPECT_THAT(item(prefix + "warp-coefficients").shape(), ElementsAre(all, 3));
+    EXPECT_EQ(column<std::string>(prefix + "frames", "sequence").back(), "quick");
+    EXPECT_EQ(column<std::int64_t>(prefix + "frames", "row").back(), all - 1);
+    for (const double similarity : column<double>(prefix + "metrics", "similarity"))
+        EXPECT_GT(similarity, 0.95);
+    // A pattern that moves along one line is one Eigen warp and no Eigen texture to speak of.
+    const auto values =
+        std::get<std::vector<double>>(std::get<DataArray>(item(prefix + "warp-eigenvalues").content).values);
+    EXPECT_GT(values[0], 10 * values[1]);
+}
+
+TEST_F(AppearanceSteps, ComputeNothingTwice)
+{
+    run("appearance");
+    age();
+    EXPECT_THAT(computed(run("appearance")), ElementsAre());
+    look().name = "other";
+    EXPECT_THAT(computed(run("appearance")), ElementsAre("appearance/other/model"));
+}
+
+TEST_F(AppearanceSteps, ComputeNoFlowAgainForAnotherNumberOfComponents)
+{
+    run("appearance");
+    ASSERT_FALSE(flows().empty());
+    age();
+    const std::vector<fs::path> before = flows();
+    look().components = 4;
+    EXPECT_THAT(computed(run("appearance")), ElementsAre("appearance/look/model"));
+    EXPECT_THAT(item("appearance/look/coefficients").shape(), ElementsAre(slowFrames + quickFrames, 3));
+    EXPECT_EQ(flows(), before);
+    EXPECT_THAT(writtenAgain(), ElementsAre());
+}
+
+TEST_F(AppearanceSteps, ComputeADamagedFlowAgain)
+{
+    run("appearance");
+    age();
+    const fs::path damaged = flows().front();
+    const std::string bytes = textOf(damaged);
+    const std::string model = textOf(filesOfLook() / "model.h5");
+    for (const std::string& damage : {bytes.substr(0, bytes.size() / 2), bytes + "more", std::string("x")}) {
+        folder.write(fs::relative(damaged, folder.path()).string(), damage);
+        rebuild(project, projectFile(), {.targets = {"appearance"}, .force = true});
+        EXPECT_EQ(textOf(damaged), bytes);
+        EXPECT_EQ(textOf(filesOfLook() / "model.h5"), model);
+        EXPECT_THAT(writtenAgain(), ElementsAre(damaged));
+    }
+}
+
+TEST_F(AppearanceSteps, GoOnWhereTheyWereCancelled)
+{
+    CancelToken token;
+    const Progress progress(token, [&](double fraction) {
+        if (fraction > 0.6)
+            token.cancel();
+    });
+    EXPECT_THROW(rebuild(project, projectFile(), {.targets = {"appearance"}, .jobs = 1}, progress), Error);
+    EXPECT_FALSE(fs::exists(filesOfLook() / "model.h5"));
+    const std::vector<fs::path> done = flows();
+    ASSERT_FALSE(done.empty());
+    age();
+    EXPECT_THAT(computed(run("appearance")), ElementsAre("appearance/look/model"));
+    EXPECT_THAT(flows(), IsSupersetOf(done));
+    for (const fs::path& file : done)
+        EXPECT_THAT(writtenAgain(), ::testing::Not(Contains(file)));
+    const std::string resumed = textOf(filesOfLook() / "model.h5");
+    fs::remove_all(results());
+    run("appearance");
+    EXPECT_EQ(textOf(filesOfLook() / "model.h5"), resumed) << "as without a pause";
+    EXPECT_EQ(std::distance(fs::directory_iterator(filesOfLook()), {}), 2) << "no scratch files are left";
+}
+
+TEST_F(AppearanceSteps, FillInAMaskedSquare)
+{
+    constexpr int frame = 6;
+    completeSlow(frame);
+    EXPECT_THAT(computed(run("appearance")),
+                ElementsAre("appearance/look/model", "appearance/look/completions"));
+    const auto rows = column<std::int64_t>("appearance/look/frames", "frame");
+    EXPECT_EQ(rows.size(), slowFrames + quickFrames - 1U) << "it is not learned from";
+    const Image completed = readImage(filesOfLook() / "slow_6.png");
+    const Image& whole = slowPattern(frame);
+    EXPECT_GE(similarityInSquare(whole, completed), 0.95);
+    EXPECT_LT(similarityInSquare(whole, readImage(textureFile("slow", frame))), 0.5);
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            ASSERT_TRUE(isInSquare(x, y) ||
+                        std::equal(whole.pixel(x, y), whole.pixel(x, y) + 4, completed.pixel(x, y)))
+                << "what is known stays: " << x << ", " << y;
+        }
+    }
+}
+
+TEST_F(AppearanceSteps, MakeNoModelAnewForAStroke)
+{
+    completeSlow(6);
+    run("appearance");
+    MaskStrokeEntry stroke;
+    stroke.points = {0.3, 0.3, 0.4, 0.3};
+    look().completions[0].strokes = {stroke};
+    EXPECT_THAT(computed(run("appearance")), ElementsAre("appearance/look/completions"));
+    writeImage(squareIn(Image(64, 64), 200), folder / "mask.png");
+    EXPECT_THAT(computed(run("appearance")), ElementsAre("appearance/look/completions"));
+    look().completions.push_back({.frame = {"quick", FrameIndex(2)}, .strokes = {stroke}});
+    EXPECT_THAT(computed(run("appearance")),
+                ElementsAre("appearance/look/model", "appearance/look/completions"));
+    look().completions.clear();
+    EXPECT_THAT(computed(run("appearance")), ElementsAre("appearance/look/model"));
+}
+
+TEST_F(AppearanceSteps, GiveSequencesWhatMakesTexturesBetweenTheirs)
+{
+    completeSlow(6);
+    const auto before = opened("slow");
+    const auto& sequence = before->sequence;
+    ASSERT_TRUE(sequence.textures.blender());
+    const auto between = [&](int first, int second, double weight) {
+        return sequence.textures.blender()->between(capturedAt(sequence, first), capturedAt(sequence, second),
+                                                    weight);
+    };
+    EXPECT_TRUE(between(2, 4, 0.5).isEmpty()) << "there is no model yet";
+    run("appearance");
+    EXPECT_EQ(*between(2, 4, 0).load(), slowPattern(2));
+    EXPECT_NE(*between(2, 4, 0.5).load(), slowPattern(2));
+    const Image completed = readImage(filesOfLook() / "slow_6.png");
+    EXPECT_EQ(*sequence.textures.blender()->inPlaceOf(capturedAt(sequence, 6)).load(), completed);
+    EXPECT_EQ(*between(6, 7, 0).load(), completed);
+    project.appearances.clear();
+    EXPECT_FALSE(opened("slow")->sequence.textures.blender());
+}
+
+TEST_F(AppearanceSteps, AreTheSameForAnyNumberOfThreads)
+{
+    completeSlow(6);
+    rebuild(project, projectFile(), {.targets = {"appearance"}, .jobs = 1});
+    const std::string model = textOf(filesOfLook() / "model.h5");
+    const std::string completed = textOf(filesOfLook() / "slow_6.png");
+    fs::remove_all(results());
+    rebuild(project, projectFile(), {.targets = {"appearance"}, .jobs = 2});
+    EXPECT_EQ(textOf(filesOfLook() / "model.h5"), model);
+    EXPECT_EQ(textOf(filesOfLook() / "slow_6.png"), completed);
+}
