@@ -79,7 +79,11 @@ void runData(const DataArguments& arguments, Session& session)
                     [&](const CharacterEntry& character) { return character.name == arguments.character; });
     if (!arguments.character.empty() && !known)
         throwUsage("--character: there is no character “" + arguments.character + "”");
-    auto items = projectData(project, arguments.project, Progress(session.cancel));
+    const Progress progress(session.cancel);
+    auto items = projectData(project, arguments.project, progress, arguments.name);
+    const auto isMeant = [&](const DataItem& item) { return item.name == arguments.name; };
+    if (!arguments.name.empty() && std::ranges::none_of(items, isMeant))
+        items = projectData(project, arguments.project, progress); // for the names that there are
     if (!arguments.character.empty()) {
         std::erase_if(items, [&](const DataItem& item) {
             return !item.character.empty() && item.character != arguments.character;

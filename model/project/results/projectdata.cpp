@@ -5,7 +5,10 @@
 #include "model/project/document/paths.h"
 #include "model/project/results/makesteps.h"
 #include "model/project/results/stepstate.h"
+#include "model/project/store/appearanceresult.h"
 #include "model/project/store/resultplaces.h"
+
+#include <algorithm>
 
 namespace quadrille {
 
@@ -16,10 +19,26 @@ std::string dataName(const BuildStep& step, const std::string& name)
     return step.dataPrefix.empty() ? name : step.dataPrefix + "/" + name;
 }
 
+/// What lies in the file of a model of appearance, where a step makes such a one.
+std::vector<DataArray> arraysOfModel(const Project& project, const BuildStep& step,
+                                     const std::filesystem::path& results, const std::string& wanted)
+{
+    const auto isIts = [&](const AppearanceEntry& entry) {
+        return step.name == appearanceModelStep(entry.name);
+    };
+    const auto entry = std::ranges::find_if(project.appearances, isIts);
+    const std::vector<std::string> names{"components", "warps", "texels"};
+    const bool isWanted = wanted.empty() || std::ranges::any_of(names, [&](const std::string& name) {
+                              return dataName(step, name) == wanted;
+                          });
+    return entry == project.appearances.end() || !isWanted ? std::vector<DataArray>()
+                                                           : appearanceArrays(results, entry->name);
+}
+
 } // namespace
 
 std::vector<DataItem> projectData(const Project& project, const std::filesystem::path& projectFile,
-                                  const Progress& progress)
+                                  const Progress& progress, const std::string& wanted)
 {
     const auto folder = projectFolder(projectFile);
     const auto steps = makeSteps({std::make_shared<SequenceOpener>(project, folder), projectFile});
@@ -35,6 +54,8 @@ std::vector<DataItem> projectData(const Project& project, const std::filesystem:
             items.push_back({dataName(steps[i], array.name), steps[i].character, fresh, std::move(array)});
         for (DataTable& table : result.tables)
             items.push_back({dataName(steps[i], table.name), steps[i].character, fresh, std::move(table)});
+        for (DataArray& array : arraysOfModel(project, steps[i], cacheFolder(projectFile), wanted))
+            items.push_back({dataName(steps[i], array.name), steps[i].character, fresh, std::move(array)});
     }
     return items;
 }

@@ -47,6 +47,17 @@ std::vector<float> coefficientRow(const Result& result, const char* name, std::s
     return {first, first + static_cast<std::ptrdiff_t>(count)};
 }
 
+/// All components, k × n.
+SharedTable<float> componentTable(const QuantisedSpace& space)
+{
+    Table<float> table(space.count, space.size);
+    for (std::int64_t c = 0; c < space.count; ++c) {
+        for (std::int64_t i = 0; i < space.size; ++i)
+            table(c, i) = space.component(c, i);
+    }
+    return SharedTable<float>(std::move(table));
+}
+
 void addCompletions(FrameAppearances& appearances, const Result& result, const fs::path& folder)
 {
     const DataTable* table = findTable(result, completionsName);
@@ -110,6 +121,30 @@ std::vector<AppearanceRow> appearanceRows(const Result& result)
     for (std::size_t i = 0; i < rows.size(); ++i)
         all.push_back({sequences[i], FrameIndex(frames[i]), rows[i]});
     return all;
+}
+
+std::vector<DataArray> appearanceArrays(const fs::path& results, const std::string& name)
+{
+    const fs::path file = appearanceFolder(results, name) / "model.h5";
+    if (!fs::exists(file))
+        return {};
+    const AppearanceModel model = readAppearanceFile(file);
+    const WarpGrid& grid = model.grid;
+    DataArray texels = columnOf(
+        "texels", "", std::vector<std::int64_t>(model.texels.texels.begin(), model.texels.texels.end()));
+    texels.description = "The texels that are used, of " + std::to_string(model.texels.width) + " × " +
+                         std::to_string(model.texels.height) + ": row · width + column, from the top left.";
+    return {{.name = "components",
+             .description = "Eigen textures: R, G and B of each of “texels”, of length 1.",
+             .shape = {model.textures.count, model.textures.size},
+             .values = componentTable(model.textures)},
+            {.name = "warps",
+             .description = "Eigen warps, of length 1: x and y at each of " + std::to_string(grid.width) +
+                            " × " + std::to_string(grid.height) + " nodes, row by row, " +
+                            std::to_string(grid.spacing) + " texels apart.",
+             .shape = {model.warps.count, model.warps.size},
+             .values = componentTable(model.warps)},
+            std::move(texels)};
 }
 
 Result completionsResult(std::span<const CompletedFrame> frames)

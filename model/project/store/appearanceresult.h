@@ -46,6 +46,13 @@ struct CompletedFrame
 DataTable rowsTable(std::span<const AppearanceRow> rows);
 std::vector<AppearanceRow> appearanceRows(const Result& result);
 
+/// What lies in the model's file rather than in a result: `components` (k × R, G, B of each used texel),
+/// `warps` (k × x, y of each node) and `texels` (row · width + column of each used texel), of single
+/// precision and no longer quantised; nothing where there is no model. \throws Error those of
+/// readAppearanceFile, but FileNotFound. Cost: O(components · values), 200 MB for 33 Eigen textures of 1024²
+/// of which half of the texels are used.
+std::vector<DataArray> appearanceArrays(const std::filesystem::path& results, const std::string& name);
+
 /// The table “completions” and the arrays of coefficients of a result, without its files.
 Result completionsResult(std::span<const CompletedFrame> frames);
 

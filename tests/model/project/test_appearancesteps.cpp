@@ -117,6 +117,50 @@ TEST_F(AppearanceSteps, MakeAModelOfAllTexturesOfACharacter)
     EXPECT_GT(values[0], 10 * values[1]);
 }
 
+TEST_F(AppearanceSteps, OfferWhatLiesInTheModelsFile)
+{
+    const std::string prefix = "appearance/look/";
+    run("appearance");
+    const AppearanceModel model = readAppearanceFile(filesOfLook() / "model.h5");
+    const auto arrayOf = [&](const std::string& name) {
+        return std::get<DataArray>(item(prefix + name).content);
+    };
+    const DataArray texels = arrayOf("texels");
+    EXPECT_EQ(std::get<std::vector<std::int64_t>>(texels.values),
+              std::vector<std::int64_t>(model.texels.texels.begin(), model.texels.texels.end()));
+    const DataArray components = arrayOf("components");
+    const auto used = static_cast<std::int64_t>(model.texels.texels.size());
+    ASSERT_THAT(components.shape, ElementsAre(6, 3 * used));
+    const Table<float>& eigenTextures = *std::get<SharedTable<float>>(components.values);
+    ASSERT_THAT(arrayOf("warps").shape, ElementsAre(3, 2 * model.grid.nodes()));
+    // A texture that is not warped is the mean and its components.
+    const AppearanceCoefficients coefficients = coefficientsOf(model, 3);
+    const std::vector<float> aligned = combined(model.textures, coefficients.textures);
+    for (std::int64_t i = 0; i < 3 * used; i += 97) {
+        double value =
+            static_cast<double>(model.textures.meanStep) * model.textures.mean[static_cast<std::size_t>(i)];
+        for (std::int64_t c = 0; c < 6; ++c)
+            value += static_cast<double>(coefficients.textures[static_cast<std::size_t>(c)]) *
+                     static_cast<double>(eigenTextures(c, i));
+        EXPECT_NEAR(value, aligned[static_cast<std::size_t>(i)], 1e-3) << i;
+    }
+    const auto names = [&](const std::string& wanted) {
+        std::vector<std::string> found;
+        for (const DataItem& each : projectData(project, projectFile(), {}, wanted))
+            found.push_back(each.name);
+        return found;
+    };
+    EXPECT_THAT(names(prefix + "metrics"), ::testing::Not(Contains(prefix + "components")));
+    EXPECT_THAT(names(prefix + "components"), Contains(prefix + "components"));
+    look().components = 5;
+    EXPECT_FALSE(item(prefix + "components").isFresh);
+    folder.write(fs::relative(filesOfLook() / "model.h5", folder.path()).string(), "damaged");
+    EXPECT_THROW(names(prefix + "components"), Error);
+    EXPECT_THAT(names(prefix + "metrics"), Contains(prefix + "metrics"));
+    fs::remove(filesOfLook() / "model.h5");
+    EXPECT_THAT(names(prefix + "components"), ::testing::Not(Contains(prefix + "components")));
+}
+
 TEST_F(AppearanceSteps, ComputeNothingTwice)
 {
     run("appearance");
@@ -146,7 +190,10 @@ TEST_F(AppearanceSteps, ComputeADamagedFlowAgain)
     const fs::path damaged = flows().front();
     const std::string bytes = textOf(damaged);
     const std::string model = textOf(filesOfLook() / "model.h5");
-    for (const std::string& damage : {bytes.substr(0, bytes.size() / 2), bytes + "more", std::string("x")}) {
+    std::string flipped = bytes;
+    flipped[bytes.size() / 2] ^= 0x41;
+    for (const std::string& damage :
+         {bytes.substr(0, bytes.size() / 2), bytes + "more", flipped, std::string("x")}) {
         folder.write(fs::relative(damaged, folder.path()).string(), damage);
         rebuild(project, projectFile(), {.targets = {"appearance"}, .force = true});
         EXPECT_EQ(textOf(damaged), bytes);
