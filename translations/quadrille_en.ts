@@ -149,10 +149,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>glTF holds one texture: of %n only that of the first frame is written.</source>
+        <source>glTF shows the texture of the first frame; all %n are written beside.</source>
         <translation>
-            <numerusform>glTF holds one texture: only that of the first frame is written.</numerusform>
-            <numerusform>glTF holds one texture: of %n only that of the first frame is written.</numerusform>
+            <numerusform>glTF shows the texture of the first frame; it is written beside as well.</numerusform>
+            <numerusform>glTF shows the texture of the first frame; all %n are written beside.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

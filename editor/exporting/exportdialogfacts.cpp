@@ -89,10 +89,10 @@ void ExportDialog::warnOfTextures()
         return;
     m_strip->clear();
     if (loses) {
-        m_strip->show(widgets::MessageStrip::Kind::Warning,
-                      tr("glTF holds one texture: of %n only that of the first frame is written.", nullptr,
+        m_strip->show(widgets::MessageStrip::Kind::Info,
+                      tr("glTF shows the texture of the first frame; all %n are written beside.", nullptr,
                          static_cast<int>(shown->textures.textures().size())),
-                      tr("USD, OBJ and PLY keep all of them."));
+                      tr("USD, OBJ and PLY show each in its frame."));
     }
 }
 

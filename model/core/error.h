@@ -88,6 +88,7 @@ struct Issue
         FpsResampled,
         VerticesWelded,
         FileLarge,
+        TexturesBeside,
         Other,
     };
     Severity severity = Severity::Warning;

@@ -347,6 +347,11 @@ ErrorMessage issueMessage(Issue::Code code)
         return {QUADRILLE_MESSAGE("{from} vertices that the format had split were joined to {to}."), ""};
     case Issue::Code::FileLarge:
         return {QUADRILLE_MESSAGE("The file will take about {size}."), ""};
+    case Issue::Code::TexturesBeside:
+        return {
+            QUADRILLE_MESSAGE("GLB cannot change textures: it shows that of the first frame, and those of "
+                              "all frames are beside it, in {path}."),
+            ""};
     case Issue::Code::Other:
         return {"{text}", ""};
     }

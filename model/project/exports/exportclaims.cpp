@@ -32,6 +32,12 @@ public:
         claims.push_back({{resolvedFolder(folder), std::move(before), std::move(after)}, true, isCompanion});
     }
 
+    void addFramePictures(const fs::path& out)
+    {
+        for (const char* ending : {".png", ".jpg"})
+            addSeries(out.parent_path() / "textures" / seriesStem(out), "", ending, true);
+    }
+
     /// See copyTextures, and the libraries of OBJ files.
     void addCompanions(const FormatInfo& format, const fs::path& out)
     {
@@ -40,8 +46,8 @@ public:
         for (const char* ending : {".png", ".jpg"}) {
             addFile(folder / (stem + "_texture" + ending), true);
             addSeries(folder, stem + "_texture", ending, true);
-            addSeries(folder / "textures" / stem, "", ending, true);
         }
+        addFramePictures(out);
         if (format.id != "obj")
             return;
         addFile(folder / (stem + ".mtl"), true);
@@ -59,6 +65,8 @@ public:
         }
         if (format.texturesBeside && textures)
             addCompanions(format, out);
+        if (format.frameTexturesBeside && textures)
+            addFramePictures(out);
     }
 
     std::vector<OutputClaim> claims;

@@ -29,10 +29,10 @@ std::string entryText(const ExportEntry& entry)
 int writerVersion(const ExportEntry& entry)
 {
     try {
-        constexpr int withNormals = 2;
+        constexpr int withPictures = 3;
         constexpr int asH264 = 2;
         const std::string& format = exporterOf(entry).format().id;
-        return format == "gltf" ? withNormals : format == "mp4" ? asH264 : 1;
+        return format == "gltf" ? withPictures : format == "mp4" ? asH264 : 1;
     } catch (const Error&) {
         return 1; // of a format that is not known: the step says so
     }

@@ -29,6 +29,7 @@ struct FormatInfo
     bool onePerFrame = false;            ///< a sequence is a numbered series of files
     bool needsMesh = false;              ///< holds positions only (PC2, MDD, npy)
     bool texturesBeside = false;         ///< pictures are written beside, see copyTextures
+    bool frameTexturesBeside = false;    ///< the same, but only where each frame has its own
 };
 
 /// A file, or the files of a numbered series in natural order.

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/io/gltf/glbwriter.h"
 
+#include "model/core/seriesname.h"
 #include "model/core/stagedfiles.h"
 #include "model/render/shading.h"
+#include "model/sequence/io/files/copytextures.h"
 #include "model/sequence/io/files/exporttexture.h"
 #include "model/sequence/io/gltf/glbparts.h"
 #include "model/sequence/io/gltf/gltf.h"
@@ -97,26 +99,37 @@ public:
                   {"what", "more than 4 GB (this would be " + sizeText(m_parts.bufferBytes()) + ")"}}});
         }
         const auto write = [&](const std::filesystem::path& file) {
-            m_parts.write(file, m_out, progress.part(0.4, 1));
+            m_parts.write(file, m_out, progress.part(0.4, 0.7));
         };
-        writeGuarded(m_out, write, m_options.guard);
-        m_result.files.push_back(m_out);
+        if (!hasFrameTextures()) {
+            writeGuarded(m_out, write, m_options.guard);
+            m_result.files.push_back(m_out);
+            return std::move(m_result);
+        }
+        if (m_options.guard != nullptr)
+            m_options.guard->checkPlace(m_out);
+        StagedFiles files(m_out.parent_path(), m_options.guard);
+        write(files.add(m_out.filename().string()));
+        const std::string stem = seriesStem(m_out);
+        copyTextures(m_sequence, stem, files, progress.part(0.7, 1));
+        m_result.files = files.commit();
+        m_result.issues.push_back({Issue::Severity::Info,
+                                   Issue::Code::TexturesBeside,
+                                   {m_out, {}, {{"path", "textures/" + stem}}}});
         return std::move(m_result);
     }
 
 private:
+    /// Those are written beside, since no material can change them.
+    bool hasFrameTextures() const
+    {
+        return m_options.textures && m_sequence.textures.kind() == TextureSet::Kind::PerFrame;
+    }
+
     void planMaterials()
     {
         const auto& names = m_sequence.topology->data().materials;
         const TextureSet& textures = m_sequence.textures;
-        if (m_options.textures && textures.kind() == TextureSet::Kind::PerFrame) {
-            m_result.issues.push_back(
-                {Issue::Severity::Warning,
-                 Issue::Code::Other,
-                 {m_out,
-                  {},
-                  {{"text", "GLB cannot change textures: only that of the first frame was written."}}}});
-        }
         for (std::size_t m = 0; m < std::max<std::size_t>(1, names.size()); ++m) {
             OrderedJson material = {{"name", m < names.size() ? names[m] : m_sequence.name}};
             material["pbrMetallicRoughness"] = {{"metallicFactor", 0}, {"roughnessFactor", 1}};
@@ -355,7 +368,8 @@ private:
 
 const FormatInfo& GlbExporter::format() const
 {
-    static const FormatInfo info{.id = "gltf", .name = "glTF", .extensions = {".glb"}};
+    static const FormatInfo info{
+        .id = "gltf", .name = "glTF", .extensions = {".glb"}, .frameTexturesBeside = true};
     return info;
 }
 
