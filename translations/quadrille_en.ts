@@ -149,13 +149,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>glTF shows the texture of the first frame; all %n are written beside.</source>
-        <translation>
-            <numerusform>glTF shows the texture of the first frame; it is written beside as well.</numerusform>
-            <numerusform>glTF shows the texture of the first frame; all %n are written beside.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n file(s) written, “%1” the first.</source>
         <translation>
             <numerusform>%n file written, “%1” the first.</numerusform>

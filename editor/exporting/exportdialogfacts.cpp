@@ -82,17 +82,17 @@ void ExportDialog::showFacts()
 void ExportDialog::warnOfTextures()
 {
     const MeshSequence* shown = sequence();
-    const bool loses = shown != nullptr && m_plan.format().id == "gltf" && m_plan.entry.textures &&
-                       shown->textures.kind() == TextureSet::Kind::PerFrame && shown->frameCount() > 1;
+    const bool changes = shown != nullptr && m_plan.format().id == "gltf" && m_plan.entry.textures &&
+                         shown->textures.kind() == TextureSet::Kind::PerFrame && shown->frameCount() > 1;
     const bool saysMore = !m_strip->isEmpty() && m_strip->kind() == widgets::MessageStrip::Kind::Error;
     if (m_job || m_isDone || saysMore)
         return;
     m_strip->clear();
-    if (loses) {
-        m_strip->show(widgets::MessageStrip::Kind::Info,
-                      tr("glTF shows the texture of the first frame; all %n are written beside.", nullptr,
-                         static_cast<int>(shown->textures.textures().size())),
-                      tr("USD, OBJ and PLY show each in its frame."));
+    if (changes) {
+        m_strip->show(
+            widgets::MessageStrip::Kind::Info,
+            tr("glTF shows the texture of the first frame; those of all frames are written beside."),
+            tr("USD, OBJ and PLY show each in its frame."));
     }
 }
 
