@@ -2625,6 +2625,14 @@
         <source>Give it the size of the textures.</source>
         <translation>Donnez-lui la taille des textures.</translation>
     </message>
+    <message>
+        <source>GLB cannot change textures: it shows that of the first frame, and those of all frames are beside it, in {path}.</source>
+        <translation>GLB ne peut pas changer de texture&#xa0;: il montre celle de la première image, et celles de toutes les images sont à côté, dans {path}.</translation>
+    </message>
+    <message>
+        <source>Give it one, or take it out of the completions.</source>
+        <translation>Donnez-lui-en une, ou retirez-la des compléments.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AboutDialog</name>
@@ -4454,17 +4462,6 @@
         <source>%1 … · all variations that are kept, their latents, and a description</source>
         <translation>%1 … · toutes les variations gardées, leurs latentes et une description</translation>
     </message>
-    <message numerus="yes">
-        <source>glTF holds one texture: of %n only that of the first frame is written.</source>
-        <translation>
-            <numerusform>glTF contient une texture&#xa0;: seule celle de la première image est écrite.</numerusform>
-            <numerusform>glTF contient une texture&#xa0;: sur %n, seule celle de la première image est écrite.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>USD, OBJ and PLY keep all of them.</source>
-        <translation>USD, OBJ et PLY les gardent toutes.</translation>
-    </message>
     <message>
         <source>How far the export is</source>
         <translation>Avancement de l’export</translation>
@@ -4535,6 +4532,14 @@
     <message>
         <source>Show in folder</source>
         <translation>Montrer dans le dossier</translation>
+    </message>
+    <message>
+        <source>glTF shows the texture of the first frame; those of all frames are written beside.</source>
+        <translation>glTF montre la texture de la première image&#xa0;; celles de toutes les images sont écrites à côté.</translation>
+    </message>
+    <message>
+        <source>USD, OBJ and PLY show each in its frame.</source>
+        <translation>USD, OBJ et PLY montrent chacune dans son image.</translation>
     </message>
 </context>
 <context>
