@@ -251,13 +251,15 @@ void ExportDialog::finish(const std::vector<ExportEntry>& entries, const std::ve
     m_job = nullptr;
     m_context.media.refresh();
     QStringList files;
-    QStringList warnings;
+    QStringList remarks;
+    bool hasWarnings = false;
     for (const ExportResult& result : results) {
         for (const auto& file : result.files)
             files += toQString(file);
         for (const Issue& issue : result.issues) {
             m_context.issues.add(issue, QString::fromStdString(m_plan.entry.name));
-            warnings += describe(issue).sentence;
+            remarks += describe(issue).sentence;
+            hasWarnings = hasWarnings || issue.severity == Issue::Severity::Warning;
         }
     }
     keep(entries);
@@ -267,9 +269,8 @@ void ExportDialog::finish(const std::vector<ExportEntry>& entries, const std::ve
     m_folder = files.isEmpty() ? QString() : QFileInfo(files.front()).absolutePath();
     const QString written = tr("%n file(s) written, “%1” the first.", nullptr, static_cast<int>(files.size()))
                                 .arg(QFileInfo(files.value(0)).fileName());
-    m_strip->show(warnings.isEmpty() ? widgets::MessageStrip::Kind::Info
-                                     : widgets::MessageStrip::Kind::Warning,
-                  written, warnings.join(QLatin1Char(' ')));
+    m_strip->show(hasWarnings ? widgets::MessageStrip::Kind::Warning : widgets::MessageStrip::Kind::Info,
+                  written, remarks.join(QLatin1Char(' ')));
     m_strip->setAction(tr("Show in folder"));
     m_cancel->hide();
     m_export->setText(tr("Close"));

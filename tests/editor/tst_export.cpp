@@ -220,7 +220,7 @@ private slots:
         QTest::keyClick(dialog(), Qt::Key_Escape);
     }
 
-    void saysBeforeAndAfterThatGltfHoldsOneTexture()
+    void saysBeforeAndAfterThatGltfShowsOneTexture()
     {
         QVERIFY(QDir().mkpath(place("pictures")));
         for (int f = 1; f <= 5; ++f) {
@@ -235,15 +235,15 @@ private slots:
         QVERIFY(test::waitForSequence(*m_window, "walk"));
         openDialog();
         choose("gltf");
-        QVERIFY(strip()->kind() == widgets::MessageStrip::Kind::Warning);
-        QVERIFY2(strip()->text().contains("of 5 only"), qPrintable(strip()->text()));
+        QVERIFY(strip()->kind() == widgets::MessageStrip::Kind::Info);
+        QVERIFY2(strip()->text().contains("written beside"), qPrintable(strip()->text()));
         choose("usd");
         QVERIFY(strip()->isEmpty());
         choose("gltf");
         type(place("walk.glb"));
         accept();
         QTRY_VERIFY(isDone());
-        QVERIFY(strip()->kind() == widgets::MessageStrip::Kind::Warning);
+        QVERIFY(strip()->kind() == widgets::MessageStrip::Kind::Info);
         QVERIFY2(strip()->text().contains("first frame"), qPrintable(strip()->text()));
         accept();
         document().save();

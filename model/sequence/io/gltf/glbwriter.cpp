@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -112,7 +113,8 @@ public:
         write(files.add(m_out.filename().string()));
         const std::string stem = seriesStem(m_out);
         copyTextures(m_sequence, stem, files, progress.part(0.7, 1));
-        m_result.files = files.commit();
+        m_result.files = {m_out}; // what was asked for is the first
+        std::ranges::remove_copy(files.commit(), std::back_inserter(m_result.files), m_out);
         m_result.issues.push_back({Issue::Severity::Info,
                                    Issue::Code::TexturesBeside,
                                    {m_out, {}, {{"path", "textures/" + stem}}}});

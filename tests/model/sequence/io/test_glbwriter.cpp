@@ -175,17 +175,17 @@ TEST(GlbWriter, WritesTexturesThatChangeBesideTheFile)
         return *plainImage(2);
     }};
     sequence.textures = TextureSet::perFrame({{{}, plainImage(1)}, second, second});
-    const ExportResult written = GlbExporter().write(sequence, folder / "t.glb", {}, {});
+    const ExportResult written = GlbExporter().write(sequence, folder / "walk.glb", {}, {});
     EXPECT_EQ(made, 2) << "once for each frame";
     EXPECT_THAT(written.files,
-                ::testing::ElementsAre(folder / "t.glb", folder / "textures/t/0000.png",
-                                       folder / "textures/t/0001.png", folder / "textures/t/0002.png"));
+                ::testing::ElementsAre(folder / "walk.glb", folder / "textures/walk/0000.png",
+                                       folder / "textures/walk/0001.png", folder / "textures/walk/0002.png"));
     for (int f = 0; f < 3; ++f)
         EXPECT_EQ(readImage(written.files[static_cast<std::size_t>(f) + 1]), *plainImage(f == 0 ? 1 : 2));
     ASSERT_EQ(written.issues.size(), 1U);
     EXPECT_EQ(written.issues[0].severity, Issue::Severity::Info);
-    EXPECT_NE(written.issues[0].toString().find("beside it, in textures/t."), std::string::npos);
-    const ImportResult result = reopen(folder / "t.glb", 24);
+    EXPECT_NE(written.issues[0].toString().find("beside it, in textures/walk."), std::string::npos);
+    const ImportResult result = reopen(folder / "walk.glb", 24);
     EXPECT_EQ(*result.sequences.at(0).texture(FrameIndex(0)), *plainImage(1));
     ExportOptions without;
     without.textures = false;
