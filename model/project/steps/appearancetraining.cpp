@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
 
 namespace quadrille {
 
@@ -105,8 +104,11 @@ TextureSource AppearanceTraining::source() const
 std::vector<AppearanceFrame> AppearanceTraining::frames() const
 {
     std::vector<AppearanceFrame> first(textures.size());
-    for (const AppearanceRow& each : std::ranges::reverse_view(rows))
-        first[static_cast<std::size_t>(each.row)] = {each.sequence, each.frame};
+    for (const AppearanceRow& each : rows) {
+        AppearanceFrame& frame = first[static_cast<std::size_t>(each.row)];
+        if (frame.sequence.empty())
+            frame = {each.sequence, each.frame};
+    }
     return first;
 }
 
