@@ -26,7 +26,7 @@ void roundToBytes(const float* values, int count, std::uint8_t* bytes)
 {
 #pragma omp simd
     for (int i = 0; i < count; ++i)
-        bytes[i] = static_cast<std::uint8_t>(static_cast<std::int32_t>(limited(values[i], 255.0F) + 0.5F));
+        bytes[i] = static_cast<std::uint8_t>(static_cast<std::int32_t>(limited(values[i] + 0.5F, 255.0F)));
 }
 
 QUADRILLE_SIMD_CLONES

@@ -4,6 +4,8 @@
 
 #include "model/core/simd.h"
 
+#include <cstddef>
+
 namespace quadrille {
 
 namespace {
@@ -39,14 +41,14 @@ void pixelMoments(const std::uint8_t* first, const std::uint8_t* second, const s
                   float* moments, int stride)
 {
     float* one = moments;
-    float* other = moments + stride;
-    float* squares = moments + 2 * stride;
-    float* product = moments + 3 * stride;
-    float* weight = moments + 4 * stride;
+    float* other = one + stride;
+    float* squares = other + stride;
+    float* product = squares + stride;
+    float* weight = product + stride;
     for (int x = 0; x < width; ++x)
         weight[x] = !mask || mask[x] != 0 ? 1.0F : 0.0F;
 #pragma omp simd
-    for (int x = 0; x < width; ++x) {
+    for (std::ptrdiff_t x = 0; x < width; ++x) {
         const float a = weight[x] * lumaAboutZero(first + 4 * x);
         const float b = weight[x] * lumaAboutZero(second + 4 * x);
         one[x] = a;
@@ -71,9 +73,10 @@ void similarityOfRow(const float* const* rows, int width, const float* weights, 
 {
     for (int m = 0; m < momentCount; ++m) {
         const float* at[windowWidth];
+        const std::ptrdiff_t place = std::ptrdiff_t{m} * width;
         for (int k = 0; k < windowWidth; ++k)
-            at[k] = rows[k] + m * width;
-        addWeighted(at, width, weights, moments + m * width);
+            at[k] = rows[k] + place;
+        addWeighted(at, width, weights, moments + place);
     }
     constexpr float forMeans = (0.01F * 255) * (0.01F * 255);
     constexpr float forSpreads = (0.03F * 255) * (0.03F * 255);
