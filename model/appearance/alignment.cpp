@@ -102,7 +102,7 @@ private:
         const UsedTexels& used = m_charts.used();
         if (!texture || texture->width != used.width || texture->height != used.height)
             refuse("Texture " + std::to_string(index + 1) + " has not the size of the atlas, " +
-                       std::to_string(used.width) + " × " + std::to_string(used.height) + " texels",
+                       sizeText(used.width, used.height) + " texels",
                    "Bring all textures to one size.");
         return texture;
     }

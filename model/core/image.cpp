@@ -43,6 +43,11 @@ const std::uint8_t* Image::pixel(int x, int y) const
     return const_cast<Image*>(this)->pixel(x, y);
 }
 
+std::string sizeText(int width, int height)
+{
+    return std::to_string(width) + " × " + std::to_string(height);
+}
+
 Image readImage(const std::filesystem::path& path)
 {
     const FileContent file = readFile(path);

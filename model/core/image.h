@@ -26,6 +26,9 @@ struct Image
     bool operator==(const Image&) const = default;
 };
 
+/// "1280 × 720".
+std::string sizeText(int width, int height);
+
 /// Reads PNG, JPEG or TIFF.
 /// \throws Error FileNotFound, PermissionDenied, FileEmpty, and those of decodeImage.
 Image readImage(const std::filesystem::path& path);

@@ -23,8 +23,7 @@ void check(const RenderOptions& options)
     };
     constexpr int largest = 8192;
     if (options.width < 1 || options.height < 1 || options.width > largest || options.height > largest) {
-        refuse("A picture of " + std::to_string(options.width) + " × " + std::to_string(options.height) +
-                   " pixels cannot be drawn",
+        refuse("A picture of " + sizeText(options.width, options.height) + " pixels cannot be drawn",
                "Choose a width and height from 1 to " + std::to_string(largest) + ".");
     }
     if (options.supersampling < 1 || options.supersampling > 4)

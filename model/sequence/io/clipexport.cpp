@@ -76,8 +76,8 @@ public:
         ExportResult result{{out}, {}};
         if (holdsSound(out) && makeEven(settings.look)) {
             tell(result, out,
-                 "The film is " + std::to_string(settings.look.width) + " × " +
-                     std::to_string(settings.look.height) + " pixels large: MP4 takes even sizes only.");
+                 "The film is " + sizeText(settings.look.width, settings.look.height) +
+                     " pixels large: MP4 takes even sizes only.");
         }
         std::optional<Mp3Stream> sound;
         if (options.sound && holdsSound(out))

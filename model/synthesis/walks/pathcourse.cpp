@@ -2,22 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/walks/pathcourse.h"
 
+#include "model/core/segment.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace quadrille {
-
-namespace {
-
-double distanceFromSegment(const Vec2d& a, const Vec2d& b, const Vec2d& point)
-{
-    const Vec2d side = b - a;
-    const double square = side.squaredNorm();
-    const double t = square > 0 ? std::clamp((point - a).dot(side) / square, 0.0, 1.0) : 0;
-    return (a + t * side - point).norm();
-}
-
-} // namespace
 
 double distanceFrom(const Obstacle& obstacle, const Vec2d& point)
 {
