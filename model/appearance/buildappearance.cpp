@@ -45,6 +45,7 @@ BuiltAppearance buildAppearance(const TextureSource& textures, const Topology& t
     };
     built.warps =
         principalComponents(alignment->backwardSamples(), options.components - count, part(0, 0.1), executor);
+    std::ranges::fill(built.warps.mean, 0.0F);
     if (options.isAligned)
         realignTextures(textures, charts, built.warps, *alignment, part(0.1, 0.4), executor);
     built.textures = principalComponents(alignment->alignedSamples(), count, part(0.4, 1), executor);

@@ -22,7 +22,9 @@ struct BuiltAppearance
     UsedTexels used;
     WarpGrid grid;
     LinearSpace textures; ///< of aligned textures: R, G, B per used texel
-    LinearSpace warps;    ///< of backward warps: x, y per node; no component where nothing was aligned
+    /// Of backward warps: x, y per node; no component where nothing was aligned. Their mean stands in the
+    /// aligned textures, so that without any component these are the textures as they are.
+    LinearSpace warps;
     std::int64_t reference = 0;
     int rounds = 0;                        ///< that it took to find the reference
     std::vector<AlignmentFigures> figures; ///< per texture

@@ -25,6 +25,7 @@ struct LinearSpace
     {
         return count() == 0 ? 0 : static_cast<std::int64_t>(coefficients.size()) / count();
     }
+    bool operator==(const LinearSpace&) const = default;
 };
 
 } // namespace quadrille

@@ -78,6 +78,20 @@ TEST(BuildAppearance, DoesWithFewerComponentsThanPlainAnalysis)
     EXPECT_LT(modelError(built, textures), 0.6 * modelError(naive, textures));
 }
 
+TEST(BuildAppearance, WithoutWarpsIsPlainAnalysis)
+{
+    const Topology topology(test::atlasOf({{6, 6, 60, 58}, {66, 6, 90, 58}}, 96, 64));
+    const ChartLookup charts = test::twoCharts();
+    const TextureSource textures = test::shiftedTextures(charts, 5, 1.2);
+    const BuildAppearanceOptions options{.gutter = 3, .components = 3, .textureShare = 1};
+    BuildAppearanceOptions plain = options;
+    plain.isAligned = false;
+    const BuiltAppearance built = buildAppearance(textures, topology, options);
+    EXPECT_EQ(built.textures, buildAppearance(textures, topology, plain).textures);
+    EXPECT_EQ(built.warps.count(), 0);
+    EXPECT_EQ(std::ranges::count(built.warps.mean, 0.0F), std::ssize(built.warps.mean));
+}
+
 TEST(BuildAppearance, SharesComponentsOut)
 {
     EXPECT_EQ(textureComponents({.components = 50}), 33);
