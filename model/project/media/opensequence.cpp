@@ -7,6 +7,7 @@
 #include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
+#include "model/project/document/throwinvalid.h"
 #include "model/project/store/appearanceresult.h"
 #include "model/project/store/clipresult.h"
 #include "model/project/store/resultstore.h"
@@ -25,12 +26,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view sequencesSection = "sequences/";
-
-[[noreturn]] void throwInvalid(const fs::path& file, std::string reason, std::string remedy)
-{
-    throw Error(ErrorCode::ProjectInvalid,
-                {file, {}, {{"reason", std::move(reason)}, {"remedy", std::move(remedy)}}});
-}
 
 std::string toText(double number)
 {
@@ -242,7 +237,9 @@ std::shared_ptr<const TextureBlender> SequenceOpener::blenderOf(const std::strin
     std::shared_ptr<const TextureBlender>& blender = m_blenders[entry->name];
     if (!blender)
         blender = std::make_shared<const ModelTextures>(
-            [results = m_results, name = entry->name] { return readAppearances(results, name); });
+            [results = m_results, folder = m_folder, name = entry->name] {
+                return readAppearances(results, folder, name);
+            });
     return blender;
 }
 

@@ -3,6 +3,7 @@
 #include "model/project/results/makesteps.h"
 
 #include "model/core/message.h"
+#include "model/project/document/throwinvalid.h"
 #include "model/project/evaluations/evaluationsteps.h"
 #include "model/project/exports/exportsteps.h"
 
@@ -49,12 +50,8 @@ void refuseMissingInputs(std::vector<BuildStep>& steps)
         if (missing == 0)
             continue;
         step.files = [name = step.name](const Progress&) -> std::vector<std::filesystem::path> {
-            throw Error(
-                ErrorCode::ProjectInvalid,
-                {{},
-                 {},
-                 {{"reason", "There are no takes that “" + name + "” could be made from"},
-                  {"remedy", QUADRILLE_MESSAGE("Add the takes of its character under “sequences”.")}}});
+            throwInvalid("There are no takes that “" + name + "” could be made from",
+                         QUADRILLE_MESSAGE("Add the takes of its character under “sequences”."));
         };
     }
 }

@@ -6,6 +6,7 @@
 #include "model/project/document/clipdependencies.h"
 #include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
+#include "model/project/document/throwinvalid.h"
 #include "model/project/steps/storedwalk.h"
 #include "model/project/steps/variedrepeats.h"
 #include "model/project/steps/walkrequest.h"
@@ -107,10 +108,8 @@ private:
 
 [[noreturn]] void throwNoTakes(const std::string& name)
 {
-    throw Error(
-        ErrorCode::ProjectInvalid,
-        {.values = {{"reason", "There are no takes that “animations/" + name + "” could be made from"},
-                    {"remedy", QUADRILLE_MESSAGE("Add the takes of its character under “sequences”.")}}});
+    throwInvalid("There are no takes that “animations/" + name + "” could be made from",
+                 QUADRILLE_MESSAGE("Add the takes of its character under “sequences”."));
 }
 
 } // namespace
@@ -125,9 +124,7 @@ AnimationResultPointer openAnimation(WorkingProject working, const std::string& 
     const ProjectResults results(std::move(working));
     const AnimationEntry* entry = findAnimation(results.project(), name);
     if (entry == nullptr)
-        throw Error(ErrorCode::ProjectInvalid,
-                    {.values = {{"reason", "There is no animation “" + name + "”"},
-                                {"remedy", QUADRILLE_MESSAGE("Correct the name.")}}});
+        throwInvalid("There is no animation “" + name + "”", QUADRILLE_MESSAGE("Correct the name."));
     const auto character = openCharacter(results, characterNameOf(results.project(), *entry),
                                          GraphOpening::Compute, progress.part(0, opening));
     if (character == nullptr)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/results/projectdata.h"
 
+#include "model/appearance/appearancefile.h"
 #include "model/project/document/paths.h"
 #include "model/project/results/makesteps.h"
 #include "model/project/results/stepstate.h"
@@ -19,20 +20,20 @@ std::string dataName(const BuildStep& step, const std::string& name)
     return step.dataPrefix.empty() ? name : step.dataPrefix + "/" + name;
 }
 
-/// What lies in the file of a model of appearance, where a step makes such a one.
-std::vector<DataArray> arraysOfModel(const Project& project, const BuildStep& step,
-                                     const std::filesystem::path& results, const std::string& wanted)
+/// What lies in the file of a model of appearance, where a step has made such a one.
+std::vector<DataArray> arraysOfModel(const Project& project, const BuildStep& step, const Result& result,
+                                     const std::filesystem::path& folder, const std::string& wanted)
 {
-    const auto isIts = [&](const AppearanceEntry& entry) {
+    const bool isModel = std::ranges::any_of(project.appearances, [&](const AppearanceEntry& entry) {
         return step.name == appearanceModelStep(entry.name);
-    };
-    const auto entry = std::ranges::find_if(project.appearances, isIts);
+    });
     const std::vector<std::string> names{"components", "warps", "texels"};
     const bool isWanted = wanted.empty() || std::ranges::any_of(names, [&](const std::string& name) {
                               return dataName(step, name) == wanted;
                           });
-    return entry == project.appearances.end() || !isWanted ? std::vector<DataArray>()
-                                                           : appearanceArrays(results, entry->name);
+    if (!isModel || !isWanted || result.files.empty() || !exists(modelFileOf(result, folder)))
+        return {};
+    return appearanceArrays(readAppearanceFile(modelFileOf(result, folder)));
 }
 
 } // namespace
@@ -54,7 +55,7 @@ std::vector<DataItem> projectData(const Project& project, const std::filesystem:
             items.push_back({dataName(steps[i], array.name), steps[i].character, fresh, std::move(array)});
         for (DataTable& table : result.tables)
             items.push_back({dataName(steps[i], table.name), steps[i].character, fresh, std::move(table)});
-        for (DataArray& array : arraysOfModel(project, steps[i], cacheFolder(projectFile), wanted))
+        for (DataArray& array : arraysOfModel(project, steps[i], *entry.result, folder, wanted))
             items.push_back({dataName(steps[i], array.name), steps[i].character, fresh, std::move(array)});
     }
     return items;

@@ -3,6 +3,7 @@
 #include "model/project/steps/animate.h"
 
 #include "model/core/message.h"
+#include "model/project/document/throwinvalid.h"
 #include "model/project/steps/clippost.h"
 #include "model/project/steps/walkrequest.h"
 #include "model/synthesis/clips/characterlegs.h"
@@ -65,11 +66,8 @@ AnimationWalk animationWalk(const AnimationEntry& animation, const CharacterGrap
         if (animation.walk)
             return {.constraints = {}, .solution = acceptedSolution(*animation.walk, graph)};
         if (!animation.asksForSomething())
-            throw Error(ErrorCode::ProjectInvalid,
-                        {{},
-                         {},
-                         {{"reason", "The animation “" + animation.name + "” asks for nothing"},
-                          {"remedy", QUADRILLE_MESSAGE("Give it a path, keys or actions.")}}});
+            throwInvalid("The animation “" + animation.name + "” asks for nothing",
+                         QUADRILLE_MESSAGE("Give it a path, keys or actions."));
         AnimationWalk walk{.constraints = walkConstraints(animation, graph), .solution = {}};
         walk.solution =
             findWalk(graph.material(blendSettings(animation), walk.constraints.path.has_value()),

@@ -10,6 +10,7 @@
 #include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
+#include "model/project/document/throwinvalid.h"
 #include "model/project/fields/writefields.h"
 #include "model/project/media/sequencesettings.h"
 #include "model/project/steps/appearancetraining.h"
@@ -56,6 +57,17 @@ std::vector<std::filesystem::path> filesOf(SequenceOpener& opener, const std::ve
         files.insert(files.end(), own.begin(), own.end());
     }
     return files;
+}
+
+/// By name: they are told apart by it in results.
+std::string settingsOf(const Project& project, const std::vector<std::string>& sequences)
+{
+    std::string text;
+    for (const std::string& name : sequences) {
+        if (const SequenceEntry* sequence = findSequence(project, name))
+            text += "\n" + name + "\n" + sequenceSettings(project, *sequence);
+    }
+    return text;
 }
 
 /// Of textures and of the layout that warps are computed by.
@@ -175,11 +187,8 @@ BuildStep modelStep(const std::shared_ptr<const AppearanceWork>& work)
         completion.mask.clear();
         completion.strokes.clear();
     }
-    step.settings = writeFields(learned).dump();
-    for (const std::string& name : sequences) {
-        if (const SequenceEntry* sequence = findSequence(project, name))
-            step.settings += "\n" + name + "\n" + sequenceSettings(project, *sequence);
-    }
+    step.version = 2;
+    step.settings = writeFields(learned).dump() + settingsOf(project, sequences);
     step.inputs = clipInputs(project, sequences);
     step.files = [work, sequences](const Progress& progress) {
         return filesOf(*work->opener, sequences, progress);
@@ -197,19 +206,13 @@ CompletedFrame complete(const AppearanceWork& work, const AppearanceDecoder& dec
 {
     const auto opened = work.opener->open(completion.frame.sequence);
     if (completion.frame.frame.value >= opened->sequence.frameCount())
-        throw Error(ErrorCode::ProjectInvalid,
-                    {.values = {{"reason", "“" + completion.frame.sequence + "” has no frame " +
-                                               std::to_string(completion.frame.frame.value)},
-                                {"remedy", "It has " + std::to_string(opened->sequence.frameCount()) +
-                                               " frames, from 0."}}});
+        throwNoFrame(completion.frame.sequence, completion.frame.frame.value, opened->sequence.frameCount());
     const TextureSet& textures = opened->sequence.textures;
     const int index = textures.indexFor(opened->sequence.sourceFrame(completion.frame.frame));
     if (index < 0)
-        throw Error(
-            ErrorCode::ProjectInvalid,
-            {.values = {{"reason", "“" + completion.frame.sequence + "” has no texture in frame " +
-                                       std::to_string(completion.frame.frame.value)},
-                        {"remedy", QUADRILLE_MESSAGE("Give it one, or take it out of the completions.")}}});
+        throwInvalid("“" + completion.frame.sequence + "” has no texture in frame " +
+                         std::to_string(completion.frame.frame.value),
+                     QUADRILLE_MESSAGE("Give it one, or take it out of the completions."));
     const auto texture = textures.image(index);
     const auto known =
         knownTexels(completion, *texture, decoder.model().texels,
@@ -233,17 +236,13 @@ BuildStep completionsStep(const std::shared_ptr<const AppearanceWork>& work)
     BuildStep step = work->step(appearanceCompletionsStep(work->entry.name));
     AppearanceEntry masked;
     masked.completions = work->entry.completions;
-    step.settings = writeFields(masked).dump();
     std::vector<std::string> sequences;
     for (const CompletionEntry& completion : masked.completions) {
         const std::string& name = completion.frame.sequence;
         if (std::ranges::find(sequences, name) == sequences.end())
             sequences.push_back(name);
     }
-    for (const std::string& name : sequences) {
-        if (const SequenceEntry* sequence = findSequence(project, name))
-            step.settings += "\n" + name + "\n" + sequenceSettings(project, *sequence);
-    }
+    step.settings = writeFields(masked).dump() + settingsOf(project, sequences);
     step.inputs = clipInputs(project, sequences);
     step.inputs.push_back(appearanceModelStep(work->entry.name));
     step.files = [work, sequences](const Progress& progress) {
@@ -254,9 +253,10 @@ BuildStep completionsStep(const std::shared_ptr<const AppearanceWork>& work)
         }
         return files;
     };
-    step.compute = [work](const StepContext&, const Progress& progress) {
-        const auto model =
-            std::make_shared<const AppearanceModel>(readAppearanceFile(work->folder() / "model.h5"));
+    step.compute = [work](const StepContext& context, const Progress& progress) {
+        const ResultPointer stored = context.resultOf(appearanceModelStep(work->entry.name));
+        const auto model = std::make_shared<const AppearanceModel>(
+            readAppearanceFile(modelFileOf(*stored, work->opener->folder())));
         const AppearanceDecoder decoder(model);
         const ChartLookup charts(model->texels);
         std::vector<CompletedFrame> frames;

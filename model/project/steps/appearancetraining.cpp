@@ -7,6 +7,7 @@
 #include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
+#include "model/project/document/throwinvalid.h"
 
 #include <algorithm>
 #include <map>
@@ -14,17 +15,6 @@
 namespace quadrille {
 
 namespace {
-
-[[noreturn]] void throwTraining(const std::filesystem::path& file, std::string reason, std::string remedy)
-{
-    throw Error(ErrorCode::ProjectInvalid,
-                {file, {}, {{"reason", std::move(reason)}, {"remedy", std::move(remedy)}}});
-}
-
-std::string sizeOf(const Image& image)
-{
-    return std::to_string(image.width) + " × " + std::to_string(image.height);
-}
 
 const MeshSequence& withUvs(const OpenedSequence& opened, const SequenceOpener& opener,
                             const std::string& name)
@@ -93,10 +83,10 @@ TextureSource AppearanceTraining::source() const
                 const Texture& texture = all[static_cast<std::size_t>(index)];
                 auto picture = texture.load();
                 if (picture->width != width || picture->height != height)
-                    throwTraining(texture.file,
-                                  "The texture has " + sizeOf(*picture) + " texels, the first one " +
-                                      std::to_string(width) + " × " + std::to_string(height),
-                                  QUADRILLE_MESSAGE("Give all textures of the character one size."));
+                    throwInvalid(texture.file,
+                                 "The texture has " + sizeText(picture->width, picture->height) +
+                                     " texels, the first one " + sizeText(width, height),
+                                 QUADRILLE_MESSAGE("Give all textures of the character one size."));
                 return picture;
             }};
 }
@@ -137,17 +127,17 @@ AppearanceTraining appearanceTraining(SequenceOpener& opener, const AppearanceEn
         if (opened->sequence.textures.kind() == TextureSet::Kind::PerFrame)
             gatherer.add(withUvs(*opened, opener, names[i]));
         else if (!entry.sequences.empty())
-            throwTraining({}, "“" + names[i] + "” has no texture for each frame",
-                          QUADRILLE_MESSAGE("Give it one for each frame, or leave the sequence out."));
+            throwInvalid("“" + names[i] + "” has no texture for each frame",
+                         QUADRILLE_MESSAGE("Give it one for each frame, or leave the sequence out."));
     }
     AppearanceTraining training = gatherer.take();
     if (training.textures.empty())
-        throwTraining({},
-                      "No sequence that “" + entry.name + "” could learn from has a texture for each frame",
-                      QUADRILLE_MESSAGE("Give sequences a folder of textures, one for each frame."));
+        throwInvalid({},
+                     "No sequence that “" + entry.name + "” could learn from has a texture for each frame",
+                     QUADRILLE_MESSAGE("Give sequences a folder of textures, one for each frame."));
     if (entry.reference && !training.reference)
-        throwTraining({}, "The reference of “" + entry.name + "” is none of the frames that are learned",
-                      QUADRILLE_MESSAGE("Name another one, or leave it out."));
+        throwInvalid("The reference of “" + entry.name + "” is none of the frames that are learned",
+                     QUADRILLE_MESSAGE("Name another one, or leave it out."));
     return training;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/steps/charactergraph.h"
 
+#include "model/project/document/throwinvalid.h"
 #include "model/synthesis/clips/stepcosts.h"
 
 #include <algorithm>
@@ -115,13 +116,6 @@ std::uint16_t packedWindows(std::uint16_t source, std::uint16_t destination)
 {
     const bool fits = source <= greatestPacked && destination <= greatestPacked;
     return fits ? static_cast<std::uint16_t>(source << bitsOfWindow | destination) : std::uint16_t{0};
-}
-
-[[noreturn]] void throwNoFrame(const std::string& sequence, std::int64_t frame, NodeIndex count)
-{
-    throw Error(ErrorCode::ProjectInvalid,
-                {.values = {{"reason", "“" + sequence + "” has no frame " + std::to_string(frame)},
-                            {"remedy", "Its frames are 0 to " + std::to_string(count - 1) + "."}}});
 }
 
 } // namespace
@@ -317,9 +311,7 @@ WalkSpan CharacterGraph::span(const std::string& sequence, const std::optional<F
 {
     const auto found = std::find(m_work.sequences.begin(), m_work.sequences.end(), sequence);
     if (found == m_work.sequences.end())
-        throw Error(ErrorCode::ProjectInvalid,
-                    {.values = {{"reason", "The graph has no sequence “" + sequence + "”"},
-                                {"remedy", "Correct the name."}}});
+        throwInvalid("The graph has no sequence “" + sequence + "”", "Correct the name.");
     const auto index = static_cast<int>(found - m_work.sequences.begin());
     const NodeIndex count = m_tables->layout.countOf(index);
     if (!range)

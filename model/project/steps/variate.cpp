@@ -5,6 +5,7 @@
 #include "model/core/error.h"
 #include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
+#include "model/project/document/throwinvalid.h"
 #include "model/project/fields/writefields.h"
 #include "model/project/media/sequencesettings.h"
 #include "model/synthesis/clips/characterlegs.h"
@@ -17,12 +18,6 @@
 namespace quadrille {
 
 namespace {
-
-[[noreturn]] void throwInvalid(std::string reason, std::string remedy)
-{
-    throw Error(ErrorCode::ProjectInvalid,
-                {.values = {{"reason", std::move(reason)}, {"remedy", std::move(remedy)}}});
-}
 
 std::vector<Vec3f> copied(Positions positions)
 {

@@ -6,6 +6,7 @@
 #include "model/project/document/findentry.h"
 #include "model/project/document/groundpoint.h"
 #include "model/project/document/pathcurve.h"
+#include "model/project/document/throwinvalid.h"
 #include "model/project/fields/writefields.h"
 #include "model/project/steps/animate.h"
 
@@ -70,11 +71,8 @@ private:
             }
         }
         if (set.spans.empty())
-            throw Error(ErrorCode::ProjectInvalid,
-                        {{},
-                         {},
-                         {{"reason", "No sequence has the label “" + choice.label + "”"},
-                          {"remedy", QUADRILLE_MESSAGE("Give some frames of a sequence this label.")}}});
+            throwInvalid("No sequence has the label “" + choice.label + "”",
+                         QUADRILLE_MESSAGE("Give some frames of a sequence this label."));
         return set;
     }
 

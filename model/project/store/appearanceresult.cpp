@@ -3,7 +3,9 @@
 #include "model/project/store/appearanceresult.h"
 
 #include "model/appearance/appearancefile.h"
+#include "model/core/error.h"
 #include "model/project/document/findentry.h"
+#include "model/project/document/paths.h"
 #include "model/project/store/resultstore.h"
 #include "model/project/store/tablebuilder.h"
 
@@ -65,10 +67,12 @@ void addCompletions(FrameAppearances& appearances, const Result& result, const f
         return;
     const auto& sequences = columnNamed<TextColumn>(*table, "sequence");
     const auto& frames = columnNamed<std::vector<std::int64_t>>(*table, "frame");
-    const auto& files = columnNamed<TextColumn>(*table, "file");
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const FrameAppearances::Key key(sequences[i], FrameIndex(frames[i]));
-        appearances.completed[key] = {.file = folder / files[i]};
+        const fs::path file = resolvePath(result.files[i].path, folder);
+        if (!fs::exists(file))
+            continue;
+        appearances.completed[key] = {.file = file};
         appearances.coefficients[key] = {coefficientRow(result, textureCoefficientsName, i),
                                          coefficientRow(result, warpCoefficientsName, i)};
     }
@@ -123,12 +127,13 @@ std::vector<AppearanceRow> appearanceRows(const Result& result)
     return all;
 }
 
-std::vector<DataArray> appearanceArrays(const fs::path& results, const std::string& name)
+fs::path modelFileOf(const Result& model, const fs::path& folder)
 {
-    const fs::path file = appearanceFolder(results, name) / "model.h5";
-    if (!fs::exists(file))
-        return {};
-    const AppearanceModel model = readAppearanceFile(file);
+    return resolvePath(model.files.front().path, folder);
+}
+
+std::vector<DataArray> appearanceArrays(const AppearanceModel& model)
+{
     const WarpGrid& grid = model.grid;
     DataArray texels = columnOf(
         "texels", "", std::vector<std::int64_t>(model.texels.texels.begin(), model.texels.texels.end()));
@@ -160,20 +165,24 @@ Result completionsResult(std::span<const CompletedFrame> frames)
     return result;
 }
 
-std::optional<FrameAppearances> readAppearances(const fs::path& results, const std::string& name)
+std::optional<FrameAppearances> readAppearances(const fs::path& results, const fs::path& folder,
+                                                const std::string& name)
 {
-    const ResultStore store(results);
-    const ResultPointer model = store.load(appearanceModelStep(name), {}).result;
-    if (model->files.empty())
+    try {
+        const ResultStore store(results);
+        const ResultPointer model = store.load(appearanceModelStep(name), {}).result;
+        if (model->files.empty())
+            return std::nullopt;
+        FrameAppearances appearances{.model = std::make_shared<const AppearanceModel>(
+                                         readAppearanceFile(modelFileOf(*model, folder)))};
+        for (const AppearanceRow& each : appearanceRows(*model))
+            appearances.coefficients[{each.sequence, each.frame}] =
+                coefficientsOf(*appearances.model, static_cast<std::size_t>(each.row));
+        addCompletions(appearances, *store.load(appearanceCompletionsStep(name), {}).result, folder);
+        return appearances;
+    } catch (const Error&) {
         return std::nullopt;
-    const fs::path folder = appearanceFolder(results, name);
-    FrameAppearances appearances{
-        .model = std::make_shared<const AppearanceModel>(readAppearanceFile(folder / "model.h5"))};
-    for (const AppearanceRow& each : appearanceRows(*model))
-        appearances.coefficients[{each.sequence, each.frame}] =
-            coefficientsOf(*appearances.model, static_cast<std::size_t>(each.row));
-    addCompletions(appearances, *store.load(appearanceCompletionsStep(name), {}).result, folder);
-    return appearances;
+    }
 }
 
 } // namespace quadrille

@@ -13,8 +13,8 @@
 
 namespace quadrille {
 
-// The section “appearance” as results: a model of an entry in a file of its own, NAME/model.h5 beside those
-// of the steps, and the textures that it completes as pictures.
+// The section “appearance” as results: the model of an entry in a file of its own, and the textures that it
+// completes as pictures.
 
 /// The steps of an entry.
 std::string appearanceModelStep(const std::string& name);
@@ -38,7 +38,7 @@ struct CompletedFrame
 {
     std::string sequence;
     FrameIndex frame;
-    std::filesystem::path file; ///< the picture, inside appearanceFolder()
+    std::filesystem::path file; ///< the picture
     AppearanceCoefficients coefficients;
 };
 
@@ -46,19 +46,22 @@ struct CompletedFrame
 DataTable rowsTable(std::span<const AppearanceRow> rows);
 std::vector<AppearanceRow> appearanceRows(const Result& result);
 
+/// The file of the model that a result names. \param folder  the project's. \pre It is a model's result.
+std::filesystem::path modelFileOf(const Result& model, const std::filesystem::path& folder);
+
 /// What lies in the model's file rather than in a result: `components` (k × R, G, B of each used texel),
 /// `warps` (k × x, y of each node) and `texels` (row · width + column of each used texel), of single
-/// precision and no longer quantised; nothing where there is no model. \throws Error those of
-/// readAppearanceFile, but FileNotFound. Cost: O(components · values), 200 MB for 33 Eigen textures of 1024²
-/// of which half of the texels are used.
-std::vector<DataArray> appearanceArrays(const std::filesystem::path& results, const std::string& name);
+/// precision and no longer quantised. Cost: O(components · values), 200 MB for 33 Eigen textures of 1024² of
+/// which half of the texels are used.
+std::vector<DataArray> appearanceArrays(const AppearanceModel& model);
 
 /// The table “completions” and the arrays of coefficients of a result, without its files.
 Result completionsResult(std::span<const CompletedFrame> frames);
 
 /// The model of an entry and all textures that it knows, as they were computed last; nothing where there is
-/// no model. \throws Error PermissionDenied, ReadFailed, and those of readAppearanceFile.
+/// no model that can be read: clips are shown all the same, and a rebuild makes it anew.
+/// \param folder  the project's.
 std::optional<FrameAppearances> readAppearances(const std::filesystem::path& results,
-                                                const std::string& name);
+                                                const std::filesystem::path& folder, const std::string& name);
 
 } // namespace quadrille

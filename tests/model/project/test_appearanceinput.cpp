@@ -134,7 +134,7 @@ TEST_F(AppearanceInput, MayHaveSixteenBitsAndAlpha)
 TEST_F(AppearanceInput, CompletesFramesThatThereAre)
 {
     complete("slow", slowFrames);
-    expectFailure(ErrorCode::ProjectInvalid, {}, "“slow” has no frame 14. It has 14 frames, from 0.");
+    expectFailure(ErrorCode::ProjectInvalid, {}, "“slow” has no frame 14. Its frames are 0 to 13.");
 }
 
 TEST_F(AppearanceInput, CompletesTexturesOfTheModelsSize)

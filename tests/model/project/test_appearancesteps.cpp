@@ -161,6 +161,28 @@ TEST_F(AppearanceSteps, OfferWhatLiesInTheModelsFile)
     EXPECT_THAT(names(prefix + "components"), ::testing::Not(Contains(prefix + "components")));
 }
 
+TEST_F(AppearanceSteps, ModelsThatCannotBeReadAreNotThereForClips)
+{
+    const auto known = [this] { return readAppearances(results(), folder.path(), "look"); };
+    EXPECT_FALSE(known());
+    CompletionEntry completion;
+    completion.frame = {"slow", FrameIndex(3)};
+    completion.strokes = {{.points = {0.3, 0.5}, .radius = 0.1}};
+    look().completions = {completion};
+    run("appearance");
+    ASSERT_TRUE(known());
+    EXPECT_EQ(known()->completed.size(), 1U);
+    fs::remove(filesOfLook() / "slow_3.png");
+    EXPECT_TRUE(known()->completed.empty());
+    folder.write(fs::relative(filesOfLook() / "model.h5", folder.path()).string(), "damaged");
+    EXPECT_FALSE(known());
+    fs::remove(filesOfLook() / "model.h5");
+    EXPECT_FALSE(known());
+    run("appearance");
+    ASSERT_TRUE(known());
+    EXPECT_EQ(known()->completed.size(), 1U);
+}
+
 TEST_F(AppearanceSteps, ComputeNothingTwice)
 {
     run("appearance");
