@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -49,6 +50,27 @@ Vec3f sample(const Image& image, double x, double y)
         return Vec3f(p[0], p[1], p[2]);
     };
     return (1 - ty) * ((1 - tx) * at(0, 0) + tx * at(1, 0)) + ty * ((1 - tx) * at(0, 1) + tx * at(1, 1));
+}
+
+/// Each texel a mean of itself and its neighbours, the nearest counting most.
+Image smoothed(const Image& image)
+{
+    Image found(image.width, image.height);
+    for (int y = 0; y < image.height; ++y) {
+        const std::array rows{image.pixel(0, std::max(0, y - 1)), image.pixel(0, y),
+                              image.pixel(0, std::min(image.height - 1, y + 1))};
+        for (int x = 0; x < image.width; ++x) {
+            const std::array columns{4 * std::max(0, x - 1), 4 * x, 4 * std::min(image.width - 1, x + 1)};
+            for (int c = 0; c < 4; ++c) {
+                const auto across = [&](const std::uint8_t* row) {
+                    return row[columns[0] + c] + 2 * row[columns[1] + c] + row[columns[2] + c];
+                };
+                found.pixel(x, y)[c] = static_cast<std::uint8_t>(
+                    (across(rows[0]) + 2 * across(rows[1]) + across(rows[2]) + 8) / 16);
+            }
+        }
+    }
+    return found;
 }
 
 } // namespace
@@ -101,6 +123,13 @@ Vec2f SampleWarp::at(double u, double v) const
     };
     return (1 - ty) * ((1 - tx) * node(0, 0) + tx * node(1, 0)) +
            ty * ((1 - tx) * node(0, 1) + tx * node(1, 1));
+}
+
+SampleBody forTexturesOf(int size, SampleBody body)
+{
+    for (int width = body.texture->width; width > size; width /= 2)
+        body.texture = std::make_shared<const Image>(smoothed(*body.texture));
+    return body;
 }
 
 Image frameTexture(const SampleBody& body, const TexelMap& texels, Positions posed,

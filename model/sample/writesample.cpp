@@ -84,14 +84,15 @@ CharacterEntry writeBody(const SampleBody& body, const std::string& subfolder, c
 void writeTextures(const SampleCharacter& character, const SampleTake& take, const fs::path& folder,
                    const Progress& progress)
 {
-    const TexelMap texels = mapTexels(character.body.topology->data(), take.appearance->textureSize, 4);
+    const int size = take.appearance->textureSize;
+    const TexelMap texels = mapTexels(character.body.topology->data(), size, 4);
+    const SampleBody body = forTexturesOf(size, character.body);
     const std::int64_t frames = take.sequence.frameCount();
     std::atomic<std::int64_t> done{0};
     tbb::parallel_for(std::int64_t{0}, frames, [&](std::int64_t f) {
         progress.report(done++, frames);
         const Frame frame = take.sequence.frame(FrameIndex(f));
-        const Image image =
-            frameTexture(character.body, texels, frame.positions(), *take.appearance, FrameIndex(f));
+        const Image image = frameTexture(body, texels, frame.positions(), *take.appearance, FrameIndex(f));
         std::array<char, 16> name{};
         std::snprintf(name.data(), name.size(), "%04d.jpg", static_cast<int>(f));
         writeImage(image, folder / name.data(), 86);

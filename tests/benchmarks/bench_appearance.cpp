@@ -102,14 +102,15 @@ struct TexturePairs
         const SampleCharacter sample = makeSampleCharacter({.textureSize = size, .takesPerKind = 1});
         charts = std::make_unique<ChartLookup>(usedTexels(*sample.body.topology, size, size));
         const TexelMap texels = mapTexels(sample.body.topology->data(), size, 8);
+        const SampleBody body = forTexturesOf(size, sample.body);
         for (const SampleTake& take : sample.takes) {
             if (take.kind != kind || !take.appearance)
                 continue;
             const std::int64_t frames = take.sequence.frameCount();
             for (int k = 0; k <= count; ++k) {
                 const FrameIndex frame((k * 17) % frames);
-                const Image texture = frameTexture(
-                    sample.body, texels, take.sequence.frame(frame).positions(), *take.appearance, frame);
+                const Image texture = frameTexture(body, texels, take.sequence.frame(frame).positions(),
+                                                   *take.appearance, frame);
                 textures.push_back(decodeImage(encodeImage(texture, ".jpg", 86)));
                 warps.push_back(take.appearance->warps[static_cast<std::size_t>(frame.value)]);
             }

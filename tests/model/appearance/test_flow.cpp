@@ -77,9 +77,9 @@ TEST_P(DenseFlow, FindsTheWarpsOfTheSample)
     const auto take = std::find_if(sample.takes.begin(), sample.takes.end(),
                                    [](const SampleTake& t) { return t.kind == "idle"; });
     ASSERT_TRUE(take != sample.takes.end() && take->appearance);
+    const SampleBody body = forTexturesOf(size, sample.body);
     const auto texture = [&](FrameIndex frame) {
-        return frameTexture(sample.body, texels, take->sequence.frame(frame).positions(), *take->appearance,
-                            frame);
+        return frameTexture(body, texels, take->sequence.frame(frame).positions(), *take->appearance, frame);
     };
     const FrameIndex last(take->sequence.frameCount() - 1);
     const auto field = denseFlow(texture(FrameIndex(0)), texture(last), charts, options());

@@ -133,6 +133,30 @@ TEST(SampleGroundTruth, warpsAreSmallAndSmooth)
     EXPECT_EQ(takes, 3);
 }
 
+TEST(SampleGroundTruth, bodiesForTexturesOfTheirOwnSizeStayAsTheyAre)
+{
+    const SampleBody& body = smallSample().body;
+    EXPECT_EQ(*forTexturesOf(body.texture->width, body).texture, *body.texture);
+}
+
+TEST(SampleGroundTruth, bodiesForSmallerTexturesShowNothingFinerThanTheirTexels)
+{
+    constexpr int side = 32;
+    Image fine(side, side);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            std::fill_n(fine.pixel(x, y), 4,
+                        static_cast<std::uint8_t>(x < side / 2 ? 40 + 160 * (x % 2) : 90));
+    SampleBody body = smallSample().body;
+    body.texture = std::make_shared<const Image>(fine);
+    const Image coarse = *forTexturesOf(side / 2, body).texture;
+    EXPECT_EQ(coarse.width, side);
+    for (int x = 1; x < side / 2 - 1; ++x)
+        EXPECT_EQ(coarse.pixel(x, 5)[1], 120) << "stripes of one texel become their mean";
+    for (int x = side / 2 + 1; x < side; ++x)
+        EXPECT_EQ(coarse.pixel(x, 5)[1], 90) << "what is even stays";
+}
+
 TEST(SampleGroundTruth, frameTexturesFollowWarpAndLight)
 {
     const SampleCharacter& character = smallSample();
