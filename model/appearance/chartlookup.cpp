@@ -11,27 +11,6 @@ namespace {
 
 constexpr auto none = static_cast<std::uint32_t>(-1);
 
-/// Displacements between nodes; beyond them, those of the last.
-Vec2f atPlace(std::span<const float> nodes, const WarpGrid& grid, const Vec2f& place)
-{
-    const auto along = [&](float at, int count) {
-        const float position =
-            std::clamp(at / static_cast<float>(grid.spacing), 0.0F, static_cast<float>(count - 1));
-        const int node = std::min(static_cast<int>(position), std::max(0, count - 2));
-        return std::pair(node, position - static_cast<float>(node));
-    };
-    const auto [i, tx] = along(place.x(), grid.width);
-    const auto [j, ty] = along(place.y(), grid.height);
-    const auto node = [&](int column, int row) {
-        column = std::min(column, grid.width - 1);
-        row = std::min(row, grid.height - 1);
-        const float* n = nodes.data() + 2 * (std::ptrdiff_t{row} * grid.width + column);
-        return Vec2f(n[0], n[1]);
-    };
-    return (1 - ty) * ((1 - tx) * node(i, j) + tx * node(i + 1, j)) +
-           ty * ((1 - tx) * node(i, j + 1) + tx * node(i + 1, j + 1));
-}
-
 } // namespace
 
 ChartLookup::ChartLookup(UsedTexels used) : m_used(std::move(used))
@@ -184,7 +163,7 @@ std::vector<float> ChartLookup::atNodes(const std::vector<Vec2f>& field, const W
         for (std::size_t k = 0; k < field.size(); ++k) {
             const auto [x, y] = place(k);
             const Vec2f at(static_cast<float>(x), static_cast<float>(y));
-            const Vec2f left = field[k] - atPlace(values, grid, at);
+            const Vec2f left = field[k] - warpAt(values, grid, at);
             const Vec2f cell = at / static_cast<float>(grid.spacing);
             const int i = x / grid.spacing;
             const int j = y / grid.spacing;
@@ -211,7 +190,7 @@ std::vector<Vec2f> ChartLookup::atTexels(std::span<const float> nodes, const War
     std::vector<Vec2f> field(m_used.texels.size());
     for (std::size_t k = 0; k < field.size(); ++k) {
         const auto [x, y] = place(k);
-        field[k] = shortened(k, atPlace(nodes, grid, Vec2f(static_cast<float>(x), static_cast<float>(y))));
+        field[k] = shortened(k, warpAt(nodes, grid, Vec2f(static_cast<float>(x), static_cast<float>(y))));
     }
     return field;
 }
@@ -226,7 +205,7 @@ std::vector<Vec2f> ChartLookup::inverse(std::span<const float> nodes, const Warp
         Vec2f found = Vec2f::Zero();
         for (int iteration = 0; iteration < iterations; ++iteration) {
             const Vec2f before = found;
-            found = -atPlace(nodes, grid, from + found);
+            found = -warpAt(nodes, grid, from + found);
             if ((found - before).squaredNorm() < 1e-6F)
                 break;
         }

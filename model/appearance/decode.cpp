@@ -261,20 +261,24 @@ Image AppearanceDecoder::decodeAligned(std::span<const float> textures) const
     return texture;
 }
 
-Image AppearanceDecoder::dealigned(const Image& aligned, std::span<const float> warp) const
+Image AppearanceDecoder::dealigned(std::span<const std::uint8_t> aligned, std::span<const float> warp,
+                                   Image background) const
 {
-    const UsedTexels& used = m_model->texels;
-    assert(aligned.width == used.width && aligned.height == used.height);
+    assert(aligned.size() == 3 * m_places.size());
+    assert(background.width == m_model->texels.width && background.height == m_model->texels.height);
     assert(static_cast<std::int64_t>(warp.size()) == 2 * m_model->grid.nodes());
     DecodeScratch scratch;
     scratch.aligned.resize(m_charts.size());
-    for (std::size_t t = 0; t < used.texels.size(); ++t)
-        std::memcpy(&scratch.aligned[m_places[t]], aligned.pixels.data() + std::size_t{4} * used.texels[t],
-                    sizeof(std::uint32_t));
+    const std::uint8_t* colour = aligned.data();
+    for (const std::uint32_t place : m_places) {
+        scratch.aligned[place] = 0xFF000000U | static_cast<std::uint32_t>(colour[0]) |
+                                 static_cast<std::uint32_t>(colour[1]) << 8 |
+                                 static_cast<std::uint32_t>(colour[2]) << 16;
+        colour += 3;
+    }
     scratch.warp.assign(warp.begin(), warp.end());
-    Image texture = m_background;
-    dealign(scratch, texture);
-    return texture;
+    dealign(scratch, background);
+    return background;
 }
 
 } // namespace quadrille

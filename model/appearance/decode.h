@@ -40,9 +40,11 @@ public:
     /// The aligned texture, without a warp.
     Image decodeAligned(std::span<const float> textures) const;
 
-    /// A texture de-aligned by any warp, such as one that was estimated. \param warp  2 values per node.
-    /// \pre The aligned texture has the atlas's size.
-    Image dealigned(const Image& aligned, std::span<const float> warp) const;
+    /// A texture de-aligned by any warp, such as one that was estimated, looked up as above.
+    /// \param aligned  R, G, B per used texel. \param warp  2 values per node. \param background  what is not
+    /// used is its. \pre The background has the atlas's size.
+    Image dealigned(std::span<const std::uint8_t> aligned, std::span<const float> warp,
+                    Image background) const;
 
 private:
     /// Used texels of a chart one beside the other.

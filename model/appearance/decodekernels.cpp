@@ -30,6 +30,19 @@ void roundToBytes(const float* values, int count, std::uint8_t* bytes)
 }
 
 QUADRILLE_SIMD_CLONES
+void mixBytes(const std::uint8_t* first, const std::uint8_t* second, float weight, std::int64_t count,
+              std::uint8_t* mixed)
+{
+#pragma omp simd
+    for (std::int64_t i = 0; i < count; ++i) {
+        const auto from = static_cast<float>(static_cast<std::int32_t>(first[i]));
+        const auto to = static_cast<float>(static_cast<std::int32_t>(second[i]));
+        const float value = from + weight * (to - from) + 0.5F;
+        mixed[i] = static_cast<std::uint8_t>(static_cast<std::int32_t>(value));
+    }
+}
+
+QUADRILLE_SIMD_CLONES
 void lookUpRow(const RowLookup& lookup, const WarpRows& warp, std::int32_t* places, std::uint32_t* texels)
 {
     alignas(64) float across[lookupsAtOnce];

@@ -9,6 +9,11 @@ namespace quadrille {
 /// Numbers rounded to bytes, limited to 0 … 255.
 void roundToBytes(const float* values, int count, std::uint8_t* bytes);
 
+/// first + weight · (second − first), rounded to nearest. \param weight  0 … 1. The result may be one of
+/// both.
+void mixBytes(const std::uint8_t* first, const std::uint8_t* second, float weight, std::int64_t count,
+              std::uint8_t* mixed);
+
 inline constexpr int lookupsAtOnce = 256;
 
 /// Warps of some texels of a row, between those of two rows of nodes.

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "model/appearance/modeltextures.h"
 
-#include <algorithm>
+#include "model/appearance/decodekernels.h"
 
 namespace quadrille {
 
 struct ModelTextures::Opened
 {
-    explicit Opened(FrameAppearances known) : appearances(std::move(known)), decoder(appearances.model) {}
+    explicit Opened(FrameAppearances known)
+        : appearances(std::move(known)), decoder(appearances.model), charts(appearances.model->texels)
+    {
+    }
 
     const AppearanceCoefficients* find(const CapturedTexture& texture) const
     {
@@ -28,24 +31,35 @@ struct ModelTextures::Opened
 
     FrameAppearances appearances;
     AppearanceDecoder decoder;
+    ChartLookup charts;
 };
 
-Image blendedTexture(const AppearanceDecoder& decoder, const AppearanceCoefficients& first,
-                     const Image& firstTexture, const AppearanceCoefficients& second,
-                     const Image& secondTexture, double weight)
+namespace {
+
+Image mixed(const Image& first, const Image& second, double weight)
 {
-    Image blended = decoder.decode(interpolated(first, second, weight));
-    const Image atFirst = decoder.decode(first);
-    const Image atSecond = decoder.decode(second);
-    const auto ofSecond = static_cast<float>(weight);
-    const float ofFirst = 1 - ofSecond;
-    for (std::size_t i = 0; i < blended.pixels.size(); ++i) {
-        const float left = ofFirst * static_cast<float>(firstTexture.pixels[i] - atFirst.pixels[i]) +
-                           ofSecond * static_cast<float>(secondTexture.pixels[i] - atSecond.pixels[i]);
-        const float value = static_cast<float>(blended.pixels[i]) + left + 0.5F;
-        blended.pixels[i] = static_cast<std::uint8_t>(std::clamp(value, 0.0F, 255.0F));
-    }
-    return blended;
+    Image picture(first.width, first.height);
+    mixBytes(first.pixels.data(), second.pixels.data(), static_cast<float>(weight),
+             std::ssize(picture.pixels), picture.pixels.data());
+    return picture;
+}
+
+} // namespace
+
+Image blendedTexture(const AppearanceDecoder& decoder, const ChartLookup& charts,
+                     const AppearanceCoefficients& first, const Image& firstTexture,
+                     const AppearanceCoefficients& second, const Image& secondTexture, double weight)
+{
+    const AppearanceModel& model = decoder.model();
+    Image still = mixed(firstTexture, secondTexture, weight);
+    if (model.warps.count == 0 || weight <= 0 || weight >= 1)
+        return still;
+    const std::vector<float> wanted = combined(model.warps, interpolated(first, second, weight).warps);
+    const auto moved = [&](const AppearanceCoefficients& from, const Image& texture) {
+        return decoder.dealigned(charts.colours(texture),
+                                 warpBetween(combined(model.warps, from.warps), wanted, model.grid), still);
+    };
+    return mixed(moved(first, firstTexture), moved(second, secondTexture), weight);
 }
 
 ModelTextures::ModelTextures(std::function<std::optional<FrameAppearances>()> open) : m_open(std::move(open))
@@ -86,7 +100,8 @@ Texture ModelTextures::between(const CapturedTexture& first, const CapturedTextu
         const auto secondPicture = secondTexture.load();
         if (!known->fits(*firstPicture) || !known->fits(*secondPicture)) // files that changed meanwhile
             return weight < 0.5 ? *firstPicture : *secondPicture;
-        return blendedTexture(known->decoder, *atFirst, *firstPicture, *atSecond, *secondPicture, weight);
+        return blendedTexture(known->decoder, known->charts, *atFirst, *firstPicture, *atSecond,
+                              *secondPicture, weight);
     }};
 }
 

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/core/units.h"
+
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace quadrille {
 
@@ -23,5 +27,14 @@ struct WarpGrid
     std::int64_t nodes() const { return std::int64_t{width} * height; }
     bool operator==(const WarpGrid&) const = default;
 };
+
+/// A warp between its nodes; beyond them, that of the last. \param nodes  x, y of each, in rows. \param place
+/// texels.
+Vec2f warpAt(std::span<const float> nodes, const WarpGrid& grid, const Vec2f& place);
+
+/// What moves a texture whose backward warp is `from` to where one with the warp `to` lies: d with d(x) =
+/// to(x) − from(x + d(x)), so that both show the same at x + d(x) and at x. Zero where both are the same. By
+/// fixed-point iteration, which converges where warps do not fold. \return 2 values per node.
+std::vector<float> warpBetween(std::span<const float> from, std::span<const float> to, const WarpGrid& grid);
 
 } // namespace quadrille

@@ -4,7 +4,7 @@
 // beside plain loops over components in single precision, on as many texels and on all. Half as many
 // components of warps are added.
 #include "model/appearance/completion.h"
-#include "model/appearance/decode.h"
+#include "model/appearance/modeltextures.h"
 #include "model/appearance/projection.h"
 #include "model/appearance/reducedmodel.h"
 #include "model/appearance/texturequality.h"
@@ -59,6 +59,21 @@ void decodeReduced(benchmark::State& state)
         decoder.decode(coefficientsOf(*model, 1), scratch, texture);
         benchmark::DoNotOptimize(texture.pixels.data());
     }
+}
+
+/// Between two textures by their warps, as clips take them.
+void blend(benchmark::State& state)
+{
+    const auto model = std::make_shared<const AppearanceModel>(
+        test::quantised(spacesOf(test::texelsOfAtlas(atlasSize), static_cast<int>(state.range(0)))));
+    const AppearanceDecoder decoder(model);
+    const ChartLookup charts(model->texels);
+    const std::array frames{coefficientsOf(*model, 0), coefficientsOf(*model, 1)};
+    const std::array textures{decoder.decode(frames[0]), decoder.decode(frames[1])};
+    for (auto _ : state)
+        benchmark::DoNotOptimize(
+            blendedTexture(decoder, charts, frames[0], textures[0], frames[1], textures[1], 0.4)
+                .pixels.data());
 }
 
 void projectTexture(benchmark::State& state)

@@ -150,7 +150,11 @@ TEST(AppearanceDecoder, DealignsAGivenTexture)
     const auto model = sharedModel(randomSpaces(texelsOfDiscs(50, 50, {{25, 25, 20}}), {}, 3));
     const AppearanceDecoder decoder(model);
     const AppearanceCoefficients frame = coefficientsOf(*model, 2);
-    EXPECT_EQ(decoder.dealigned(decoder.decodeAligned(frame.textures), combined(model->warps, frame.warps)),
+    const Image texture = decoder.decodeAligned(frame.textures);
+    std::vector<std::uint8_t> aligned;
+    for (const std::uint32_t texel : model->texels.texels)
+        aligned.insert(aligned.end(), &texture.pixels[4 * texel], &texture.pixels[4 * texel] + 3);
+    EXPECT_EQ(decoder.dealigned(aligned, combined(model->warps, frame.warps), decoder.decode({})),
               decoder.decode(frame));
 }
 

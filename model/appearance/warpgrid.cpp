@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/appearance/warpgrid.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace quadrille {
+
+Vec2f warpAt(std::span<const float> nodes, const WarpGrid& grid, const Vec2f& place)
+{
+    const auto along = [&](float at, int count) {
+        const float position =
+            std::clamp(at / static_cast<float>(grid.spacing), 0.0F, static_cast<float>(count - 1));
+        const int node = std::min(static_cast<int>(position), std::max(0, count - 2));
+        return std::pair(node, position - static_cast<float>(node));
+    };
+    const auto [i, tx] = along(place.x(), grid.width);
+    const auto [j, ty] = along(place.y(), grid.height);
+    const auto node = [&](int column, int row) {
+        column = std::min(column, grid.width - 1);
+        row = std::min(row, grid.height - 1);
+        const float* n = nodes.data() + 2 * (std::ptrdiff_t{row} * grid.width + column);
+        return Vec2f(n[0], n[1]);
+    };
+    return (1 - ty) * ((1 - tx) * node(i, j) + tx * node(i + 1, j)) +
+           ty * ((1 - tx) * node(i, j + 1) + tx * node(i + 1, j + 1));
+}
+
+std::vector<float> warpBetween(std::span<const float> from, std::span<const float> to, const WarpGrid& grid)
+{
+    constexpr int iterations = 4; // each leaves as much of the error as the warp stretches
+    std::vector<float> between(to.size());
+    for (std::size_t node = 0; node < between.size() / 2; ++node) {
+        const auto column = static_cast<int>(node % static_cast<std::size_t>(grid.width));
+        const auto row = static_cast<int>(node / static_cast<std::size_t>(grid.width));
+        const Vec2f place(static_cast<float>(column * grid.spacing), static_cast<float>(row * grid.spacing));
+        const Vec2f wanted(to[2 * node], to[2 * node + 1]);
+        Vec2f found = wanted - Vec2f(from[2 * node], from[2 * node + 1]);
+        for (int iteration = 0; iteration < iterations && !found.isZero(0); ++iteration)
+            found = wanted - warpAt(from, grid, place + found);
+        between[2 * node] = found.x();
+        between[2 * node + 1] = found.y();
+    }
+    return between;
+}
+
+} // namespace quadrille
