@@ -31,7 +31,7 @@ struct FrameAppearances
 /// that nothing of what was captured is lost. The ends are the captured textures themselves; in between,
 /// gutters take the colours of the nearest covered texels.
 /// \param charts  of the model's texels. \param weight  of the second, 0 … 1. \pre Both pictures have the
-/// atlas's size. Cost: 7 ms for 1024² of which half of the texels are used (bench_appearancemodel).
+/// atlas's size. Cost: that of two to three decodes (bench_appearancemodel).
 Image blendedTexture(const AppearanceDecoder& decoder, const ChartLookup& charts,
                      const AppearanceCoefficients& first, const Image& firstTexture,
                      const AppearanceCoefficients& second, const Image& secondTexture, double weight);

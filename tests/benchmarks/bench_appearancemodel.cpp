@@ -185,6 +185,7 @@ void compareByOpenCv(benchmark::State& state)
 BENCHMARK(decode)->Arg(20)->Arg(50)->Unit(benchmark::kMillisecond);
 BENCHMARK(decodePlainly)->Arg(20)->Arg(50)->Unit(benchmark::kMillisecond);
 BENCHMARK(decodeAllTexelsPlainly)->Arg(20)->Arg(50)->Unit(benchmark::kMillisecond);
+BENCHMARK(blend)->Arg(20)->Arg(50)->Unit(benchmark::kMillisecond);
 BENCHMARK(decodeReduced)->Arg(50)->Unit(benchmark::kMillisecond);
 BENCHMARK(projectTexture)->Arg(50)->Unit(benchmark::kMillisecond);
 BENCHMARK(complete)->Arg(50)->Unit(benchmark::kMillisecond);
