@@ -185,34 +185,41 @@ std::uint32_t AppearanceDecoder::carefulTexel(const std::uint32_t* aligned, cons
     return aligned[placeOf(from.x(), from.y())];
 }
 
-void AppearanceDecoder::dealign(DecodeScratch& scratch, Image& texture) const
+int AppearanceDecoder::lookUp(const std::vector<std::uint32_t>& aligned, const Run& run, int done,
+                              const RowWarp& warp, LookedUp& texels) const
 {
     const UsedTexels& used = m_model->texels;
-    RowWarp warp(m_model->grid, scratch.warp, used.width, scratch.rows);
-    RowLookup lookup{.plane = scratch.aligned.data(),
-                     .stride = used.width + 1,
-                     .lastX = used.width - 1,
-                     .lastY = used.height - 1};
+    const RowLookup lookup{.plane = aligned.data(),
+                           .stride = used.width + 1,
+                           .lastX = used.width - 1,
+                           .lastY = used.height - 1,
+                           .x = run.x + done,
+                           .y = run.y,
+                           .count = std::min(lookupsAtOnce, run.length - done)};
+    const WarpRows rows = warp.at(lookup.x);
     alignas(64) std::array<std::int32_t, lookupsAtOnce> places;
-    alignas(64) std::array<std::uint32_t, lookupsAtOnce> texels;
+    lookUpRow(lookup, rows, places.data(), texels.data());
+    for (int i = 0; i < lookup.count; ++i) {
+        const auto n = static_cast<std::size_t>(i);
+        if (m_quads[static_cast<std::size_t>(places[n])] == run.chart)
+            continue;
+        const Vec2f offset(rows.x[0][i] + rows.weight * (rows.x[1][i] - rows.x[0][i]),
+                           rows.y[0][i] + rows.weight * (rows.y[1][i] - rows.y[0][i]));
+        texels[n] = carefulTexel(aligned.data(), run, done + i, offset);
+    }
+    return lookup.count;
+}
+
+void AppearanceDecoder::dealign(DecodeScratch& scratch, Image& texture) const
+{
+    RowWarp warp(m_model->grid, scratch.warp, m_model->texels.width, scratch.rows);
+    alignas(64) LookedUp texels;
     for (const Run& run : m_runs) {
         warp.moveTo(run.y);
         for (int done = 0; done < run.length; done += lookupsAtOnce) {
-            lookup.x = run.x + done;
-            lookup.y = run.y;
-            lookup.count = std::min(lookupsAtOnce, run.length - done);
-            const WarpRows rows = warp.at(lookup.x);
-            lookUpRow(lookup, rows, places.data(), texels.data());
-            for (int i = 0; i < lookup.count; ++i) {
-                const auto n = static_cast<std::size_t>(i);
-                if (m_quads[static_cast<std::size_t>(places[n])] == run.chart)
-                    continue;
-                const Vec2f offset(rows.x[0][i] + rows.weight * (rows.x[1][i] - rows.x[0][i]),
-                                   rows.y[0][i] + rows.weight * (rows.y[1][i] - rows.y[0][i]));
-                texels[n] = carefulTexel(scratch.aligned.data(), run, done + i, offset);
-            }
-            std::memcpy(texture.pixel(lookup.x, lookup.y), texels.data(),
-                        sizeof(std::uint32_t) * static_cast<std::size_t>(lookup.count));
+            const int count = lookUp(scratch.aligned, run, done, warp, texels);
+            std::memcpy(texture.pixel(run.x + done, run.y), texels.data(),
+                        sizeof(std::uint32_t) * static_cast<std::size_t>(count));
         }
     }
 }
@@ -261,24 +268,43 @@ Image AppearanceDecoder::decodeAligned(std::span<const float> textures) const
     return texture;
 }
 
-Image AppearanceDecoder::dealigned(std::span<const std::uint8_t> aligned, std::span<const float> warp,
-                                   Image background) const
+std::vector<std::uint32_t> AppearanceDecoder::planeOf(std::span<const std::uint8_t> colours) const
 {
-    assert(aligned.size() == 3 * m_places.size());
-    assert(background.width == m_model->texels.width && background.height == m_model->texels.height);
-    assert(static_cast<std::int64_t>(warp.size()) == 2 * m_model->grid.nodes());
-    DecodeScratch scratch;
-    scratch.aligned.resize(m_charts.size());
-    const std::uint8_t* colour = aligned.data();
+    assert(colours.size() == 3 * m_places.size());
+    std::vector<std::uint32_t> plane(m_charts.size());
+    const std::uint8_t* colour = colours.data();
     for (const std::uint32_t place : m_places) {
-        scratch.aligned[place] = 0xFF000000U | static_cast<std::uint32_t>(colour[0]) |
-                                 static_cast<std::uint32_t>(colour[1]) << 8 |
-                                 static_cast<std::uint32_t>(colour[2]) << 16;
+        plane[place] = 0xFF000000U | static_cast<std::uint32_t>(colour[0]) |
+                       static_cast<std::uint32_t>(colour[1]) << 8 |
+                       static_cast<std::uint32_t>(colour[2]) << 16;
         colour += 3;
     }
-    scratch.warp.assign(warp.begin(), warp.end());
-    dealign(scratch, background);
-    return background;
+    return plane;
+}
+
+void AppearanceDecoder::mixDealigned(const AlignedTexture& first, const AlignedTexture& second, float weight,
+                                     Image& texture) const
+{
+    const UsedTexels& used = m_model->texels;
+    assert(texture.width == used.width && texture.height == used.height);
+    assert(std::ssize(first.warp) == 2 * m_model->grid.nodes() && first.warp.size() == second.warp.size());
+    const std::array planes{planeOf(first.colours), planeOf(second.colours)};
+    std::array<std::vector<float>, 2> rows;
+    RowWarp ofFirst(m_model->grid, first.warp, used.width, rows[0]);
+    RowWarp ofSecond(m_model->grid, second.warp, used.width, rows[1]);
+    alignas(64) LookedUp firstTexels;
+    alignas(64) LookedUp secondTexels;
+    for (const Run& run : m_runs) {
+        ofFirst.moveTo(run.y);
+        ofSecond.moveTo(run.y);
+        for (int done = 0; done < run.length; done += lookupsAtOnce) {
+            const int count = lookUp(planes[0], run, done, ofFirst, firstTexels);
+            lookUp(planes[1], run, done, ofSecond, secondTexels);
+            mixBytes(reinterpret_cast<const std::uint8_t*>(firstTexels.data()),
+                     reinterpret_cast<const std::uint8_t*>(secondTexels.data()), weight, 4 * count,
+                     texture.pixel(run.x + done, run.y));
+        }
+    }
 }
 
 } // namespace quadrille

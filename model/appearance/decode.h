@@ -3,8 +3,10 @@
 #pragma once
 
 #include "model/appearance/appearancemodel.h"
+#include "model/appearance/decodekernels.h"
 #include "model/core/image.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -17,6 +19,13 @@ struct DecodeScratch
     std::vector<std::uint32_t> aligned; ///< the aligned texture, R G B A, with a column and a row more
     std::vector<float> warp;            ///< 2 values per node
     std::vector<float> rows;            ///< warps of the texels of two rows of nodes
+};
+
+/// An aligned texture, and what moves it.
+struct AlignedTexture
+{
+    std::span<const std::uint8_t> colours; ///< R, G, B of each used texel
+    std::span<const float> warp;           ///< 2 values per node
 };
 
 /// Makes textures of an AppearanceModel's coefficients: about 4 ms for 1024² with 20 components of textures
@@ -40,11 +49,11 @@ public:
     /// The aligned texture, without a warp.
     Image decodeAligned(std::span<const float> textures) const;
 
-    /// A texture de-aligned by any warp, such as one that was estimated, looked up as above.
-    /// \param aligned  R, G, B per used texel. \param warp  2 values per node. \param background  what is not
-    /// used is its. \pre The background has the atlas's size.
-    Image dealigned(std::span<const std::uint8_t> aligned, std::span<const float> warp,
-                    Image background) const;
+    /// Two textures, each de-aligned by a warp of its own, looked up as above, and mixed.
+    /// \param weight  of the second, 0 … 1. \param texture  its used texels are replaced. \pre It has the
+    /// atlas's size.
+    void mixDealigned(const AlignedTexture& first, const AlignedTexture& second, float weight,
+                      Image& texture) const;
 
 private:
     /// Used texels of a chart one beside the other.
@@ -56,8 +65,13 @@ private:
         std::uint16_t chart = 0; ///< from 1 on
     };
     class RowWarp;
+    using LookedUp = std::array<std::uint32_t, lookupsAtOnce>;
 
     void align(std::span<const float> coefficients, DecodeScratch& scratch) const;
+    /// Up to lookupsAtOnce texels of a run. \param done  of its texels. \return how many they are.
+    int lookUp(const std::vector<std::uint32_t>& aligned, const Run& run, int done, const RowWarp& warp,
+               LookedUp& texels) const;
+    std::vector<std::uint32_t> planeOf(std::span<const std::uint8_t> colours) const;
     void dealign(DecodeScratch& scratch, Image& texture) const;
     std::uint32_t carefulTexel(const std::uint32_t* aligned, const Run& run, int column, Vec2f offset) const;
     void copyUsed(const DecodeScratch& scratch, Image& texture) const;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/appearance/warpgrid.h"
+
 #include <cstdint>
 
 namespace quadrille {
@@ -38,5 +40,8 @@ struct RowLookup
 
 /// Texels at x + warp(x), bilinear. \param places  where in the plane the upper left one of the four lies.
 void lookUpRow(const RowLookup& lookup, const WarpRows& warp, std::int32_t* places, std::uint32_t* texels);
+
+/// A row of warpBetween. \param from  all nodes. \param to, between  of the row.
+void warpRowBetween(const float* from, const float* to, const WarpGrid& grid, int row, float* between);
 
 } // namespace quadrille

@@ -34,32 +34,25 @@ struct ModelTextures::Opened
     ChartLookup charts;
 };
 
-namespace {
-
-Image mixed(const Image& first, const Image& second, double weight)
-{
-    Image picture(first.width, first.height);
-    mixBytes(first.pixels.data(), second.pixels.data(), static_cast<float>(weight),
-             std::ssize(picture.pixels), picture.pixels.data());
-    return picture;
-}
-
-} // namespace
-
 Image blendedTexture(const AppearanceDecoder& decoder, const ChartLookup& charts,
                      const AppearanceCoefficients& first, const Image& firstTexture,
                      const AppearanceCoefficients& second, const Image& secondTexture, double weight)
 {
     const AppearanceModel& model = decoder.model();
-    Image still = mixed(firstTexture, secondTexture, weight);
+    const auto ofSecond = static_cast<float>(weight);
+    Image blended = firstTexture;
+    mixBytes(firstTexture.pixels.data(), secondTexture.pixels.data(), ofSecond, std::ssize(blended.pixels),
+             blended.pixels.data());
     if (model.warps.count == 0 || weight <= 0 || weight >= 1)
-        return still;
+        return blended;
     const std::vector<float> wanted = combined(model.warps, interpolated(first, second, weight).warps);
-    const auto moved = [&](const AppearanceCoefficients& from, const Image& texture) {
-        return decoder.dealigned(charts.colours(texture),
-                                 warpBetween(combined(model.warps, from.warps), wanted, model.grid), still);
+    const auto warpFrom = [&](const AppearanceCoefficients& from) {
+        return warpBetween(combined(model.warps, from.warps), wanted, model.grid);
     };
-    return mixed(moved(first, firstTexture), moved(second, secondTexture), weight);
+    const std::array colours{charts.colours(firstTexture), charts.colours(secondTexture)};
+    const std::array warps{warpFrom(first), warpFrom(second)};
+    decoder.mixDealigned({colours[0], warps[0]}, {colours[1], warps[1]}, ofSecond, blended);
+    return blended;
 }
 
 ModelTextures::ModelTextures(std::function<std::optional<FrameAppearances>()> open) : m_open(std::move(open))

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/appearance/warpgrid.h"
 
+#include "model/appearance/decodekernels.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -29,23 +31,10 @@ Vec2f warpAt(std::span<const float> nodes, const WarpGrid& grid, const Vec2f& pl
 
 std::vector<float> warpBetween(std::span<const float> from, std::span<const float> to, const WarpGrid& grid)
 {
-    constexpr int iterations = 4;       // each leaves as much of the error as the warp stretches
-    constexpr float nearEnough = 0.01F; // texels
     std::vector<float> between(to.size());
-    for (std::size_t node = 0; node < between.size() / 2; ++node) {
-        const auto column = static_cast<int>(node % static_cast<std::size_t>(grid.width));
-        const auto row = static_cast<int>(node / static_cast<std::size_t>(grid.width));
-        const Vec2f place(static_cast<float>(column * grid.spacing), static_cast<float>(row * grid.spacing));
-        const Vec2f wanted(to[2 * node], to[2 * node + 1]);
-        Vec2f found = wanted - Vec2f(from[2 * node], from[2 * node + 1]);
-        Vec2f change = found;
-        for (int i = 0; i < iterations && change.squaredNorm() > nearEnough * nearEnough; ++i) {
-            const Vec2f next = wanted - warpAt(from, grid, place + found);
-            change = next - found;
-            found = next;
-        }
-        between[2 * node] = found.x();
-        between[2 * node + 1] = found.y();
+    for (int row = 0; row < grid.height; ++row) {
+        const auto begin = 2 * static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width);
+        warpRowBetween(from.data(), to.data() + begin, grid, row, between.data() + begin);
     }
     return between;
 }

@@ -145,7 +145,7 @@ TEST(AppearanceDecoder, ShowsAlignedTexelsWithoutAWarp)
               decoder.decodeAligned({}));
 }
 
-TEST(AppearanceDecoder, DealignsAGivenTexture)
+TEST(AppearanceDecoder, MixesGivenTexturesDealigned)
 {
     const auto model = sharedModel(randomSpaces(texelsOfDiscs(50, 50, {{25, 25, 20}}), {}, 3));
     const AppearanceDecoder decoder(model);
@@ -154,8 +154,16 @@ TEST(AppearanceDecoder, DealignsAGivenTexture)
     std::vector<std::uint8_t> aligned;
     for (const std::uint32_t texel : model->texels.texels)
         aligned.insert(aligned.end(), &texture.pixels[4 * texel], &texture.pixels[4 * texel] + 3);
-    EXPECT_EQ(decoder.dealigned(aligned, combined(model->warps, frame.warps), decoder.decode({})),
-              decoder.decode(frame));
+    const std::vector<float> warp = combined(model->warps, frame.warps);
+    const std::vector<float> other = combined(model->warps, {});
+    const std::vector<std::uint8_t> black(aligned.size(), 0);
+    const Image expected = decoder.decode(frame);
+    Image mixed = decoder.decode({});
+    decoder.mixDealigned({aligned, warp}, {black, other}, 0, mixed);
+    EXPECT_EQ(mixed, expected);
+    decoder.mixDealigned({black, other}, {aligned, warp}, 0.5F, mixed);
+    for (const std::uint32_t texel : model->texels.texels)
+        EXPECT_EQ(mixed.pixels[4 * texel], (expected.pixels[4 * texel] + 1) / 2);
 }
 
 TEST(AppearanceDecoder, FillsTexelsThatAreNotUsed)
