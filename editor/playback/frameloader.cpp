@@ -5,6 +5,7 @@
 #include "editor/pictures/pictures.h"
 #include "model/core/mediacache.h"
 
+#include <QThread>
 #include <algorithm>
 
 namespace quadrille {
@@ -60,6 +61,11 @@ FrameLoader::~FrameLoader()
     m_available.notify_all();
     for (std::thread& thread : m_threads)
         thread.join();
+}
+
+int FrameLoader::usualThreads()
+{
+    return std::clamp(QThread::idealThreadCount() - 1, 2, 4);
 }
 
 int FrameLoader::addStream(const MeshSequence& sequence)

@@ -35,9 +35,12 @@ class FrameLoader : public QObject
 
 public:
     /// \param threads  all are started here.
-    explicit FrameLoader(QObject* parent = nullptr, int threads = 2);
+    explicit FrameLoader(QObject* parent = nullptr, int threads = usualThreads());
     /// Waits for the frames being read.
     ~FrameLoader() override;
+
+    /// All cores but the one that draws; at least 2, at most 4.
+    static int usualThreads();
 
     /// Makes a stream that shows a sequence. \return its number, from 1; none is used twice.
     int addStream(const MeshSequence& sequence);
