@@ -21,6 +21,7 @@
 #include "editor/welcome/welcomepage.h"
 #include "editor/workspaces/animate/animateworkspace.h"
 #include "editor/workspaces/animate/keysandstoryboard.h"
+#include "editor/workspaces/appearance/appearanceworkspace.h"
 #include "editor/workspaces/graph/graphworkspace.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editor/workspaces/variations/variationsworkspace.h"
@@ -126,6 +127,7 @@ void MainWindow::makeCentre()
     m_graph = new GraphWorkspace(m_context);
     m_animate = new AnimateWorkspace(m_context);
     m_variations = new VariationsWorkspace(m_context);
+    m_appearance = new AppearanceWorkspace(m_context);
     m_animate->keysAndStoryboard().setShownPose(
         [this] { return m_workspaces->currentWorkspace()->shownPose(); });
     m_strips = new ProjectStrips(m_context, *m_files);

@@ -15,6 +15,7 @@ class QTimer;
 namespace quadrille {
 
 class AnimateWorkspace;
+class AppearanceWorkspace;
 class ExportFlow;
 class GraphWorkspace;
 class HelpFlow;
@@ -61,6 +62,7 @@ public:
     GraphWorkspace& graph() { return *m_graph; }
     AnimateWorkspace& animate() { return *m_animate; }
     VariationsWorkspace& variations() { return *m_variations; }
+    AppearanceWorkspace& appearance() { return *m_appearance; }
     PictureFlow& pictures() { return *m_pictures; }
     ProjectFiles& files() { return *m_files; }
     ProjectStrips& strips() { return *m_strips; }
@@ -109,6 +111,7 @@ private:
     GraphWorkspace* m_graph = nullptr;
     AnimateWorkspace* m_animate = nullptr;
     VariationsWorkspace* m_variations = nullptr;
+    AppearanceWorkspace* m_appearance = nullptr;
     PictureFlow* m_pictures = nullptr;
     QList<QDockWidget*> m_docks;
     QDockWidget* m_propertiesDock = nullptr;

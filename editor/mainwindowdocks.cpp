@@ -14,6 +14,7 @@
 #include "editor/mainwindow.h"
 #include "editor/properties/propertiespanel.h"
 #include "editor/workspaces/animate/animateworkspace.h"
+#include "editor/workspaces/appearance/appearanceworkspace.h"
 #include "editor/workspaces/graph/graphworkspace.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editor/workspaces/variations/variationsworkspace.h"
@@ -117,6 +118,8 @@ void MainWindow::makeWorkspaces()
         "animate", [] { return tr("&Animate"); }, m_animate);
     add(
         "variations", [] { return tr("&Variations"); }, m_variations);
+    add(
+        "appearance", [] { return tr("A&ppearance"); }, m_appearance);
 }
 
 void MainWindow::makeMenus()

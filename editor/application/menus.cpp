@@ -19,6 +19,7 @@ Menus::Menus(EditorContext& context, QMainWindow& window)
     addGraph();
     addAnimate();
     addVariations();
+    addAppearance();
     addMenu("playbackMenu", [] { return tr("&Playback"); },
             {"play.toggle",
              "",
@@ -67,9 +68,9 @@ void Menus::addFile()
 
 void Menus::addView()
 {
-    m_view =
-        addMenu("viewMenu", [] { return tr("&View"); },
-                {"workspace.sequences", "workspace.graph", "workspace.animate", "workspace.variations", ""});
+    m_view = addMenu("viewMenu", [] { return tr("&View"); },
+                     {"workspace.sequences", "workspace.graph", "workspace.animate", "workspace.variations",
+                      "workspace.appearance", ""});
     addSubmenu(*m_view, "shadingMenu", [] { return tr("&Shading"); },
                {"view.textured", "view.clay", "view.wire"});
     addSubmenu(*m_view, "showMenu", [] { return tr("Sho&w"); },
@@ -142,6 +143,16 @@ void Menus::addVariations()
     addSubmenu(*variations, "latentMenu", [] { return tr("&Latent space"); },
                {"variations.original", "variations.confidence", "variations.frameLatent"});
     fill(*variations, {"", "variations.export"});
+}
+
+void Menus::addAppearance()
+{
+    QMenu* appearance =
+        addMenu("appearanceMenu", [] { return tr("App&earance"); },
+                {"appearance.new", "appearance.duplicate", "", "appearance.build", "appearance.stop", ""});
+    addSubmenu(*appearance, "textureModeMenu", [] { return tr("Te&xture"); },
+               {"appearance.first", "appearance.second", "appearance.difference", "appearance.absolute",
+                "appearance.sideBySide", "appearance.swipe", "", "appearance.edges", "appearance.fit"});
 }
 
 void Menus::addLanguages()

@@ -40,6 +40,7 @@ private:
     void addGraph();
     void addAnimate();
     void addVariations();
+    void addAppearance();
     void addLanguages();
     void retranslate();
 

@@ -5,6 +5,7 @@
 #include "editor/context/actionregistry.h"
 #include "editor/context/settings.h"
 #include "editor/documents/animationresults.h"
+#include "editor/documents/appearanceresults.h"
 #include "editor/documents/bodyproblems.h"
 #include "editor/documents/evaluationresults.h"
 #include "editor/documents/graphresults.h"
@@ -31,7 +32,13 @@ struct EditorContext
         , animations(document, graphs, jobs)
         , variations(document, jobs)
         , evaluations(document, jobs)
+        , appearances(document, jobs)
     {
+        // Clips have the textures of a model; those of animations follow their graph.
+        QObject::connect(&appearances, &AppearanceResults::texturesMade, &media, &SequenceMedia::refresh);
+        QObject::connect(&appearances, &AppearanceResults::texturesMade, &graphs, &GraphResults::reopen);
+        QObject::connect(&appearances, &AppearanceResults::texturesMade, &variations,
+                         &VariationResults::reopen);
         languages.setLanguage(settings.language());
     }
 
@@ -47,6 +54,7 @@ struct EditorContext
     AnimationResults animations;
     VariationResults variations;
     EvaluationResults evaluations;
+    AppearanceResults appearances;
     BodyProblems bodies;
 };
 

@@ -54,6 +54,8 @@ ProjectTreeModel::EntryStatus statusOf(const EditorContext& context, const Entry
         return statusOf(context.animations.resultState(entry.name));
     if (entry.section == Section::Variations)
         return statusOf(context.variations.resultState(entry.name));
+    if (entry.section == Section::Appearances)
+        return statusOf(context.appearances.resultState(entry.name));
     if (entry.section == Section::BodyParts) {
         const QString problem = context.bodies.problemOf(entry.name);
         return {.state = problem.isEmpty() ? EntryState::Fresh : EntryState::Failed, .problem = problem};
@@ -105,6 +107,9 @@ ProjectPanel::ProjectPanel(EditorContext& context, QWidget* parent)
     });
     connect(&context.variations, &VariationResults::changed, this, [this](const QString& name) {
         m_model->updateStatus({Section::Variations, name});
+    });
+    connect(&context.appearances, &AppearanceResults::changed, this, [this](const QString& name) {
+        m_model->updateStatus({Section::Appearances, name});
     });
     connect(&context.evaluations, &EvaluationResults::changed, this, [this](const QString& name) {
         m_model->updateStatus({Section::Evaluations, name});

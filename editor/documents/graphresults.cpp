@@ -55,6 +55,15 @@ void GraphResults::ask(const QString& character)
         open(character, *item);
 }
 
+void GraphResults::reopen()
+{
+    for (const auto& [character, state] : states()) {
+        Item& item = static_cast<Item&>(*state);
+        if (item.opened != nullptr)
+            open(character, item);
+    }
+}
+
 void GraphResults::follow(const ChangeEvent& event)
 {
     WantedResults::follow(event);

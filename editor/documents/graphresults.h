@@ -34,6 +34,8 @@ public:
     /// Computes the graph of a character where it is missing or failed, and keeps it up to date. It is, until
     /// the user stops such a job. Nothing happens for a character without sequences.
     void ask(const QString& character);
+    /// Opens again what is open: the takes of a graph have other textures.
+    void reopen();
 
 private:
     /// All of a project that a graph depends on.

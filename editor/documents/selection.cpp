@@ -28,6 +28,8 @@ void Selection::select(const EntryRef& entry)
     m_sequences.clear();
     if (entry.section == Section::Variations && !entry.name.isEmpty())
         m_shownVariation = entry.name;
+    if (entry.section == Section::Appearances && !entry.name.isEmpty())
+        m_shownAppearance = entry.name;
     emit changed();
 }
 
@@ -77,6 +79,8 @@ void Selection::showExisting()
         m_shown = first(m_document.project().sequences);
     if (m_document.variation(m_shownVariation) == nullptr)
         m_shownVariation = first(m_document.project().variations);
+    if (findAppearance(m_document.project(), m_shownAppearance.toStdString()) == nullptr)
+        m_shownAppearance = first(m_document.project().appearances);
     m_animations.removeIf([this](const QString& name) { return m_document.animation(name) == nullptr; });
     if (m_document.animation(m_shownAnimation) == nullptr)
         m_shownAnimation =
@@ -101,6 +105,8 @@ void Selection::rename(const ChangeEvent& event)
     }
     if (event.entry.section == Section::Variations && m_shownVariation == event.before)
         m_shownVariation = event.entry.name;
+    if (event.entry.section == Section::Appearances && m_shownAppearance == event.before)
+        m_shownAppearance = event.entry.name;
 }
 
 void Selection::follow(const ChangeEvent& event)
@@ -111,6 +117,7 @@ void Selection::follow(const ChangeEvent& event)
         const QString shownBefore = m_shown;
         const QString animationBefore = m_shownAnimation;
         const QString variationBefore = m_shownVariation;
+        const QString appearanceBefore = m_shownAppearance;
         const auto animationsBefore = m_animations.size();
         const auto countBefore = m_sequences.size();
         m_sequences.removeIf([this](const QString& name) { return m_document.sequence(name) == nullptr; });
@@ -120,7 +127,7 @@ void Selection::follow(const ChangeEvent& event)
             m_current = m_sequences.isEmpty() ? EntryRef{} : EntryRef{Section::Sequences, m_sequences.back()};
         if (!currentIsThere || m_shown != shownBefore || m_sequences.size() != countBefore ||
             m_shownAnimation != animationBefore || m_shownVariation != variationBefore ||
-            m_animations.size() != animationsBefore)
+            m_shownAppearance != appearanceBefore || m_animations.size() != animationsBefore)
             emit changed();
     }
 }

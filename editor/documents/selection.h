@@ -23,8 +23,8 @@ public:
     /// The selected sequences in the order of selecting; the current one is among them.
     const QStringList& sequences() const { return m_sequences; }
     /// The sequence that the viewport and the timeline show: the last one selected that still exists. Where
-    /// that one goes, the first of the project; empty in a project without any. So for animations and
-    /// variations.
+    /// that one goes, the first of the project; empty in a project without any. So for animations, variations
+    /// and models of appearance.
     const QString& shownSequence() const { return m_shown; }
     /// The selected animations in the order of selecting; those of the last time one was selected.
     const QStringList& animations() const { return m_animations; }
@@ -32,6 +32,8 @@ public:
     const QString& shownAnimation() const { return m_shownAnimation; }
     /// The variations that their workspace works on: the last ones selected that still exist.
     const QString& shownVariation() const { return m_shownVariation; }
+    /// The model of appearance that its workspace works on: the last one selected that still exists.
+    const QString& shownAppearance() const { return m_shownAppearance; }
 
     /// A sequence or an animation becomes the only one selected of its kind. Selecting anything but sequences
     /// lets go of these. `changed` is told where the selection is another.
@@ -61,6 +63,7 @@ private:
     QStringList m_animations;
     QString m_shownAnimation;
     QString m_shownVariation;
+    QString m_shownAppearance;
 };
 
 } // namespace quadrille

@@ -7,6 +7,7 @@
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
 #include "model/project/steps/resultsession.h"
+#include "model/project/store/appearanceresult.h"
 #include "model/project/store/resultplaces.h"
 #include "model/project/store/resultstore.h"
 
@@ -108,16 +109,25 @@ SequenceMedia::Source SequenceMedia::sourceOf(const SequenceEntry& entry) const
         if (!source.parts->animations.empty() || !source.parts->variations.empty())
             source.results = cacheFolder(document().workingFile());
         const ResultStore store(source.results);
+        const auto addTime = [&](const std::string& step) {
+            std::error_code missing;
+            source.computed.push_back(std::filesystem::last_write_time(store.fileOf(step), missing));
+        };
         const auto addClip = [&](const std::string& made) {
-            for (const std::string& scene : clipStepsOf(*source.parts, made)) {
-                std::error_code missing;
-                source.computed.push_back(std::filesystem::last_write_time(store.fileOf(scene), missing));
-            }
+            for (const std::string& scene : clipStepsOf(*source.parts, made))
+                addTime(scene);
         };
         for (const AnimationEntry& animation : source.parts->animations)
             addClip("animations/" + animation.name);
         for (const VariationEntry& variation : source.parts->variations)
             addClip("variations/" + variation.name);
+        // Frames between captured ones have textures of a model, whatever that is made of.
+        for (const AppearanceEntry& appearance : document().project().appearances) {
+            source.parts->appearances.push_back({.name = appearance.name, .character = appearance.character});
+            addTime(appearanceModelStep(appearance.name));
+            addTime(appearanceCompletionsStep(appearance.name));
+        }
+        source.folder = document().workingFile().parent_path();
     }
     source.settings.fps = document().project().settings.fps;
     source.settings.axes = document().project().settings.axes;
@@ -159,7 +169,8 @@ std::shared_ptr<const OpenedSequence> SequenceMedia::openWhole(const Source& sou
         return sources->open(source.entry, &source.character, source.settings, {}, progress);
     Project project = *source.parts;
     project.sequences.push_back(source.entry);
-    return SequenceOpener(std::move(project), {}, source.results, sources).open(source.entry.name, progress);
+    return SequenceOpener(std::move(project), source.folder, source.results, sources)
+        .open(source.entry.name, progress);
 }
 
 void SequenceMedia::open(const QString& name, Item& item)

@@ -59,7 +59,9 @@ private:
         ProjectSettings settings;
         std::optional<Project> parts; ///< that it is a clip of
         std::filesystem::path results;
-        /// When the clips of animations that it shows were computed; the least time for those that were not.
+        std::filesystem::path folder; ///< that names of files in results are relative to
+        /// When clips that it shows, and the models of their textures, were computed; the least time for
+        /// those that were not.
         std::vector<std::filesystem::file_time_type> computed;
         bool operator==(const Source&) const = default;
     };

@@ -167,6 +167,18 @@ void VariationResults::retry(const QString& name)
     update(name, *item);
 }
 
+void VariationResults::reopen()
+{
+    for (const auto& [name, state] : states()) {
+        Item& item = static_cast<Item&>(*state);
+        if (item.opened == nullptr || item.does(Work::Learning) || item.does(Work::Opening))
+            continue;
+        item.stopped = item.isStopped ? item.learned : nullptr;
+        item.basis.reset();
+    }
+    updateSoon();
+}
+
 void VariationResults::stop(const QString& name)
 {
     Item* const item = find<Item>(name);

@@ -63,6 +63,8 @@ public:
     void retry(const QString& name);
     /// Others may have learned to the end what was stopped here: it is taken from beside the project.
     void readStopped();
+    /// Opens again what is open: the takes have other textures. What is being learned goes on.
+    void reopen();
 
 private:
     struct Item;

@@ -12,7 +12,7 @@ AppearancePage::AppearancePage(EditorContext& context)
     : EntryPage(context,
                 {.section = Section::Appearances,
                  .name = "appearance",
-                 .workspace = nullptr,
+                 .workspace = "workspace.appearance",
                  .characterTip =
                      [] {
                          return tr(

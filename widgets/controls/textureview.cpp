@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <algorithm>
@@ -126,6 +127,7 @@ void TextureView::setScale(double scale, const QPointF& origin)
         return;
     viewChanged();
     emit zoomChanged(zoom());
+    emit viewMoved();
 }
 
 void TextureView::zoomAbout(const QPointF& position, double factor)
@@ -157,6 +159,17 @@ void TextureView::moveBy(const QPointF& distance)
     m_origin += distance;
     keepInView();
     viewChanged();
+    emit viewMoved();
+}
+
+void TextureView::showLike(const TextureView& other)
+{
+    const QSignalBlocker quiet(this);
+    m_isFitted = other.m_isFitted;
+    if (m_isFitted)
+        fit();
+    else
+        setScale(other.m_scale, other.m_origin);
 }
 
 /// Some of the texture always covers the middle of the view.

@@ -58,6 +58,8 @@ public:
     void fit();
     /// A pixel of the texture for each of the screen.
     void showActualSize();
+    /// Shows the same part of its texture as another view of one size does.
+    void showLike(const TextureView& other);
 
     /// Where texture coordinates are drawn, in logical pixels of this widget; uvAt() is the way back.
     QPointF positionOf(const QPointF& uv) const;
@@ -70,6 +72,8 @@ public:
 
 signals:
     void zoomChanged(double zoom);
+    /// The user or `fit` moved or zoomed the texture; not `showLike`.
+    void viewMoved();
     /// The pointer is over the texture.
     void hovered(const QPointF& uv, const QPoint& pixel);
     /// The pointer has left the texture.
@@ -87,9 +91,15 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
+    /// Where the texture lies, in logical pixels of this widget.
+    QRectF textureRect() const;
+    /// Draws a picture of the texture's size in its place, what is seen of it.
+    void paintPicture(QPainter& painter, const TexturePicture& picture) const;
+    /// Drawn over the picture and below edges.
+    virtual void paintOver(QPainter& /*painter*/) {}
+
 private:
     QSizeF textureSize() const;
-    QRectF textureRect() const;
     double fittingScale() const;
     void setScale(double scale, const QPointF& origin);
     void moveBy(const QPointF& distance);
@@ -99,7 +109,6 @@ private:
     bool mayMove(int key) const;
     void reportHover(const QPointF& position);
     void paintContent(QPainter& painter);
-    void paintPicture(QPainter& painter) const;
     void paintPixelGrid(QPainter& painter) const;
     void updateEdgeImage();
 

@@ -63,7 +63,8 @@ void TextureView::paintContent(QPainter& painter)
 {
     paintChecker(painter, textureRect().intersected(QRectF(rect())));
     if (!m_picture.image.isNull())
-        paintPicture(painter);
+        paintPicture(painter, m_picture);
+    paintOver(painter);
     if (m_scale >= gridZoom && !m_picture.image.isNull())
         paintPixelGrid(painter);
     painter.setPen(QPen(Theme::color(ColorRole::Line), 0));
@@ -76,12 +77,12 @@ void TextureView::paintContent(QPainter& painter)
 }
 
 /// Draws only what is seen: coordinates beyond the view would be too large for the painter.
-void TextureView::paintPicture(QPainter& painter) const
+void TextureView::paintPicture(QPainter& painter, const TexturePicture& picture) const
 {
     const double reduction = 1 / zoom();
     const auto wanted = static_cast<std::size_t>(reduction < 2 ? 0.0 : std::floor(std::log2(reduction)));
-    const std::size_t level = std::min(wanted, m_picture.halves.size());
-    const QImage& image = level == 0 ? m_picture.image : m_picture.halves[level - 1];
+    const std::size_t level = std::min(wanted, picture.halves.size());
+    const QImage& image = level == 0 ? picture.image : picture.halves[level - 1];
     const QRectF place = textureRect();
     const double across = image.width() / place.width();
     const double down = image.height() / place.height();

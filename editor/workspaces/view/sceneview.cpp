@@ -86,11 +86,19 @@ void SceneView::arrangeWidgets()
     m_lower->addWidget(m_bar);
     m_lower->addWidget(m_timeline, 1);
     auto* splitter = new QSplitter(Qt::Vertical);
-    splitter->addWidget(upper);
+    m_beside = new QSplitter(Qt::Horizontal);
+    m_beside->addWidget(upper);
+    splitter->addWidget(m_beside);
     splitter->addWidget(lower);
     splitter->setStretchFactor(0, 1);
     splitter->setCollapsible(0, false);
     columnOf(this)->addWidget(splitter);
+}
+
+void SceneView::addBeside(QWidget* widget)
+{
+    m_beside->addWidget(widget);
+    m_beside->setChildrenCollapsible(false);
 }
 
 void SceneView::connectPlayback()

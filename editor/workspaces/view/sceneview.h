@@ -9,6 +9,7 @@
 
 #include <QWidget>
 
+class QSplitter;
 class QVBoxLayout;
 
 namespace quadrille {
@@ -41,6 +42,8 @@ public:
     ViewTools& tools() { return *m_tools; }
     /// Puts a widget below the timeline. It becomes the view's.
     void addBelowTimeline(QWidget* widget);
+    /// Puts a widget at the right of the viewport, above the timeline. It becomes the view's.
+    void addBeside(QWidget* widget);
 
     /// Shows these clips; the last is what following and framing are about unless setCurrent says another.
     void show(const QStringList& names);
@@ -108,6 +111,7 @@ private:
     widgets::MessageStrip* m_message;
     ViewTools* m_tools;
     QVBoxLayout* m_lower = nullptr;
+    QSplitter* m_beside = nullptr;
     QString m_current;
     bool m_namesShown = true;
     bool m_follows = false;

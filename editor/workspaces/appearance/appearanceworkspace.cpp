@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/appearance/appearanceworkspace.h"
+
+#include "editor/context/editorcontext.h"
+#include "editor/errors/errortext.h"
+#include "editor/language/retranslate.h"
+#include "editor/workspaces/appearance/appearancebar.h"
+#include "editor/workspaces/appearance/currentappearance.h"
+#include "editor/workspaces/appearance/showntexture.h"
+#include "editor/workspaces/appearance/texturecomparison.h"
+#include "widgets/controls/messagestrip.h"
+
+#include <QAction>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace quadrille {
+
+AppearanceWorkspace::AppearanceWorkspace(EditorContext& context, QWidget* parent)
+    : Workspace(parent)
+    , m_context(context)
+    , m_view(new SceneView(context, source(), QStringLiteral("appearance")))
+    , m_appearance(new CurrentAppearance(context, *m_view, this))
+    , m_shown(new ShownTexture(*m_appearance, this))
+    , m_comparison(new TextureComparison(*m_shown))
+{
+    setObjectName(QStringLiteral("appearanceWorkspace"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(new AppearanceBar(*m_appearance));
+    column->addWidget(m_view, 1);
+    m_view->addBeside(m_comparison);
+    makePanels();
+    connect(m_appearance, &CurrentAppearance::changed, this, &AppearanceWorkspace::follow);
+    connect(m_appearance, &CurrentAppearance::resultChanged, this, &AppearanceWorkspace::showState);
+    connect(m_shown, &ShownTexture::dressChanged, this, &AppearanceWorkspace::followTake);
+    connect(&context.media, &SequenceMedia::changed, this,
+            [this](const QString& name) { scene().update(name); });
+    connect(m_view, &SceneView::sceneChanged, this,
+            [this] { m_view->timeline().setFrameCount(static_cast<int>(scene().frameCount())); });
+    connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this, [this] {
+        if (m_help != nullptr)
+            m_context.actions.action(QLatin1String(m_help))->trigger();
+    });
+    retranslates(this, [this] { showState(); });
+}
+
+ClipScene::Source AppearanceWorkspace::source()
+{
+    return {.clip = [this](const QString& name, bool) -> const MeshSequence* {
+                const MeshSequence* take = m_context.media.sequence(name);
+                if (take == nullptr)
+                    return nullptr;
+                m_dressed = m_shown->dressed(*take);
+                return &m_dressed;
+            },
+            .upAxis = [this] { return m_context.media.upAxis(); }};
+}
+
+void AppearanceWorkspace::makePanels() {}
+
+std::optional<NamedFrame> AppearanceWorkspace::shownPose()
+{
+    return m_appearance->frame();
+}
+
+void AppearanceWorkspace::setActive(bool active)
+{
+    m_isActive = active;
+    follow();
+}
+
+/// Models are read only while somebody looks.
+void AppearanceWorkspace::follow()
+{
+    if (!m_isActive)
+        return;
+    m_context.appearances.want(m_appearance->name().isEmpty() ? QStringList()
+                                                              : QStringList{m_appearance->name()});
+    const QString& take = m_context.selection.shownSequence();
+    const QStringList names = take.isEmpty() ? QStringList() : QStringList{take};
+    if (scene().shown() != names)
+        m_view->show(names);
+    showState();
+}
+
+void AppearanceWorkspace::followTake()
+{
+    for (const QString& name : QStringList(scene().shown()))
+        scene().update(name);
+}
+
+/// Says what is missing or went wrong, and offers what helps.
+void AppearanceWorkspace::showState()
+{
+    using Kind = widgets::MessageStrip::Kind;
+    const Project& project = m_context.document.project();
+    viewport().setNotice(project.sequences.empty()
+                             ? tr("Import sequences first: their textures are what is modelled.")
+                             : QString());
+    widgets::MessageStrip& message = m_view->message();
+    const AppearanceResults::State* state = m_appearance->resultState();
+    m_help = nullptr;
+    m_comparison->setEmpty(tr("The texture of the frame that is shown stands here."), nullptr);
+    if (project.sequences.empty()) {
+        message.clear();
+    } else if (m_appearance->hasTextures() == false) {
+        const QString who = m_appearance->character();
+        message.show(Kind::Info,
+                     who.isEmpty() ? tr("No take has a texture for each frame, so there is nothing to model.")
+                                   : tr("No take of “%1” has a texture for each frame, so there is nothing "
+                                        "to model.")
+                                         .arg(who),
+                     tr("Select a take and choose a folder of textures in its properties: one picture for "
+                        "each of its frames."));
+        message.setAction({});
+    } else if (m_appearance->entry() == nullptr) {
+        m_help = "appearance.new";
+        message.show(
+            Kind::Info,
+            tr("Here the textures of a character are modelled: as Eigen textures, which are colours, "
+               "and Eigen warps, which move them."),
+            tr("Frames between captured ones then get sharp textures, and what is missing of one is "
+               "filled in."));
+        message.setAction(tr("New model"));
+    } else if (state != nullptr && state->phase == ResultPhase::Failed && state->error) {
+        const ErrorText text = describe(*state->error);
+        m_help = "appearance.build";
+        message.show(Kind::Error,
+                     text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where),
+                     text.remedy);
+        message.setAction(tr("Try again"));
+    } else if (state != nullptr && state->phase == ResultPhase::Stale && !state->hasModel()) {
+        m_help = "appearance.build";
+        message.show(Kind::Info, tr("“%1” is not built yet.").arg(m_appearance->name()),
+                     tr("It takes some seconds for each texture; you can go on working meanwhile."));
+        message.setAction(tr("Build"));
+    } else {
+        message.clear();
+    }
+}
+
+} // namespace quadrille
