@@ -150,6 +150,9 @@ void Menus::addAppearance()
     QMenu* appearance =
         addMenu("appearanceMenu", [] { return tr("App&earance"); },
                 {"appearance.new", "appearance.duplicate", "", "appearance.build", "appearance.stop", ""});
+    addSubmenu(*appearance, "completionsMenu", [] { return tr("&Completions"); },
+               {"appearance.paint", "appearance.clearMask", "", "appearance.addCompletion",
+                "appearance.removeCompletion", "", "appearance.complete"});
     addSubmenu(*appearance, "textureModeMenu", [] { return tr("Te&xture"); },
                {"appearance.first", "appearance.second", "appearance.difference", "appearance.absolute",
                 "appearance.sideBySide", "appearance.swipe", "", "appearance.edges", "appearance.fit"});

@@ -6,7 +6,12 @@
 #include "editor/errors/errortext.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/appearance/appearancebar.h"
+#include "editor/workspaces/appearance/betweenpanel.h"
+#include "editor/workspaces/appearance/coefficientspanel.h"
+#include "editor/workspaces/appearance/componentspanel.h"
 #include "editor/workspaces/appearance/currentappearance.h"
+#include "editor/workspaces/appearance/maskspanel.h"
+#include "editor/workspaces/appearance/qualitypanel.h"
 #include "editor/workspaces/appearance/showntexture.h"
 #include "editor/workspaces/appearance/texturecomparison.h"
 #include "widgets/controls/messagestrip.h"
@@ -59,7 +64,17 @@ ClipScene::Source AppearanceWorkspace::source()
             .upAxis = [this] { return m_context.media.upAxis(); }};
 }
 
-void AppearanceWorkspace::makePanels() {}
+void AppearanceWorkspace::makePanels()
+{
+    m_panels.push_back(
+        {"coefficientsDock", [] { return tr("Coefficients"); }, new CoefficientsPanel(*m_shown)});
+    m_panels.push_back({"componentsDock", [] { return tr("Components"); }, new ComponentsPanel(*m_shown)});
+    m_panels.push_back({"masksDock", [] { return tr("Masks"); }, new MasksPanel(*m_shown, *m_comparison)});
+    m_panels.push_back({"betweenDock", [] { return tr("Between"); }, new BetweenPanel(*m_shown)});
+    Panel quality{"qualityDock", [] { return tr("Quality"); }, new QualityPanel(*m_shown)};
+    quality.isLower = true;
+    m_panels.push_back(std::move(quality));
+}
 
 std::optional<NamedFrame> AppearanceWorkspace::shownPose()
 {

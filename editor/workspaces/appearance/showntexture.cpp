@@ -271,6 +271,9 @@ std::optional<TextureRequest> ShownTexture::request() const
             return std::nullopt;
         request.first = alongComponent(-componentReach);
         request.second = alongComponent(componentReach);
+        request.isWarp = m_component.space == Space::Warps && countOf(Space::Warps) > 0;
+        request.component =
+            std::min(m_component.index, countOf(request.isWarp ? Space::Warps : Space::Textures) - 1);
         return request;
     case TextureContent::Between:
         requestBetween(request);

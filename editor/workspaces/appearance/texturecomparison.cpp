@@ -227,8 +227,13 @@ void TextureComparison::refreshTools()
 {
     const QScopedValueRollback showing(m_isShowing, true);
     m_content->setCurrentIndex(static_cast<int>(m_shown.content()));
-    const std::array modes{sideText(true),     sideText(false), tr("Difference"), tr("Difference, absolute"),
-                           tr("Side by side"), tr("Swipe")};
+    const bool isComponent = m_shown.content() == TextureContent::Component;
+    const std::array modes{sideText(true),
+                           sideText(false),
+                           isComponent ? tr("Component") : tr("Difference"),
+                           isComponent ? tr("Component") : tr("Difference, absolute"),
+                           tr("Side by side"),
+                           tr("Swipe")};
     for (std::size_t i = 0; i < modes.size(); ++i)
         m_mode->setItemText(static_cast<int>(i), modes.at(i));
     m_mode->setCurrentIndex(static_cast<int>(m_shown.mode()));
@@ -323,7 +328,8 @@ void TextureComparison::showPair()
     const bool isBeside = mode == TextureMode::SideBySide;
     const bool isSwiped = mode == TextureMode::Swipe;
     m_right->setVisible(isBeside);
-    m_legend->setVisible(isDifference(mode) && hasDifference);
+    m_legend->setVisible(isDifference(mode) && hasDifference &&
+                         m_shown.content() != TextureContent::Component);
     m_legend->setRange(m_pair.range);
     m_view->setSides(isSwiped ? sideText(true) : QString(), isSwiped ? sideText(false) : QString());
     if (isDifference(mode) && hasDifference)

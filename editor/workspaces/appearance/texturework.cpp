@@ -3,6 +3,7 @@
 #include "editor/workspaces/appearance/texturework.h"
 
 #include "editor/pictures/pictures.h"
+#include "editor/workspaces/appearance/componentpictures.h"
 
 #include <algorithm>
 #include <array>
@@ -144,6 +145,13 @@ ShownPair makePair(const TextureRequest& request, const Progress& progress)
     if (second == nullptr)
         return pair;
     pair.second = widgets::prepareTexture(toQImage(second));
+    if (request.content == TextureContent::Component) {
+        const AppearanceDecoder& decoder = *request.opened->decoder;
+        pair.difference =
+            widgets::prepareTexture(request.isWarp ? eigenWarpPicture(decoder, request.component)
+                                                   : eigenTexturePicture(decoder.model(), request.component));
+        return pair;
+    }
     const UsedTexels& texels = request.opened->decoder->model().texels;
     if (first == nullptr || !isOfSize(*first, texels) || !isOfSize(*second, texels))
         return pair;

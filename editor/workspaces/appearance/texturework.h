@@ -31,6 +31,8 @@ struct TextureRequest
     Texture other;                  ///< Between: captured with the second; Completed: the completed one
     double weight = 0;              ///< Between: of the second
     bool isSigned = true;           ///< the difference
+    bool isWarp = false;            ///< Component: of Eigen warps
+    int component = 0;              ///< Component: which
 };
 
 /// The first texture of a pair; null where there is none. \throws Error what reading a texture throws.
@@ -44,7 +46,7 @@ struct ShownPair
     widgets::TexturePicture first;
     widgets::TexturePicture second;        ///< null where there is none
     widgets::TexturePicture difference;    ///< second minus first in colours, where a triangle covers it
-    widgets::ScalarRange range;            ///< of the difference, grey levels
+    widgets::ScalarRange range;            ///< of the difference of two textures, grey levels
     std::optional<PictureQuality> quality; ///< none without a second texture of the same size
 };
 
