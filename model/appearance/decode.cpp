@@ -86,7 +86,7 @@ private:
 
 AppearanceDecoder::AppearanceDecoder(std::shared_ptr<const AppearanceModel> model,
                                      std::optional<Image> background)
-    : m_model(std::move(model))
+    : m_model(std::move(model)), m_lookup(m_model->texels)
 {
     const UsedTexels& used = m_model->texels;
     const auto width = static_cast<std::uint32_t>(used.width);
@@ -268,9 +268,9 @@ Image AppearanceDecoder::decodeAligned(std::span<const float> textures) const
     return texture;
 }
 
-std::vector<std::uint32_t> AppearanceDecoder::planeOf(std::span<const std::uint8_t> colours) const
+std::vector<std::uint32_t> AppearanceDecoder::planeOf(const Image& texture) const
 {
-    assert(colours.size() == 3 * m_places.size());
+    const std::vector<std::uint8_t> colours = m_lookup.colours(texture);
     std::vector<std::uint32_t> plane(m_charts.size());
     const std::uint8_t* colour = colours.data();
     for (const std::uint32_t place : m_places) {
@@ -282,13 +282,13 @@ std::vector<std::uint32_t> AppearanceDecoder::planeOf(std::span<const std::uint8
     return plane;
 }
 
-void AppearanceDecoder::mixDealigned(const AlignedTexture& first, const AlignedTexture& second, float weight,
-                                     Image& texture) const
+void AppearanceDecoder::mix(const MovedTexture& first, const MovedTexture& second, float weight,
+                            Image& mixed) const
 {
     const UsedTexels& used = m_model->texels;
-    assert(texture.width == used.width && texture.height == used.height);
+    assert(mixed.width == used.width && mixed.height == used.height);
     assert(std::ssize(first.warp) == 2 * m_model->grid.nodes() && first.warp.size() == second.warp.size());
-    const std::array planes{planeOf(first.colours), planeOf(second.colours)};
+    const std::array planes{planeOf(first.texture), planeOf(second.texture)};
     std::array<std::vector<float>, 2> rows;
     RowWarp ofFirst(m_model->grid, first.warp, used.width, rows[0]);
     RowWarp ofSecond(m_model->grid, second.warp, used.width, rows[1]);
@@ -302,7 +302,7 @@ void AppearanceDecoder::mixDealigned(const AlignedTexture& first, const AlignedT
             lookUp(planes[1], run, done, ofSecond, secondTexels);
             mixBytes(reinterpret_cast<const std::uint8_t*>(firstTexels.data()),
                      reinterpret_cast<const std::uint8_t*>(secondTexels.data()), weight, 4 * count,
-                     texture.pixel(run.x + done, run.y));
+                     mixed.pixel(run.x + done, run.y));
         }
     }
 }

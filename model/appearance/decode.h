@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/appearance/appearancemodel.h"
+#include "model/appearance/chartlookup.h"
 #include "model/appearance/decodekernels.h"
 #include "model/core/image.h"
 
@@ -21,11 +22,11 @@ struct DecodeScratch
     std::vector<float> rows;            ///< warps of the texels of two rows of nodes
 };
 
-/// An aligned texture, and what moves it.
-struct AlignedTexture
+/// A texture, and what moves it.
+struct MovedTexture
 {
-    std::span<const std::uint8_t> colours; ///< R, G, B of each used texel
-    std::span<const float> warp;           ///< 2 values per node
+    const Image& texture;        ///< of the atlas's size
+    std::span<const float> warp; ///< 2 values per node
 };
 
 /// Makes textures of an AppearanceModel's coefficients: about 4 ms for 1024² with 20 components of textures
@@ -49,11 +50,11 @@ public:
     /// The aligned texture, without a warp.
     Image decodeAligned(std::span<const float> textures) const;
 
-    /// Two textures, each de-aligned by a warp of its own, looked up as above, and mixed.
-    /// \param weight  of the second, 0 … 1. \param texture  its used texels are replaced. \pre It has the
+    /// Two textures, each moved by a warp of its own, looked up as above, and mixed. Gutters take the colours
+    /// of the nearest covered texels, as what textures hold there may be anything.
+    /// \param weight  of the second, 0 … 1. \param mixed  its used texels are replaced. \pre It has the
     /// atlas's size.
-    void mixDealigned(const AlignedTexture& first, const AlignedTexture& second, float weight,
-                      Image& texture) const;
+    void mix(const MovedTexture& first, const MovedTexture& second, float weight, Image& mixed) const;
 
 private:
     /// Used texels of a chart one beside the other.
@@ -71,12 +72,13 @@ private:
     /// Up to lookupsAtOnce texels of a run. \param done  of its texels. \return how many they are.
     int lookUp(const std::vector<std::uint32_t>& aligned, const Run& run, int done, const RowWarp& warp,
                LookedUp& texels) const;
-    std::vector<std::uint32_t> planeOf(std::span<const std::uint8_t> colours) const;
+    std::vector<std::uint32_t> planeOf(const Image& texture) const;
     void dealign(DecodeScratch& scratch, Image& texture) const;
     std::uint32_t carefulTexel(const std::uint32_t* aligned, const Run& run, int column, Vec2f offset) const;
     void copyUsed(const DecodeScratch& scratch, Image& texture) const;
 
     std::shared_ptr<const AppearanceModel> m_model;
+    ChartLookup m_lookup;
     std::vector<Run> m_runs;
     std::vector<std::uint32_t> m_places; ///< of each used texel in a plane with a column and a row more
     std::vector<std::uint16_t> m_charts; ///< of each place, from 1 on; 0: not used

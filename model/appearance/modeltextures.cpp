@@ -8,10 +8,7 @@ namespace quadrille {
 
 struct ModelTextures::Opened
 {
-    explicit Opened(FrameAppearances known)
-        : appearances(std::move(known)), decoder(appearances.model), charts(appearances.model->texels)
-    {
-    }
+    explicit Opened(FrameAppearances known) : appearances(std::move(known)), decoder(appearances.model) {}
 
     const AppearanceCoefficients* find(const CapturedTexture& texture) const
     {
@@ -31,27 +28,31 @@ struct ModelTextures::Opened
 
     FrameAppearances appearances;
     AppearanceDecoder decoder;
-    ChartLookup charts;
 };
 
-Image blendedTexture(const AppearanceDecoder& decoder, const ChartLookup& charts,
-                     const AppearanceCoefficients& first, const Image& firstTexture,
-                     const AppearanceCoefficients& second, const Image& secondTexture, double weight)
+Image mixedTexture(const Image& first, const Image& second, double weight)
+{
+    Image mixed(first.width, first.height);
+    mixBytes(first.pixels.data(), second.pixels.data(), static_cast<float>(weight), std::ssize(mixed.pixels),
+             mixed.pixels.data());
+    return mixed;
+}
+
+Image blendedTexture(const AppearanceDecoder& decoder, const AppearanceCoefficients& first,
+                     const Image& firstTexture, const AppearanceCoefficients& second,
+                     const Image& secondTexture, double weight)
 {
     const AppearanceModel& model = decoder.model();
-    const auto ofSecond = static_cast<float>(weight);
-    Image blended = firstTexture;
-    mixBytes(firstTexture.pixels.data(), secondTexture.pixels.data(), ofSecond, std::ssize(blended.pixels),
-             blended.pixels.data());
+    Image blended = mixedTexture(firstTexture, secondTexture, weight);
     if (model.warps.count == 0 || weight <= 0 || weight >= 1)
         return blended;
     const std::vector<float> wanted = combined(model.warps, interpolated(first, second, weight).warps);
     const auto warpFrom = [&](const AppearanceCoefficients& from) {
         return warpBetween(combined(model.warps, from.warps), wanted, model.grid);
     };
-    const std::array colours{charts.colours(firstTexture), charts.colours(secondTexture)};
-    const std::array warps{warpFrom(first), warpFrom(second)};
-    decoder.mixDealigned({colours[0], warps[0]}, {colours[1], warps[1]}, ofSecond, blended);
+    const std::vector<float> firstWarp = warpFrom(first);
+    const std::vector<float> secondWarp = warpFrom(second);
+    decoder.mix({firstTexture, firstWarp}, {secondTexture, secondWarp}, static_cast<float>(weight), blended);
     return blended;
 }
 
@@ -93,8 +94,7 @@ Texture ModelTextures::between(const CapturedTexture& first, const CapturedTextu
         const auto secondPicture = secondTexture.load();
         if (!known->fits(*firstPicture) || !known->fits(*secondPicture)) // files that changed meanwhile
             return weight < 0.5 ? *firstPicture : *secondPicture;
-        return blendedTexture(known->decoder, known->charts, *atFirst, *firstPicture, *atSecond,
-                              *secondPicture, weight);
+        return blendedTexture(known->decoder, *atFirst, *firstPicture, *atSecond, *secondPicture, weight);
     }};
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/appearance/chartlookup.h"
 #include "model/appearance/decode.h"
 #include "model/sequence/texture.h"
 
@@ -26,15 +25,19 @@ struct FrameAppearances
     std::map<Key, Texture> completed;                   ///< shown in place of those that were captured
 };
 
+/// Both textures as they are, each shining through the other. \param weight  of the second, 0 … 1. \pre They
+/// have one size.
+Image mixedTexture(const Image& first, const Image& second, double weight);
+
 /// The texture between two whose coefficients are known: both moved to where a texture with the warp in
 /// between lies, and mixed. That is what SMCAS §5.3 does, with all Eigen textures in place of the first k, so
 /// that nothing of what was captured is lost. The ends are the captured textures themselves; in between,
 /// gutters take the colours of the nearest covered texels.
-/// \param charts  of the model's texels. \param weight  of the second, 0 … 1. \pre Both pictures have the
+/// \param weight  of the second, 0 … 1. \pre Both pictures have the
 /// atlas's size. Cost: that of two to three decodes (bench_appearancemodel).
-Image blendedTexture(const AppearanceDecoder& decoder, const ChartLookup& charts,
-                     const AppearanceCoefficients& first, const Image& firstTexture,
-                     const AppearanceCoefficients& second, const Image& secondTexture, double weight);
+Image blendedTexture(const AppearanceDecoder& decoder, const AppearanceCoefficients& first,
+                     const Image& firstTexture, const AppearanceCoefficients& second,
+                     const Image& secondTexture, double weight);
 
 /// Textures of clips by a model of appearance. Where a picture has not the size of the model's atlas, since
 /// its file has changed, the texture in between is that of the nearer frame.

@@ -67,13 +67,11 @@ void blend(benchmark::State& state)
     const auto model = std::make_shared<const AppearanceModel>(
         test::quantised(spacesOf(test::texelsOfAtlas(atlasSize), static_cast<int>(state.range(0)))));
     const AppearanceDecoder decoder(model);
-    const ChartLookup charts(model->texels);
     const std::array frames{coefficientsOf(*model, 0), coefficientsOf(*model, 1)};
     const std::array textures{decoder.decode(frames[0]), decoder.decode(frames[1])};
     for (auto _ : state)
         benchmark::DoNotOptimize(
-            blendedTexture(decoder, charts, frames[0], textures[0], frames[1], textures[1], 0.4)
-                .pixels.data());
+            blendedTexture(decoder, frames[0], textures[0], frames[1], textures[1], 0.4).pixels.data());
 }
 
 void projectTexture(benchmark::State& state)

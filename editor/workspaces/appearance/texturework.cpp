@@ -22,17 +22,6 @@ bool isOfSize(const Image& image, const UsedTexels& texels)
     return image.width == texels.width && image.height == texels.height;
 }
 
-/// What a linear blend makes of two textures: each shows through the other.
-Image linearBlend(const Image& first, const Image& second, double weight)
-{
-    Image blended = first;
-    const auto share = static_cast<float>(weight);
-    for (std::size_t i = 0; i < blended.pixels.size(); ++i)
-        blended.pixels[i] = static_cast<std::uint8_t>((1 - share) * static_cast<float>(first.pixels[i]) +
-                                                      share * static_cast<float>(second.pixels[i]) + 0.5F);
-    return blended;
-}
-
 /// Mean difference of R, G and B.
 double differenceAt(const Image& first, const Image& second, std::size_t texel)
 {
@@ -102,7 +91,7 @@ std::shared_ptr<const Image> firstTexture(const TextureRequest& request)
     const auto other = request.other.load();
     if (captured->pixels.size() != other->pixels.size())
         return captured;
-    return std::make_shared<const Image>(linearBlend(*captured, *other, request.weight));
+    return std::make_shared<const Image>(mixedTexture(*captured, *other, request.weight));
 }
 
 std::shared_ptr<const Image> secondTexture(const TextureRequest& request)

@@ -66,15 +66,6 @@ double errorOf(const Image& expected, const Image& found)
     return std::sqrt(textureQuality(expected, found, shiftedModel().known.model->texels).meanSquaredError);
 }
 
-Image linearBlend(const Image& first, const Image& second, double weight)
-{
-    Image blended = first;
-    for (std::size_t i = 0; i < blended.pixels.size(); ++i)
-        blended.pixels[i] = static_cast<std::uint8_t>(
-            std::lround((1 - weight) * first.pixels[i] + weight * second.pixels[i]));
-    return blended;
-}
-
 } // namespace
 
 TEST(ModelTextures, EndAtTheCapturedTexturesByteForByte)
@@ -95,7 +86,7 @@ TEST(ModelTextures, MoveAPatternWhereALinearBlendShowsItTwice)
         const Image expected = shiftedTexture(used, {shift, -0.5 * shift});
         const double error = errorOf(expected, *textures.between(captured(0), captured(4), weight).load());
         const double linear =
-            errorOf(expected, linearBlend(*captured(0).texture.load(), *captured(4).texture.load(), weight));
+            errorOf(expected, mixedTexture(*captured(0).texture.load(), *captured(4).texture.load(), weight));
         EXPECT_LE(error, 0.5 * linear) << weight;
     }
 }
