@@ -19,8 +19,6 @@ namespace {
 constexpr int smallestSide = 16;
 /// Blocks of 16 × 16 pixels in a picture of level 5.2, the highest that OpenH264 writes: 4096 × 2304 pixels.
 constexpr int blocksAtMost = 36864;
-/// 0 … 51. Two steps less are a fifth more bytes and half a decibel.
-constexpr int quantizer = 20;
 
 /// What a unit of the stream is.
 enum class UnitType
@@ -56,7 +54,7 @@ void checkSize(int width, int height, const std::filesystem::path& film)
                    QUADRILLE_MESSAGE("Choose even numbers of pixels."));
 }
 
-SEncParamExt parametersOf(const FilmFormat& format, ISVCEncoder& encoder)
+SEncParamExt parametersOf(const FilmFormat& format, ISVCEncoder& encoder, int quantizer)
 {
     SEncParamExt parameters;
     encoder.GetDefaultParams(&parameters);
@@ -140,7 +138,7 @@ struct H264Encoder::Parts
     }
 };
 
-H264Encoder::H264Encoder(const FilmFormat& format, const std::filesystem::path& film)
+H264Encoder::H264Encoder(const FilmFormat& format, const std::filesystem::path& film, int quantizer)
     : m_parts(std::make_unique<Parts>())
 {
     checkSize(format.width, format.height, film);
@@ -152,7 +150,7 @@ H264Encoder::H264Encoder(const FilmFormat& format, const std::filesystem::path& 
     m_parts->encoder.reset(encoder);
     int silent = WELS_LOG_QUIET;
     encoder->SetOption(ENCODER_OPTION_TRACE_LEVEL, &silent);
-    const SEncParamExt parameters = parametersOf(format, *encoder);
+    const SEncParamExt parameters = parametersOf(format, *encoder, quantizer);
     SFrameBSInfo sets{};
     if (encoder->InitializeExt(&parameters) != cmResultSuccess ||
         encoder->EncodeParameterSets(&sets) != cmResultSuccess)

@@ -77,4 +77,35 @@ void toPlanes(const Image& picture, Planes& out)
     }
 }
 
+Image fromPlanes(const Planes& planes)
+{
+    Image picture(planes.width, planes.height);
+    const auto byte = [](double value) {
+        return static_cast<std::uint8_t>(std::clamp(static_cast<int>(value + 0.5), 0, 255));
+    };
+    for (int y = 0; y < planes.height; ++y) {
+        const auto row = static_cast<std::size_t>(y / 2) * static_cast<std::size_t>(planes.colorWidth);
+        for (int x = 0; x < planes.width; ++x) {
+            const auto left = row + static_cast<std::size_t>(x / 2);
+            const auto right = row + static_cast<std::size_t>(std::min((x + 1) / 2, planes.colorWidth - 1));
+            const auto difference = [&](const std::vector<std::uint8_t>& plane) {
+                return (plane[left] + plane[right]) / 2.0 - 128;
+            };
+            const double luma =
+                (planes.luma[static_cast<std::size_t>(y) * static_cast<std::size_t>(planes.width) +
+                             static_cast<std::size_t>(x)] -
+                 16) *
+                255.0 / 219;
+            const double r = luma + difference(planes.redness) / perRed;
+            const double b = luma + difference(planes.blueness) / perBlue;
+            std::uint8_t* pixel = picture.pixel(x, y);
+            pixel[0] = byte(r);
+            pixel[1] = byte((luma - red * r - blue * b) / green);
+            pixel[2] = byte(b);
+            pixel[3] = 255;
+        }
+    }
+    return picture;
+}
+
 } // namespace quadrille

@@ -25,4 +25,7 @@ struct Planes
 /// Opacity is left out. `out` is given to save making it anew for every picture.
 void toPlanes(const Image& picture, Planes& out);
 
+/// The picture that planes hold; colour between two even columns is the mean of both. All of it is opaque.
+Image fromPlanes(const Planes& planes);
+
 } // namespace quadrille

@@ -56,3 +56,18 @@ TEST(Planes, TakeOddSizesAndLieWhereTheyShould)
     EXPECT_EQ(rednessWith(3), (std::vector<std::uint8_t>{128, 156, 156, 128}));
     EXPECT_EQ(rednessWith(4), (std::vector<std::uint8_t>{128, 128, 184, 128}));
 }
+
+TEST(Planes, GiveBackThePictureThatTheyWereMadeOf)
+{
+    for (const Color& color :
+         {Color{0, 0, 0}, Color{255, 255, 255}, Color{200, 40, 90}, Color{3, 250, 120}}) {
+        Planes planes;
+        const Image picture = plain(5, 3, color);
+        toPlanes(picture, planes);
+        const Image back = fromPlanes(planes);
+        ASSERT_EQ(back.width, 5);
+        ASSERT_EQ(back.pixels.size(), picture.pixels.size());
+        for (std::size_t i = 0; i < back.pixels.size(); ++i)
+            EXPECT_NEAR(back.pixels[i], picture.pixels[i], 3) << i;
+    }
+}
