@@ -119,6 +119,9 @@ std::shared_ptr<TextureAlignment> gatherTextures(const TextureSource& textures, 
                                                  const Progress& progress = {},
                                                  const Executor& executor = localExecutor());
 
+/// What a space of warps keeps of the warp of a sample: x, y per node.
+std::vector<float> keptWarp(const LinearSpace& warps, std::int64_t sample);
+
 /// Aligns textures anew by what a space of warps keeps of their backward warps, so that what it leaves out is
 /// not lost, but stands in the aligned textures: de-aligned by the kept warp, they give the textures, but for
 /// what bilinear look-ups blur, which is put back as far as a few iterations do it (back-projection, Irani &

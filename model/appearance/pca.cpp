@@ -106,45 +106,7 @@ std::vector<double> productsIn(const SampleSet& samples, const Blocks& blocks, s
     return products;
 }
 
-/// Products of the samples as seen from their mean.
-Eigen::MatrixXd centredProducts(const SampleSet& samples, const Blocks& blocks, const Progress& progress,
-                                const Executor& executor)
-{
-    const std::size_t rows = filledUp(samples.count, pcaRows);
-    std::vector<double> sums(rows * (rows + pcaRows) / 2);
-    for (std::int64_t begin = 0; begin < blocks.count; begin += wave) {
-        const std::int64_t count = std::min(wave, blocks.count - begin);
-        std::vector<std::vector<double>> parts(static_cast<std::size_t>(count));
-        executor.run(makeTasks<double>(
-                         count,
-                         [&](std::int64_t task, const Progress& own) {
-                             return productsIn(samples, blocks, begin + task, own);
-                         },
-                         [&](std::int64_t task, std::span<const double> part) {
-                             parts[static_cast<std::size_t>(task)].assign(part.begin(), part.end());
-                         }),
-                     progress.part(static_cast<double>(begin) / static_cast<double>(blocks.count),
-                                   static_cast<double>(begin + count) / static_cast<double>(blocks.count)));
-        for (const std::vector<double>& part : parts)
-            std::transform(part.begin(), part.end(), sums.begin(), sums.begin(), std::plus());
-    }
-    Eigen::MatrixXd gram(samples.count, samples.count);
-    std::size_t place = 0;
-    for (std::int64_t row = 0; row < samples.count; ++row) {
-        const std::size_t width = filledUp(row + 1, pcaRows);
-        for (std::int64_t column = 0; column <= row; ++column)
-            gram(row, column) = gram(column, row) = sums[place + static_cast<std::size_t>(column)];
-        place += width;
-    }
-    const Eigen::VectorXd means = gram.rowwise().mean();
-    const double mean = means.mean();
-    gram.colwise() -= means;
-    gram.rowwise() -= means.transpose();
-    gram.array() += mean;
-    return gram;
-}
-
-/// Means of a block, then its part of each component.
+/// Means of a block, then its part of each combination.
 std::vector<float> combinationsIn(const SampleSet& samples, const Blocks& blocks, std::int64_t index,
                                   const Eigen::MatrixXd& weights, const Progress& progress)
 {
@@ -189,15 +151,76 @@ void turn(LinearSpace& space, std::int64_t samples, std::int64_t count)
     }
 }
 
+void refuseNothing(const SampleSet& samples)
+{
+    if (samples.count <= 0 || samples.size <= 0)
+        refuse("Principal components need at least one sample with values", "Give samples.");
+}
+
 } // namespace
+
+Eigen::MatrixXd centredProducts(const SampleSet& samples, const Progress& progress, const Executor& executor)
+{
+    refuseNothing(samples);
+    const Blocks blocks(samples);
+    const std::size_t rows = filledUp(samples.count, pcaRows);
+    std::vector<double> sums(rows * (rows + pcaRows) / 2);
+    for (std::int64_t begin = 0; begin < blocks.count; begin += wave) {
+        const std::int64_t count = std::min(wave, blocks.count - begin);
+        std::vector<std::vector<double>> parts(static_cast<std::size_t>(count));
+        executor.run(makeTasks<double>(
+                         count,
+                         [&](std::int64_t task, const Progress& own) {
+                             return productsIn(samples, blocks, begin + task, own);
+                         },
+                         [&](std::int64_t task, std::span<const double> part) {
+                             parts[static_cast<std::size_t>(task)].assign(part.begin(), part.end());
+                         }),
+                     progress.part(static_cast<double>(begin) / static_cast<double>(blocks.count),
+                                   static_cast<double>(begin + count) / static_cast<double>(blocks.count)));
+        for (const std::vector<double>& part : parts)
+            std::transform(part.begin(), part.end(), sums.begin(), sums.begin(), std::plus());
+    }
+    Eigen::MatrixXd gram(samples.count, samples.count);
+    std::size_t place = 0;
+    for (std::int64_t row = 0; row < samples.count; ++row) {
+        const std::size_t width = filledUp(row + 1, pcaRows);
+        for (std::int64_t column = 0; column <= row; ++column)
+            gram(row, column) = gram(column, row) = sums[place + static_cast<std::size_t>(column)];
+        place += width;
+    }
+    const Eigen::VectorXd means = gram.rowwise().mean();
+    const double mean = means.mean();
+    gram.colwise() -= means;
+    gram.rowwise() -= means.transpose();
+    gram.array() += mean;
+    return gram;
+}
+
+void combineSamples(const SampleSet& samples, const Eigen::MatrixXd& weights, const CombinedValues& store,
+                    const Progress& progress, const Executor& executor)
+{
+    refuseNothing(samples);
+    const Blocks blocks(samples);
+    executor.run(makeTasks<float>(
+                     blocks.count,
+                     [&](std::int64_t task, const Progress& own) {
+                         return combinationsIn(samples, blocks, task, weights, own);
+                     },
+                     [&](std::int64_t task, std::span<const float> values) {
+                         const std::size_t length =
+                             values.size() / (static_cast<std::size_t>(weights.cols()) + 1);
+                         store(task * blocks.length, values.first(length), values.subspan(length));
+                     }),
+                 progress);
+}
 
 LinearSpace principalComponents(const SampleSet& samples, std::int64_t components, const Progress& progress,
                                 const Executor& executor)
 {
-    if (samples.count <= 0 || samples.size <= 0 || components < 0)
-        refuse("Principal components need at least one sample with values", "Give samples.");
-    const Blocks blocks(samples);
-    const Eigen::MatrixXd gram = centredProducts(samples, blocks, progress.part(0, 0.6), executor);
+    if (components < 0)
+        refuse("There are no fewer components than none", "Ask for some.");
+    const Eigen::MatrixXd gram = centredProducts(samples, progress.part(0, 0.6), executor);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
     const Eigen::VectorXd values = solver.eigenvalues().reverse();
     LinearSpace space;
@@ -210,25 +233,32 @@ LinearSpace principalComponents(const SampleSet& samples, std::int64_t component
     const Eigen::MatrixXd weights = vectors * lengths.cwiseInverse().asDiagonal();
     space.mean.resize(static_cast<std::size_t>(samples.size));
     space.components.resize(static_cast<std::size_t>(count * samples.size));
-    executor.run(makeTasks<float>(
-                     blocks.count,
-                     [&](std::int64_t task, const Progress& own) {
-                         return combinationsIn(samples, blocks, task, weights, own);
-                     },
-                     [&](std::int64_t task, std::span<const float> part) {
-                         const std::int64_t first = task * blocks.length;
-                         const std::int64_t length = static_cast<std::int64_t>(part.size()) / (count + 1);
-                         std::copy_n(part.begin(), length, space.mean.begin() + first);
-                         for (std::int64_t c = 0; c < count; ++c)
-                             std::copy_n(part.begin() + (c + 1) * length, length,
-                                         space.components.begin() + c * samples.size + first);
-                     }),
-                 progress.part(0.6, 1));
+    combineSamples(
+        samples, weights,
+        [&](std::int64_t first, std::span<const float> mean, std::span<const float> combinations) {
+            std::ranges::copy(mean, space.mean.begin() + first);
+            for (std::int64_t c = 0; c < count; ++c)
+                std::copy_n(combinations.begin() + c * std::ssize(mean), std::ssize(mean),
+                            space.components.begin() + c * samples.size + first);
+        },
+        progress.part(0.6, 1), executor);
     for (std::int64_t s = 0; s < samples.count; ++s)
         for (std::int64_t c = 0; c < count; ++c)
             space.coefficients.push_back(vectors(s, c) * lengths[c]);
     turn(space, samples.count, count);
     return space;
+}
+
+LinearSpace firstComponents(const LinearSpace& space, std::int64_t count)
+{
+    const auto kept = static_cast<std::ptrdiff_t>(std::min(count, space.count()));
+    LinearSpace first{.mean = space.mean, .eigenvalues = space.eigenvalues};
+    first.components.assign(space.components.begin(), space.components.begin() + kept * space.size());
+    for (std::int64_t s = 0; s < space.samples(); ++s) {
+        const auto row = space.coefficients.begin() + s * space.count();
+        first.coefficients.insert(first.coefficients.end(), row, row + kept);
+    }
+    return first;
 }
 
 } // namespace quadrille

@@ -5,6 +5,7 @@
 #include "model/appearance/linearspace.h"
 #include "model/core/executor.h"
 
+#include <Eigen/Core>
 #include <functional>
 #include <span>
 
@@ -21,6 +22,22 @@ struct SampleSet
     std::function<void(std::int64_t sample, std::int64_t first, std::span<float> values)> read;
 };
 
+/// Products of all pairs of samples as seen from their mean, count × count: without error in whole numbers of
+/// 0 … 255, in double precision otherwise. \throws Error BadArgument where there is no sample or no value,
+/// Cancelled, and what `read` throws. Cost: O(count² · size).
+Eigen::MatrixXd centredProducts(const SampleSet& samples, const Progress& progress = {},
+                                const Executor& executor = localExecutor());
+
+/// The values [first, first + length) of the mean of samples, and of their combinations, one after the other.
+using CombinedValues =
+    std::function<void(std::int64_t first, std::span<const float> mean, std::span<const float> combinations)>;
+
+/// Combines samples as seen from their mean, a stretch of values at a time.
+/// \param weights  samples × combinations. \param store  called from any thread, for each stretch once.
+/// \throws as centredProducts. Cost: O(count · combinations · size).
+void combineSamples(const SampleSet& samples, const Eigen::MatrixXd& weights, const CombinedValues& store,
+                    const Progress& progress = {}, const Executor& executor = localExecutor());
+
 /// The mean of samples and the directions in which they vary most.
 ///
 /// The products of all pairs of samples are summed first, without error in whole numbers of 0 … 255 and in
@@ -34,5 +51,8 @@ struct SampleSet
 /// Cost: O(count² · size + count³); memory: the result, 64 · count² bytes and 16 MB for each thread.
 LinearSpace principalComponents(const SampleSet& samples, std::int64_t components,
                                 const Progress& progress = {}, const Executor& executor = localExecutor());
+
+/// The space of the first components alone, or of all where there are no more. Eigenvalues stay.
+LinearSpace firstComponents(const LinearSpace& space, std::int64_t count);
 
 } // namespace quadrille

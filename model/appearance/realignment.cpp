@@ -10,19 +10,6 @@ namespace quadrille {
 
 namespace {
 
-/// What a space keeps of the warp of a sample.
-std::vector<float> keptWarp(const LinearSpace& warps, std::int64_t sample)
-{
-    std::vector<float> kept = warps.mean;
-    Eigen::Map<Eigen::VectorXf> sum(kept.data(), std::ssize(kept));
-    for (std::int64_t c = 0; c < warps.count(); ++c) {
-        const double weight = warps.coefficients[static_cast<std::size_t>(sample * warps.count() + c)];
-        sum += static_cast<float>(weight) *
-               Eigen::Map<const Eigen::VectorXf>(warps.components.data() + c * warps.size(), warps.size());
-    }
-    return kept;
-}
-
 std::vector<std::uint8_t> realigned(const Image& texture, std::span<const float> warp,
                                     const ChartLookup& charts, const WarpGrid& grid)
 {
@@ -47,6 +34,18 @@ std::vector<std::uint8_t> realigned(const Image& texture, std::span<const float>
 }
 
 } // namespace
+
+std::vector<float> keptWarp(const LinearSpace& warps, std::int64_t sample)
+{
+    std::vector<float> kept = warps.mean;
+    Eigen::Map<Eigen::VectorXf> sum(kept.data(), std::ssize(kept));
+    for (std::int64_t c = 0; c < warps.count(); ++c) {
+        const double weight = warps.coefficients[static_cast<std::size_t>(sample * warps.count() + c)];
+        sum += static_cast<float>(weight) *
+               Eigen::Map<const Eigen::VectorXf>(warps.components.data() + c * warps.size(), warps.size());
+    }
+    return kept;
+}
 
 void realignTextures(const TextureSource& textures, const ChartLookup& charts, const LinearSpace& warps,
                      TextureAlignment& alignment, const Progress& progress, const Executor& executor)
