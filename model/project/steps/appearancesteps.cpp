@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/appearance/appearancefile.h"
-#include "model/appearance/buildappearance.h"
 #include "model/appearance/completion.h"
 #include "model/appearance/texturequality.h"
-#include "model/core/contenthash.h"
 #include "model/core/error.h"
 #include "model/core/message.h"
 #include "model/project/document/findentry.h"
@@ -13,11 +11,9 @@
 #include "model/project/document/throwinvalid.h"
 #include "model/project/fields/writefields.h"
 #include "model/project/media/sequencesettings.h"
-#include "model/project/steps/appearancetraining.h"
+#include "model/project/steps/appearancework.h"
 #include "model/project/steps/buildstep.h"
 #include "model/project/steps/completionmask.h"
-#include "model/project/steps/flowfiles.h"
-#include "model/project/store/resultplaces.h"
 #include "model/project/store/tablebuilder.h"
 
 #include <algorithm>
@@ -25,28 +21,6 @@
 namespace quadrille {
 
 namespace {
-
-/// What the steps of an entry share.
-struct AppearanceWork
-{
-    std::shared_ptr<SequenceOpener> opener;
-    AppearanceEntry entry;
-    std::filesystem::path projectFile;
-
-    std::filesystem::path folder() const { return appearanceFolder(cacheFolder(projectFile), entry.name); }
-    BuildStep step(std::string name) const
-    {
-        BuildStep made;
-        made.name = std::move(name);
-        made.dataPrefix = "appearance/" + entry.name;
-        made.character = characterNameOf(opener->project(), entry);
-        return made;
-    }
-    WrittenFile written(const std::filesystem::path& file, const Progress& progress) const
-    {
-        return {storedPath(file, opener->folder()), hashFile(file, progress)};
-    }
-};
 
 std::vector<std::filesystem::path> filesOf(SequenceOpener& opener, const std::vector<std::string>& sequences,
                                            const Progress& progress)
@@ -68,27 +42,6 @@ std::string settingsOf(const Project& project, const std::vector<std::string>& s
             text += "\n" + name + "\n" + sequenceSettings(project, *sequence);
     }
     return text;
-}
-
-/// Of textures and of the layout that warps are computed by.
-FlowFiles flowFiles(const AppearanceWork& work, const AppearanceTraining& training,
-                    const BuildAppearanceOptions& options, const Progress& progress)
-{
-    std::vector<std::string> hashes;
-    for (const Texture& texture : training.textures) {
-        progress.report(std::ssize(hashes), std::ssize(training.textures));
-        ContentHasher hasher;
-        if (texture.file.empty())
-            hasher.addBytes(std::as_bytes(std::span(texture.load()->pixels)));
-        hashes.push_back(texture.file.empty() ? hasher.hex() : hashFile(texture.file, progress));
-    }
-    const TopologyData& layout = training.topology->data();
-    ContentHasher settings;
-    settings.add(std::int64_t{options.gutter});
-    settings.add(std::int64_t{options.alignment.spacing});
-    settings.addBytes(std::as_bytes(std::span(layout.uvs)));
-    settings.addBytes(std::as_bytes(std::span(layout.triangleUvs)));
-    return {work.folder() / "flows", std::move(hashes), settings.hex()};
 }
 
 DataArray columnOfValues(const char* name, const char* unit, const char* description,
@@ -144,14 +97,10 @@ Result buildModel(const AppearanceWork& work, const Progress& progress)
 {
     const AppearanceTraining training = appearanceTraining(*work.opener, work.entry, progress.part(0, 0.02));
     const TextureSource source = training.source();
-    BuildAppearanceOptions options;
-    options.components = work.entry.components;
-    options.textureShare = 1 - work.entry.warpShare;
-    options.alignment.flow.method = work.entry.flow;
+    BuildAppearanceOptions options = work.options();
     options.alignment.reference = training.reference;
-    options.alignment.scratchFolder = work.folder();
     std::filesystem::create_directories(work.folder());
-    FlowFiles flows = flowFiles(work, training, options, progress.part(0.02, 0.04));
+    FlowFiles flows = work.flows(training, progress.part(0.02, 0.04));
     const BuiltAppearance built =
         buildAppearance(source, *training.topology, options, &flows, progress.part(0.04, 0.9));
     const AppearanceModel model = quantised(built.used, built.grid, built.textures, built.warps,
