@@ -237,6 +237,94 @@
         <extracomment>an evaluation and the character that it is of</extracomment>
         <translation>%1 · %2</translation>
     </message>
+    <message>
+        <source>Compactness, SSIM</source>
+        <translation>Compacité, SSIM</translation>
+    </message>
+    <message>
+        <source>How well Eigen textures and Eigen warps restore textures by their number, beside naive principal components: structural similarity (SMCAS Fig. 17)</source>
+        <translation>À quel point textures propres et déformations propres restituent les textures selon leur nombre, à côté de composantes principales naïves&#xa0;: similarité structurelle (SMCAS fig. 17)</translation>
+    </message>
+    <message>
+        <source>Compactness, squared error</source>
+        <translation>Compacité, erreur quadratique</translation>
+    </message>
+    <message>
+        <source>The same as mean squared error (SMCAS Fig. 18)</source>
+        <translation>La même chose en erreur quadratique moyenne (SMCAS fig. 18)</translation>
+    </message>
+    <message>
+        <source>Generalisation, SSIM</source>
+        <translation>Généralisation, SSIM</translation>
+    </message>
+    <message>
+        <source>How well textures that were left out are restored by how many were learned from: structural similarity (SMCAS Fig. 19)</source>
+        <translation>À quel point les textures laissées de côté sont restituées selon le nombre de celles apprises&#xa0;: similarité structurelle (SMCAS fig. 19)</translation>
+    </message>
+    <message>
+        <source>Generalisation, squared error</source>
+        <translation>Généralisation, erreur quadratique</translation>
+    </message>
+    <message>
+        <source>The same as mean squared error (SMCAS Fig. 20)</source>
+        <translation>La même chose en erreur quadratique moyenne (SMCAS fig. 20)</translation>
+    </message>
+    <message>
+        <source>Eigen textures of interpolated textures</source>
+        <translation>Textures propres de textures interpolées</translation>
+    </message>
+    <message>
+        <source>How near textures midway between two frames come to those with all Eigen textures, by their number (SMCAS Fig. 22)</source>
+        <translation>À quel point les textures à mi-chemin de deux images approchent celles qui ont toutes les textures propres, selon leur nombre (SMCAS fig. 22)</translation>
+    </message>
+    <message>
+        <source>Interpolated textures</source>
+        <translation>Textures interpolées</translation>
+    </message>
+    <message>
+        <source>Textures midway between two frames, by the model and blended, against the captured one in the middle</source>
+        <translation>Textures à mi-chemin de deux images, par le modèle et mélangées, face à celle qui fut captée au milieu</translation>
+    </message>
+    <message>
+        <source>Bytes of textures</source>
+        <translation>Octets des textures</translation>
+    </message>
+    <message>
+        <source>What files of models, JPEG pictures and H.264 films of the textures take, and what they lose</source>
+        <translation>Ce que prennent fichiers de modèles, images JPEG et films H.264 des textures, et ce qu’ils perdent</translation>
+    </message>
+    <message>
+        <source>Structural similarity</source>
+        <translation>Similarité structurelle</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Composantes</translation>
+    </message>
+    <message>
+        <source>Mean squared error</source>
+        <translation>Erreur quadratique moyenne</translation>
+    </message>
+    <message>
+        <source>Share of the textures learned from</source>
+        <translation>Part des textures apprises</translation>
+    </message>
+    <message>
+        <source>Eigen textures</source>
+        <translation>Textures propres</translation>
+    </message>
+    <message>
+        <source>Difference from the captured texture</source>
+        <translation>Différence avec la texture captée</translation>
+    </message>
+    <message>
+        <source>Frames to each side</source>
+        <translation>Images de chaque côté</translation>
+    </message>
+    <message>
+        <source>Bytes a frame</source>
+        <translation>Octets par image</translation>
+    </message>
 </context>
 <context>
     <name>EvaluationWord</name>
@@ -1015,6 +1103,166 @@
     <message>
         <source>results</source>
         <translation>résultats</translation>
+    </message>
+    <message>
+        <source>SSIM of textures</source>
+        <translation>SSIM des textures</translation>
+    </message>
+    <message>
+        <source>SSIM of textures, naive</source>
+        <translation>SSIM des textures, naïf</translation>
+    </message>
+    <message>
+        <source>deviation of SSIM of textures</source>
+        <translation>écart-type, SSIM des textures</translation>
+    </message>
+    <message>
+        <source>deviation of SSIM of textures, naive</source>
+        <translation>écart-type, SSIM des textures, naïf</translation>
+    </message>
+    <message>
+        <source>SSIM of pictures</source>
+        <translation>SSIM des images</translation>
+    </message>
+    <message>
+        <source>SSIM of pictures, naive</source>
+        <translation>SSIM des images, naïf</translation>
+    </message>
+    <message>
+        <source>deviation of SSIM of pictures</source>
+        <translation>écart-type, SSIM des images</translation>
+    </message>
+    <message>
+        <source>deviation of SSIM of pictures, naive</source>
+        <translation>écart-type, SSIM des images, naïf</translation>
+    </message>
+    <message>
+        <source>squared error of textures</source>
+        <translation>erreur quadratique des textures</translation>
+    </message>
+    <message>
+        <source>squared error of textures, naive</source>
+        <translation>erreur quadratique des textures, naïf</translation>
+    </message>
+    <message>
+        <source>deviation of squared error of textures</source>
+        <translation>écart-type, erreur quadratique des textures</translation>
+    </message>
+    <message>
+        <source>deviation of squared error of textures, naive</source>
+        <translation>écart-type, erreur quadratique des textures, naïf</translation>
+    </message>
+    <message>
+        <source>squared error of pictures</source>
+        <translation>erreur quadratique des images</translation>
+    </message>
+    <message>
+        <source>squared error of pictures, naive</source>
+        <translation>erreur quadratique des images, naïf</translation>
+    </message>
+    <message>
+        <source>deviation of squared error of pictures</source>
+        <translation>écart-type, erreur quadratique des images</translation>
+    </message>
+    <message>
+        <source>deviation of squared error of pictures, naive</source>
+        <translation>écart-type, erreur quadratique des images, naïf</translation>
+    </message>
+    <message>
+        <source>Eigen warps</source>
+        <translation>déformations propres</translation>
+    </message>
+    <message>
+        <source>Eigen textures</source>
+        <translation>textures propres</translation>
+    </message>
+    <message>
+        <source>compared</source>
+        <translation>comparé</translation>
+    </message>
+    <message>
+        <source>textures</source>
+        <translation>textures</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>images</translation>
+    </message>
+    <message>
+        <source>crossover</source>
+        <translation>croisement</translation>
+    </message>
+    <message>
+        <source>share learned from</source>
+        <translation>part apprise</translation>
+    </message>
+    <message>
+        <source>learned from</source>
+        <translation>apprises</translation>
+    </message>
+    <message>
+        <source>draws</source>
+        <translation>tirages</translation>
+    </message>
+    <message>
+        <source>SSIM</source>
+        <translation>SSIM</translation>
+    </message>
+    <message>
+        <source>squared error</source>
+        <translation>erreur quadratique</translation>
+    </message>
+    <message>
+        <source>frames to each side</source>
+        <translation>images de chaque côté</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>différence</translation>
+    </message>
+    <message>
+        <source>difference, linear</source>
+        <translation>différence, linéaire</translation>
+    </message>
+    <message>
+        <source>ratio of differences</source>
+        <translation>rapport des différences</translation>
+    </message>
+    <message>
+        <source>SSIM, linear</source>
+        <translation>SSIM, linéaire</translation>
+    </message>
+    <message>
+        <source>setting</source>
+        <translation>réglage</translation>
+    </message>
+    <message>
+        <source>bytes a frame</source>
+        <translation>octets par image</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>octets</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>modèle</translation>
+    </message>
+    <message>
+        <source>JPEG</source>
+        <translation>JPEG</translation>
+    </message>
+    <message>
+        <source>H.264</source>
+        <translation>H.264</translation>
+    </message>
+    <message>
+        <source>captured</source>
+        <translation>capté</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>le moins</translation>
     </message>
 </context>
 <context>
@@ -2633,6 +2881,14 @@
         <source>Give it one, or take it out of the completions.</source>
         <translation>Donnez-lui-en une, ou retirez-la des compléments.</translation>
     </message>
+    <message>
+        <source>the decoder of H.264 gives up</source>
+        <translation>le décodeur H.264 abandonne</translation>
+    </message>
+    <message>
+        <source>Give it sequences with more frames.</source>
+        <translation>Donnez-lui des séquences de plus d’images.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AboutDialog</name>
@@ -4194,6 +4450,10 @@
         <source>%1. %2</source>
         <extracomment>what an evaluation shows, then why it cannot be added</extracomment>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>The project has no model of appearance.</source>
+        <translation>Le projet n’a pas de modèle d’apparence.</translation>
     </message>
 </context>
 <context>

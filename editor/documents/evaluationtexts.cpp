@@ -64,6 +64,28 @@ constexpr std::array tableTexts{
     TableText{"variations", QT_TRANSLATE_NOOP("Evaluation", "What shows of variations"),
               QT_TRANSLATE_NOOP("Evaluation", "Variations beside the takes that they vary: accelerations, "
                                               "sliding feet, heights, headings, lengths, what was rejected")},
+    TableText{"fig17", QT_TRANSLATE_NOOP("Evaluation", "Compactness, SSIM"),
+              QT_TRANSLATE_NOOP("Evaluation",
+                                "How well Eigen textures and Eigen warps restore textures by their number, "
+                                "beside naive principal components: structural similarity (SMCAS Fig. 17)")},
+    TableText{"fig18", QT_TRANSLATE_NOOP("Evaluation", "Compactness, squared error"),
+              QT_TRANSLATE_NOOP("Evaluation", "The same as mean squared error (SMCAS Fig. 18)")},
+    TableText{"fig19", QT_TRANSLATE_NOOP("Evaluation", "Generalisation, SSIM"),
+              QT_TRANSLATE_NOOP("Evaluation", "How well textures that were left out are restored by how many "
+                                              "were learned from: structural similarity (SMCAS Fig. 19)")},
+    TableText{"fig20", QT_TRANSLATE_NOOP("Evaluation", "Generalisation, squared error"),
+              QT_TRANSLATE_NOOP("Evaluation", "The same as mean squared error (SMCAS Fig. 20)")},
+    TableText{"fig22", QT_TRANSLATE_NOOP("Evaluation", "Eigen textures of interpolated textures"),
+              QT_TRANSLATE_NOOP("Evaluation", "How near textures midway between two frames come to those "
+                                              "with all Eigen textures, by their number (SMCAS Fig. 22)")},
+    TableText{"appearance-interpolation", QT_TRANSLATE_NOOP("Evaluation", "Interpolated textures"),
+              QT_TRANSLATE_NOOP("Evaluation", "Textures midway between two frames, by the model and blended, "
+                                              "against the captured one in the middle")},
+    TableText{
+        "appearance-rates", QT_TRANSLATE_NOOP("Evaluation", "Bytes of textures"),
+        QT_TRANSLATE_NOOP(
+            "Evaluation",
+            "What files of models, JPEG pictures and H.264 films of the textures take, and what they lose")},
 };
 static_assert(tableTexts.size() == evaluationTables.size());
 

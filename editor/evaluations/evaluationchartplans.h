@@ -13,8 +13,9 @@ struct ChartPlan
     const char* table; ///< data name without "evaluation/"
     const char* title; ///< of context Evaluation
     std::vector<const char*> values;
-    std::vector<const char*> categories; ///< what names a bar; of lines: what names a series
-    const char* unit = "";               ///< of what is shown, the values times `scale`
+    /// What names a bar; of lines: what names a series, with the value where there are several.
+    std::vector<const char*> categories = {};
+    const char* unit = ""; ///< of what is shown, the values times `scale`
     double scale = 1;
     const char* series = "";    ///< bars: the column whose values are series of their own
     const char* over = "";      ///< what values are divided by, a column

@@ -186,16 +186,26 @@ widgets::ChartSeries& lineNamed(std::vector<widgets::ChartSeries>& series, const
     return series.back();
 }
 
+/// What a line is called: by its rows, and by its column where there are several.
+QString lineName(const ChartPlan& plan, const char* value, const QString& rows)
+{
+    if (plan.values.size() < 2)
+        return rows;
+    const QString word = evaluationWord(QLatin1String(value));
+    return rows.isEmpty() ? word : rows + QStringLiteral(" · ") + word;
+}
+
 EvaluationChart linesOf(const ChartPlan& plan, const std::vector<Rows>& tables)
 {
     EvaluationChart::Lines lines;
     lines.x = {translatedTitle(plan.xTitle), {}, plan.isLogarithmic};
     lines.y = {translatedTitle(plan.title), unitOfChart(QLatin1String(plan.unit)), false};
     for (const Rows& rows : tables) {
-        for (std::size_t row = 0; row < rows.count(); ++row)
-            if (const auto value = rows.value(plan.values.front(), row))
-                lineNamed(lines.series, rows.name(row))
-                    .points.emplace_back(numberIn(*rows.column(plan.x), row), *value);
+        for (const char* each : plan.values)
+            for (std::size_t row = 0; row < rows.count(); ++row)
+                if (const auto value = rows.value(each, row))
+                    lineNamed(lines.series, lineName(plan, each, rows.name(row)))
+                        .points.emplace_back(numberIn(*rows.column(plan.x), row), *value);
     }
     return {lines.y.title, std::move(lines)};
 }

@@ -156,6 +156,8 @@ QString EvaluationChooser::hindrance(const QString& table) const
         return tr("No take has reference joint angles (a BVH file, in its properties).");
     if (needsVariations(table.toStdString()) && project.variations.empty())
         return tr("The project has no variations.");
+    if (needsAppearance(table.toStdString()) && project.appearances.empty())
+        return tr("The project has no model of appearance.");
     return {};
 }
 

@@ -56,6 +56,10 @@ void validateEvaluation(const Project& project, const EvaluationEntry& evaluatio
         problems.push_back(
             warningAt(pointer, "The project has no variations to evaluate",
                       "Add some under “variations”, or leave out " + quoted(evaluation.table) + "."));
+    if (needsAppearance(evaluation.table) && project.appearances.empty())
+        problems.push_back(
+            warningAt(pointer, "The project has no model of appearance to evaluate",
+                      "Add one under “appearance”, or leave out " + quoted(evaluation.table) + "."));
     for (std::size_t i = 0; i < evaluation.sequences.size(); ++i) {
         if (!contains(known, evaluation.sequences[i]))
             invalid("/sequences/" + std::to_string(i),

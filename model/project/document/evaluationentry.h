@@ -23,6 +23,8 @@ struct EvaluationEntry
     /// fig9: weights of time; those of the paper where there are none. density: the graph's.
     std::vector<double> alphas;
     /// What is drawn: fig4: pairs of frames, 20; table2: keys, 10; junctions: transitions, 200.
+    /// fig17 and fig18: cameras around the body, 4. fig19 and fig20: sets of frames to learn from, of each
+    /// size, 5. fig22: pairs of frames, 20; appearance-interpolation: frames at each distance, 20.
     std::optional<std::int64_t> count;
     std::int64_t seed = 1; ///< of what is drawn
     nlohmann::ordered_json unknown;
@@ -33,7 +35,7 @@ struct EvaluationEntry
 };
 
 /// The tables that can be computed, most by their numbers in SMCAS.
-inline constexpr std::array<std::string_view, 13> evaluationTables{
+inline constexpr std::array<std::string_view, 20> evaluationTables{
     "fig4",       ///< interpolation of poses: how edges and volume are kept
     "fig7",       ///< kinds of transitions
     "fig9",       ///< Essential graph and motion graph
@@ -47,7 +49,21 @@ inline constexpr std::array<std::string_view, 13> evaluationTables{
     "cvs-fig4",   ///< CVS: poses that models reconstruct, against principal components
     "cvs-fig7",   ///< CVS: blends in latent space, with and without learned ones between
     "variations", ///< not of the paper: what shows of variations, beside the takes that they vary
+    "fig17",      ///< SSIM of textures that models of appearance restore, by their number of components
+    "fig18",      ///< the same, mean squared error
+    "fig19",      ///< SSIM of textures that such models were not learned from, by how many they were
+    "fig20",      ///< the same, mean squared error
+    "fig22",      ///< textures between two, by the number of Eigen textures
+    "appearance-interpolation", ///< not of the paper: textures between two against captured ones
+    "appearance-rates",         ///< not of the paper: bytes of textures and what they lose
 };
+
+/// Whether a table is of a model of appearance.
+inline bool needsAppearance(std::string_view table)
+{
+    return table.starts_with("appearance-") || table == "fig17" || table == "fig18" || table == "fig19" ||
+           table == "fig20" || table == "fig22";
+}
 
 /// Whether a table is of variations.
 inline bool needsVariations(std::string_view table)

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/evaluations/evaluationsteps.h"
 
+#include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
+#include "model/project/evaluations/appearanceevaluations.h"
 
 #include <map>
 
@@ -31,6 +33,22 @@ MakeStep makerOf(const std::string& table)
     return found == makers.end() ? nullptr : found->second;
 }
 
+using MakeAppearanceStep = BuildStep (*)(const AppearanceInputs&, const EvaluationEntry&);
+
+/// \pre needsAppearance(table).
+MakeAppearanceStep appearanceMakerOf(const std::string& table)
+{
+    static const std::map<std::string, MakeAppearanceStep> makers{
+        {"fig17", compactnessStep},
+        {"fig18", compactnessStep},
+        {"fig19", generalisationStep},
+        {"fig20", generalisationStep},
+        {"fig22", fig22Step},
+        {"appearance-interpolation", appearanceInterpolationStep},
+        {"appearance-rates", appearanceRatesStep}};
+    return makers.at(table);
+}
+
 /// The entry that holds for a table of a character: that which names it, or one for all.
 const EvaluationEntry* entryOf(const Project& project, const std::string& table, const std::string& character)
 {
@@ -47,6 +65,8 @@ bool isPossible(const std::string& table, const CharacterInputs& work)
 {
     if (table == "table1")
         return !sequencesWithAngles(work).empty();
+    if (needsAppearance(table))
+        return appearanceOf(work.opener->project(), work.character) != nullptr;
     return !needsVariations(table) || !learnedVariations(work.opener->project(), work.character).empty();
 }
 
@@ -74,7 +94,13 @@ std::vector<BuildStep> makeEvaluationSteps(const StepMaking& making)
         for (const std::string_view table : evaluationTables) {
             const std::string name(table);
             const EvaluationEntry* entry = entryOf(project, name, work.character);
-            if (entry != nullptr && !work.sequences.empty() && isPossible(name, work))
+            if (entry == nullptr || work.sequences.empty() || !isPossible(name, work))
+                continue;
+            if (needsAppearance(name))
+                steps.push_back(appearanceMakerOf(name)(
+                    {work, {making.opener, *appearanceOf(project, work.character), making.projectFile}},
+                    *entry));
+            else
                 steps.push_back(makerOf(name)(work, *entry));
         }
     }

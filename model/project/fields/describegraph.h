@@ -69,17 +69,21 @@ void describe(Fields& f, Type<EvaluationEntry>)
 {
     using E = EvaluationEntry;
     f.about("evaluation");
-    f.field("table", &E::table,
-            {.help =
-                 "A table of the paper on shape motion: how interpolation keeps edges and volume (fig4), "
-                 "kinds of "
-                 "transitions (fig7), Essential graph and motion graph (fig9), the centre of a blend with "
-                 "constant (fig11) and rising weights (fig12), pose distances against reference joint angles "
-                 "(table1), poses at times (table2); what shows at transitions (junctions), how calm walks "
-                 "along paths are (walks), what makes Essential graphs dense (density), and what shows of "
-                 "variations beside the takes that they vary (variations).",
-             .need = Need::Required,
-             .choices = evaluationTables});
+    f.field(
+        "table", &E::table,
+        {.help =
+             "A table of the paper on shape motion: how interpolation keeps edges and volume (fig4), "
+             "kinds of "
+             "transitions (fig7), Essential graph and motion graph (fig9), the centre of a blend with "
+             "constant (fig11) and rising weights (fig12), pose distances against reference joint angles "
+             "(table1), poses at times (table2); what shows at transitions (junctions), how calm walks "
+             "along paths are (walks), what makes Essential graphs dense (density), and what shows of "
+             "variations beside the takes that they vary (variations). Of a model of appearance: how well "
+             "textures are restored by its number of components (fig17 SSIM, fig18 squared error), those "
+             "that were left out (fig19, fig20), textures between two by Eigen textures (fig22) and "
+             "against captured ones (appearance-interpolation), and bytes (appearance-rates).",
+         .need = Need::Required,
+         .choices = evaluationTables});
     f.reference("character", &E::character, NamedKind::Character,
                 {.help = "All characters where it is left out.", .loss = Loss::OfOwner});
     f.reference("sequences", &E::sequences, NamedKind::Sequence,
@@ -91,10 +95,14 @@ void describe(Fields& f, Type<EvaluationEntry>)
             {.help = "Of fig9 and density: weights of time; for density, the graph's where it is left out.",
              .limits = limits::alpha,
              .fallbackList = figure9Alphas});
-    f.field("count", &E::count,
-            {.help = "What is drawn: pairs of frames for fig4 (20), keys for table2 (10), transitions for "
-                     "junctions (200).",
-             .limits = Limits::between(1, 100'000, "The count must be from 1 to 100000")});
+    f.field(
+        "count", &E::count,
+        {.help =
+             "What is drawn: pairs of frames for fig4 and fig22 (20), keys for table2 (10), transitions for "
+             "junctions (200), sets of frames of each size for fig19 and fig20 (5), frames at each "
+             "distance for appearance-interpolation (20). Of fig17 and fig18: cameras around the body "
+             "(4).",
+         .limits = Limits::between(1, 100'000, "The count must be from 1 to 100000")});
     f.field("seed", &E::seed,
             {.help = "Of what is drawn.",
              .limits = Limits::from(0, "The seed is below zero", "Write a whole number from 0.")});
