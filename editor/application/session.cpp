@@ -51,6 +51,7 @@ Session sessionFrom(const QJsonObject& stored)
         session.selected += name.toString();
     session.shownSequence = stored["shownSequence"].toString();
     session.frame = stored["frame"].toInteger();
+    session.looks = stored["looks"].toObject();
     session.view = stored["view"].toObject();
     return session;
 }
@@ -79,6 +80,7 @@ void saveSession(const Session& session, const std::filesystem::path& project)
         {"selected", QJsonArray::fromStringList(session.selected)},
         {"shownSequence", session.shownSequence},
         {"frame", session.frame},
+        {"looks", session.looks},
         {"view", session.view},
     };
     writeSealed(sessionFile(project), stored, sessionFormat);

@@ -19,7 +19,8 @@ struct Session
     QStringList selected;
     QString shownSequence;
     qint64 frame = 0;
-    QJsonObject view; ///< camera and shading, as the workspace describes them
+    QJsonObject looks; ///< what each workspace keeps, by its id
+    QJsonObject view;  ///< camera and shading, as the workspace describes them
 
     bool operator==(const Session&) const = default;
 };

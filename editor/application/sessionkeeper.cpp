@@ -91,6 +91,7 @@ void SessionKeeper::keep()
     session.selected = m_context.selection.sequences();
     session.shownSequence = m_context.selection.shownSequence();
     session.frame = m_sequences.player().frame().value;
+    session.looks = m_workspaces.looks();
     session.view = {{"camera", toJson(viewport.camera())}, {"shading", static_cast<int>(viewport.shading())}};
     saveSession(session, m_context.document.file());
     // What was looked at last; a workspace that shows nothing says nothing about the project.
@@ -113,6 +114,7 @@ void SessionKeeper::follow(const ChangeEvent& event)
         return;
     placeWindow(m_window, session.windowPlace);
     m_workspaces.setStates(session.docks);
+    m_workspaces.setLooks(session.looks);
     m_workspaces.select(session.workspace);
     session.selected.removeIf(
         [this](const QString& name) { return m_context.document.sequence(name) == nullptr; });

@@ -5,6 +5,7 @@
 #include "editor/workspaces/view/sceneview.h"
 #include "model/project/document/animationentry.h"
 
+#include <QJsonObject>
 #include <QWidget>
 #include <functional>
 #include <optional>
@@ -40,6 +41,11 @@ public:
     virtual std::vector<Panel> panels() { return {}; }
     /// The captured frame that is shown now, or that is nearest to what is shown; none without any.
     virtual std::optional<NamedFrame> shownPose() { return std::nullopt; }
+    /// What of it comes back with a project, for its session; nothing where all of it is told by what is
+    /// selected. Of the project that is open.
+    virtual QJsonObject look() const { return {}; }
+    /// Shows it so again. \param look  as `look` gave it, maybe of an older version of the project.
+    virtual void setLook(const QJsonObject& /*look*/) {}
     /// Brings a panel to the front of those that share its place. Shows its dock where it is hidden. \param
     /// content as in Panel.
     static void showPanel(QWidget* content);

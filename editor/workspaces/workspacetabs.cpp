@@ -290,4 +290,22 @@ void WorkspaceTabs::retranslate()
         m_bar->setTabText(static_cast<int>(i), m_entries[i].title().remove(QLatin1Char('&')));
 }
 
+QJsonObject WorkspaceTabs::looks() const
+{
+    QJsonObject looks;
+    for (const Entry& entry : m_entries) {
+        if (const QJsonObject look = entry.workspace->look(); !look.isEmpty())
+            looks[entry.id] = look;
+    }
+    return looks;
+}
+
+void WorkspaceTabs::setLooks(const QJsonObject& looks)
+{
+    for (const Entry& entry : m_entries) {
+        if (looks.contains(entry.id))
+            entry.workspace->setLook(looks[entry.id].toObject());
+    }
+}
+
 } // namespace quadrille

@@ -60,6 +60,10 @@ public:
     /// shown is arranged at once.
     void setStates(const QJsonObject& states);
 
+    /// What all workspaces keep for a session by their ids, and back.
+    QJsonObject looks() const;
+    void setLooks(const QJsonObject& looks);
+
     /// How the docks of the workspace that is shown are arranged now.
     QByteArray arrangement() const;
     /// Arranges them so. \param state  as `arrangement` gave it.

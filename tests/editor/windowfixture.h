@@ -15,7 +15,7 @@
 
 namespace quadrille::test {
 
-inline const QStringList workspaceNames{"sequences", "graph", "animate", "variations"};
+inline const QStringList workspaceNames{"sequences", "graph", "animate", "variations", "appearance"};
 
 /// Tests of the window: a fresh one for each, and a take of six frames to open.
 class WindowFixture : public QObject

@@ -87,6 +87,28 @@ void AppearanceWorkspace::setActive(bool active)
     follow();
 }
 
+QJsonObject AppearanceWorkspace::look() const
+{
+    QJsonObject look = m_shown->toJson();
+    look["entry"] = m_appearance->name();
+    if (const auto frame = m_appearance->frame()) {
+        look["sequence"] = QString::fromStdString(frame->sequence);
+        look["frame"] = qint64{frame->frame.value};
+    }
+    return look;
+}
+
+void AppearanceWorkspace::setLook(const QJsonObject& look)
+{
+    const QString entry = look["entry"].toString();
+    if (findAppearance(m_context.document.project(), entry.toStdString()) != nullptr)
+        m_context.selection.select({Section::Appearances, entry});
+    m_shown->fromJson(look);
+    if (look.contains("sequence"))
+        m_appearance->goToWhenShown({look["sequence"].toString().toStdString(),
+                                     FrameIndex(std::max<qint64>(0, look["frame"].toInteger()))});
+}
+
 /// Models are read only while somebody looks.
 void AppearanceWorkspace::follow()
 {

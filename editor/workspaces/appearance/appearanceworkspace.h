@@ -22,6 +22,8 @@ public:
     std::vector<Panel> panels() override { return m_panels; }
     std::optional<NamedFrame> shownPose() override;
     void setActive(bool active) override;
+    QJsonObject look() const override;
+    void setLook(const QJsonObject& look) override;
     CurrentAppearance& appearance() { return *m_appearance; }
     ShownTexture& shown() { return *m_shown; }
     TextureComparison& comparison() { return *m_comparison; }

@@ -15,9 +15,9 @@ namespace quadrille {
 namespace {
 
 constexpr double middleGrey = 127.5;
-constexpr double mostOfThem = 0.995; ///< of the values, which the colours tell apart
-constexpr double halfTurn = 180;     // degrees
-constexpr double fullTurn = 360;     // degrees
+constexpr double mostOfThem = 0.98; ///< of the values, which the colours tell apart
+constexpr double halfTurn = 180;    // degrees
+constexpr double fullTurn = 360;    // degrees
 
 /// The size that nearly all of some values stay below.
 float usualSize(std::vector<float> sizes)

@@ -126,7 +126,7 @@ void CurrentAppearance::goTo(const NamedFrame& frame)
 {
     const QString sequence = QString::fromStdString(frame.sequence);
     m_view.player().pause();
-    if (sequence == m_context.selection.shownSequence()) {
+    if (m_view.scene().shown() == QStringList{sequence} && frame.frame.value < m_view.scene().frameCount()) {
         m_view.player().goTo(frame.frame.value);
         return;
     }

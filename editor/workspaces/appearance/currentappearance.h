@@ -48,6 +48,8 @@ public:
     Texture textureOf(const NamedFrame& frame) const;
     /// Shows a frame, of another sequence where it is of that.
     void goTo(const NamedFrame& frame);
+    /// Shows a frame as soon as its sequence is shown for another reason.
+    void goToWhenShown(const NamedFrame& frame) { m_pending = frame; }
 
     /// Changes the entry, undoably; nothing happens without one.
     /// \param text  what the history calls it, translated. \param property  see setAppearance.
