@@ -268,10 +268,10 @@ Image AppearanceDecoder::decodeAligned(std::span<const float> textures) const
     return texture;
 }
 
-std::vector<std::uint32_t> AppearanceDecoder::planeOf(const Image& texture) const
+void AppearanceDecoder::fill(std::span<const std::uint8_t> colours, std::vector<std::uint32_t>& plane) const
 {
-    const std::vector<std::uint8_t> colours = m_lookup.colours(texture);
-    std::vector<std::uint32_t> plane(m_charts.size());
+    assert(colours.size() == 3 * m_places.size());
+    plane.resize(m_charts.size());
     const std::uint8_t* colour = colours.data();
     for (const std::uint32_t place : m_places) {
         plane[place] = 0xFF000000U | static_cast<std::uint32_t>(colour[0]) |
@@ -279,7 +279,17 @@ std::vector<std::uint32_t> AppearanceDecoder::planeOf(const Image& texture) cons
                        static_cast<std::uint32_t>(colour[2]) << 16;
         colour += 3;
     }
-    return plane;
+}
+
+Image AppearanceDecoder::dealigned(std::span<const std::uint8_t> colours, std::span<const float> warp) const
+{
+    assert(std::ssize(warp) == 2 * m_model->grid.nodes());
+    DecodeScratch scratch;
+    fill(colours, scratch.aligned);
+    scratch.warp.assign(warp.begin(), warp.end());
+    Image texture = m_background;
+    dealign(scratch, texture);
+    return texture;
 }
 
 void AppearanceDecoder::mix(const MovedTexture& first, const MovedTexture& second, float weight,
@@ -288,7 +298,9 @@ void AppearanceDecoder::mix(const MovedTexture& first, const MovedTexture& secon
     const UsedTexels& used = m_model->texels;
     assert(mixed.width == used.width && mixed.height == used.height);
     assert(std::ssize(first.warp) == 2 * m_model->grid.nodes() && first.warp.size() == second.warp.size());
-    const std::array planes{planeOf(first.texture), planeOf(second.texture)};
+    std::array<std::vector<std::uint32_t>, 2> planes;
+    fill(m_lookup.colours(first.texture), planes[0]);
+    fill(m_lookup.colours(second.texture), planes[1]);
     std::array<std::vector<float>, 2> rows;
     RowWarp ofFirst(m_model->grid, first.warp, used.width, rows[0]);
     RowWarp ofSecond(m_model->grid, second.warp, used.width, rows[1]);

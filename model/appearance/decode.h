@@ -50,6 +50,9 @@ public:
     /// The aligned texture, without a warp.
     Image decodeAligned(std::span<const float> textures) const;
 
+    /// A texture de-aligned by any warp, such as one that was estimated.
+    /// \param colours  R, G, B of each used texel. \param warp  2 values per node.
+    Image dealigned(std::span<const std::uint8_t> colours, std::span<const float> warp) const;
     /// Two textures, each moved by a warp of its own, looked up as above, and mixed. Gutters take the colours
     /// of the nearest covered texels, as what textures hold there may be anything.
     /// \param weight  of the second, 0 … 1. \param mixed  its used texels are replaced. \pre It has the
@@ -72,7 +75,7 @@ private:
     /// Up to lookupsAtOnce texels of a run. \param done  of its texels. \return how many they are.
     int lookUp(const std::vector<std::uint32_t>& aligned, const Run& run, int done, const RowWarp& warp,
                LookedUp& texels) const;
-    std::vector<std::uint32_t> planeOf(const Image& texture) const;
+    void fill(std::span<const std::uint8_t> colours, std::vector<std::uint32_t>& plane) const;
     void dealign(DecodeScratch& scratch, Image& texture) const;
     std::uint32_t carefulTexel(const std::uint32_t* aligned, const Run& run, int column, Vec2f offset) const;
     void copyUsed(const DecodeScratch& scratch, Image& texture) const;

@@ -133,7 +133,7 @@ Dealigner::Dealigner(const UsedTexels& used, const WarpGrid& grid)
 
 Image Dealigner::dealigned(std::span<const std::uint8_t> colours, std::span<const float> warp) const
 {
-    return m_decoder.dealigned(atlasPicture(m_decoder.model().texels, colours), warp);
+    return m_decoder.dealigned(colours, warp);
 }
 
 } // namespace quadrille

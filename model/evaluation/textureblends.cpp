@@ -11,15 +11,6 @@ namespace quadrille {
 
 namespace {
 
-/// The mean of two pictures of one size, rounded.
-Image meanPicture(const Image& first, const Image& second)
-{
-    Image mean = first;
-    std::ranges::transform(first.pixels, second.pixels, mean.pixels.begin(),
-                           [](int a, int b) { return static_cast<std::uint8_t>((a + b + 1) / 2); });
-    return mean;
-}
-
 std::vector<float> meanWarp(const TextureAlignment& alignment, const std::array<std::int64_t, 2>& pair)
 {
     std::vector<float> mean = alignment.backward(pair[0]);
@@ -123,7 +114,7 @@ std::vector<MiddleErrors> middleErrors(const TextureSource& textures, const Appe
                          own.report(0.7);
                          return std::vector<MiddleErrors>{
                              {textureQuality(*truth, blended, model.texels),
-                              textureQuality(*truth, meanPicture(*before, *after), model.texels)}};
+                              textureQuality(*truth, mixedTexture(*before, *after, 0.5), model.texels)}};
                      },
                      [&](std::int64_t task, std::span<const MiddleErrors> errors) {
                          all[static_cast<std::size_t>(task)] = errors.front();

@@ -145,6 +145,18 @@ TEST(AppearanceDecoder, ShowsAlignedTexelsWithoutAWarp)
               decoder.decodeAligned({}));
 }
 
+TEST(AppearanceDecoder, DealignsAGivenTexture)
+{
+    const auto model = sharedModel(randomSpaces(texelsOfDiscs(50, 50, {{25, 25, 20}}), {}, 3));
+    const AppearanceDecoder decoder(model);
+    const AppearanceCoefficients frame = coefficientsOf(*model, 2);
+    const Image texture = decoder.decodeAligned(frame.textures);
+    std::vector<std::uint8_t> aligned;
+    for (const std::uint32_t texel : model->texels.texels)
+        aligned.insert(aligned.end(), &texture.pixels[4 * texel], &texture.pixels[4 * texel] + 3);
+    EXPECT_EQ(decoder.dealigned(aligned, combined(model->warps, frame.warps)), decoder.decode(frame));
+}
+
 TEST(AppearanceDecoder, MixesMovedTextures)
 {
     const auto model = sharedModel(randomSpaces(texelsOfDiscs(50, 50, {{25, 25, 20}}), {}, 3));
