@@ -32,6 +32,7 @@ std::vector<Camera> ringOfCameras(Positions positions, UpAxis up, int count)
     const Framing framing{.up = up, .direction = front - front.dot(vertical) * vertical};
     const Camera first = frameTurntable(boundsOf(positions), framing);
     std::vector<Camera> cameras;
+    cameras.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
         cameras.push_back(turned(first, up, static_cast<double>(i) / count));
     return cameras;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/appearance/texturequality.h"
+#include "model/core/progress.h"
 #include "model/render/camera.h"
 #include "model/sequence/topology.h"
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace quadrille {
 
@@ -81,7 +82,7 @@ Image fromPlanes(const Planes& planes)
 {
     Image picture(planes.width, planes.height);
     const auto byte = [](double value) {
-        return static_cast<std::uint8_t>(std::clamp(static_cast<int>(value + 0.5), 0, 255));
+        return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
     };
     for (int y = 0; y < planes.height; ++y) {
         const auto row = static_cast<std::size_t>(y / 2) * static_cast<std::size_t>(planes.colorWidth);

@@ -7,6 +7,7 @@
 #include "editor/evaluations/evaluationcharts.h"
 #include "editor/evaluations/evaluationpanel.h"
 #include "graphfixture.h"
+#include "model/project/store/tablebuilder.h"
 #include "tests/qt/patience.h"
 #include "widgets/graph/barchart.h"
 #include "widgets/graph/linechart.h"
@@ -214,6 +215,25 @@ private slots:
                 4 * test::find<QTableView>("evaluationTable")->rowHeight(0));
     }
 
+    void severalColumnsAreLinesOfOneChart()
+    {
+        TableBuilder table("fig17", {});
+        table.whole("components").real("texture_ssim").real("texture_ssim_naive");
+        table.real("image_ssim").real("image_ssim_naive");
+        table.add({std::int64_t{1}, 0.5, 0.4, 0.7, 0.6});
+        table.add({std::int64_t{9}, 0.8, 1.0, 0.9, 1.0});
+        DataItem item;
+        item.name = "evaluation/fig17";
+        item.content = std::move(table).table();
+        const std::vector<EvaluationChart> charts = chartsOf("fig17", {item}, UpAxis::Y);
+        QCOMPARE(charts.size(), 1U);
+        const auto& lines = std::get<EvaluationChart::Lines>(charts[0].content);
+        QCOMPARE(lines.series.size(), 4U);
+        QCOMPARE(lines.series[1].name, QStringLiteral("SSIM of textures, naive"));
+        QCOMPARE(lines.series[1].points, (std::vector<QPointF>{{1, 0.4}, {9, 1.0}}));
+        QCOMPARE(lines.series[2].points.back(), QPointF(9, 0.9));
+    }
+
     void computingIsStopped()
     {
         add("junctions");
@@ -235,6 +255,9 @@ private slots:
         QVERIFY(angles->data(Qt::AccessibleDescriptionRole).toString().contains("joint angles (a BVH file"));
         const auto* variations = choices().item(choiceOf("What shows of variations"));
         QVERIFY(!variations->flags().testFlag(Qt::ItemIsEnabled));
+        const auto* compactness = choices().item(choiceOf("Compactness, SSIM"));
+        QVERIFY(!compactness->flags().testFlag(Qt::ItemIsEnabled));
+        QVERIFY(compactness->data(Qt::AccessibleDescriptionRole).toString().contains("model of appearance"));
         add("fig7");
         QVERIFY(!choices().item(choiceOf("Kinds of transitions"))->flags().testFlag(Qt::ItemIsEnabled));
         // One of variations, written by hand, is there and says that there are none.

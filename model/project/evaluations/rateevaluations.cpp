@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<std::int64_t, 6> ratedComponents{5, 10, 20, 30, 50, 100};
 constexpr std::array ratedQualities{10, 20, 30, 50, 70, 85, 95};
-constexpr std::array ratedQuantizers{44, 38, 32, 26, 20, 16};
+constexpr std::array ratedQuantizers{44, 38, 32, 26, 20, 16, 10};
 constexpr std::array ratedSimilarities{0.9, 0.92, 0.94, 0.95, 0.96, 0.97, 0.98, 0.99};
 constexpr std::array rateKinds{"model", "jpeg", "h264"};
 
