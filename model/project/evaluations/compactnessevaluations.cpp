@@ -28,6 +28,7 @@ Result compactnessResult(const std::string& name, const std::vector<CompactnessR
                            "cross; none where they are not.");
     crossings.text("domain").real("components");
     std::vector<double> components;
+    components.reserve(rows.size());
     for (const CompactnessRow& row : rows)
         components.push_back(static_cast<double>(row.components));
     const std::array domains{std::pair("texture", &AppearanceErrors::texture),
@@ -36,6 +37,7 @@ Result compactnessResult(const std::string& name, const std::vector<CompactnessR
         const std::string column = domain + ("_" + measure.name);
         table.real(column, measure.unit).real(column + "_naive", measure.unit);
         std::vector<double> gains;
+        gains.reserve(rows.size());
         for (const CompactnessRow& row : rows)
             gains.push_back(measure.sign *
                             ((row.own.*member).*measure.value - (row.naive.*member).*measure.value));

@@ -43,10 +43,12 @@ Result generalisationResult(const std::string& name, const std::vector<Generalis
               "over what it left out, and standard deviations over draws.");
     table.real("fraction").whole("training").whole("draws");
     const std::array domains{&AppearanceErrors::texture, &AppearanceErrors::image};
-    for (const std::string domain : {"texture_", "image_"}) {
-        for (const std::string way : {"", "_naive"}) {
-            const std::string column = domain + measure.name + way;
-            table.real(column, measure.unit).real(column + "_deviation", measure.unit);
+    for (const char* domain : {"texture_", "image_"}) {
+        for (const char* way : {"", "_naive"}) {
+            std::string column(domain);
+            column.append(measure.name).append(way);
+            table.real(column, measure.unit);
+            table.real(column.append("_deviation"), measure.unit);
         }
     }
     for (const GeneralisationRow& row : rows) {

@@ -31,6 +31,7 @@ std::vector<Value> drawn(std::vector<Value> values, std::int64_t count, Random& 
     order.resize(std::min(order.size(), static_cast<std::size_t>(count)));
     std::ranges::sort(order, {}, [](const auto& each) { return each.second; });
     std::vector<Value> some;
+    some.reserve(order.size());
     for (const auto& [key, index] : order)
         some.push_back(values[index]);
     return some;
@@ -176,6 +177,7 @@ BuildStep appearanceInterpolationStep(const AppearanceInputs& inputs, const Eval
                 continue;
             isAny = true;
             std::vector<MiddleTexture> textures;
+            textures.reserve(middles.size());
             for (const NamedMiddle& middle : middles)
                 textures.push_back(middle.textures);
             const double from = 0.05 + 0.95 * static_cast<double>(i) / distances.size();
