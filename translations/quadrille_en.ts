@@ -50,6 +50,30 @@
     </message>
 </context>
 <context>
+    <name>quadrille::AppearanceBar</name>
+    <message numerus="yes">
+        <source>%1 %n second(s) left</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 %n minute(s) left</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Ready: %n texture(s) learned</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::AppearancePage</name>
     <message numerus="yes">
         <source>%n texture(s)</source>

@@ -3704,6 +3704,143 @@
     </message>
 </context>
 <context>
+    <name>quadrille::AppearanceBar</name>
+    <message>
+        <source>Appearance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;New model of textures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a model of the character’s textures to the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate the model of textures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a copy, to compute it with other settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Build</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computes Eigen textures and Eigen warps of all textures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Cancel building</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends the computation; flows that are done need not be computed again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Models of textures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model of textures that is worked on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation type="unfinished">Composantes</translation>
+    </message>
+    <message>
+        <source>Of Eigen textures and Eigen warps together, at most; 1 to 1000</source>
+        <translation type="unfinished">Textures et déformations propres ensemble, au plus&#xa0;; de 1 à 1000</translation>
+    </message>
+    <message>
+        <source>Warps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many of the components are Eigen warps, which align textures</source>
+        <translation type="unfinished">Combien de composantes sont des déformations propres, qui alignent les textures</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <comment>percent</comment>
+        <translation type="unfinished"> %</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation type="unfinished">Alignement</translation>
+    </message>
+    <message>
+        <source>How the way of each texel is found from texture to texture</source>
+        <translation type="unfinished">Comment le chemin de chaque texel est trouvé d’une texture à l’autre</translation>
+    </message>
+    <message>
+        <source>TV-L1</source>
+        <translation type="unfinished">TV-L1</translation>
+    </message>
+    <message>
+        <source>Dense inverse search, quick</source>
+        <translation type="unfinished">Recherche inverse dense, rapide</translation>
+    </message>
+    <message>
+        <source>Set “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Completing textures…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computing the model…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 %n second(s) left</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 %n minute(s) left</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Ready: %n texture(s) learned</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It did not work.</source>
+        <translation type="unfinished">Cela n’a pas marché.</translation>
+    </message>
+    <message>
+        <source>Out of date: the model is of other settings or textures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not built yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>quadrille::AppearanceEdits</name>
     <message>
         <source>Add appearance “%1”</source>
@@ -3786,6 +3923,96 @@
     </message>
 </context>
 <context>
+    <name>quadrille::AppearanceResults</name>
+    <message>
+        <source>Looking for the textures of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Completing textures by “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Textures of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AppearanceWorkspace</name>
+    <message>
+        <source>Coefficients</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation type="unfinished">Composantes</translation>
+    </message>
+    <message>
+        <source>Masks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Between</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import sequences first: their textures are what is modelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The texture of the frame that is shown stands here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No take has a texture for each frame, so there is nothing to model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No take of “%1” has a texture for each frame, so there is nothing to model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a take and choose a folder of textures in its properties: one picture for each of its frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Here the textures of a character are modelled: as Eigen textures, which are colours, and Eigen warps, which move them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames between captured ones then get sharp textures, and what is missing of one is filled in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished">%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished">Réessayer</translation>
+    </message>
+    <message>
+        <source>“%1” is not built yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It takes some seconds for each texture; you can go on working meanwhile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>quadrille::AxesFields</name>
     <message>
         <source>%1 m</source>
@@ -3818,6 +4045,62 @@
     <message>
         <source>Others</source>
         <translation>Autres</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::BetweenPanel</name>
+    <message>
+        <source>The texture between two captured frames: a linear blend shows both, one through the other; the model moves the one to the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation type="unfinished">De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation type="unfinished">À</translation>
+    </message>
+    <message>
+        <source>This frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the frame that is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to that frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation type="unfinished">Poids</translation>
+    </message>
+    <message>
+        <source>How far from the first frame to the second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <comment>percent</comment>
+        <translation type="unfinished"> %</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4265,6 +4548,104 @@
     </message>
 </context>
 <context>
+    <name>quadrille::CoefficientsPanel</name>
+    <message>
+        <source>T%1</source>
+        <comment>an Eigen texture</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>W%1</source>
+        <comment>an Eigen warp</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame’s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take back what was changed by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished">Moyenne</translation>
+    </message>
+    <message>
+        <source>Put all coefficients to zero, which is the mean texture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model has not learned this frame. Moving a slider begins at the mean.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coefficients of the frame that is shown stand here, once the model is built.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, changed by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show fewer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> σ</source>
+        <comment>standard deviations</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eigen texture %1, in standard deviations from the mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eigen warp %1, in standard deviations from the mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ComponentsPanel</name>
+    <message>
+        <source>Eigen textures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which colours change together: above grey more, below it less</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eigen warps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where texels move together: the colour says which way, its strength how far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eigen textures and Eigen warps stand here once the model is built.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing components…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing components</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2 %</source>
+        <comment>number and share of the variance</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>quadrille::ContactProposal</name>
     <message>
         <source>Edit</source>
@@ -4292,6 +4673,13 @@
     <message>
         <source>animation</source>
         <translation>animation</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::CurrentAppearance</name>
+    <message>
+        <source>textures</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7356,6 +7744,10 @@
         <source>Evaluation</source>
         <translation>Évaluation</translation>
     </message>
+    <message>
+        <source>A&amp;ppearance</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>quadrille::MarkEdits</name>
@@ -7369,6 +7761,156 @@
     <message>
         <source>Change the notes of “%1”</source>
         <translation>Changer les notes de «&#xa0;%1&#xa0;»</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::MaskCanvas</name>
+    <message>
+        <source>Reading a mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erase a stroke of a mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint a stroke of a mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filling a chart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mask a chart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Complete frame %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do not complete frame %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear a mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::MasksPanel</name>
+    <message>
+        <source>Appearance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Paint a mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks what is missing of the texture, in the texture view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Complete this f&amp;rame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds the texture of the frame to those that are completed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Do &amp;not complete this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the texture of the frame out of those that are completed, with its mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear the &amp;mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes all strokes of the mask away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;omplete textures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fills in what is masked with what the model finds likeliest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark what a texture lacks; the model fills it in. Textures to be completed are not learned from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eraser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill a chart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished">Taille</translation>
+    </message>
+    <message>
+        <source>What a press on the texture does while a mask is painted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Textures to be completed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Textures to be completed: choose one to go there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, no mask yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a model of textures first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to a frame, choose “Paint a mask” and mark on its texture what is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Completing textures…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All are completed as they are masked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Completed anew when you ask for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Completing them builds the model first.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7472,6 +8014,18 @@
     <message>
         <source>E&amp;valuations</source>
         <translation>É&amp;valuations</translation>
+    </message>
+    <message>
+        <source>App&amp;earance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Completions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Te&amp;xture</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9517,6 +10071,54 @@ maximal %2</translation>
     </message>
 </context>
 <context>
+    <name>quadrille::QualityPanel</name>
+    <message>
+        <source>Explained variance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is drawn over the number of components</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compute</source>
+        <translation type="unfinished">Calculer</translation>
+    </message>
+    <message>
+        <source>Adds the evaluation to the project where it is missing, and computes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What more components give shows here, once the model is built.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>used</source>
+        <comment>components</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Components of the space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eigen textures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eigen warps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation type="unfinished">Composantes</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::RecentMenu</name>
     <message>
         <source>Forget these</source>
@@ -10637,6 +11239,29 @@ maximal %2</translation>
     </message>
 </context>
 <context>
+    <name>quadrille::ShownTexture</name>
+    <message>
+        <source>Build the model to see what it makes of this texture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model has not learned the texture of frame %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing of this texture is completed yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the two frames in the panel Between.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model has not learned both frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>quadrille::SpanForm</name>
     <message>
         <source>Show</source>
@@ -10952,6 +11577,162 @@ maximal %2</translation>
     <message>
         <source>All frames: the take has no cycle like the reference’s</source>
         <translation>Toutes les images&#xa0;: la prise n’a pas de cycle comme celui de la référence</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TextureComparison</name>
+    <message>
+        <source>Appearance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Original</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Made by the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difference, &amp;absolute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Side by side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;wipe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;UV edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw the edges of the mesh over its texture</source>
+        <translation type="unfinished">Dessiner les arêtes du maillage sur sa texture</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the texture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit the texture into its view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is compared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation type="unfinished">Image</translation>
+    </message>
+    <message>
+        <source>Between two frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation type="unfinished">Complétées</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it is compared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation type="unfinished">Texture</translation>
+    </message>
+    <message>
+        <source>Second texture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Components used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many of the model’s components textures are made of, from the first on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Linear blend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean − %1 σ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean + %1 σ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Original</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Made by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstruction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difference, absolute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Swipe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <comment>components</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing UV edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grey levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SSIM %1 · MSE %2 grey levels²</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -68,6 +68,14 @@ constexpr std::array table{
     Row{"learningPanel", "variations", "Learning"},
     Row{"samplesPanel", "variations", "Samples"},
     Row{"latentPanel", "variations", "Latent space"},
+    // Appearance
+    Row{"appearanceWorkspace", "appearance"},
+    Row{"textureComparison", "appearance", "The texture view"},
+    Row{"coefficientsPanel", "appearance", "Coefficients"},
+    Row{"componentsPanel", "appearance", "Components"},
+    Row{"masksPanel", "appearance", "Masks"},
+    Row{"betweenPanel", "appearance", "Between"},
+    Row{"qualityPanel", "appearance", "Quality"},
     // Dialogs
     Row{"importDialog", "importing"},
     Row{"exportDialog", "exporting"},

@@ -266,8 +266,7 @@ private slots:
     }
 };
 
-QUADRILLE_QT_TEST(AppearanceTest);
-
 } // namespace quadrille
 
+QUADRILLE_QT_TEST(quadrille::AppearanceTest);
 #include "tst_appearance.moc"

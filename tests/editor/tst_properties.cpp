@@ -6,6 +6,7 @@
 #include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
 #include "tests/qt/registry.h"
+#include "widgets/controls/fieldnote.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -188,4 +189,3 @@ private:
 
 QUADRILLE_QT_TEST(quadrille::PropertiesTest);
 #include "tst_properties.moc"
-#include "widgets/controls/fieldnote.h"

@@ -3,6 +3,7 @@
 #include "editor/workspaces/appearance/componentspanel.h"
 
 #include "editor/context/editorcontext.h"
+#include "editor/fields/ownkeys.h"
 #include "editor/language/retranslate.h"
 
 #include <QLabel>
@@ -20,6 +21,13 @@ constexpr int galleryMargin = 12;
 constexpr double percent = 100;
 
 } // namespace
+
+bool ComponentGallery::event(QEvent* event)
+{
+    return takesOwnKeys(*event,
+                        {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_Home, Qt::Key_End}) ||
+           QListWidget::event(event);
+}
 
 ComponentsPanel::ComponentsPanel(ShownTexture& shown, QWidget* parent)
     : QWidget(parent)
@@ -48,7 +56,7 @@ ComponentsPanel::ComponentsPanel(ShownTexture& shown, QWidget* parent)
 
 QListWidget* ComponentsPanel::addGallery(const char* name, ShownTexture::Space space)
 {
-    auto* gallery = new QListWidget;
+    auto* gallery = new ComponentGallery;
     gallery->setObjectName(QLatin1String(name));
     gallery->setViewMode(QListView::IconMode);
     gallery->setResizeMode(QListView::Adjust);

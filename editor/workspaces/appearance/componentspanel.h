@@ -5,13 +5,20 @@
 #include "editor/workspaces/appearance/componentpictures.h"
 #include "editor/workspaces/appearance/showntexture.h"
 
-#include <QPointer>
-#include <QWidget>
+#include <QListWidget>
 
 class QLabel;
-class QListWidget;
 
 namespace quadrille {
+
+/// A list of pictures that takes the arrows for itself, which step through frames elsewhere.
+class ComponentGallery : public QListWidget
+{
+    Q_OBJECT
+
+protected:
+    bool event(QEvent* event) override;
+};
 
 /// The components of a model as a gallery: choosing one shows it large.
 class ComponentsPanel : public QWidget
