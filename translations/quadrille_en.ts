@@ -53,23 +53,23 @@
     <name>quadrille::AppearanceBar</name>
     <message numerus="yes">
         <source>%1 %n second(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 %n second left</numerusform>
+            <numerusform>%1 %n seconds left</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1 %n minute(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 %n minute left</numerusform>
+            <numerusform>%1 %n minutes left</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Ready: %n texture(s) learned</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Ready: %n texture learned</numerusform>
+            <numerusform>Ready: %n textures learned</numerusform>
         </translation>
     </message>
 </context>

@@ -3707,137 +3707,137 @@
     <name>quadrille::AppearanceBar</name>
     <message>
         <source>Appearance</source>
-        <translation type="unfinished"></translation>
+        <translation>Apparence</translation>
     </message>
     <message>
         <source>&amp;New model of textures</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nouveau modèle de textures</translation>
     </message>
     <message>
         <source>Add a model of the character’s textures to the project</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter au projet un modèle des textures du personnage</translation>
     </message>
     <message>
         <source>&amp;Duplicate the model of textures</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dupliquer le modèle de textures</translation>
     </message>
     <message>
         <source>Add a copy, to compute it with other settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter une copie, à calculer avec d’autres réglages</translation>
     </message>
     <message>
         <source>&amp;Build</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Construire</translation>
     </message>
     <message>
         <source>Computes Eigen textures and Eigen warps of all textures</source>
-        <translation type="unfinished"></translation>
+        <translation>Calcule les textures et les déformations propres de toutes les textures</translation>
     </message>
     <message>
         <source>&amp;Cancel building</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Annuler la construction</translation>
     </message>
     <message>
         <source>Ends the computation; flows that are done need not be computed again</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrête le calcul ; les flots déjà faits ne seront pas recalculés</translation>
     </message>
     <message>
         <source>Models of textures</source>
-        <translation type="unfinished"></translation>
+        <translation>Modèles de textures</translation>
     </message>
     <message>
         <source>The model of textures that is worked on</source>
-        <translation type="unfinished"></translation>
+        <translation>Le modèle de textures sur lequel on travaille</translation>
     </message>
     <message>
         <source>No model</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun modèle</translation>
     </message>
     <message>
         <source>Components</source>
-        <translation type="unfinished">Composantes</translation>
+        <translation>Composantes</translation>
     </message>
     <message>
         <source>Of Eigen textures and Eigen warps together, at most; 1 to 1000</source>
-        <translation type="unfinished">Textures et déformations propres ensemble, au plus&#xa0;; de 1 à 1000</translation>
+        <translation>Textures et déformations propres ensemble, au plus ; de 1 à 1000</translation>
     </message>
     <message>
         <source>Warps</source>
-        <translation type="unfinished"></translation>
+        <translation>Déformations</translation>
     </message>
     <message>
         <source>How many of the components are Eigen warps, which align textures</source>
-        <translation type="unfinished">Combien de composantes sont des déformations propres, qui alignent les textures</translation>
+        <translation>Combien de composantes sont des déformations propres, qui alignent les textures</translation>
     </message>
     <message>
         <source> %</source>
         <comment>percent</comment>
-        <translation type="unfinished"> %</translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>Alignment</source>
-        <translation type="unfinished">Alignement</translation>
+        <translation>Alignement</translation>
     </message>
     <message>
         <source>How the way of each texel is found from texture to texture</source>
-        <translation type="unfinished">Comment le chemin de chaque texel est trouvé d’une texture à l’autre</translation>
+        <translation>Comment le chemin de chaque texel est trouvé d’une texture à l’autre</translation>
     </message>
     <message>
         <source>TV-L1</source>
-        <translation type="unfinished">TV-L1</translation>
+        <translation>TV-L1</translation>
     </message>
     <message>
         <source>Dense inverse search, quick</source>
-        <translation type="unfinished">Recherche inverse dense, rapide</translation>
+        <translation>Recherche inverse dense, rapide</translation>
     </message>
     <message>
         <source>Set “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Régler « %1 »</translation>
     </message>
     <message>
         <source>Completing textures…</source>
-        <translation type="unfinished"></translation>
+        <translation>Les textures sont complétées…</translation>
     </message>
     <message>
         <source>Computing the model…</source>
-        <translation type="unfinished"></translation>
+        <translation>Le modèle est calculé…</translation>
     </message>
     <message numerus="yes">
         <source>%1 %n second(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 Encore %n seconde</numerusform>
+            <numerusform>%1 Encore %n secondes</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1 %n minute(s) left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 Encore %n minute</numerusform>
+            <numerusform>%1 Encore %n minutes</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Ready: %n texture(s) learned</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Prêt : %n texture apprise</numerusform>
+            <numerusform>Prêt : %n textures apprises</numerusform>
         </translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Échec : %1</translation>
     </message>
     <message>
         <source>It did not work.</source>
-        <translation type="unfinished">Cela n’a pas marché.</translation>
+        <translation>Cela n’a pas marché.</translation>
     </message>
     <message>
         <source>Out of date: the model is of other settings or textures</source>
-        <translation type="unfinished"></translation>
+        <translation>Périmé : le modèle est d’autres réglages ou d’autres textures</translation>
     </message>
     <message>
         <source>Not built yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas encore construit</translation>
     </message>
 </context>
 <context>
@@ -3926,90 +3926,90 @@
     <name>quadrille::AppearanceResults</name>
     <message>
         <source>Looking for the textures of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Recherche des textures de « %1 »</translation>
     </message>
     <message>
         <source>Completing textures by “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Textures complétées par « %1 »</translation>
     </message>
     <message>
         <source>Textures of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Textures de « %1 »</translation>
     </message>
 </context>
 <context>
     <name>quadrille::AppearanceWorkspace</name>
     <message>
         <source>Coefficients</source>
-        <translation type="unfinished"></translation>
+        <translation>Coefficients</translation>
     </message>
     <message>
         <source>Components</source>
-        <translation type="unfinished">Composantes</translation>
+        <translation>Composantes</translation>
     </message>
     <message>
         <source>Masks</source>
-        <translation type="unfinished"></translation>
+        <translation>Masques</translation>
     </message>
     <message>
         <source>Between</source>
-        <translation type="unfinished"></translation>
+        <translation>Entre</translation>
     </message>
     <message>
         <source>Quality</source>
-        <translation type="unfinished"></translation>
+        <translation>Qualité</translation>
     </message>
     <message>
         <source>Import sequences first: their textures are what is modelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Importez d’abord des séquences : ce sont leurs textures qui sont modélisées.</translation>
     </message>
     <message>
         <source>The texture of the frame that is shown stands here.</source>
-        <translation type="unfinished"></translation>
+        <translation>La texture de l’image montrée se place ici.</translation>
     </message>
     <message>
         <source>No take has a texture for each frame, so there is nothing to model.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune prise n’a de texture par image : il n’y a rien à modéliser.</translation>
     </message>
     <message>
         <source>No take of “%1” has a texture for each frame, so there is nothing to model.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune prise de « %1 » n’a de texture par image : il n’y a rien à modéliser.</translation>
     </message>
     <message>
         <source>Select a take and choose a folder of textures in its properties: one picture for each of its frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sélectionnez une prise et choisissez un dossier de textures dans ses propriétés : une par image de la prise.</translation>
     </message>
     <message>
         <source>Here the textures of a character are modelled: as Eigen textures, which are colours, and Eigen warps, which move them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ici, les textures d’un personnage sont modélisées : par des textures propres, qui sont des couleurs, et des déformations propres, qui les déplacent.</translation>
     </message>
     <message>
         <source>Frames between captured ones then get sharp textures, and what is missing of one is filled in.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les images entre celles qui furent captées ont alors des textures nettes, et ce qui manque à l’une est rempli.</translation>
     </message>
     <message>
         <source>New model</source>
-        <translation type="unfinished"></translation>
+        <translation>Nouveau modèle</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished">%1 (%2)</translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Try again</source>
-        <translation type="unfinished">Réessayer</translation>
+        <translation>Réessayer</translation>
     </message>
     <message>
         <source>“%1” is not built yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’est pas encore construit.</translation>
     </message>
     <message>
         <source>It takes some seconds for each texture; you can go on working meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il faut quelques secondes par texture ; on peut travailler en attendant.</translation>
     </message>
     <message>
         <source>Build</source>
-        <translation type="unfinished"></translation>
+        <translation>Construire</translation>
     </message>
 </context>
 <context>
@@ -4051,56 +4051,56 @@
     <name>quadrille::BetweenPanel</name>
     <message>
         <source>The texture between two captured frames: a linear blend shows both, one through the other; the model moves the one to the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>La texture entre deux images captées : un mélange linéaire montre les deux, l’une à travers l’autre ; le modèle amène l’une à l’autre.</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished">De</translation>
+        <translation>De</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished">À</translation>
+        <translation>À</translation>
     </message>
     <message>
         <source>This frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette image</translation>
     </message>
     <message>
         <source>Take the frame that is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Prendre l’image montrée</translation>
     </message>
     <message>
         <source>%1: this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 : cette image</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer</translation>
     </message>
     <message>
         <source>Go to that frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Aller à cette image</translation>
     </message>
     <message>
         <source>%1: show</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 : montrer</translation>
     </message>
     <message>
         <source>Weight</source>
-        <translation type="unfinished">Poids</translation>
+        <translation>Poids</translation>
     </message>
     <message>
         <source>How far from the first frame to the second</source>
-        <translation type="unfinished"></translation>
+        <translation>À quelle distance de la première image vers la seconde</translation>
     </message>
     <message>
         <source> %</source>
         <comment>percent</comment>
-        <translation type="unfinished"> %</translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>none yet</source>
-        <translation type="unfinished"></translation>
+        <translation>pas encore</translation>
     </message>
 </context>
 <context>
@@ -4552,97 +4552,97 @@
     <message>
         <source>T%1</source>
         <comment>an Eigen texture</comment>
-        <translation type="unfinished"></translation>
+        <translation>T%1</translation>
     </message>
     <message>
         <source>W%1</source>
         <comment>an Eigen warp</comment>
-        <translation type="unfinished"></translation>
+        <translation>D%1</translation>
     </message>
     <message>
         <source>Frame’s own</source>
-        <translation type="unfinished"></translation>
+        <translation>Ceux de l’image</translation>
     </message>
     <message>
         <source>Take back what was changed by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Reprendre ce qui fut changé à la main</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation type="unfinished">Moyenne</translation>
+        <translation>Moyenne</translation>
     </message>
     <message>
         <source>Put all coefficients to zero, which is the mean texture</source>
-        <translation type="unfinished"></translation>
+        <translation>Mettre tous les coefficients à zéro : la texture moyenne</translation>
     </message>
     <message>
         <source>The model has not learned this frame. Moving a slider begins at the mean.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le modèle n’a pas appris cette image. Un curseur que l’on bouge part de la moyenne.</translation>
     </message>
     <message>
         <source>Coefficients of the frame that is shown stand here, once the model is built.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les coefficients de l’image montrée se placent ici, une fois le modèle construit.</translation>
     </message>
     <message>
         <source>%1, changed by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, changé à la main</translation>
     </message>
     <message>
         <source>Show fewer</source>
-        <translation type="unfinished"></translation>
+        <translation>En montrer moins</translation>
     </message>
     <message>
         <source>Show all %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer les %1</translation>
     </message>
     <message>
         <source> σ</source>
         <comment>standard deviations</comment>
-        <translation type="unfinished"></translation>
+        <translation> σ</translation>
     </message>
     <message>
         <source>Eigen texture %1, in standard deviations from the mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Texture propre %1, en écarts-types depuis la moyenne</translation>
     </message>
     <message>
         <source>Eigen warp %1, in standard deviations from the mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Déformation propre %1, en écarts-types depuis la moyenne</translation>
     </message>
 </context>
 <context>
     <name>quadrille::ComponentsPanel</name>
     <message>
         <source>Eigen textures</source>
-        <translation type="unfinished"></translation>
+        <translation>Textures propres</translation>
     </message>
     <message>
         <source>Which colours change together: above grey more, below it less</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelles couleurs changent ensemble : plus que le gris davantage, moins que lui moins</translation>
     </message>
     <message>
         <source>Eigen warps</source>
-        <translation type="unfinished"></translation>
+        <translation>Déformations propres</translation>
     </message>
     <message>
         <source>Where texels move together: the colour says which way, its strength how far</source>
-        <translation type="unfinished"></translation>
+        <translation>Où des texels bougent ensemble : la couleur dit vers où, sa force de combien</translation>
     </message>
     <message>
         <source>Eigen textures and Eigen warps stand here once the model is built.</source>
-        <translation type="unfinished"></translation>
+        <translation>Textures et déformations propres se placent ici une fois le modèle construit.</translation>
     </message>
     <message>
         <source>Drawing components…</source>
-        <translation type="unfinished"></translation>
+        <translation>Les composantes sont dessinées…</translation>
     </message>
     <message>
         <source>Drawing components</source>
-        <translation type="unfinished"></translation>
+        <translation>Dessin des composantes</translation>
     </message>
     <message>
         <source>%1 · %2 %</source>
         <comment>number and share of the variance</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 · %2 %</translation>
     </message>
 </context>
 <context>
@@ -4679,7 +4679,7 @@
     <name>quadrille::CurrentAppearance</name>
     <message>
         <source>textures</source>
-        <translation type="unfinished"></translation>
+        <translation>textures</translation>
     </message>
 </context>
 <context>
@@ -7746,7 +7746,7 @@
     </message>
     <message>
         <source>A&amp;ppearance</source>
-        <translation type="unfinished"></translation>
+        <translation>Appa&amp;rence</translation>
     </message>
 </context>
 <context>
@@ -7767,150 +7767,150 @@
     <name>quadrille::MaskCanvas</name>
     <message>
         <source>Reading a mask</source>
-        <translation type="unfinished"></translation>
+        <translation>Lecture d’un masque</translation>
     </message>
     <message>
         <source>Erase a stroke of a mask</source>
-        <translation type="unfinished"></translation>
+        <translation>Gommer un trait d’un masque</translation>
     </message>
     <message>
         <source>Paint a stroke of a mask</source>
-        <translation type="unfinished"></translation>
+        <translation>Peindre un trait d’un masque</translation>
     </message>
     <message>
         <source>Filling a chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplissage d’un îlot</translation>
     </message>
     <message>
         <source>Mask a chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Masquer un îlot</translation>
     </message>
     <message>
         <source>Complete frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Compléter l’image %1</translation>
     </message>
     <message>
         <source>Do not complete frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ne pas compléter l’image %1</translation>
     </message>
     <message>
         <source>Clear a mask</source>
-        <translation type="unfinished"></translation>
+        <translation>Vider un masque</translation>
     </message>
 </context>
 <context>
     <name>quadrille::MasksPanel</name>
     <message>
         <source>Appearance</source>
-        <translation type="unfinished"></translation>
+        <translation>Apparence</translation>
     </message>
     <message>
         <source>&amp;Paint a mask</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Peindre un masque</translation>
     </message>
     <message>
         <source>Marks what is missing of the texture, in the texture view</source>
-        <translation type="unfinished"></translation>
+        <translation>Marque ce qui manque à la texture, dans la vue de texture</translation>
     </message>
     <message>
         <source>Complete this f&amp;rame</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Compléter cette image</translation>
     </message>
     <message>
         <source>Adds the texture of the frame to those that are completed</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajoute la texture de l’image à celles qui sont complétées</translation>
     </message>
     <message>
         <source>Do &amp;not complete this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ne pas compléter cette image</translation>
     </message>
     <message>
         <source>Takes the texture of the frame out of those that are completed, with its mask</source>
-        <translation type="unfinished"></translation>
+        <translation>Retire la texture de l’image de celles qui sont complétées, avec son masque</translation>
     </message>
     <message>
         <source>Clear the &amp;mask</source>
-        <translation type="unfinished"></translation>
+        <translation>Vider le &amp;masque</translation>
     </message>
     <message>
         <source>Takes all strokes of the mask away</source>
-        <translation type="unfinished"></translation>
+        <translation>Enlève tous les traits du masque</translation>
     </message>
     <message>
         <source>C&amp;omplete textures</source>
-        <translation type="unfinished"></translation>
+        <translation>C&amp;ompléter les textures</translation>
     </message>
     <message>
         <source>Fills in what is masked with what the model finds likeliest</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplit ce qui est masqué avec ce que le modèle trouve le plus vraisemblable</translation>
     </message>
     <message>
         <source>Mark what a texture lacks; the model fills it in. Textures to be completed are not learned from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marquez ce qui manque à une texture ; le modèle le remplit. Les textures à compléter ne sont pas apprises.</translation>
     </message>
     <message>
         <source>Tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Outil</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinceau</translation>
     </message>
     <message>
         <source>Eraser</source>
-        <translation type="unfinished"></translation>
+        <translation>Gomme</translation>
     </message>
     <message>
         <source>Fill a chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplir un îlot</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished">Taille</translation>
+        <translation>Taille</translation>
     </message>
     <message>
         <source>What a press on the texture does while a mask is painted</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que fait une pression sur la texture pendant qu’un masque est peint</translation>
     </message>
     <message>
         <source>Radius of the brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Rayon du pinceau</translation>
     </message>
     <message>
         <source>Textures to be completed</source>
-        <translation type="unfinished"></translation>
+        <translation>Textures à compléter</translation>
     </message>
     <message>
         <source>Textures to be completed: choose one to go there</source>
-        <translation type="unfinished"></translation>
+        <translation>Textures à compléter : en choisir une y mène</translation>
     </message>
     <message>
         <source>%1, no mask yet</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, pas encore de masque</translation>
     </message>
     <message>
         <source>Add a model of textures first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajoutez d’abord un modèle de textures.</translation>
     </message>
     <message>
         <source>Go to a frame, choose “Paint a mask” and mark on its texture what is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Allez à une image, choisissez « Peindre un masque » et marquez sur sa texture ce qui manque.</translation>
     </message>
     <message>
         <source>Completing textures…</source>
-        <translation type="unfinished"></translation>
+        <translation>Les textures sont complétées…</translation>
     </message>
     <message>
         <source>All are completed as they are masked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Toutes sont complétées selon leurs masques.</translation>
     </message>
     <message>
         <source>Completed anew when you ask for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Complétées de nouveau quand vous le demandez.</translation>
     </message>
     <message>
         <source>Completing them builds the model first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les compléter construit d’abord le modèle.</translation>
     </message>
 </context>
 <context>
@@ -8016,16 +8016,16 @@
         <translation>É&amp;valuations</translation>
     </message>
     <message>
-        <source>App&amp;earance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Completions</source>
-        <translation type="unfinished"></translation>
+        <translation>Co&amp;mpléments</translation>
     </message>
     <message>
         <source>Te&amp;xture</source>
-        <translation type="unfinished"></translation>
+        <translation>Te&amp;xture</translation>
+    </message>
+    <message>
+        <source>Appeara&amp;nce</source>
+        <translation>Appare&amp;nce</translation>
     </message>
 </context>
 <context>
@@ -10074,48 +10074,48 @@ maximal %2</translation>
     <name>quadrille::QualityPanel</name>
     <message>
         <source>Explained variance</source>
-        <translation type="unfinished"></translation>
+        <translation>Variance expliquée</translation>
     </message>
     <message>
         <source>What is drawn over the number of components</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui est tracé selon le nombre de composantes</translation>
     </message>
     <message>
         <source>Compute</source>
-        <translation type="unfinished">Calculer</translation>
+        <translation>Calculer</translation>
     </message>
     <message>
         <source>Adds the evaluation to the project where it is missing, and computes it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajoute l’évaluation au projet si elle y manque, et la calcule</translation>
     </message>
     <message>
         <source>What more components give shows here, once the model is built.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qu’apportent plus de composantes se montre ici, une fois le modèle construit.</translation>
     </message>
     <message>
         <source>used</source>
         <comment>components</comment>
-        <translation type="unfinished"></translation>
+        <translation>utilisées</translation>
     </message>
     <message>
         <source>Components of the space</source>
-        <translation type="unfinished"></translation>
+        <translation>Composantes de l’espace</translation>
     </message>
     <message>
         <source>Eigen textures</source>
-        <translation type="unfinished"></translation>
+        <translation>Textures propres</translation>
     </message>
     <message>
         <source>Eigen warps</source>
-        <translation type="unfinished"></translation>
+        <translation>Déformations propres</translation>
     </message>
     <message>
         <source>Computing…</source>
-        <translation type="unfinished"></translation>
+        <translation>Calcul…</translation>
     </message>
     <message>
         <source>Components</source>
-        <translation type="unfinished">Composantes</translation>
+        <translation>Composantes</translation>
     </message>
 </context>
 <context>
@@ -11242,23 +11242,23 @@ maximal %2</translation>
     <name>quadrille::ShownTexture</name>
     <message>
         <source>Build the model to see what it makes of this texture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Construisez le modèle pour voir ce qu’il fait de cette texture.</translation>
     </message>
     <message>
         <source>The model has not learned the texture of frame %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le modèle n’a pas appris la texture de l’image %1.</translation>
     </message>
     <message>
         <source>Nothing of this texture is completed yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rien de cette texture n’est encore complété.</translation>
     </message>
     <message>
         <source>Choose the two frames in the panel Between.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisissez les deux images dans le panneau Entre.</translation>
     </message>
     <message>
         <source>The model has not learned both frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le modèle n’a pas appris les deux images.</translation>
     </message>
 </context>
 <context>
@@ -11583,156 +11583,156 @@ maximal %2</translation>
     <name>quadrille::TextureComparison</name>
     <message>
         <source>Appearance</source>
-        <translation type="unfinished"></translation>
+        <translation>Apparence</translation>
     </message>
     <message>
         <source>&amp;Original</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Original</translation>
     </message>
     <message>
         <source>&amp;Made by the model</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fait par le modèle</translation>
     </message>
     <message>
         <source>&amp;Difference</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Différence</translation>
     </message>
     <message>
         <source>Difference, &amp;absolute</source>
-        <translation type="unfinished"></translation>
+        <translation>Différence &amp;absolue</translation>
     </message>
     <message>
         <source>&amp;Side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Côte à côte</translation>
     </message>
     <message>
         <source>S&amp;wipe</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Volet</translation>
     </message>
     <message>
         <source>&amp;UV edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Arêtes &amp;UV</translation>
     </message>
     <message>
         <source>Draw the edges of the mesh over its texture</source>
-        <translation type="unfinished">Dessiner les arêtes du maillage sur sa texture</translation>
+        <translation>Dessiner les arêtes du maillage sur sa texture</translation>
     </message>
     <message>
         <source>&amp;Fit the texture</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;juster la texture</translation>
     </message>
     <message>
         <source>Fit the texture into its view</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajuster la texture à sa vue</translation>
     </message>
     <message>
         <source>What is compared</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui est comparé</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation type="unfinished">Image</translation>
+        <translation>Image</translation>
     </message>
     <message>
         <source>Between two frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Entre deux images</translation>
     </message>
     <message>
         <source>Completed</source>
-        <translation type="unfinished">Complétées</translation>
+        <translation>Complétées</translation>
     </message>
     <message>
         <source>Component</source>
-        <translation type="unfinished"></translation>
+        <translation>Composante</translation>
     </message>
     <message>
         <source>How it is compared</source>
-        <translation type="unfinished"></translation>
+        <translation>Comment c’est comparé</translation>
     </message>
     <message>
         <source>Texture</source>
-        <translation type="unfinished">Texture</translation>
+        <translation>Texture</translation>
     </message>
     <message>
         <source>Second texture</source>
-        <translation type="unfinished"></translation>
+        <translation>Seconde texture</translation>
     </message>
     <message>
         <source>Components used</source>
-        <translation type="unfinished"></translation>
+        <translation>Composantes utilisées</translation>
     </message>
     <message>
         <source>How many of the model’s components textures are made of, from the first on</source>
-        <translation type="unfinished"></translation>
+        <translation>De combien de composantes du modèle les textures sont faites, à partir de la première</translation>
     </message>
     <message>
         <source>Linear blend</source>
-        <translation type="unfinished"></translation>
+        <translation>Mélange linéaire</translation>
     </message>
     <message>
         <source>Model</source>
-        <translation type="unfinished"></translation>
+        <translation>Modèle</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished"></translation>
+        <translation>Avant</translation>
     </message>
     <message>
         <source>After</source>
-        <translation type="unfinished"></translation>
+        <translation>Après</translation>
     </message>
     <message>
         <source>Mean − %1 σ</source>
-        <translation type="unfinished"></translation>
+        <translation>Moyenne − %1 σ</translation>
     </message>
     <message>
         <source>Mean + %1 σ</source>
-        <translation type="unfinished"></translation>
+        <translation>Moyenne + %1 σ</translation>
     </message>
     <message>
         <source>Original</source>
-        <translation type="unfinished"></translation>
+        <translation>Original</translation>
     </message>
     <message>
         <source>Made by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Fait à la main</translation>
     </message>
     <message>
         <source>Reconstruction</source>
-        <translation type="unfinished"></translation>
+        <translation>Reconstruction</translation>
     </message>
     <message>
         <source>Difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Différence</translation>
     </message>
     <message>
         <source>Difference, absolute</source>
-        <translation type="unfinished"></translation>
+        <translation>Différence absolue</translation>
     </message>
     <message>
         <source>Side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>Côte à côte</translation>
     </message>
     <message>
         <source>Swipe</source>
-        <translation type="unfinished"></translation>
+        <translation>Volet</translation>
     </message>
     <message>
         <source> of %1</source>
         <comment>components</comment>
-        <translation type="unfinished"></translation>
+        <translation> sur %1</translation>
     </message>
     <message>
         <source>Drawing UV edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Dessin des arêtes UV</translation>
     </message>
     <message>
         <source>grey levels</source>
-        <translation type="unfinished"></translation>
+        <translation>niveaux de gris</translation>
     </message>
     <message>
         <source>SSIM %1 · MSE %2 grey levels²</source>
-        <translation type="unfinished"></translation>
+        <translation>SSIM %1 · MSE %2 niveaux de gris²</translation>
     </message>
 </context>
 <context>

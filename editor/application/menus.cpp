@@ -148,7 +148,7 @@ void Menus::addVariations()
 void Menus::addAppearance()
 {
     QMenu* appearance =
-        addMenu("appearanceMenu", [] { return tr("App&earance"); },
+        addMenu("appearanceMenu", [] { return tr("Appeara&nce"); },
                 {"appearance.new", "appearance.duplicate", "", "appearance.build", "appearance.stop", ""});
     addSubmenu(*appearance, "completionsMenu", [] { return tr("&Completions"); },
                {"appearance.paint", "appearance.clearMask", "", "appearance.addCompletion",
