@@ -267,7 +267,7 @@ QString AppearanceBar::stateText() const
     case ResultPhase::Computing: {
         if (state->does(Work::Looking))
             return {};
-        const QString what =
+        QString what =
             state->does(Work::Completing) ? tr("Completing textures…") : tr("Computing the model…");
         const auto left = m_job ? m_job->timeLeft() : std::nullopt;
         if (!left)

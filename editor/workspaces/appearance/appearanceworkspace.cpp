@@ -140,10 +140,8 @@ void AppearanceWorkspace::showState()
     widgets::MessageStrip& message = m_view->message();
     const AppearanceResults::State* state = m_appearance->resultState();
     m_help = nullptr;
-    m_comparison->setEmpty(tr("The texture of the frame that is shown stands here."), nullptr);
-    if (project.sequences.empty()) {
-        message.clear();
-    } else if (m_appearance->hasTextures() == false) {
+    m_comparison->setEmptyText(tr("The texture of the frame that is shown stands here."));
+    if (!project.sequences.empty() && m_appearance->hasTextures() == false) {
         const QString who = m_appearance->character();
         message.show(Kind::Info,
                      who.isEmpty() ? tr("No take has a texture for each frame, so there is nothing to model.")
@@ -153,7 +151,7 @@ void AppearanceWorkspace::showState()
                      tr("Select a take and choose a folder of textures in its properties: one picture for "
                         "each of its frames."));
         message.setAction({});
-    } else if (m_appearance->entry() == nullptr) {
+    } else if (!project.sequences.empty() && m_appearance->entry() == nullptr) {
         m_help = "appearance.new";
         message.show(
             Kind::Info,

@@ -90,12 +90,14 @@ std::vector<MaskStrokeEntry> strokesOver(const UsedTexels& texels, std::uint16_t
 
 QImage maskTint(const QImage& base, std::span<const MaskStrokeEntry> strokes, int side)
 {
-    std::vector<std::uint8_t> mask(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+    const auto width = static_cast<std::size_t>(side);
+    std::vector<std::uint8_t> mask(width * width);
     if (!base.isNull()) {
         const QImage grey = base.scaled(side, side).convertToFormat(QImage::Format_Grayscale8);
         for (int y = 0; y < side; ++y) {
-            for (int x = 0; x < side; ++x)
-                mask[static_cast<std::size_t>(y * side + x)] = grey.constScanLine(y)[x] >= whiteFrom ? 1 : 0;
+            const std::uint8_t* from = grey.constScanLine(y);
+            std::transform(from, from + side, mask.begin() + std::ptrdiff_t{y} * side,
+                           [](std::uint8_t level) { return level >= whiteFrom ? 1 : 0; });
         }
     }
     paintStrokes(strokes, side, side, mask);
@@ -105,8 +107,9 @@ QImage maskTint(const QImage& base, std::span<const MaskStrokeEntry> strokes, in
     QImage tint(side, side, QImage::Format_ARGB32_Premultiplied);
     for (int y = 0; y < side; ++y) {
         auto* row = reinterpret_cast<QRgb*>(tint.scanLine(y));
-        for (int x = 0; x < side; ++x)
-            row[x] = mask[static_cast<std::size_t>(y * side + x)] != 0 ? marked : 0;
+        const auto from = mask.begin() + std::ptrdiff_t{y} * side;
+        std::transform(from, from + side, row,
+                       [marked](std::uint8_t texel) { return texel != 0 ? marked : 0; });
     }
     return tint;
 }

@@ -159,7 +159,7 @@ void QualityPanel::retranslate()
 
 QString QualityPanel::evaluation() const
 {
-    const QString table = m_what->currentData().toString();
+    QString table = m_what->currentData().toString();
     if (table.isEmpty())
         return {};
     const std::string character = m_shown.appearance().character().toStdString();

@@ -192,11 +192,9 @@ void TextureComparison::retranslate()
     refresh();
 }
 
-void TextureComparison::setEmpty(const QString& text, QWidget* action)
+void TextureComparison::setEmptyText(const QString& text)
 {
     m_view->setEmptyText(text);
-    if (action != nullptr)
-        m_view->setEmptyAction(action);
 }
 
 /// What the two textures are called.

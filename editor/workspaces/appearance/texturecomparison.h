@@ -34,8 +34,8 @@ public:
     widgets::ComparedView& view() { return *m_view; }
     /// The pair that is shown now.
     const ShownPair& pair() const { return m_pair; }
-    /// What stands where there is no texture, and what helps.
-    void setEmpty(const QString& text, QWidget* action);
+    /// What stands where there is no texture.
+    void setEmptyText(const QString& text);
 
 signals:
     /// Another pair is shown.

@@ -85,7 +85,7 @@ std::shared_ptr<const Image> firstTexture(const TextureRequest& request)
         return std::make_shared<const Image>(request.opened->decoder->decode(request.first));
     if (request.captured.isEmpty())
         return nullptr;
-    const auto captured = request.captured.load();
+    auto captured = request.captured.load();
     if (request.content != TextureContent::Between || request.other.isEmpty())
         return captured;
     const auto other = request.other.load();
