@@ -3759,7 +3759,7 @@
     </message>
     <message>
         <source>Of Eigen textures and Eigen warps together, at most; 1 to 1000</source>
-        <translation>Textures et déformations propres ensemble, au plus ; de 1 à 1000</translation>
+        <translation>Textures et déformations propres ensemble, au plus&#xa0;; de 1 à 1000</translation>
     </message>
     <message>
         <source>Warps</source>
@@ -11727,12 +11727,17 @@ maximal %2</translation>
         <translation>Dessin des arêtes UV</translation>
     </message>
     <message>
-        <source>grey levels</source>
-        <translation>niveaux de gris</translation>
-    </message>
-    <message>
         <source>SSIM %1 · MSE %2 grey levels²</source>
         <translation>SSIM %1 · MSE %2 niveaux de gris²</translation>
+    </message>
+    <message>
+        <source>Difference in grey levels, second texture less the first</source>
+        <translation>Différence en niveaux de gris, seconde texture moins première</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <comment>grey levels</comment>
+        <translation>Niveaux</translation>
     </message>
 </context>
 <context>

@@ -254,6 +254,18 @@ private slots:
         QTRY_VERIFY(differenceOf(pair().first.image, pair().second.image) > 10);
     }
 
+    void clipsAreOpenedAgainWhenAModelIsReady()
+    {
+        open(modelled());
+        context().graphs.ask({});
+        const auto graph = [this] { return context().graphs.resultState({}); };
+        QTRY_VERIFY(graph() != nullptr && graph()->phase == ResultPhase::Ready);
+        const auto before = graph()->opened;
+        press("tool.appearance.build");
+        QTRY_COMPARE(phase(), ResultPhase::Ready);
+        QTRY_VERIFY(graph()->phase == ResultPhase::Ready && graph()->opened != before);
+    }
+
     void theChartSaysWhatComponentsExplain()
     {
         build();

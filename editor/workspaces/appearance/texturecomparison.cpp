@@ -27,6 +27,7 @@ namespace quadrille {
 namespace {
 
 constexpr int comparisonGap = 4;
+constexpr int legendHeight = 240; // pixels
 constexpr std::array modeIds{"appearance.first",    "appearance.second",     "appearance.difference",
                              "appearance.absolute", "appearance.sideBySide", "appearance.swipe"};
 
@@ -103,6 +104,7 @@ void TextureComparison::arrangeWidgets()
     m_view->setObjectName(QStringLiteral("appearanceTexture"));
     m_right->setObjectName(QStringLiteral("appearanceTextureRight"));
     m_legend->setObjectName(QStringLiteral("appearanceLegend"));
+    m_legend->setMaximumHeight(legendHeight);
     m_content->setObjectName(QStringLiteral("appearanceContent"));
     m_mode->setObjectName(QStringLiteral("appearanceMode"));
     m_used->setObjectName(QStringLiteral("appearanceUsed"));
@@ -136,7 +138,7 @@ void TextureComparison::arrangeWidgets()
     views->setSpacing(1);
     views->addWidget(m_view, 1);
     views->addWidget(m_right, 1);
-    views->addWidget(m_legend);
+    views->addWidget(m_legend, 0, Qt::AlignVCenter);
     auto* used = new QHBoxLayout;
     used->setContentsMargins(2 * comparisonGap, comparisonGap, comparisonGap, 0);
     used->addWidget(m_usedLabel);
@@ -184,6 +186,7 @@ void TextureComparison::retranslate()
     m_mode->setToolTip(tr("How it is compared"));
     m_view->setAccessibleName(tr("Texture"));
     m_right->setAccessibleName(tr("Second texture"));
+    m_legend->setToolTip(tr("Difference in grey levels, second texture less the first"));
     m_usedLabel->setText(tr("Components used"));
     m_used->setAccessibleName(tr("Components used"));
     m_usedNumber->setAccessibleName(tr("Components used"));
@@ -310,8 +313,7 @@ void TextureComparison::request()
 void TextureComparison::take(ShownPair pair)
 {
     m_pair = std::move(pair);
-    m_pair.range.title = tr("Difference");
-    m_pair.range.unit = tr("grey levels");
+    m_pair.range.title = tr("Levels", "grey levels");
     showPair();
     showQuality();
     refreshEdges();
