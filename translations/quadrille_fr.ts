@@ -4063,7 +4063,7 @@
     </message>
     <message>
         <source>This frame</source>
-        <translation>Cette image</translation>
+        <translation>Celle-ci</translation>
     </message>
     <message>
         <source>Take the frame that is shown</source>
@@ -4071,7 +4071,7 @@
     </message>
     <message>
         <source>%1: this frame</source>
-        <translation>%1 : cette image</translation>
+        <translation>%1 : celle-ci</translation>
     </message>
     <message>
         <source>Show</source>

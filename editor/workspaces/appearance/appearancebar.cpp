@@ -92,7 +92,7 @@ void AppearanceBar::makeActions()
                          [] { return tr("&Build"); },
                          [] { return tr("Computes Eigen textures and Eigen warps of all textures"); },
                          "refresh",
-                         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_B)}},
+                         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_U)}},
                         [this, &context] { context.appearances.build(m_appearance.name()); });
     context.actions.add(
         {"appearance.stop",
