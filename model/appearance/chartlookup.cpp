@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/appearance/chartlookup.h"
 
+#include "model/appearance/cubicweights.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -118,9 +120,62 @@ std::vector<std::uint8_t> ChartLookup::colours(const Image& texture, const std::
     const std::vector<std::uint8_t> still = colours(texture);
     const std::vector<float> moved = sampled(std::vector<float>(still.begin(), still.end()), field);
     std::vector<std::uint8_t> rounded(moved.size());
-    std::ranges::transform(moved, rounded.begin(),
-                           [](float value) { return static_cast<std::uint8_t>(std::lround(value)); });
+    std::ranges::transform(moved, rounded.begin(), [](float value) {
+        return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 255.0F)));
+    });
     return rounded;
+}
+
+bool ChartLookup::isSquareInside(int left, int top, std::uint16_t chart) const
+{
+    if (left < 1 || top < 1 || left + 2 >= m_used.width || top + 2 >= m_used.height)
+        return false;
+    const std::uint16_t* corner = m_charts.data() + cell(left - 1, top - 1);
+    for (int row = 0; row < 4; ++row, corner += m_used.width + 1)
+        if (corner[0] != chart || corner[1] != chart || corner[2] != chart || corner[3] != chart)
+            return false;
+    return true;
+}
+
+std::array<float, 3> ChartLookup::cubic(std::span<const float> values, int left, int top,
+                                        const Vec2f& part) const
+{
+    const CubicWeights x = cubicWeights(part.x());
+    const CubicWeights y = cubicWeights(part.y());
+    const std::array across{x.w0, x.w1, x.w2, x.w3};
+    const std::array down{y.w0, y.w1, y.w2, y.w3};
+    std::array<float, 3> sums{};
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column) {
+            const float weight =
+                across[static_cast<std::size_t>(column)] * down[static_cast<std::size_t>(row)];
+            const float* value =
+                values.data() + std::size_t{3} * m_indices[cell(left - 1 + column, top - 1 + row)];
+            for (std::size_t c = 0; c < 3; ++c)
+                sums[c] += weight * value[c];
+        }
+    return sums;
+}
+
+std::array<float, 3> ChartLookup::linear(std::span<const float> values, std::size_t texel, int left, int top,
+                                         const Vec2f& part) const
+{
+    std::array<float, 3> sums{};
+    float whole = 0;
+    for (const auto& [dx, dy, weight] : {std::tuple{0, 0, (1 - part.x()) * (1 - part.y())},
+                                         {1, 0, part.x() * (1 - part.y())},
+                                         {0, 1, (1 - part.x()) * part.y()},
+                                         {1, 1, part.x() * part.y()}}) {
+        if (!(weight > 0) || m_charts[cell(left + dx, top + dy)] != m_used.charts[texel] + 1)
+            continue;
+        const float* value = values.data() + std::size_t{3} * m_indices[cell(left + dx, top + dy)];
+        for (std::size_t c = 0; c < 3; ++c)
+            sums[c] += weight * value[c];
+        whole += weight;
+    }
+    for (std::size_t c = 0; c < 3; ++c)
+        sums[c] = whole > 0 ? sums[c] / whole : values[3 * texel + c];
+    return sums;
 }
 
 std::vector<float> ChartLookup::sampled(std::span<const float> values, const std::vector<Vec2f>& field) const
@@ -131,23 +186,11 @@ std::vector<float> ChartLookup::sampled(std::span<const float> values, const std
         const Vec2f at(static_cast<float>(x) + field[k].x(), static_cast<float>(y) + field[k].y());
         const int left = std::clamp(static_cast<int>(std::floor(at.x())), 0, m_used.width - 1);
         const int top = std::clamp(static_cast<int>(std::floor(at.y())), 0, m_used.height - 1);
-        const float tx = at.x() - static_cast<float>(left);
-        const float ty = at.y() - static_cast<float>(top);
-        float sums[3] = {};
-        float whole = 0;
-        for (const auto& [dx, dy, weight] : {std::tuple{0, 0, (1 - tx) * (1 - ty)},
-                                             {1, 0, tx * (1 - ty)},
-                                             {0, 1, (1 - tx) * ty},
-                                             {1, 1, tx * ty}}) {
-            if (!(weight > 0) || m_charts[cell(left + dx, top + dy)] != m_used.charts[k] + 1)
-                continue;
-            const float* value = values.data() + std::size_t{3} * m_indices[cell(left + dx, top + dy)];
-            for (std::size_t c = 0; c < 3; ++c)
-                sums[c] += weight * value[c];
-            whole += weight;
-        }
-        for (std::size_t c = 3 * k; c < 3 * k + 3; ++c)
-            moved[c] = whole > 0 ? sums[c - 3 * k] / whole : values[c];
+        const Vec2f part = at - Vec2f(static_cast<float>(left), static_cast<float>(top));
+        const auto chart = static_cast<std::uint16_t>(m_used.charts[k] + 1);
+        std::ranges::copy(isSquareInside(left, top, chart) ? cubic(values, left, top, part)
+                                                           : linear(values, k, left, top, part),
+                          moved.begin() + static_cast<std::ptrdiff_t>(3 * k));
     }
     return moved;
 }

@@ -29,7 +29,8 @@ public:
     /// The colours of a texture: R, G, B per used texel; in gutters those of the nearest covered texels, as
     /// what textures hold there may be anything. \pre The texture has the size of the atlas.
     std::vector<std::uint8_t> colours(const Image& texture) const;
-    /// Colours looked up at x + field(x), bilinear between texels of the chart, rounded to nearest.
+    /// Colours looked up at x + field(x), rounded to nearest: cubic where the chart is as wide as that takes,
+    /// else linear between its texels.
     std::vector<std::uint8_t> colours(const Image& texture, const std::vector<Vec2f>& field) const;
 
     /// Three values per used texel, looked up in the same way. \param values  three of each used texel.
@@ -52,6 +53,12 @@ private:
     }
     /// Whether the sample at a place takes texels of the chart only.
     bool isInside(const Vec2f& place, std::uint16_t chart) const;
+    /// Whether the 4 × 4 texels are of the chart that a cubic look-up takes.
+    bool isSquareInside(int left, int top, std::uint16_t chart) const;
+    /// Three values between texels of a chart. \param part  of the way to the next column and row.
+    std::array<float, 3> cubic(std::span<const float> values, int left, int top, const Vec2f& part) const;
+    std::array<float, 3> linear(std::span<const float> values, std::size_t texel, int left, int top,
+                                const Vec2f& part) const;
     Vec2f shortened(std::size_t texel, const Vec2f& displacement) const;
     void findSources();
 

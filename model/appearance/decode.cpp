@@ -21,6 +21,10 @@ namespace {
 constexpr int valuesOfDecodedBlock = static_cast<int>(QuantisedSpace::blockSize);
 static_assert(valuesOfDecodedBlock % 3 == 0, "no texel lies in two blocks");
 
+// Around the texels of an atlas, so that look-ups need not ask where it ends.
+constexpr std::uint32_t texelsBefore = 1;
+constexpr std::uint32_t texelsBehind = 2;
+
 } // namespace
 
 /// The warps of the texels of a row, between those of the rows of nodes around it.
@@ -90,16 +94,18 @@ AppearanceDecoder::AppearanceDecoder(std::shared_ptr<const AppearanceModel> mode
 {
     const UsedTexels& used = m_model->texels;
     const auto width = static_cast<std::uint32_t>(used.width);
-    const std::uint32_t stride = width + 1;
-    const auto places = static_cast<std::size_t>(stride) * static_cast<std::size_t>(used.height + 1);
-    m_charts.resize(places);
-    m_quads.resize(places);
+    m_stride = width + texelsBefore + texelsBehind;
+    m_origin = texelsBefore * m_stride + texelsBefore;
+    m_charts.resize(std::size_t{m_stride} *
+                    (static_cast<std::size_t>(used.height) + texelsBefore + texelsBehind));
+    m_squares.resize(m_charts.size());
     for (std::size_t t = 0; t < used.texels.size(); ++t) {
         const std::uint32_t texel = used.texels[t];
         const auto x = static_cast<int>(texel % width);
         const auto y = static_cast<int>(texel / width);
         const auto chart = static_cast<std::uint16_t>(used.charts[t] + 1);
-        m_places.push_back(static_cast<std::uint32_t>(y) * stride + static_cast<std::uint32_t>(x));
+        m_places.push_back(m_origin + static_cast<std::uint32_t>(y) * m_stride +
+                           static_cast<std::uint32_t>(x));
         m_charts[m_places.back()] = chart;
         if (!m_runs.empty() && m_runs.back().y == y && m_runs.back().chart == chart &&
             m_runs.back().x + m_runs.back().length == x)
@@ -109,9 +115,12 @@ AppearanceDecoder::AppearanceDecoder(std::shared_ptr<const AppearanceModel> mode
     }
     for (const std::uint32_t place : m_places) {
         const std::uint16_t chart = m_charts[place];
-        if (m_charts[place + 1] == chart && m_charts[place + stride] == chart &&
-            m_charts[place + stride + 1] == chart)
-            m_quads[place] = chart;
+        const std::uint16_t* corner = &m_charts[place - m_origin];
+        bool isWhole = true;
+        for (std::size_t tap = 0; tap < 16 && isWhole; ++tap)
+            isWhole = corner[tap / 4 * m_stride + tap % 4] == chart;
+        if (isWhole)
+            m_squares[place] = chart;
     }
     if (background) {
         assert(background->width == used.width && background->height == used.height);
@@ -148,9 +157,8 @@ std::uint32_t AppearanceDecoder::carefulTexel(const std::uint32_t* aligned, cons
                                               Vec2f offset) const
 {
     const UsedTexels& used = m_model->texels;
-    const auto stride = static_cast<std::size_t>(used.width) + 1;
     const auto placeOf = [&](float x, float y) {
-        return static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x);
+        return m_origin + static_cast<std::size_t>(y) * m_stride + static_cast<std::size_t>(x);
     };
     const Vec2f from(static_cast<float>(run.x + column), static_cast<float>(run.y));
     const Vec2f last(static_cast<float>(used.width - 1), static_cast<float>(used.height - 1));
@@ -167,7 +175,7 @@ std::uint32_t AppearanceDecoder::carefulTexel(const std::uint32_t* aligned, cons
             const bool right = tap % 2 != 0;
             const bool below = tap / 2 != 0;
             const std::size_t place =
-                placeOf(corner.x(), corner.y()) + (right ? 1 : 0) + (below ? stride : 0);
+                placeOf(corner.x(), corner.y()) + (right ? 1 : 0) + (below ? m_stride : 0);
             if (m_charts[place] != run.chart)
                 continue;
             const float weight = (right ? part.x() : 1 - part.x()) * (below ? part.y() : 1 - part.y());
@@ -189,8 +197,8 @@ int AppearanceDecoder::lookUp(const std::vector<std::uint32_t>& aligned, const R
                               const RowWarp& warp, LookedUp& texels) const
 {
     const UsedTexels& used = m_model->texels;
-    const RowLookup lookup{.plane = aligned.data(),
-                           .stride = used.width + 1,
+    const RowLookup lookup{.plane = aligned.data() + m_origin,
+                           .stride = static_cast<int>(m_stride),
                            .lastX = used.width - 1,
                            .lastY = used.height - 1,
                            .x = run.x + done,
@@ -201,7 +209,7 @@ int AppearanceDecoder::lookUp(const std::vector<std::uint32_t>& aligned, const R
     lookUpRow(lookup, rows, places.data(), texels.data());
     for (int i = 0; i < lookup.count; ++i) {
         const auto n = static_cast<std::size_t>(i);
-        if (m_quads[static_cast<std::size_t>(places[n])] == run.chart)
+        if (m_squares[m_origin + static_cast<std::size_t>(places[n])] == run.chart)
             continue;
         const Vec2f offset(rows.x[0][i] + rows.weight * (rows.x[1][i] - rows.x[0][i]),
                            rows.y[0][i] + rows.weight * (rows.y[1][i] - rows.y[0][i]));
@@ -226,10 +234,9 @@ void AppearanceDecoder::dealign(DecodeScratch& scratch, Image& texture) const
 
 void AppearanceDecoder::copyUsed(const DecodeScratch& scratch, Image& texture) const
 {
-    const auto stride = static_cast<std::size_t>(m_model->texels.width) + 1;
     for (const Run& run : m_runs)
         std::memcpy(texture.pixel(run.x, run.y),
-                    scratch.aligned.data() + static_cast<std::size_t>(run.y) * stride +
+                    scratch.aligned.data() + m_origin + static_cast<std::size_t>(run.y) * m_stride +
                         static_cast<std::size_t>(run.x),
                     sizeof(std::uint32_t) * static_cast<std::size_t>(run.length));
 }

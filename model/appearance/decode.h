@@ -17,7 +17,7 @@ namespace quadrille {
 /// allocated again. One for each thread.
 struct DecodeScratch
 {
-    std::vector<std::uint32_t> aligned; ///< the aligned texture, R G B A, with a column and a row more
+    std::vector<std::uint32_t> aligned; ///< the aligned texture, R G B A, with some texels around it
     std::vector<float> warp;            ///< 2 values per node
     std::vector<float> rows;            ///< warps of the texels of two rows of nodes
 };
@@ -42,8 +42,9 @@ public:
 
     const AppearanceModel& model() const { return *m_model; }
 
-    /// The texture: aligned texels, looked up at x + warp(x). A look-up never leaves the chart of its texel:
-    /// texels of others do not count, and where none is left it moves back towards x.
+    /// The texture: aligned texels, looked up at x + warp(x), cubic where the chart is as wide as that takes,
+    /// else linear. A look-up never leaves the chart of its texel: texels of others do not count, and where
+    /// none is left it moves back towards x.
     Image decode(const AppearanceCoefficients& coefficients) const;
     /// \overload into a picture that may have been used before.
     void decode(const AppearanceCoefficients& coefficients, DecodeScratch& scratch, Image& texture) const;
@@ -83,9 +84,12 @@ private:
     std::shared_ptr<const AppearanceModel> m_model;
     ChartLookup m_lookup;
     std::vector<Run> m_runs;
-    std::vector<std::uint32_t> m_places; ///< of each used texel in a plane with a column and a row more
-    std::vector<std::uint16_t> m_charts; ///< of each place, from 1 on; 0: not used
-    std::vector<std::uint16_t> m_quads;  ///< the same where the next column and row are of that chart, else 0
+    // Planes have some texels around those of the atlas.
+    std::uint32_t m_stride = 0;
+    std::uint32_t m_origin = 0;           ///< the place of the first texel
+    std::vector<std::uint32_t> m_places;  ///< of each used texel
+    std::vector<std::uint16_t> m_charts;  ///< of each place, from 1 on; 0: not used
+    std::vector<std::uint16_t> m_squares; ///< the same where all 4 × 4 that a look-up takes are of it, else 0
     Image m_background;
 };
 

@@ -29,16 +29,18 @@ struct WarpRows
 /// Some texels of a row, looked up in a plane of R G B A.
 struct RowLookup
 {
-    const std::uint32_t* plane = nullptr;
+    const std::uint32_t* plane =
+        nullptr; ///< its texel (0, 0); one before it and two behind the last are there
     int stride = 0;
-    int lastX = 0; ///< the largest place that may be looked up; one more must be there
+    int lastX = 0; ///< the largest place that is looked up
     int lastY = 0;
     int x = 0; ///< of the first texel
     int y = 0;
     int count = 0; ///< at most lookupsAtOnce
 };
 
-/// Texels at x + warp(x), bilinear. \param places  where in the plane the upper left one of the four lies.
+/// Texels at x + warp(x), cubic in both directions: see CubicWeights. \param places  where in the plane the
+/// texel at the upper left of each place lies.
 void lookUpRow(const RowLookup& lookup, const WarpRows& warp, std::int32_t* places, std::uint32_t* texels);
 
 /// A row of warpBetween. \param from  all nodes. \param to, between  of the row.

@@ -184,6 +184,18 @@ Vec2d plainWarp(const WarpGrid& grid, const std::vector<double>& warp, int x, in
 
 } // namespace
 
+namespace {
+
+/// Of a value at a distance below 2.
+double catmullRom(double away)
+{
+    const double square = away * away;
+    return away < 1 ? 1.5 * away * square - 2.5 * square + 1
+                    : -0.5 * away * square + 2.5 * square - 4 * away + 2;
+}
+
+} // namespace
+
 Image plainDecode(const AppearanceModel& model, const AppearanceCoefficients& coefficients)
 {
     const UsedTexels& used = model.texels;
@@ -200,17 +212,29 @@ Image plainDecode(const AppearanceModel& model, const AppearanceCoefficients& co
         for (bool isDone = false; !isDone; offset /= 2) {
             const double px = std::clamp(x + offset.x(), 0.0, used.width - 1.0);
             const double py = std::clamp(y + offset.y(), 0.0, used.height - 1.0);
+            const auto usedOfChart = [&](int tx, int ty) {
+                if (tx < 0 || ty < 0 || tx >= used.width || ty >= used.height)
+                    return -1;
+                const int at = usedAt[static_cast<std::size_t>(ty * used.width + tx)];
+                return at >= 0 && used.charts[static_cast<std::size_t>(at)] == used.charts[t] ? at : -1;
+            };
+            const int left = static_cast<int>(px);
+            const int top = static_cast<int>(py);
+            bool isCubic = true;
+            for (int tap = 0; tap < 16; ++tap)
+                isCubic = isCubic && usedOfChart(left - 1 + tap % 4, top - 1 + tap / 4) >= 0;
             double weights = 0;
             Vec3d sum = Vec3d::Zero();
-            for (int tap = 0; tap < 4; ++tap) {
-                const int tx = static_cast<int>(px) + tap % 2;
-                const int ty = static_cast<int>(py) + tap / 2;
-                if (tx >= used.width || ty >= used.height)
+            for (int tap = 0; tap < 16; ++tap) {
+                const int tx = left - 1 + tap % 4;
+                const int ty = top - 1 + tap / 4;
+                const auto weightOf = [&](double away) {
+                    return isCubic ? catmullRom(away) : std::max(0.0, 1 - away);
+                };
+                const int at = usedOfChart(tx, ty);
+                const double weight = weightOf(std::abs(px - tx)) * weightOf(std::abs(py - ty));
+                if (at < 0 || weight == 0)
                     continue;
-                const int at = usedAt[static_cast<std::size_t>(ty * used.width + tx)];
-                if (at < 0 || used.charts[static_cast<std::size_t>(at)] != used.charts[t])
-                    continue;
-                const double weight = (1 - std::abs(px - tx)) * (1 - std::abs(py - ty));
                 weights += weight;
                 for (int c = 0; c < 3; ++c)
                     sum[c] +=
@@ -220,7 +244,8 @@ Image plainDecode(const AppearanceModel& model, const AppearanceCoefficients& co
             }
             isDone = weights > 0;
             for (int c = 0; isDone && c < 3; ++c)
-                texture.pixel(x, y)[c] = static_cast<std::uint8_t>(std::lround(sum[c] / weights));
+                texture.pixel(x, y)[c] =
+                    static_cast<std::uint8_t>(std::lround(std::clamp(sum[c] / weights, 0.0, 255.0)));
         }
         texture.pixel(x, y)[3] = 255;
     }
