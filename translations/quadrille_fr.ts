@@ -10114,8 +10114,8 @@ maximal %2</translation>
         <translation>Calcul…</translation>
     </message>
     <message>
-        <source>Components</source>
-        <translation>Composantes</translation>
+        <source>Needs takes of a character.</source>
+        <translation>Demande des prises d’un personnage.</translation>
     </message>
 </context>
 <context>

@@ -3,11 +3,11 @@
 // Textures that are completed, textures between two frames, and what a session keeps of them.
 #include "appearancefixture.h"
 #include "editor/workspaces/appearance/maskcanvas.h"
-#include "editor/workspaces/appearance/qualitypanel.h"
 #include "model/project/steps/completionmask.h"
 #include "tests/qt/registry.h"
 #include "widgets/graph/linechart.h"
 
+#include <QComboBox>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSlider>
@@ -190,21 +190,25 @@ private slots:
         QTRY_COMPARE(workspace().appearance().frame(), std::optional(NamedFrame{"slow", FrameIndex(0)}));
     }
 
-    void tablesOfEvaluationsAreLines()
+    void qualityIsComputedAndDrawnOverTheComponents()
     {
-        DataItem item;
-        item.name = "evaluation/fig17";
-        item.content =
-            DataTable{.name = "fig17",
-                      .description = {},
-                      .columns = {{.name = "components", .values = std::vector<std::int64_t>{10, 5}},
-                                  {.name = "texture-ssim", .values = std::vector<double>{0.9, 0.8}},
-                                  {.name = "texture-ssim-naive", .values = std::vector<double>{0.7, 0.6}}}};
-        const auto lines = linesOverComponents({item}, "");
-        QCOMPARE(lines.size(), 2U);
-        QCOMPARE(lines[0].points, (std::vector<QPointF>{{5, 0.8}, {10, 0.9}}));
-        QVERIFY(!lines[0].isDashed && lines[1].isDashed);
-        QVERIFY(linesOverComponents({}, "").empty());
+        Project project = modelled();
+        project.characters = {{.name = "card", .mesh = m_folder->filePath("slow/f_0.obj").toStdString()}};
+        open(project);
+        press("tool.appearance.build");
+        QTRY_COMPARE(phase(), ResultPhase::Ready);
+        auto* chart = find<widgets::LineChart>("qualityChart");
+        QTRY_VERIFY(!chart->isEmpty()); // of the explained variance
+        auto* what = find<QComboBox>("qualityWhat");
+        what->setCurrentIndex(what->findData(QStringLiteral("fig17")));
+        QCOMPARE(what->currentIndex(), 1);
+        QVERIFY(chart->isEmpty());
+        find<QPushButton>("qualityCompute")->click();
+        QCOMPARE(document().project().evaluations.size(), 1U);
+        QTRY_COMPARE(chart->series().size(), 4U); // textures and pictures, ours and naive
+        QVERIFY(find<QPushButton>("qualityCompute")->isHidden());
+        document().undoStack()->undo();
+        QVERIFY(document().project().evaluations.empty());
     }
 
     void aSessionKeepsWhatIsShown()

@@ -7,6 +7,7 @@
 #include "editor/documents/evaluationnames.h"
 #include "editor/documents/evaluationtexts.h"
 #include "editor/errors/errortext.h"
+#include "editor/evaluations/evaluationcharts.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/appearance/componentpictures.h"
 #include "widgets/graph/linechart.h"
@@ -18,6 +19,7 @@
 #include <QPushButton>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace quadrille {
 
@@ -27,17 +29,6 @@ constexpr double percentOfVariance = 100;
 constexpr int qualityGap = 8;
 constexpr int varianceTextures = 0; ///< colours of the lines
 constexpr int varianceWarps = 1;
-
-/// Tables over the number of components, where this version computes them.
-std::vector<std::string> qualityTables()
-{
-    std::vector<std::string> known;
-    for (const char* table : {"fig17", "fig18"}) {
-        if (std::ranges::find(evaluationTables, table) != evaluationTables.end())
-            known.emplace_back(table);
-    }
-    return known;
-}
 
 widgets::ChartSeries explainedVariance(const QuantisedSpace& space, const QString& name, int color)
 {
@@ -54,57 +45,17 @@ widgets::ChartSeries explainedVariance(const QuantisedSpace& space, const QStrin
     return series;
 }
 
-std::vector<double> numbersOf(const DataArray& column)
+/// What of tables is of a character.
+std::vector<DataItem> ofCharacter(const std::vector<DataItem>& tables, const std::string& character)
 {
-    return std::visit(
-        [](const auto& values) -> std::vector<double> {
-            using Values = std::decay_t<decltype(values)>;
-            if constexpr (std::is_same_v<Values, std::vector<double>> ||
-                          std::is_same_v<Values, std::vector<std::int64_t>>)
-                return std::vector<double>(values.begin(), values.end());
-            else
-                return {};
-        },
-        column.values);
+    std::vector<DataItem> own;
+    std::ranges::copy_if(tables, std::back_inserter(own), [&](const DataItem& item) {
+        return character.empty() || item.character.empty() || item.character == character;
+    });
+    return own;
 }
 
 } // namespace
-
-std::vector<widgets::ChartSeries> linesOverComponents(const std::vector<DataItem>& tables,
-                                                      const std::string& character)
-{
-    std::vector<widgets::ChartSeries> lines;
-    for (const DataItem& item : tables) {
-        const auto* table = std::get_if<DataTable>(&item.content);
-        if (table == nullptr ||
-            (!character.empty() && !item.character.empty() && item.character != character))
-            continue;
-        const auto found = std::ranges::find(table->columns, "components", &DataArray::name);
-        if (found == table->columns.end())
-            continue;
-        const std::vector<double> components = numbersOf(*found);
-        for (const DataArray& column : table->columns) {
-            const std::vector<double> values = numbersOf(column);
-            if (column.name == "components" || values.empty() || values.size() != components.size())
-                continue;
-            const auto number = static_cast<int>(lines.size());
-            widgets::ChartSeries line{
-                .name = capitalized(evaluationWord(QString::fromStdString(column.name))),
-                .color = widgets::Theme::categorical(number),
-                .sign = number % 2 == 0 ? widgets::ChartSeries::Sign::Circle
-                                        : widgets::ChartSeries::Sign::Diamond,
-                .isDashed = QString::fromStdString(column.name).contains(QLatin1String("naive"))};
-            for (std::size_t i = 0; i < values.size(); ++i) {
-                if (std::isfinite(values[i]))
-                    line.points.emplace_back(components[i], values[i]);
-            }
-            std::ranges::sort(line.points, {}, &QPointF::x);
-            lines.push_back(std::move(line));
-        }
-        break;
-    }
-    return lines;
-}
 
 QualityPanel::QualityPanel(ShownTexture& shown, QWidget* parent)
     : QWidget(parent)
@@ -120,10 +71,9 @@ QualityPanel::QualityPanel(ShownTexture& shown, QWidget* parent)
     m_state->setObjectName(QStringLiteral("qualityState"));
     m_chart->setObjectName(QStringLiteral("qualityChart"));
     m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_what->addItem({});
-    for (const std::string& table : qualityTables())
-        m_what->addItem({}, QString::fromStdString(table));
-    m_what->setVisible(m_what->count() > 1);
+    m_what->addItem(QString());
+    for (const char* table : {"fig17", "fig18"})
+        m_what->addItem(QString(), QString::fromLatin1(table));
     auto* tools = new QHBoxLayout;
     tools->setContentsMargins(qualityGap, qualityGap / 2, qualityGap, 0);
     tools->addWidget(m_what);
@@ -206,16 +156,26 @@ void QualityPanel::showEvaluation()
     const EvaluationResults::State* state = evaluationState();
     const bool isComputing = state != nullptr && state->phase == ResultPhase::Computing;
     const bool isReady = state != nullptr && state->phase == ResultPhase::Ready;
-    m_compute->setVisible(!isReady);
+    const bool isImpossible = state != nullptr && state->phase == ResultPhase::Impossible;
+    m_compute->setVisible(!isReady && !isImpossible);
     m_compute->setEnabled(!isComputing && m_shown.appearance().entry() != nullptr);
     m_state->setText(isComputing                        ? tr("Computing…")
+                     : isImpossible                     ? tr("Needs takes of a character.")
                      : state != nullptr && state->error ? describe(*state->error).oneLine()
                                                         : QString());
     m_state->setToolTip(m_state->text());
-    m_chart->setAxes({tr("Components"), {}}, {m_what->currentText(), {}});
-    m_chart->setSeries(state == nullptr ? std::vector<widgets::ChartSeries>()
-                                        : linesOverComponents(
-                                              state->tables, m_shown.appearance().character().toStdString()));
+    const ProjectDocument& document = m_shown.appearance().context().document;
+    const auto charts =
+        state == nullptr
+            ? std::vector<EvaluationChart>()
+            : chartsOf(m_what->currentData().toString().toStdString(),
+                       ofCharacter(state->tables, m_shown.appearance().character().toStdString()),
+                       document.project().settings.axes.up);
+    const auto* lines =
+        charts.empty() ? nullptr : std::get_if<EvaluationChart::Lines>(&charts.front().content);
+    m_chart->setAxes(lines != nullptr ? lines->x : widgets::ChartAxis(),
+                     lines != nullptr ? lines->y : widgets::ChartAxis());
+    m_chart->setSeries(lines != nullptr ? lines->series : std::vector<widgets::ChartSeries>());
 }
 
 void QualityPanel::compute()

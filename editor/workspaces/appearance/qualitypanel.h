@@ -15,7 +15,6 @@ namespace quadrille {
 
 namespace widgets {
 class LineChart;
-struct ChartSeries;
 } // namespace widgets
 
 /// What so many components give: the share of the variance that they explain, and where that was evaluated,
@@ -43,10 +42,5 @@ private:
     QLabel* m_state;
     widgets::LineChart* m_chart;
 };
-
-/// The lines of a table of an evaluation over its column “components”: a line for each column of numbers.
-/// Empty where there is no such table.
-std::vector<widgets::ChartSeries> linesOverComponents(const std::vector<DataItem>& tables,
-                                                      const std::string& character);
 
 } // namespace quadrille
