@@ -320,8 +320,8 @@ void AppearanceDecoder::mix(const MovedTexture& first, const MovedTexture& secon
             const int count = lookUp(planes[0], run, done, ofFirst, firstTexels);
             lookUp(planes[1], run, done, ofSecond, secondTexels);
             mixBytes(reinterpret_cast<const std::uint8_t*>(firstTexels.data()),
-                     reinterpret_cast<const std::uint8_t*>(secondTexels.data()), weight, 4 * count,
-                     mixed.pixel(run.x + done, run.y));
+                     reinterpret_cast<const std::uint8_t*>(secondTexels.data()), weight,
+                     std::int64_t{4} * count, mixed.pixel(run.x + done, run.y));
         }
     }
 }

@@ -29,7 +29,7 @@ struct MovedTexture
     std::span<const float> warp; ///< 2 values per node
 };
 
-/// Makes textures of an AppearanceModel's coefficients: about 4 ms for 1024² with 20 components of textures
+/// Makes textures of an AppearanceModel's coefficients: about 9 ms for 1024² with 20 components of textures
 /// and 10 of warps, where half of the texels are used (bench_appearancemodel). From any number of threads.
 class AppearanceDecoder
 {
