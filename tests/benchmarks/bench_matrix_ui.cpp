@@ -6,7 +6,6 @@
 #include "widgets/graph/matrixview.h"
 #include "widgets/theme/theme.h"
 
-#include <QApplication>
 #include <QPainter>
 #include <benchmark/benchmark.h>
 #include <map>
@@ -124,12 +123,3 @@ BENCHMARK(arcs)->ArgName("edges")->Arg(1000)->Arg(10000)->Unit(benchmark::kMilli
 
 } // namespace
 } // namespace quadrille::widgets
-
-int main(int argc, char** argv)
-{
-    const QApplication application(argc, argv);
-    quadrille::widgets::Theme::instance().install();
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
-}

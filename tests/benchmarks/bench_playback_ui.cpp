@@ -7,11 +7,9 @@
 #include "editor/playback/figureshadow.h"
 #include "editor/playback/frameloader.h"
 #include "model/sequence/framesource.h"
-#include "widgets/theme/theme.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/vtkview.h"
 
-#include <QApplication>
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QTemporaryDir>
@@ -160,12 +158,3 @@ BENCHMARK(playback)
 
 } // namespace
 } // namespace quadrille
-
-int main(int argc, char** argv)
-{
-    const QApplication application(argc, argv);
-    quadrille::widgets::Theme::instance().install();
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
-}

@@ -9,10 +9,8 @@
 #include "model/core/mediacache.h"
 #include "model/sequence/framesource.h"
 #include "tests/model/appearance/appearancefixture.h"
-#include "widgets/theme/theme.h"
 #include "widgets/viewport/viewport.h"
 
-#include <QApplication>
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QTemporaryDir>
@@ -162,12 +160,3 @@ BENCHMARK(play)
 
 } // namespace
 } // namespace quadrille
-
-int main(int argc, char** argv)
-{
-    const QApplication application(argc, argv);
-    quadrille::widgets::Theme::instance().install();
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
-}
