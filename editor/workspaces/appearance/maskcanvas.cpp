@@ -88,7 +88,7 @@ std::vector<MaskStrokeEntry> strokesOver(const UsedTexels& texels, std::uint16_t
     return strokes;
 }
 
-QImage maskTint(const QImage& base, std::span<const MaskStrokeEntry> strokes, int side)
+std::vector<std::uint8_t> paintedMask(const QImage& base, std::span<const MaskStrokeEntry> strokes, int side)
 {
     const auto width = static_cast<std::size_t>(side);
     std::vector<std::uint8_t> mask(width * width);
@@ -101,6 +101,11 @@ QImage maskTint(const QImage& base, std::span<const MaskStrokeEntry> strokes, in
         }
     }
     paintStrokes(strokes, side, side, mask);
+    return mask;
+}
+
+QImage maskTint(std::span<const std::uint8_t> mask, int side)
+{
     QColor color = widgets::Theme::color(widgets::ColorRole::Error);
     color.setAlpha(tintAlpha);
     const QRgb marked = qPremultiply(color.rgba());
@@ -172,7 +177,11 @@ void MaskCanvas::refresh()
     const CompletionEntry* own = completion();
     if (own != nullptr && own->mask != m_maskFile)
         loadMask(own->mask);
-    showTint({});
+    // Before it is completed, and while it is painted: afterwards what was filled in is to be seen.
+    const bool isTinted = isSeen && own != nullptr && (m_isPainting || m_shown.mode() == TextureMode::First);
+    m_painted = isTinted ? paintedMask(own->mask.empty() ? QImage() : m_mask, own->strokes, tintSide)
+                         : std::vector<std::uint8_t>();
+    m_comparison.view().setTint(isTinted ? maskTint(m_painted, tintSide) : QImage());
 }
 
 void MaskCanvas::loadMask(const std::string& file)
@@ -194,21 +203,13 @@ void MaskCanvas::loadMask(const std::string& file)
         });
 }
 
-/// Before it is completed, and while it is painted: afterwards what was filled in is to be seen.
-void MaskCanvas::showTint(const std::vector<MaskStrokeEntry>& live)
+/// While it is painted, over those that were painted before.
+void MaskCanvas::showStroke(const MaskStrokeEntry& stroke)
 {
-    const CompletionEntry* own = completion();
-    const bool isSeen = m_shown.content() == TextureContent::Completed &&
-                        (m_isPainting || m_shown.mode() == TextureMode::First) &&
-                        (own != nullptr || !live.empty());
-    if (!isSeen) {
-        m_comparison.view().setTint({});
-        return;
-    }
-    std::vector<MaskStrokeEntry> strokes = own == nullptr ? std::vector<MaskStrokeEntry>() : own->strokes;
-    strokes.insert(strokes.end(), live.begin(), live.end());
-    m_comparison.view().setTint(
-        maskTint(own == nullptr || own->mask.empty() ? QImage() : m_mask, strokes, tintSide));
+    std::vector<std::uint8_t> mask = m_painted;
+    mask.resize(std::size_t{tintSide} * tintSide);
+    paintStrokes(std::span(&stroke, 1), tintSide, tintSide, mask);
+    m_comparison.view().setTint(maskTint(mask, tintSide));
 }
 
 MaskStrokeEntry MaskCanvas::strokeOf(const QList<QPointF>& points) const
@@ -241,7 +242,7 @@ void MaskCanvas::paint(const QList<QPointF>& points, bool committed)
         return;
     }
     if (!committed) {
-        showTint({strokeOf(points)});
+        showStroke(strokeOf(points));
         return;
     }
     addStrokes(m_tool == MaskTool::Erase ? tr("Erase a stroke of a mask") : tr("Paint a stroke of a mask"),

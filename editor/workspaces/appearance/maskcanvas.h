@@ -54,7 +54,7 @@ private:
     void fillChart(const QPointF& place);
     void addStrokes(const QString& text, const std::vector<MaskStrokeEntry>& strokes);
     MaskStrokeEntry strokeOf(const QList<QPointF>& points) const;
-    void showTint(const std::vector<MaskStrokeEntry>& live);
+    void showStroke(const MaskStrokeEntry& stroke);
     void loadMask(const std::string& file);
 
     ShownTexture& m_shown;
@@ -64,14 +64,18 @@ private:
     double m_radius = 0.02;
     std::string m_maskFile; ///< of `m_mask`
     QImage m_mask;          ///< the picture that strokes lie over; null for none
+    std::vector<std::uint8_t>
+        m_painted; ///< mask and strokes as the tint shows them; empty: nothing is tinted
 };
 
 /// Strokes that cover a chart: lines to and fro, some texels apart. \param chart  as in UsedTexels.
 /// Cost: O(texels).
 std::vector<MaskStrokeEntry> strokesOver(const UsedTexels& texels, std::uint16_t chart);
 
-/// A mask in colour, to be laid over a texture. \param base  white where it is not known; may be null.
-/// \param strokes  over it, in order. \param side  of the picture, pixels.
-QImage maskTint(const QImage& base, std::span<const MaskStrokeEntry> strokes, int side);
+/// side × side, 1 where a mask marks. \param base  white where it does; may be null. \param strokes  over it,
+/// in order.
+std::vector<std::uint8_t> paintedMask(const QImage& base, std::span<const MaskStrokeEntry> strokes, int side);
+/// A mask in colour, to be laid over a texture. \param mask  side × side.
+QImage maskTint(std::span<const std::uint8_t> mask, int side);
 
 } // namespace quadrille

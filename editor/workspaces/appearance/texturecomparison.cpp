@@ -115,7 +115,7 @@ void TextureComparison::arrangeWidgets()
     m_mode->addItems({{}, {}, {}, {}, {}, {}});
     for (QComboBox* box : {m_content, m_mode}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(8);
+        box->setMinimumContentsLength(14); // what is chosen mostly is not cut
     }
     ActionRegistry& actions = m_shown.appearance().context().actions;
     m_edges = makeActionButton(actions.action("appearance.edges"));
