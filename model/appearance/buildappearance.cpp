@@ -11,8 +11,6 @@ namespace quadrille {
 
 std::int64_t textureComponents(const BuildAppearanceOptions& options)
 {
-    if (!options.isAligned)
-        return options.components;
     const double share = std::clamp(options.textureShare, 0.0, 1.0);
     return std::llround(share * static_cast<double>(options.components));
 }
@@ -28,9 +26,11 @@ BuiltAppearance buildAppearance(const TextureSource& textures, const Topology& t
     if (!first || first->isEmpty())
         refuse("The first texture is empty", "Choose sequences that have a texture per frame.");
     const ChartLookup charts(usedTexels(topology, first->width, first->height, options.gutter));
-    const double most = options.isAligned ? 0.9 : 0.3; // of the time
+    const std::int64_t count = textureComponents(options);
+    const bool isAligned = count < options.components;
+    const double most = isAligned ? 0.9 : 0.3; // of the time
     const auto alignment =
-        options.isAligned
+        isAligned
             ? alignTextures(textures, charts, options.alignment, cache, progress.part(0, most), executor)
             : gatherTextures(textures, charts, options.alignment, progress.part(0, most), executor);
     BuiltAppearance built;
@@ -39,14 +39,13 @@ BuiltAppearance buildAppearance(const TextureSource& textures, const Topology& t
     built.reference = alignment->reference;
     built.rounds = alignment->rounds;
     built.figures = alignment->figures;
-    const std::int64_t count = textureComponents(options);
     const auto part = [&](double from, double to) {
         return progress.part(most + from * (1 - most), most + to * (1 - most));
     };
     built.warps =
         principalComponents(alignment->backwardSamples(), options.components - count, part(0, 0.1), executor);
     std::ranges::fill(built.warps.mean, 0.0F);
-    if (options.isAligned)
+    if (isAligned)
         realignTextures(textures, charts, built.warps, *alignment, part(0.1, 0.4), executor);
     built.textures = principalComponents(alignment->alignedSamples(), count, part(0.4, 1), executor);
     return built;

@@ -9,11 +9,11 @@ namespace quadrille {
 struct BuildAppearanceOptions
 {
     int gutter = 4; ///< around charts, texels
-    /// Without, textures are taken as they are and all components are theirs: plain PCA, for comparison.
-    bool isAligned = true;
     AlignmentOptions alignment;
-    std::int64_t components = 50;  ///< of textures and warps together, at most
-    double textureShare = 2.0 / 3; ///< of the components; what SMCAS §5.2 found best
+    std::int64_t components = 50; ///< of textures and warps together, at most
+    /// Of the components; what SMCAS §5.2 found best. Where all are of textures, nothing is aligned: that is
+    /// plain PCA of the textures as they are.
+    double textureShare = 2.0 / 3;
 };
 
 /// Eigen textures and Eigen warps, before they are made small.
@@ -23,7 +23,7 @@ struct BuiltAppearance
     WarpGrid grid;
     LinearSpace textures; ///< of aligned textures: R, G, B per used texel
     /// Of backward warps: x, y per node; no component where nothing was aligned. Their mean stands in the
-    /// aligned textures, so that without any component these are the textures as they are.
+    /// aligned textures.
     LinearSpace warps;
     std::int64_t reference = 0;
     int rounds = 0;                        ///< that it took to find the reference

@@ -8,7 +8,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace quadrille {
 
@@ -87,13 +86,6 @@ private:
 };
 
 } // namespace
-
-double PictureQuality::peakSignalToNoise() const
-{
-    constexpr double peak = 255;
-    return meanSquaredError > 0 ? 10 * std::log10(peak * peak / meanSquaredError)
-                                : std::numeric_limits<double>::infinity();
-}
 
 std::vector<float> similarityMap(const Image& reference, const Image& picture,
                                  std::span<const std::uint8_t> mask)

@@ -16,9 +16,6 @@ struct PictureQuality
 {
     double similarity = 1;       ///< SSIM of luma, mean; 1: the same
     double meanSquaredError = 0; ///< of R, G and B, grey levels²
-
-    /// PSNR, dB; infinite where nothing differs.
-    double peakSignalToNoise() const;
 };
 
 /// Structural similarity of two pictures about each pixel (Wang et al., Image Quality Assessment, 2004):

@@ -107,7 +107,8 @@ Result buildModel(const AppearanceWork& work, const Progress& progress)
                                             training.frames(), progress.part(0.9, 0.92));
     const std::filesystem::path file = work.folder() / "model.h5";
     writeAppearanceFile(file, model);
-    flows.removeOthers();
+    if (built.warps.count() > 0) // else none was asked for, and the warps of before may be wanted again
+        flows.removeOthers();
     Result result;
     result.arrays = {
         columnOfValues("eigenvalues", "grey level²",
@@ -136,7 +137,7 @@ BuildStep modelStep(const std::shared_ptr<const AppearanceWork>& work)
         completion.mask.clear();
         completion.strokes.clear();
     }
-    step.version = 3;
+    step.version = 4;
     step.settings = writeFields(learned).dump() + settingsOf(project, sequences);
     step.inputs = clipInputs(project, sequences);
     step.files = [work, sequences](const Progress& progress) {

@@ -70,7 +70,7 @@ TEST(BuildAppearance, DoesWithFewerComponentsThanPlainAnalysis)
     EXPECT_EQ(built.warps.size(), 2 * built.grid.nodes());
     EXPECT_EQ(built.figures.size(), 9U);
     BuildAppearanceOptions plain = options;
-    plain.isAligned = false;
+    plain.textureShare = 1;
     const BuiltAppearance naive = buildAppearance(textures, topology, plain);
     EXPECT_EQ(naive.textures.count(), 2);
     EXPECT_EQ(naive.warps.count(), 0);
@@ -83,11 +83,9 @@ TEST(BuildAppearance, WithoutWarpsIsPlainAnalysis)
     const Topology topology(test::atlasOf({{6, 6, 60, 58}, {66, 6, 90, 58}}, 96, 64));
     const ChartLookup charts = test::twoCharts();
     const TextureSource textures = test::shiftedTextures(charts, 5, 1.2);
-    const BuildAppearanceOptions options{.gutter = 3, .components = 3, .textureShare = 1};
-    BuildAppearanceOptions plain = options;
-    plain.isAligned = false;
-    const BuiltAppearance built = buildAppearance(textures, topology, options);
-    EXPECT_EQ(built.textures, buildAppearance(textures, topology, plain).textures);
+    const BuiltAppearance built =
+        buildAppearance(textures, topology, {.gutter = 3, .components = 3, .textureShare = 1});
+    EXPECT_EQ(built.textures, principalComponents(gatherTextures(textures, charts)->alignedSamples(), 3));
     EXPECT_EQ(built.warps.count(), 0);
     EXPECT_EQ(std::ranges::count(built.warps.mean, 0.0F), std::ssize(built.warps.mean));
 }
@@ -98,7 +96,6 @@ TEST(BuildAppearance, SharesComponentsOut)
     EXPECT_EQ(textureComponents({.components = 3}), 2);
     EXPECT_EQ(textureComponents({.components = 0}), 0);
     EXPECT_EQ(textureComponents({.components = 10, .textureShare = 1}), 10);
-    EXPECT_EQ(textureComponents({.isAligned = false, .components = 10}), 10);
 }
 
 TEST(BuildAppearance, HasAsManyWarpsAsTexturesLeave)

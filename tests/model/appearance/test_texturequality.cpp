@@ -77,7 +77,6 @@ TEST(PictureQuality, IsPerfectForTheSamePicture)
     const PictureQuality quality = pictureQuality(image, image);
     EXPECT_NEAR(quality.similarity, 1, 1e-6);
     EXPECT_EQ(quality.meanSquaredError, 0);
-    EXPECT_TRUE(std::isinf(quality.peakSignalToNoise()));
 }
 
 TEST(PictureQuality, OfEvenPicturesIsThatOfTheirMeans)
@@ -91,7 +90,6 @@ TEST(PictureQuality, OfEvenPicturesIsThatOfTheirMeans)
     const PictureQuality quality = pictureQuality(black, grey);
     EXPECT_NEAR(quality.similarity, 6.5025 / (100 + 6.5025), 1e-4); // C1 / (µ² + C1)
     EXPECT_EQ(quality.meanSquaredError, 100);
-    EXPECT_NEAR(quality.peakSignalToNoise(), 28.1308, 1e-4);
 }
 
 TEST(PictureQuality, CountsTheErrorsOfRedGreenAndBlueOnly)

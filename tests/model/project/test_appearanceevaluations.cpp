@@ -58,7 +58,7 @@ TEST_F(AppearanceEvaluations, Fig17And18ShowWhatComponentsRestore)
         EXPECT_GT(values("fig17", domain + "_ssim_naive").back(), 0.9999);
         const auto own = values("fig18", domain + "_mse");
         EXPECT_EQ(own[0], naive[0]) << "one component is no warp";
-        EXPECT_LT(own[1], naive[1]) << "one that is tells more than an Eigen texture";
+        EXPECT_LT(own[1], 0.85 * naive[1]) << "one that is tells more than an Eigen texture";
         EXPECT_LT(own[2], 0.5 * own[0]);
         EXPECT_GT(values("fig17", domain + "_ssim")[1], values("fig17", domain + "_ssim_naive")[1]);
         EXPECT_GT(values("fig17", domain + "_ssim").back(), 0.97);
