@@ -313,15 +313,20 @@ void AppearanceDecoder::mix(const MovedTexture& first, const MovedTexture& secon
     RowWarp ofSecond(m_model->grid, second.warp, used.width, rows[1]);
     alignas(64) LookedUp firstTexels;
     alignas(64) LookedUp secondTexels;
+    const std::uint8_t* covered = used.covered.data();
     for (const Run& run : m_runs) {
         ofFirst.moveTo(run.y);
         ofSecond.moveTo(run.y);
         for (int done = 0; done < run.length; done += lookupsAtOnce) {
             const int count = lookUp(planes[0], run, done, ofFirst, firstTexels);
             lookUp(planes[1], run, done, ofSecond, secondTexels);
-            mixBytes(reinterpret_cast<const std::uint8_t*>(firstTexels.data()),
-                     reinterpret_cast<const std::uint8_t*>(secondTexels.data()), weight,
-                     std::int64_t{4} * count, mixed.pixel(run.x + done, run.y));
+            auto* bytes = reinterpret_cast<std::uint8_t*>(firstTexels.data());
+            mixBytes(bytes, reinterpret_cast<const std::uint8_t*>(secondTexels.data()), weight,
+                     std::int64_t{4} * count, bytes);
+            std::uint8_t* texel = mixed.pixel(run.x + done, run.y);
+            for (int i = 0; i < count; ++i, texel += 4, bytes += 4)
+                if (*covered++ != 0)
+                    std::memcpy(texel, bytes, 4);
         }
     }
 }

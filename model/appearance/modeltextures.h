@@ -31,8 +31,8 @@ Image mixedTexture(const Image& first, const Image& second, double weight);
 
 /// The texture between two whose coefficients are known: both moved to where a texture with the warp in
 /// between lies, and mixed. That is what SMCAS §5.3 does, with all Eigen textures in place of the first k, so
-/// that nothing of what was captured is lost. The ends are the captured textures themselves; in between,
-/// gutters take the colours of the nearest covered texels.
+/// that nothing of what was captured is lost. Towards the ends it becomes the captured textures
+/// themselves. Texels that no triangle covers are mixed where they are.
 /// \param weight  of the second, 0 … 1. \pre Both pictures have the
 /// atlas's size. Cost: that of two to three decodes (bench_appearancemodel).
 Image blendedTexture(const AppearanceDecoder& decoder, const AppearanceCoefficients& first,

@@ -76,6 +76,29 @@ TEST(ModelTextures, EndAtTheCapturedTexturesByteForByte)
     EXPECT_NE(*textures.between(captured(0), captured(4), 0.25).load(), *shiftedModel().textures[0]);
 }
 
+TEST(ModelTextures, BecomeTheCapturedTexturesTowardsTheirEnds)
+{
+    // Whatever they hold where no triangle is.
+    const std::vector<std::uint8_t> covered = coveredMask(shiftedModel().known.model->texels);
+    const auto withNoise = [&](std::int64_t frame) {
+        Image texture = *shiftedModel().textures[static_cast<std::size_t>(frame)];
+        for (std::size_t texel = 0; texel < covered.size(); ++texel)
+            if (covered[texel] == 0)
+                texture.pixels[4 * texel] = static_cast<std::uint8_t>(texel * 37 + texel / 96 * 11);
+        return CapturedTexture{
+            takeName, FrameIndex(frame), {.embedded = std::make_shared<const Image>(std::move(texture))}};
+    };
+    const CapturedTexture first = withNoise(0);
+    const CapturedTexture second = withNoise(4);
+    const ModelTextures textures = texturesOf(shiftedModel().known);
+    for (const auto& [weight, end] : {std::pair{1e-4, &first}, {1 - 1e-4, &second}}) {
+        const auto near = textures.between(first, second, weight).load();
+        const Image& expected = *end->texture.embedded;
+        for (std::size_t i = 0; i < expected.pixels.size(); ++i)
+            EXPECT_LE(std::abs(near->pixels[i] - expected.pixels[i]), 1) << i << " at " << weight;
+    }
+}
+
 TEST(ModelTextures, MoveAPatternWhereALinearBlendShowsItTwice)
 {
     const ModelTextures textures = texturesOf(shiftedModel().known);
