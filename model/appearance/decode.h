@@ -54,10 +54,10 @@ public:
     /// A texture de-aligned by any warp, such as one that was estimated.
     /// \param colours  R, G, B of each used texel. \param warp  2 values per node.
     Image dealigned(std::span<const std::uint8_t> colours, std::span<const float> warp) const;
-    /// Two textures, each moved by a warp of its own, looked up as above, and mixed. What they hold in gutters
-    /// may be anything: looked up, gutters have the colours of the nearest covered texels.
-    /// \param weight  of the second, 0 … 1. \param mixed  its covered texels are replaced. \pre It has the
-    /// atlas's size.
+    /// Two textures, each moved by a warp of its own, looked up as above, and mixed. What they hold in
+    /// gutters may be anything: looked up, gutters have the colours of the nearest covered texels. \param
+    /// weight  of the second, 0 … 1. \param mixed  its covered texels are replaced. \pre It has the atlas's
+    /// size.
     void mix(const MovedTexture& first, const MovedTexture& second, float weight, Image& mixed) const;
 
 private:
