@@ -5,6 +5,7 @@
 #include "model/core/badargument.h"
 #include "model/core/error.h"
 #include "model/transition/warpsolver.h"
+#include "model/transition/windowkernel.h"
 
 #include <algorithm>
 #include <cassert>
@@ -25,15 +26,17 @@ std::size_t evenly(int t, int length, int cells)
 } // namespace
 
 WarpPaths::WarpPaths(const Table<float>& distances, FrameLayout layout, const TransitionSettings& settings)
-    : WarpPaths([&distances](NodeIndex i, NodeIndex j) { return distances(i, j); },
-                distances.size() == 0 ? 0 : distances.maxCoeff(), std::move(layout), settings)
+    : WarpPaths(
+          [&distances](NodeIndex i, NodeIndex first, std::span<float> row) {
+              std::copy_n(&distances(i, first), row.size(), row.begin());
+          },
+          distances.size() == 0 ? 0 : distances.maxCoeff(), std::move(layout), settings)
 {
     assert(distances.rows() == m_layout.frameCount() && distances.cols() == m_layout.frameCount());
 }
 
-WarpPaths::WarpPaths(DistanceOf distance, float largest, FrameLayout layout,
-                     const TransitionSettings& settings)
-    : m_distance(std::move(distance))
+WarpPaths::WarpPaths(DistanceRows rows, float largest, FrameLayout layout, const TransitionSettings& settings)
+    : m_rows(std::move(rows))
     , m_layout(std::move(layout))
     , m_settings((checkSettings(settings), settings))
     , m_grid(largest, settings)
@@ -50,24 +53,23 @@ int WarpPaths::framesTo(NodeIndex destination) const
     return destination - m_layout.firstOf(m_layout.sequenceOf(destination)) + 1;
 }
 
-std::optional<Transition> WarpPaths::solve(FramePair frames, int rows, int columns, int shortestRows,
-                                           int shortestColumns, Mean guess) const
+std::optional<Transition> WarpPaths::solve(FramePair frames, int sourceWindow, int destinationWindow,
+                                           Mean guess) const
 {
-    const NodeIndex firstDestination = frames.destination - columns + 1;
-    WarpSolver programme(m_settings.slope, rows, columns);
+    const NodeIndex firstDestination = frames.destination - destinationWindow + 1;
+    WarpSolver programme(m_settings.slope, sourceWindow, destinationWindow);
+    std::vector<float> row(static_cast<std::size_t>(destinationWindow));
+    for (int r = 0; r < sourceWindow; ++r) {
+        m_rows(frames.source + r, firstDestination, row);
+        programme.setRow(r, row.data(), m_grid.unit);
+    }
     const bool mean = m_settings.cost == TransitionCost::Mean;
     WarpSolver::Best best;
     double sum = 0;
     // For means, see improveToLeastMeans; without a guess the first path is the one of the least sum.
     for (double rest = -1; rest != 0;) {
-        for (int r = 0; r < rows; ++r) {
-            for (int c = 0; c < columns; ++c) {
-                const double cell = m_grid.stepsOf(m_distance(frames.source + r, firstDestination + c));
-                programme.key(r, c) = (guess.length * cell - guess.steps) * m_grid.lengthOne + 1;
-            }
-        }
-        best = programme.solve(shortestRows, shortestColumns);
-        if (best.key >= CostGrid::unknown)
+        best = programme.solve(guess.length * m_grid.lengthOne, 1 - guess.steps * m_grid.lengthOne);
+        if (best.path.empty())
             return std::nullopt;
         const auto length = static_cast<double>(best.path.size());
         rest = mean ? m_grid.stepsOfKey(best.key) : 0;
@@ -75,12 +77,12 @@ std::optional<Transition> WarpPaths::solve(FramePair frames, int rows, int colum
         guess = {.steps = sum, .length = length};
     }
     Transition found{.frames = frames,
-                     .sourceWindow = best.path.back().row + 1,
-                     .destinationWindow = columns - best.path.front().column,
+                     .sourceWindow = sourceWindow,
+                     .destinationWindow = destinationWindow,
                      .cost = m_grid.costOf(sum, static_cast<int>(best.path.size()), m_settings.cost),
                      .path = {}};
     const auto cells = static_cast<int>(best.path.size());
-    const int length = m_settings.lengthOf(cells, found.sourceWindow, found.destinationWindow);
+    const int length = m_settings.lengthOf(cells, sourceWindow, destinationWindow);
     found.path.reserve(static_cast<std::size_t>(length));
     for (int t = 0; t < length; ++t) {
         const WarpSolver::Cell& cell = best.path[evenly(t, length, cells)];
@@ -108,7 +110,32 @@ std::optional<Transition> WarpPaths::find(FramePair frames) const
     const int shortest = shortestOf(frames);
     if (frames.source == frames.destination || std::min(rows, columns) < shortest)
         return std::nullopt;
-    return solve(frames, rows, columns, shortest, shortest, {});
+    WindowSearch search{.rows = rows,
+                        .columns = columns,
+                        .shortest = shortest,
+                        .longest = m_settings.longest(),
+                        .slope = m_settings.slope};
+    search.stride = columns + 2 * search.margin();
+    std::vector<double> keys(static_cast<std::size_t>(rows * search.stride), CostGrid::outOfReach);
+    search.keys = keys.data() + search.margin();
+    std::vector<float> row(static_cast<std::size_t>(columns));
+    for (int r = 0; r < rows; ++r) {
+        m_rows(frames.source + r, frames.destination - columns + 1, row);
+        std::transform(row.begin(), row.end(), keys.begin() + r * search.stride + search.margin(),
+                       [this](float distance) { return m_grid.keyOf(distance); });
+    }
+    BestWindows best;
+    WindowScratch scratch;
+    searchLeastSums(search, best, scratch);
+    if (m_settings.cost == TransitionCost::Mean)
+        improveToLeastMeans(search, m_grid.lengthOne, best, scratch);
+    const double key = best.key[static_cast<std::size_t>(columns - 1)];
+    if (key >= CostGrid::unknown)
+        return std::nullopt;
+    const Mean mean{.steps = m_grid.stepsOfKey(key), .length = static_cast<double>(m_grid.lengthOfKey(key))};
+    return solve(frames, best.sourceWindow[static_cast<std::size_t>(columns - 1)],
+                 best.destinationWindow[static_cast<std::size_t>(columns - 1)],
+                 m_settings.cost == TransitionCost::Mean ? mean : Mean{});
 }
 
 Transition WarpPaths::get(FramePair frames) const
@@ -133,7 +160,7 @@ std::optional<Transition> WarpPaths::between(FramePair frames, int sourceWindow,
     assert(sourceWindow >= 1 && sourceWindow <= std::min(m_settings.longest(), framesFrom(frames.source)));
     assert(destinationWindow >= 1 &&
            destinationWindow <= std::min(m_settings.longest(), framesTo(frames.destination)));
-    return solve(frames, sourceWindow, destinationWindow, sourceWindow, destinationWindow, {});
+    return solve(frames, sourceWindow, destinationWindow, {});
 }
 
 std::optional<Transition> WarpPaths::of(const KnownTransition& known, FramePair frames) const
@@ -145,8 +172,7 @@ std::optional<Transition> WarpPaths::of(const KnownTransition& known, FramePair 
         guess.length = known.length;
         guess.steps = std::round(static_cast<double>(known.cost) * guess.length / m_grid.unit);
     }
-    return solve(frames, known.sourceWindow, known.destinationWindow, known.sourceWindow,
-                 known.destinationWindow, guess);
+    return solve(frames, known.sourceWindow, known.destinationWindow, guess);
 }
 
 std::optional<Transition> WarpPaths::linear(FramePair frames) const
@@ -161,7 +187,9 @@ std::optional<Transition> WarpPaths::linear(FramePair frames) const
     for (int k = 0; k < window; ++k) {
         found.path.push_back(
             {.source = frames.source + k, .destination = frames.destination - window + 1 + k});
-        sum += static_cast<double>(m_distance(found.path.back().source, found.path.back().destination));
+        float distance = 0;
+        m_rows(found.path.back().source, found.path.back().destination, std::span(&distance, 1));
+        sum += static_cast<double>(distance);
     }
     found.cost = static_cast<float>(m_settings.cost == TransitionCost::Mean ? sum / window : sum);
     return found;

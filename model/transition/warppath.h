@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace quadrille {
@@ -36,15 +37,16 @@ struct Transition
 class WarpPaths
 {
 public:
-    using DistanceOf = std::function<float(NodeIndex, NodeIndex)>;
+    /// Distances of a frame from as many that follow each other as there is room for.
+    using DistanceRows = std::function<void(NodeIndex source, NodeIndex first, std::span<float> row)>;
 
     /// \param distances  as for transitionTable.
     /// \throws Error BadArgument from checkSettings. Cost: O(frames²), for the largest distance.
     WarpPaths(const Table<float>& distances, FrameLayout layout, const TransitionSettings& settings);
 
-    /// The same of distances that are known pair by pair. \param distance  called from several threads.
+    /// The same of distances that are known row by row. \param rows  called from several threads.
     /// \param largest  of all distances. \throws Error BadArgument from checkSettings.
-    WarpPaths(DistanceOf distance, float largest, FrameLayout layout, const TransitionSettings& settings);
+    WarpPaths(DistanceRows rows, float largest, FrameLayout layout, const TransitionSettings& settings);
 
     /// The best transition between two frames over all windows; nothing where no windows fit, or i = j.
     /// \throws Error BadArgument where a frame does not exist. Cost: O(l_max²).
@@ -73,10 +75,11 @@ private:
         double steps = 0;
         double length = 1;
     };
-    std::optional<Transition> solve(FramePair frames, int rows, int columns, int shortestRows,
-                                    int shortestColumns, Mean guess) const;
+    /// The best warp path of given windows.
+    std::optional<Transition> solve(FramePair frames, int sourceWindow, int destinationWindow,
+                                    Mean guess) const;
 
-    DistanceOf m_distance;
+    DistanceRows m_rows;
     FrameLayout m_layout;
     TransitionSettings m_settings;
     CostGrid m_grid;

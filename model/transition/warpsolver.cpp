@@ -2,114 +2,164 @@
 // SPDX-License-Identifier: MIT
 #include "model/transition/warpsolver.h"
 
+#include "model/core/simd.h"
 #include "model/transition/costgrid.h"
+#include "model/transition/warpcell.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 
 namespace quadrille {
 
 namespace {
 
-constexpr std::uint8_t startState = 255;
+/// Pointers to the same row of each table, at its first column.
+struct SolverRow
+{
+    const double* cells;
+    double* keys;
+    double* all;
+    double* notDown;
+    double* notRight;
+    std::ptrdiff_t stride;
+    int columns;
+    int slope;
+};
+
+QUADRILLE_SIMD_CLONES
+void roundToGrid(const float* distances, int count, double unit, double* cells)
+{
+    const double perStep = 1 / unit;
+#pragma omp simd
+    for (int c = 0; c < count; ++c)
+        cells[c] = std::rint(static_cast<double>(distances[c]) * perStep);
+}
+
+/// A row of the programme. Runs of steps down or to the right begin where the last step was another, so that
+/// a cell needs the sums of the `slope` cells above and before it only, and the columns of a row do not wait
+/// for each other. \param run  scratch, a key for each column.
+QUADRILLE_SIMD_CLONES
+void fillRow(const SolverRow& row, double factor, double offset, bool isFirst, double* run)
+{
+    double* const keys = row.keys;
+    double* const all = row.all;
+    double* const notDown = row.notDown;
+    double* const notRight = row.notRight;
+    const double* const before = all - row.stride - 1;
+    // notDown keeps the diagonal steps until rights are known.
+#pragma omp simd
+    for (int c = 0; c < row.columns; ++c) {
+        keys[c] = factor * row.cells[c] + offset;
+        notDown[c] = before[c] + keys[c];
+        run[c] = 0;
+    }
+    if (isFirst)
+        notDown[0] = keys[0];
+    std::copy_n(notDown, row.columns, notRight);
+    for (std::ptrdiff_t s = 1; s <= row.slope; ++s) {
+        const double* const start = notDown - s * row.stride;
+        const double* const passed = keys - (s - 1) * row.stride;
+#pragma omp simd
+        for (int c = 0; c < row.columns; ++c) {
+            run[c] += passed[c];
+            notRight[c] = lesser(notRight[c], start[c] + run[c]);
+        }
+    }
+    std::copy_n(notRight, row.columns, all);
+    std::fill_n(run, row.columns, 0.0);
+    for (std::ptrdiff_t s = 1; s <= row.slope; ++s) {
+        const double* const start = notRight - s;
+        const double* const passed = keys - (s - 1);
+#pragma omp simd
+        for (int c = 0; c < row.columns; ++c) {
+            run[c] += passed[c];
+            const double rights = start[c] + run[c];
+            notDown[c] = lesser(notDown[c], rights);
+            all[c] = lesser(all[c], rights);
+        }
+    }
+}
 
 } // namespace
 
 WarpSolver::WarpSolver(int slope, int rows, int columns)
     : m_slope(slope)
-    , m_states(1 + 2 * slope)
     , m_rows(rows)
     , m_columns(columns)
-    , m_keys(at(rows, 0))
-    , m_values(at(rows, 0) * static_cast<std::size_t>(m_states))
-    , m_from(m_values.size(), startState)
-    , m_origins(m_keys.size())
+    , m_stride(static_cast<std::size_t>(columns + slope))
+    , m_cells(static_cast<std::size_t>(rows + slope) * m_stride)
+    , m_keys(m_cells.size())
+    , m_all(m_cells.size(), CostGrid::outOfReach)
+    , m_notDown(m_all)
+    , m_notRight(m_all)
 {
 }
 
-void WarpSolver::fillCell(int row, int column, int lastStart)
+void WarpSolver::setRow(int row, const float* distances, double unit)
 {
-    const double key = m_keys[at(row, column)];
-    Value* here = m_values.data() + firstStateAt(row, column);
-    std::uint8_t* from = m_from.data() + firstStateAt(row, column);
-    std::fill_n(here, m_states, Value{.sum = CostGrid::outOfReach, .start = -1});
-    std::fill_n(from, m_states, startState);
-    const auto take = [&](int state, const Value& value, int before) {
-        here[state] = {.sum = value.sum + key, .start = value.start};
-        from[state] = static_cast<std::uint8_t>(before);
-    };
-    if (row == 0 && column <= lastStart)
-        here[0] = {.sum = key, .start = column};
-    if (row > 0 && column > 0) {
-        const Origin& origin = m_origins[at(row - 1, column - 1)].diagonal;
-        take(0, origin.value, origin.state);
-    }
-    if (row > 0) {
-        const Origin& origin = m_origins[at(row - 1, column)].down;
-        const Value* above = m_values.data() + firstStateAt(row - 1, column);
-        take(1, origin.value, origin.state);
-        for (int s = 2; s <= m_slope; ++s)
-            take(s, above[s - 1], s - 1);
-    }
-    if (column > 0) {
-        const Origin& origin = m_origins[at(row, column - 1)].right;
-        const Value* left = m_values.data() + firstStateAt(row, column - 1);
-        take(m_slope + 1, origin.value, origin.state);
-        for (int s = m_slope + 2; s < m_states; ++s)
-            take(s, left[s - 1], s - 1);
-    }
-    setOrigins(row, column);
+    roundToGrid(distances, m_columns, unit, m_cells.data() + at(row, 0));
 }
 
-void WarpSolver::setOrigins(int row, int column)
+WarpSolver::Best WarpSolver::solve(double factor, double offset)
 {
-    const Value* here = m_values.data() + firstStateAt(row, column);
-    const auto best = [here](Origin origin, int first, int last) {
-        for (int s = first; s <= last; ++s) {
-            if (isBetter(here[s], origin.value))
-                origin = {.value = here[s], .state = s};
-        }
-        return origin;
-    };
-    const Origin straight{.value = here[0], .state = 0};
-    const Origin right = best(straight, 1, m_slope);
-    m_origins[at(row, column)] = {.diagonal = best(right, m_slope + 1, m_states - 1),
-                                  .down = best(straight, m_slope + 1, m_states - 1),
-                                  .right = right};
-}
-
-WarpSolver::Best WarpSolver::solve(int shortestRows, int shortestColumns)
-{
+    std::vector<double> run(static_cast<std::size_t>(m_columns));
     for (int row = 0; row < m_rows; ++row) {
-        for (int column = 0; column < m_columns; ++column)
-            fillCell(row, column, m_columns - shortestColumns);
+        const std::size_t first = at(row, 0);
+        fillRow({.cells = m_cells.data() + first,
+                 .keys = m_keys.data() + first,
+                 .all = m_all.data() + first,
+                 .notDown = m_notDown.data() + first,
+                 .notRight = m_notRight.data() + first,
+                 .stride = static_cast<std::ptrdiff_t>(m_stride),
+                 .columns = m_columns,
+                 .slope = m_slope},
+                factor, offset, row == 0, run.data());
     }
-    int bestRow = shortestRows - 1;
-    const auto sumAt = [this](int row) { return m_origins[at(row, m_columns - 1)].diagonal.value.sum; };
-    for (int row = shortestRows; row < m_rows; ++row) {
-        if (sumAt(row) < sumAt(bestRow))
-            bestRow = row;
-    }
-    return trace(bestRow, m_origins[at(bestRow, m_columns - 1)].diagonal.state);
-}
-
-WarpSolver::Best WarpSolver::trace(int row, int state)
-{
-    int column = m_columns - 1;
-    Best best{.key = m_values[firstStateAt(row, column) + static_cast<std::size_t>(state)].sum, .path = {}};
+    Best best{.key = m_all[at(m_rows - 1, m_columns - 1)], .path = {}};
+    if (best.key >= CostGrid::unknown)
+        return best;
     best.path.reserve(static_cast<std::size_t>(m_rows) + static_cast<std::size_t>(m_columns));
-    for (;;) {
-        best.path.push_back({.row = row, .column = column});
-        const int from = m_from[firstStateAt(row, column) + static_cast<std::size_t>(state)];
-        if (from == startState)
-            break;
-        if (state <= m_slope)
-            --row;
-        if (state == 0 || state > m_slope)
-            --column;
-        state = from;
-    }
+    Place place{.cell = {.row = m_rows - 1, .column = m_columns - 1}, .kind = Kind::Any};
+    while (place.cell.row >= 0)
+        place = goBack(place, best.path);
     std::reverse(best.path.begin(), best.path.end());
     return best;
+}
+
+WarpSolver::Place WarpSolver::goBack(const Place& place, std::vector<Cell>& path) const
+{
+    const auto [row, column] = place.cell;
+    const std::vector<double>& sums = place.kind == Kind::Any       ? m_all
+                                      : place.kind == Kind::NotDown ? m_notDown
+                                                                    : m_notRight;
+    const double sum = sums[at(row, column)];
+    const bool isStart = row == 0 && column == 0;
+    if (isStart || m_all[at(row - 1, column - 1)] + m_keys[at(row, column)] == sum) {
+        path.push_back(place.cell);
+        return {.cell = {.row = row - 1, .column = column - 1}, .kind = Kind::Any};
+    }
+    if (place.kind != Kind::NotDown) {
+        double run = 0;
+        for (int s = 1; s <= m_slope; ++s) {
+            run += m_keys[at(row - s + 1, column)];
+            if (m_notDown[at(row - s, column)] + run != sum)
+                continue;
+            for (int step = 0; step < s; ++step)
+                path.push_back({.row = row - step, .column = column});
+            return {.cell = {.row = row - s, .column = column}, .kind = Kind::NotDown};
+        }
+    }
+    double run = 0;
+    int s = 1;
+    for (; s < m_slope; ++s) {
+        run += m_keys[at(row, column - s + 1)];
+        if (m_notRight[at(row, column - s)] + run == sum)
+            break;
+    }
+    for (int step = 0; step < s; ++step)
+        path.push_back({.row = row, .column = column - step});
+    return {.cell = {.row = row, .column = column - s}, .kind = Kind::NotRight};
 }
 
 } // namespace quadrille

@@ -3,13 +3,13 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace quadrille {
 
-/// The dynamic programme of SMCAS §3.3 over one table of keys, with the way back. Paths start in
-/// the first row and end in the last column.
+/// The dynamic programme of SMCAS §3.3 over one table of cells, from its first corner to its last, with the
+/// way back: which windows are best is known before (see windowkernel.h). Cells hold whole numbers, as sums
+/// along paths do, so that the way back is found by comparing them.
 class WarpSolver
 {
 public:
@@ -20,63 +20,51 @@ public:
     };
     struct Best
     {
-        double key = 0;
-        std::vector<Cell> path;
+        double key = 0;         ///< sum over the path; at least CostGrid::unknown where there is none
+        std::vector<Cell> path; ///< empty where there is none
     };
 
     WarpSolver(int slope, int rows, int columns);
 
-    double& key(int row, int column) { return m_keys[at(row, column)]; }
-    /// The path of the least sum of keys; ties: the earlier end, then the later start.
-    /// \param shortestRows  of a path, at most `rows`. \param shortestColumns  likewise.
-    Best solve(int shortestRows, int shortestColumns);
+    /// Sets the cells of a row. \param distances  one for each column. \param unit  of CostGrid.
+    void setRow(int row, const float* distances, double unit);
+    /// The path with the least sum of keys, factor · cell + offset; of several the one with its diagonal
+    /// steps latest. \pre All rows are set; keys and their sums are whole numbers below 2^53.
+    /// Cost: O(rows · columns · slope).
+    Best solve(double factor, double offset);
 
 private:
-    struct Value
-    {
-        double sum;
-        int start; ///< column of the first cell
-    };
-    static bool isBetter(const Value& a, const Value& b)
-    {
-        return a.sum < b.sum || (a.sum == b.sum && a.start > b.start);
-    }
     std::size_t at(int row, int column) const
     {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(m_columns) +
-               static_cast<std::size_t>(column);
+        return static_cast<std::size_t>(row + m_slope) * m_stride +
+               static_cast<std::size_t>(column + m_slope);
     }
-    /// A state of a cell that a path goes on from.
-    struct Origin
+    /// Steps that may lead to a cell.
+    enum class Kind
     {
-        Value value;
-        int state;
+        Any,
+        NotDown,
+        NotRight,
     };
-    /// The best of the states of a cell that each kind of step may follow.
-    struct Origins
+    struct Place
     {
-        Origin diagonal; ///< any state
-        Origin down;     ///< not after a step down
-        Origin right;    ///< not after a step to the right
+        Cell cell;
+        Kind kind;
     };
-    std::size_t firstStateAt(int row, int column) const
-    {
-        return at(row, column) * static_cast<std::size_t>(m_states);
-    }
-    void setOrigins(int row, int column);
-    void fillCell(int row, int column, int lastStart);
-    Best trace(int row, int state);
+    /// How the best path of a kind comes to a cell: adds the cells of its last run of steps, last first.
+    /// \return where that run begins.
+    Place goBack(const Place& place, std::vector<Cell>& path) const;
 
-    // States of a cell: 0 by a diagonal step or at the start, 1 … slope after so many steps down,
-    // slope + 1 … 2 · slope after so many steps to the right.
+    // Tables of rows and columns, with `slope` of them before the first, out of reach.
     int m_slope;
-    int m_states;
     int m_rows;
     int m_columns;
+    std::size_t m_stride;
+    std::vector<double> m_cells;
     std::vector<double> m_keys;
-    std::vector<Value> m_values;      ///< of each state of each cell
-    std::vector<std::uint8_t> m_from; ///< state before each state; startState at the start
-    std::vector<Origins> m_origins;   ///< of each cell
+    std::vector<double> m_all;      ///< least sums of paths to each cell
+    std::vector<double> m_notDown;  ///< of those whose last step is not down
+    std::vector<double> m_notRight; ///< of those whose last step is not to the right
 };
 
 } // namespace quadrille

@@ -232,8 +232,11 @@ CharacterGraph::Tables::Tables(const CharacterInputs& work, const StepContext& c
     differences.emplace(roots, layout, settings.fps);
     if (knowsDrifts(work.graph))
         drifts.emplace(roots, layout, settings.fps);
-    paths.emplace([this](NodeIndex i, NodeIndex j) { return step(i, j); }, greatest, layout,
-                  transitionSettings(work.graph, settings.fps));
+    const auto rows = [this](NodeIndex source, NodeIndex first, std::span<float> row) {
+        for (float& value : row)
+            value = step(source, first++);
+    };
+    paths.emplace(rows, greatest, layout, transitionSettings(work.graph, settings.fps));
 }
 
 CharacterGraph::CharacterGraph(const CharacterInputs& work, const StepContext& context)
@@ -274,7 +277,7 @@ CostParts CharacterGraph::partsOf(const FramePair& pair) const
     const auto transition = this->transition(pair);
     if (!transition)
         return {};
-    const WarpPaths::DistanceOf step = [this](NodeIndex i, NodeIndex j) { return m_tables->step(i, j); };
+    const CostSplit::StepOf step = [this](NodeIndex i, NodeIndex j) { return m_tables->step(i, j); };
     const CostSplit split{.distances = distances(),
                           .step = step,
                           .stances = m_tables->roots.stances,

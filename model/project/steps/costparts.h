@@ -5,6 +5,8 @@
 #include "model/synthesis/clips/stances.h"
 #include "model/transition/warppath.h"
 
+#include <functional>
+
 namespace quadrille {
 
 /// The cost of a transition in parts, in the unit of the pose distances.
@@ -20,9 +22,12 @@ struct CostParts
 /// What the costs of transitions are made of; from the same tables as they are themselves.
 struct CostSplit
 {
+    /// What two frames differ in.
+    using StepOf = std::function<float(NodeIndex, NodeIndex)>;
+
     const Table<float>& distances; ///< of poses
     /// What transitions were sought by. \pre Safe from several threads.
-    const WarpPaths::DistanceOf& step;
+    const StepOf& step;
     const Stances& stances;
     double contactWeight = 0;
 

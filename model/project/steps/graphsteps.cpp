@@ -189,8 +189,7 @@ public:
         m_steps = *m_distances;
         addStepCosts(m_steps, StepDifferences(m_roots, costs.layout(), settings.fps), work.graph.steps);
         m_step = [this](NodeIndex i, NodeIndex j) { return m_steps(i, j); };
-        m_paths.emplace(m_step, greatestStepOf(*resultOf(graphstep::transitions)), costs.layout(),
-                        transitionSettings(work.graph, settings.fps));
+        m_paths.emplace(m_steps, costs.layout(), transitionSettings(work.graph, settings.fps));
     }
     TransitionParts(const TransitionParts&) = delete;
     TransitionParts& operator=(const TransitionParts&) = delete;
@@ -217,7 +216,7 @@ private:
     SharedTable<float> m_distances;
     RootPoses m_roots;
     Table<float> m_steps;
-    WarpPaths::DistanceOf m_step;
+    CostSplit::StepOf m_step;
     std::optional<WarpPaths> m_paths;
 };
 

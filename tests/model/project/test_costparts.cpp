@@ -41,7 +41,7 @@ struct SplitCase
                       {.contacts = contactWeight});
         const TransitionCosts costs(cost / share, transitions.length, 100, layout);
         const WarpPaths paths(steps, layout, settings);
-        const WarpPaths::DistanceOf step = [this](NodeIndex i, NodeIndex j) { return steps(i, j); };
+        const CostSplit::StepOf step = [this](NodeIndex i, NodeIndex j) { return steps(i, j); };
         const CostSplit split{
             .distances = distances, .step = step, .stances = stances, .contactWeight = contactWeight};
         const auto transition = paths.of(transitions, pair);
