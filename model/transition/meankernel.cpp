@@ -21,7 +21,7 @@ struct PairBlock
     int frame;
     int firstColumn; ///< the first that lies in the sequence for any lane
     // per lane
-    alignas(64) double factor[windowLanes];  ///< L of the best path known; keys become factor · key + offset
+    alignas(64) double factor[windowLanes];  ///< L of the mean; keys become factor · key + offset
     alignas(64) double offset[windowLanes];  ///< 1 − L − c · 2^lengthBits
     alignas(64) double sum[windowLanes];     ///< least sum of these keys
     alignas(64) double rows[windowLanes];    ///< of the source window that has it
@@ -35,6 +35,13 @@ struct PairBlock
             keys[l] = factor[l] * from[l] + offset[l];
     }
 };
+
+/// Columns that a path can cross within so many rows after its own.
+template <int Slope>
+constexpr int reachOf(int rows)
+{
+    return rows * (Slope + 1) + Slope;
+}
 
 template <int Slope>
 [[gnu::always_inline]] inline void clear(PairBlock& block)
@@ -53,7 +60,12 @@ template <int Slope>
     for (int row = 0; row < block.search.rows; ++row) {
         WarpRow<Slope> state;
         state.begin();
-        for (int c = block.firstColumn; c < width; ++c) {
+        // Paths from the columns before do not reach the last one.
+        const int first =
+            std::max(block.firstColumn, width - 1 - reachOf<Slope>(block.search.rows - 1 - row));
+        if (first > block.firstColumn)
+            std::copy_n(block.cells + (first - 1) * WarpCell<Slope>::size, windowLanes, state.diagonal);
+        for (int c = first; c < width; ++c) {
             if (row == 0)
                 std::fill_n(state.diagonal, windowLanes,
                             c <= width - block.search.shortest ? 0.0 : CostGrid::outOfReach);
@@ -73,11 +85,12 @@ template <int Slope>
 }
 
 /// The shortest destination windows whose paths to the ends found have the least sums: the same programme
-/// backwards.
+/// backwards. \param longest  of these paths, cells.
 template <int Slope>
-[[gnu::always_inline]] inline void findStarts(PairBlock& block)
+[[gnu::always_inline]] inline void findStarts(PairBlock& block, int longest)
 {
     const int width = block.search.longest;
+    const int firstStart = std::max(block.firstColumn, width - longest);
     clear<Slope>(block);
     alignas(64) double keys[windowLanes];
     const int last = static_cast<int>(*std::max_element(block.rows, block.rows + windowLanes)) - 1;
@@ -86,12 +99,13 @@ template <int Slope>
         state.begin();
         for (int l = 0; l < windowLanes; ++l)
             state.diagonal[l] = block.rows[l] == row + 1 ? 0 : CostGrid::outOfReach;
-        for (int c = width - 1; c >= block.firstColumn; --c) {
+        const int first = std::max(firstStart, width - 1 - reachOf<Slope>(last - row));
+        for (int c = width - 1; c >= first; --c) {
             block.loadKeys(row, c, keys);
             state.step(keys, block.cells + c * WarpCell<Slope>::size);
         }
     }
-    for (int c = block.firstColumn; c <= width - block.search.shortest; ++c) {
+    for (int c = firstStart; c <= width - block.search.shortest; ++c) {
         const double* sums = block.cells + c * WarpCell<Slope>::size;
         for (int l = 0; l < windowLanes; ++l) {
             if (sums[l] == block.sum[l])
@@ -101,7 +115,8 @@ template <int Slope>
 }
 
 template <int Slope>
-[[gnu::always_inline]] inline void improveBlock(PairBlock& block, double lengthOne, BestWindows& best)
+[[gnu::always_inline]] inline void improveBlock(PairBlock& block, double lengthOne, const BestWindows* before,
+                                                BestWindows& best)
 {
     double steps[windowLanes];
     double lengths[windowLanes];
@@ -113,6 +128,14 @@ template <int Slope>
         any = any || found;
         steps[l] = found ? std::floor(key / lengthOne) : 0;
         lengths[l] = found ? key - steps[l] * lengthOne : 1;
+        const double near = before && block.frame + l > 0 ? before->key.data()[block.frame + l - 1] : -1;
+        if (found && near >= 0 && near < CostGrid::unknown) {
+            const double nearSteps = std::floor(near / lengthOne);
+            const double nearLength = near - nearSteps * lengthOne;
+            const bool isLess = nearSteps * lengths[l] < steps[l] * nearLength;
+            steps[l] = isLess ? nearSteps : steps[l];
+            lengths[l] = isLess ? nearLength : lengths[l];
+        }
         block.rows[l] = 0;
         block.columns[l] = 0;
     }
@@ -130,12 +153,12 @@ template <int Slope>
                 continue;
             const double rest = std::floor(block.sum[l] / lengthOne);
             const double length = block.sum[l] - rest * lengthOne;
-            better = better || rest < 0;
+            better = better || rest != 0;
             steps[l] = (rest + steps[l] * length) / lengths[l];
             lengths[l] = length;
         }
     }
-    findStarts<Slope>(block);
+    findStarts<Slope>(block, static_cast<int>(*std::max_element(lengths, lengths + windowLanes)));
     for (int l = 0; l < windowLanes; ++l) {
         if (block.sum[l] >= CostGrid::unknown)
             continue;
@@ -146,7 +169,8 @@ template <int Slope>
 }
 
 template <int Slope>
-[[gnu::always_inline]] inline void improveAll(const WindowSearch& search, double lengthOne, BestWindows& best,
+[[gnu::always_inline]] inline void improveAll(const WindowSearch& search, double lengthOne,
+                                              const BestWindows* before, BestWindows& best,
                                               WindowScratch& scratch)
 {
     for (int frame = 0; frame < search.columns; frame += windowLanes) {
@@ -154,25 +178,25 @@ template <int Slope>
                         .cells = scratch.cells.data(),
                         .frame = frame,
                         .firstColumn = std::max(0, search.longest - windowLanes - frame)};
-        improveBlock<Slope>(block, lengthOne, best);
+        improveBlock<Slope>(block, lengthOne, before, best);
     }
 }
 
 } // namespace
 
 QUADRILLE_SIMD_CLONES
-void improveToLeastMeans(const WindowSearch& search, double lengthOne, BestWindows& best,
-                         WindowScratch& scratch)
+void improveToLeastMeans(const WindowSearch& search, double lengthOne, const BestWindows* before,
+                         BestWindows& best, WindowScratch& scratch)
 {
     switch (search.slope) {
     case 2:
-        return improveAll<2>(search, lengthOne, best, scratch);
+        return improveAll<2>(search, lengthOne, before, best, scratch);
     case 3:
-        return improveAll<3>(search, lengthOne, best, scratch);
+        return improveAll<3>(search, lengthOne, before, best, scratch);
     case 4:
-        return improveAll<4>(search, lengthOne, best, scratch);
+        return improveAll<4>(search, lengthOne, before, best, scratch);
     default:
-        return improveAll<5>(search, lengthOne, best, scratch);
+        return improveAll<5>(search, lengthOne, before, best, scratch);
     }
 }
 

@@ -70,9 +70,11 @@ public:
                 m_search.rows = std::min<int>(m_search.longest, end - rows.first - r);
                 searchLeastSums(m_search, m_best, m_scratch);
                 if (m_settings.cost == TransitionCost::Mean)
-                    improveToLeastMeans(m_search, m_grid.lengthOne, m_best, m_scratch);
+                    improveToLeastMeans(m_search, m_grid.lengthOne, r > 0 ? &m_before : nullptr, m_best,
+                                        m_scratch);
                 takeRow(rows.first + r, s,
                         entries.data() + static_cast<std::ptrdiff_t>(r) * m_layout.frameCount());
+                std::swap(m_before, m_best);
             }
         }
         return entries;
@@ -117,6 +119,7 @@ private:
     CostGrid m_grid;
     WindowSearch m_search;
     BestWindows m_best;
+    BestWindows m_before; ///< of the source frame before
     WindowScratch m_scratch;
     std::vector<double> m_keys; ///< of some rows against one destination sequence, as WindowSearch has them
 };

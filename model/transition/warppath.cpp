@@ -128,7 +128,7 @@ std::optional<Transition> WarpPaths::find(FramePair frames) const
     WindowScratch scratch;
     searchLeastSums(search, best, scratch);
     if (m_settings.cost == TransitionCost::Mean)
-        improveToLeastMeans(search, m_grid.lengthOne, best, scratch);
+        improveToLeastMeans(search, m_grid.lengthOne, nullptr, best, scratch);
     const double key = best.key[static_cast<std::size_t>(columns - 1)];
     if (key >= CostGrid::unknown)
         return std::nullopt;
