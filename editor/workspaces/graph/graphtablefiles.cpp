@@ -15,14 +15,12 @@ std::vector<std::filesystem::path> writeGraphTables(const CharacterGraph& charac
 {
     const GraphPair& graphs = *measured.graphs;
     std::vector<DataTable> tables;
-    const auto partsOf = [&](const FramePair& pair) { return character.partsOf(pair); };
-    const EdgeNaming naming{character.costs(), character.work().sequences};
+    const auto costs = character.edgeCosts({&graphs.essential, &graphs.motion}, progress.part(0, 0.9));
+    const std::vector<std::string>& sequences = character.work().sequences;
     tables.push_back(edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.",
-                               graphs.essential,
-                               partsOfEdges(graphs.essential, partsOf, progress.part(0, 0.8)), naming));
+                               graphs.essential, costs[0], character.layout(), sequences));
     tables.push_back(edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.",
-                               graphs.motion, partsOfEdges(graphs.motion, partsOf, progress.part(0.8, 0.9)),
-                               naming));
+                               graphs.motion, costs[1], character.layout(), sequences));
     TableBuilder statistics = statisticsTable("graph-statistics", "Both graphs at the project's alpha.");
     addStatistics(statistics, "essential", graphs.alpha, measured.essential);
     addStatistics(statistics, "motion", graphs.alpha, measured.motion);
@@ -30,8 +28,7 @@ std::vector<std::filesystem::path> writeGraphTables(const CharacterGraph& charac
     TableBuilder components = componentTable("graph-components");
     for (const auto& [name, graph] :
          {std::pair("essential", &measured.essential), std::pair("motion", &measured.motion)})
-        addComponents(components, name, graphs.alpha, graph->connectivity, character.layout(),
-                      character.work().sequences);
+        addComponents(components, name, graphs.alpha, graph->connectivity, character.layout(), sequences);
     tables.push_back(std::move(components).table());
     if (!comparison.empty()) {
         TableBuilder sweep = statisticsTable("graph-comparison", "Both graphs over several alphas.");

@@ -219,7 +219,7 @@ CharacterGraph::Tables::Tables(const CharacterInputs& work, const StepContext& c
     costs = costsOf(work, context);
     layout = costs->layout();
     auto transitions = resultOf(graphstep::transitions);
-    const float greatest = greatestStepOf(*transitions);
+    greatestStep = greatestStepOf(*transitions);
     const SharedTable<std::uint16_t> both =
         sharedTableOf<std::uint16_t>(arrayOf(*transitions, "transition-windows"));
     transitions.reset();
@@ -236,7 +236,7 @@ CharacterGraph::Tables::Tables(const CharacterInputs& work, const StepContext& c
         for (float& value : row)
             value = step(source, first++);
     };
-    paths.emplace(rows, greatest, layout, transitionSettings(work.graph, settings.fps));
+    paths.emplace(rows, greatestStep, layout, transitionSettings(work.graph, settings.fps));
 }
 
 CharacterGraph::CharacterGraph(const CharacterInputs& work, const StepContext& context)
@@ -272,6 +272,20 @@ std::optional<Transition> CharacterGraph::transition(const FramePair& pair) cons
                         : paths().between(pair, windows >> bitsOfWindow, windows & greatestPacked);
 }
 
+KnownTransition CharacterGraph::knownTransition(const FramePair& pair) const
+{
+    KnownTransition known{.cost = costs().cost()(pair.source, pair.destination),
+                          .length = costs().length()(pair.source, pair.destination)};
+    if (const std::uint16_t windows = m_tables->windows(pair.source, pair.destination)) {
+        known.sourceWindow = windows >> bitsOfWindow;
+        known.destinationWindow = windows & greatestPacked;
+    } else if (const auto found = paths().find(pair)) {
+        known.sourceWindow = static_cast<std::uint16_t>(found->sourceWindow);
+        known.destinationWindow = static_cast<std::uint16_t>(found->destinationWindow);
+    }
+    return known;
+}
+
 CostParts CharacterGraph::partsOf(const FramePair& pair) const
 {
     const auto transition = this->transition(pair);
@@ -282,12 +296,34 @@ CostParts CharacterGraph::partsOf(const FramePair& pair) const
                           .step = step,
                           .stances = m_tables->roots.stances,
                           .contactWeight = m_work.graph.steps.contacts};
-    const KnownTransition known{.length = static_cast<std::uint16_t>(transition->length()),
-                                .sourceWindow = static_cast<std::uint16_t>(transition->sourceWindow),
-                                .destinationWindow =
-                                    static_cast<std::uint16_t>(transition->destinationWindow)};
-    const float drift = m_tables->drifts ? m_tables->drifts->of(known, pair) : 0;
+    const float drift = m_tables->drifts ? m_tables->drifts->of(knownTransition(pair), pair) : 0;
     return split.of(*transition, drift, costs().cost()(pair.source, pair.destination));
+}
+
+std::vector<std::vector<EdgeCost>> CharacterGraph::edgeCosts(const std::vector<const Digraph*>& graphs,
+                                                             const Progress& progress) const
+{
+    std::vector<std::vector<EdgeCost>> all;
+    for (const Digraph* graph : graphs)
+        all.push_back(costsOfEdges(*graph, costs()));
+    const auto known = [&](std::size_t graph, std::size_t edge) {
+        const Edge& ends = graphs[graph]->edges()[edge];
+        const FramePair pair{.source = ends.from, .destination = ends.to};
+        const KnownTransition transition = knownTransition(pair);
+        return EdgePaths::Known{.transition = transition,
+                                .drift = m_tables->drifts ? m_tables->drifts->of(transition, pair) : 0};
+    };
+    splitCosts(graphs,
+               {.layout = layout(),
+                .distances = distances(),
+                .differences = *m_tables->differences,
+                .weights = m_tables->weights,
+                .greatestStep = m_tables->greatestStep,
+                .settings = transitionSettings(m_work.graph, fps()),
+                .stances = m_tables->roots.stances,
+                .known = known},
+               all, progress);
+    return all;
 }
 
 WalkMaterial CharacterGraph::material(const BlendSettings& blend, bool isAlongPath) const

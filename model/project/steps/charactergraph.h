@@ -4,7 +4,7 @@
 
 #include "model/graph/digraph.h"
 #include "model/project/steps/charactersteps.h"
-#include "model/project/steps/costparts.h"
+#include "model/project/steps/edgecosts.h"
 #include "model/synthesis/clips/rootposes.h"
 #include "model/synthesis/clips/stepcosts.h"
 #include "model/synthesis/clips/walk.h"
@@ -51,6 +51,9 @@ public:
     Table<float> steps() const;
     /// What the cost of a transition is made of; adds up to costs().cost() of it. \pre It has a transition.
     CostParts partsOf(const FramePair& pair) const;
+    /// What all edges of graphs cost, with its parts. \throws Error Cancelled. Cost: see splitCosts.
+    std::vector<std::vector<EdgeCost>> edgeCosts(const std::vector<const Digraph*>& graphs,
+                                                 const Progress& progress = {}) const;
     const WarpPaths& paths() const { return *m_tables->paths; }
     /// A transition with its path, whatever costs are scaled by; nothing where there is none.
     /// Cost: O(l_max²).
@@ -87,6 +90,9 @@ public:
     Error named(const Error& error) const;
 
 private:
+    /// What is known of a transition beside its path. \pre There is one.
+    KnownTransition knownTransition(const FramePair& pair) const;
+
     /// All but the graph itself: α changes none of it.
     struct Tables
     {
@@ -101,6 +107,7 @@ private:
 
         FrameLayout layout;
         SharedTable<float> distances;
+        float greatestStep = 0;
         StepWeights weights;
         RootPoses roots;
         std::optional<StepDifferences> differences;

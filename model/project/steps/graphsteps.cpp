@@ -145,95 +145,34 @@ BuildStep driftStep(const CharacterInputs& work)
     return step;
 }
 
-/// What the parts of the cost of an edge are made of beside paths.
-struct EdgeCost
-{
-    KnownTransition transition;
-    float drift = 0;
-    float cost = 0;
-};
+/// What is known of the transitions of a graph beside their paths, by position of the edge.
+using KnownEdges = std::vector<EdgePaths::Known>;
 
-/// The parts of the costs of some transitions, from the results that the graphs are made of.
-class TransitionParts
+/// One table after the other is read: all of them at once take too much room.
+std::vector<KnownEdges> knownEdges(const std::vector<const Digraph*>& graphs, const CharacterInputs& work,
+                                   const StepContext& context)
 {
-public:
-    /// \param pairs  sorted by source, then destination.
-    TransitionParts(const CharacterInputs& work, const TransitionCosts& costs, std::vector<FramePair> pairs,
-                    const StepContext& context)
-        : m_contactWeight(work.graph.steps.contacts), m_pairs(std::move(pairs)), m_edges(m_pairs.size())
+    std::vector<KnownEdges> known;
+    for (const Digraph* graph : graphs)
+        known.emplace_back(graph->edges().size());
+    const auto set = [&](const auto& setOne) {
+        for (std::size_t g = 0; g < graphs.size(); ++g)
+            for (std::size_t e = 0; e < known[g].size(); ++e)
+                setOne(known[g][e], graphs[g]->edges()[e]);
+    };
     {
-        const ProjectSettings& settings = work.opener->project().settings;
-        const auto resultOf = [&](const char* step) { return context.resultOf(work.stepName(step)); };
-        const auto set = [this](const auto& setOne) {
-            for (std::size_t e = 0; e < m_edges.size(); ++e)
-                setOne(m_edges[e], m_pairs[e]);
-        };
-        // One table after the other: all of them at once take too much room.
-        set([&](EdgeCost& edge, const FramePair& pair) {
-            edge.cost = costs.cost()(pair.source, pair.destination);
+        const TransitionTable table =
+            transitionTableOf(context.resultOf(work.stepName(graphstep::transitions)));
+        set([&](EdgePaths::Known& edge, const Edge& ends) {
+            edge.transition = table.at({.source = ends.from, .destination = ends.to});
         });
-        {
-            const TransitionTable table = transitionTableOf(resultOf(graphstep::transitions));
-            set([&](EdgeCost& edge, const FramePair& pair) { edge.transition = table.at(pair); });
-        }
-        if (knowsDrifts(work.graph)) {
-            const SharedTable<float> drifts =
-                sharedTableOf<float>(resultOf(graphstep::drifts)->arrays.front());
-            set([&](EdgeCost& edge, const FramePair& pair) {
-                edge.drift = (*drifts)(pair.source, pair.destination);
-            });
-        }
-        m_distances = sharedTableOf<float>(resultOf(graphstep::poseDistance)->arrays.front());
-        m_roots = rootPosesOf(resultOf(graphstep::rootPoses), settings.axes.up);
-        // Each is asked for by many transitions.
-        m_steps = *m_distances;
-        addStepCosts(m_steps, StepDifferences(m_roots, costs.layout(), settings.fps), work.graph.steps);
-        m_step = [this](NodeIndex i, NodeIndex j) { return m_steps(i, j); };
-        m_paths.emplace(m_steps, costs.layout(), transitionSettings(work.graph, settings.fps));
     }
-    TransitionParts(const TransitionParts&) = delete;
-    TransitionParts& operator=(const TransitionParts&) = delete;
-
-    CostParts of(const FramePair& pair) const
-    {
-        const auto found = std::lower_bound(
-            m_pairs.begin(), m_pairs.end(), pair, [](const FramePair& a, const FramePair& b) {
-                return a.source != b.source ? a.source < b.source : a.destination < b.destination;
-            });
-        const EdgeCost& edge = m_edges[static_cast<std::size_t>(found - m_pairs.begin())];
-        const auto transition = m_paths->of(edge.transition, pair);
-        const CostSplit split{.distances = *m_distances,
-                              .step = m_step,
-                              .stances = m_roots.stances,
-                              .contactWeight = m_contactWeight};
-        return transition ? split.of(*transition, edge.drift, edge.cost) : CostParts();
+    if (knowsDrifts(work.graph)) {
+        const SharedTable<float> drifts =
+            sharedTableOf<float>(context.resultOf(work.stepName(graphstep::drifts))->arrays.front());
+        set([&](EdgePaths::Known& edge, const Edge& ends) { edge.drift = (*drifts)(ends.from, ends.to); });
     }
-
-private:
-    double m_contactWeight;
-    std::vector<FramePair> m_pairs;
-    std::vector<EdgeCost> m_edges;
-    SharedTable<float> m_distances;
-    RootPoses m_roots;
-    Table<float> m_steps;
-    CostSplit::StepOf m_step;
-    std::optional<WarpPaths> m_paths;
-};
-
-/// The transitions of one graph or another, sorted.
-std::vector<FramePair> transitionsOf(const Digraph& a, const Digraph& b)
-{
-    std::vector<FramePair> pairs;
-    for (const Digraph* graph : {&a, &b}) {
-        for (const Edge& edge : graph->edges())
-            if (edge.kind == EdgeKind::Transition)
-                pairs.push_back({edge.from, edge.to});
-    }
-    std::sort(pairs.begin(), pairs.end(), [](const FramePair& one, const FramePair& other) {
-        return std::pair(one.source, one.destination) < std::pair(other.source, other.destination);
-    });
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    return pairs;
+    return known;
 }
 
 BuildStep graphStep(const CharacterInputs& work)
@@ -277,28 +216,41 @@ BuildStep edgeStep(const CharacterInputs& work)
     step.inputs.push_back(work.stepName(graphstep::graphs));
     step.settings = costSettings(work.graph).dump();
     step.compute = [work, graphs = step.inputs.back()](const StepContext& context, const Progress& progress) {
-        const auto shared = costsOf(work, context);
-        const TransitionCosts& costs = *shared;
+        const auto resultOf = [&](const char* name) { return context.resultOf(work.stepName(name)); };
+        const ProjectSettings& settings = work.opener->project().settings;
+        const FrameLayout layout = layoutOf(*resultOf(graphstep::poseDistance));
         auto both = context.resultOf(graphs);
-        const NodeIndex frames = costs.layout().frameCount();
-        const Digraph motion = storedGraph(*both, "motion-graph", frames);
-        const Digraph essential = storedGraph(*both, "essential-graph", frames);
+        const Digraph motion = storedGraph(*both, "motion-graph", layout.frameCount());
+        const Digraph essential = storedGraph(*both, "essential-graph", layout.frameCount());
         both.reset();
-        std::vector<CostParts> motionParts;
-        std::vector<CostParts> essentialParts;
-        { // whose tables take as much room as those that follow
-            const TransitionParts parts(work, costs, transitionsOf(motion, essential), context);
-            const auto partsOf = [&](const FramePair& pair) { return parts.of(pair); };
-            motionParts = partsOfEdges(motion, partsOf, progress.part(0, 0.1));
-            essentialParts = partsOfEdges(essential, partsOf, progress.part(0.1, 1));
+        std::vector<std::vector<EdgeCost>> costs;
+        {
+            const auto shared = costsOf(work, context);
+            costs = {costsOfEdges(motion, *shared), costsOfEdges(essential, *shared)};
         }
-        const EdgeNaming naming{costs, work.sequences};
+        {
+            const std::vector<const Digraph*> all{&motion, &essential};
+            const std::vector<KnownEdges> known = knownEdges(all, work, context);
+            const RootPoses roots = rootPosesOf(resultOf(graphstep::rootPoses), settings.axes.up);
+            const SharedTable<float> distances =
+                sharedTableOf<float>(resultOf(graphstep::poseDistance)->arrays.front());
+            splitCosts(all,
+                       {.layout = layout,
+                        .distances = *distances,
+                        .differences = StepDifferences(roots, layout, settings.fps),
+                        .weights = work.graph.steps,
+                        .greatestStep = greatestStepOf(*resultOf(graphstep::transitions)),
+                        .settings = transitionSettings(work.graph, settings.fps),
+                        .stances = roots.stances,
+                        .known = [&](std::size_t graph, std::size_t edge) { return known[graph][edge]; }},
+                       costs, progress.part(0, 0.9));
+        }
         Result result;
         result.tables = {
             edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.", motion,
-                      motionParts, naming),
+                      costs[0], layout, work.sequences),
             edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.", essential,
-                      essentialParts, naming)};
+                      costs[1], layout, work.sequences)};
         return result;
     };
     return step;

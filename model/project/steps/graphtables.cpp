@@ -2,63 +2,89 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/steps/graphtables.h"
 
-#include <atomic>
-#include <tbb/parallel_for.h>
+#include <type_traits>
+#include <utility>
 
 namespace quadrille {
 
+namespace {
+
+/// A table of edges, a column after the other: large ones are filled without a row of cells for each.
+class EdgeColumns
+{
+public:
+    EdgeColumns(const char* name, const char* description, std::span<const Edge> edges)
+        : m_table{.name = name, .description = description}, m_edges(edges)
+    {
+    }
+
+    /// \param valueOf  (position of an edge) → Value
+    template <typename Value, typename ValueOf>
+    void add(const char* name, const char* unit, const ValueOf& valueOf)
+    {
+        std::conditional_t<std::is_same_v<Value, std::string>, TextColumn, std::vector<Value>> values;
+        values.reserve(m_edges.size());
+        for (std::size_t e = 0; e < m_edges.size(); ++e)
+            values.push_back(valueOf(e));
+        DataArray& column = m_table.columns.emplace_back();
+        column.name = name;
+        column.unit = unit;
+        column.shape = {std::ssize(m_edges)};
+        column.values = std::move(values);
+    }
+
+    void addEdges()
+    {
+        add<std::int64_t>("i", "", [this](std::size_t e) { return m_edges[e].from; });
+        add<std::int64_t>("j", "", [this](std::size_t e) { return m_edges[e].to; });
+        add<double>("weight", "", [this](std::size_t e) { return m_edges[e].weight; });
+        add<std::string>("kind", "", [this](std::size_t e) -> const std::string& {
+            static const std::string original = "original";
+            static const std::string transition = "transition";
+            return m_edges[e].kind == EdgeKind::Original ? original : transition;
+        });
+    }
+
+    DataTable table() && { return std::move(m_table); }
+
+private:
+    DataTable m_table;
+    std::span<const Edge> m_edges;
+};
+
+} // namespace
+
 DataTable graphTable(const char* name, const char* description, const Digraph& graph)
 {
-    TableBuilder table(name, description);
-    table.whole("i").whole("j").real("weight").text("kind");
-    for (const Edge& edge : graph.edges())
-        table.add({std::int64_t{edge.from}, std::int64_t{edge.to}, edge.weight,
-                   edge.kind == EdgeKind::Original ? "original" : "transition"});
-    return std::move(table).table();
-}
-
-std::vector<CostParts> partsOfEdges(const Digraph& graph,
-                                    const std::function<CostParts(const FramePair&)>& partsOf,
-                                    const Progress& progress)
-{
-    const auto& edges = graph.edges();
-    std::vector<CostParts> parts(edges.size());
-    std::atomic<std::size_t> done = 0;
-    tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t e) {
-        if (edges[e].kind == EdgeKind::Transition)
-            parts[e] = partsOf({edges[e].from, edges[e].to});
-        progress.report(static_cast<double>(++done) / static_cast<double>(edges.size()));
-    });
-    return parts;
+    EdgeColumns columns(name, description, graph.edges());
+    columns.addEdges();
+    return std::move(columns).table();
 }
 
 DataTable edgeTable(const char* name, const char* description, const Digraph& graph,
-                    std::span<const CostParts> parts, const EdgeNaming& naming)
+                    std::span<const EdgeCost> costs, const FrameLayout& layout,
+                    const std::vector<std::string>& sequences)
 {
-    const auto& edges = graph.edges();
-    TableBuilder table(name, description);
-    table.whole("i").whole("j").real("weight").text("kind").real("cost");
-    table.real("pose-cost").real("contact-cost").real("velocity-cost").whole("length", "frame");
-    table.text("from-sequence").whole("from-frame", "frame").text("to-sequence").whole("to-frame", "frame");
-    table.reserve(edges.size());
-    const FrameLayout& layout = naming.costs.layout();
-    const auto sequenceOf = [&](NodeIndex node) {
-        return naming.sequences[static_cast<std::size_t>(layout.sequenceOf(node))];
+    const std::span<const Edge> edges = graph.edges();
+    const auto addEnd = [&](EdgeColumns& columns, const char* sequence, const char* frame,
+                            NodeIndex Edge::*end) {
+        columns.add<std::string>(sequence, "", [&, end](std::size_t e) -> const std::string& {
+            return sequences[static_cast<std::size_t>(layout.sequenceOf(edges[e].*end))];
+        });
+        columns.add<std::int64_t>(frame, "frame", [&, end](std::size_t e) {
+            return edges[e].*end - layout.firstOf(layout.sequenceOf(edges[e].*end));
+        });
     };
-    const auto frameOf = [&](NodeIndex node) {
-        return std::int64_t{node} - layout.firstOf(layout.sequenceOf(node));
-    };
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-        const NodeIndex i = edges[e].from;
-        const NodeIndex j = edges[e].to;
-        const bool isOriginal = edges[e].kind == EdgeKind::Original;
-        table.add({std::int64_t{i}, std::int64_t{j}, edges[e].weight, isOriginal ? "original" : "transition",
-                   isOriginal ? 0.0 : static_cast<double>(naming.costs.cost()(i, j)), parts[e].pose,
-                   parts[e].contacts, parts[e].velocity,
-                   isOriginal ? std::int64_t{1} : std::int64_t{naming.costs.length()(i, j)}, sequenceOf(i),
-                   frameOf(i), sequenceOf(j), frameOf(j)});
-    }
-    return std::move(table).table();
+    EdgeColumns columns(name, description, edges);
+    columns.addEdges();
+    columns.add<double>("cost", "", [&](std::size_t e) { return static_cast<double>(costs[e].cost); });
+    columns.add<double>("pose-cost", "", [&](std::size_t e) { return costs[e].parts.pose; });
+    columns.add<double>("contact-cost", "", [&](std::size_t e) { return costs[e].parts.contacts; });
+    columns.add<double>("velocity-cost", "", [&](std::size_t e) { return costs[e].parts.velocity; });
+    columns.add<std::int64_t>("length", "frame", [&](std::size_t e) { return costs[e].length; });
+    addEnd(columns, "from-sequence", "from-frame", &Edge::from);
+    addEnd(columns, "to-sequence", "to-frame", &Edge::to);
+    return std::move(columns).table();
 }
 
 TableBuilder statisticsTable(std::string name, std::string description)

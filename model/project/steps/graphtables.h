@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/core/progress.h"
 #include "model/graph/statistics.h"
-#include "model/graph/transitioncosts.h"
-#include "model/project/steps/costparts.h"
+#include "model/project/steps/edgecosts.h"
 #include "model/project/store/tablebuilder.h"
 
-#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,23 +15,12 @@ namespace quadrille {
 /// A graph as other steps read it: both ends of each edge, its weight and kind.
 DataTable graphTable(const char* name, const char* description, const Digraph& graph);
 
-/// What the costs of all edges of a graph are made of; nothing of original ones.
-/// \param partsOf  asked from several threads. \throws Error Cancelled. Cost: O(edges · l_max²).
-std::vector<CostParts> partsOfEdges(const Digraph& graph,
-                                    const std::function<CostParts(const FramePair&)>& partsOf,
-                                    const Progress& progress = {});
-
-/// What names and describes the edges of a graph.
-struct EdgeNaming
-{
-    const TransitionCosts& costs;
-    const std::vector<std::string>& sequences; ///< names, in the order of the layout
-};
-
 /// All edges of a graph: both ends as frames among all of the character's, the weight, what it is made of,
-/// and both ends by sequence and frame. \param parts  of all edges.
+/// and both ends by sequence and frame. \param costs  of all edges. \param sequences  names, in the order of
+/// the layout.
 DataTable edgeTable(const char* name, const char* description, const Digraph& graph,
-                    std::span<const CostParts> parts, const EdgeNaming& naming);
+                    std::span<const EdgeCost> costs, const FrameLayout& layout,
+                    const std::vector<std::string>& sequences);
 
 /// A table for addStatistics.
 TableBuilder statisticsTable(std::string name, std::string description);
