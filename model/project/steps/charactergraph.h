@@ -5,6 +5,7 @@
 #include "model/graph/digraph.h"
 #include "model/project/steps/charactersteps.h"
 #include "model/project/steps/edgecosts.h"
+#include "model/project/steps/graphstepresults.h"
 #include "model/synthesis/clips/rootposes.h"
 #include "model/synthesis/clips/stepcosts.h"
 #include "model/synthesis/clips/walk.h"
@@ -15,20 +16,6 @@
 #include <optional>
 
 namespace quadrille {
-
-/// One of both graphs, "essential-graph" or "motion-graph", from the result of the step of graphs.
-Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nodeCount);
-
-/// \param unit  of lengths.
-Result rootPosesResult(const RootPoses& roots, const std::string& unit);
-/// Takes the turns out of the result where nobody else has it.
-RootPoses rootPosesOf(ResultPointer result, UpAxis up);
-/// From the result of the step of transitions, out of which it is taken where nobody else has it.
-TransitionTable transitionTableOf(ResultPointer result);
-/// The same without costs.
-TransitionTable transitionWindowsOf(ResultPointer result);
-/// What transitions were sought by is at most so much.
-float greatestStepOf(const Result& transitions);
 
 /// What walks through the frames of a character need, from the results of its graph's steps. What is made of
 /// results alone is shared by the graphs of all values of a project that have the same.
@@ -61,12 +48,13 @@ public:
     const RootPoses& roots() const { return m_tables->roots; }
     /// The Essential graph.
     const Digraph& graph() const { return *m_graph; }
-    /// Both graphs at another α, see graphsAt.
+    /// Both graphs at some α: the project's as its step left them, others by graphsAt.
     std::shared_ptr<const MeasuredGraphs>
     at(double alpha, const Progress& progress = {},
        const std::function<void(std::shared_ptr<const GraphPair>)>& edges = {}) const
     {
-        return graphsAt(m_work, alpha, m_context, progress, edges);
+        return alpha == m_work.graph.alpha ? storedGraphs(m_work, m_context, progress)
+                                           : graphsAt(m_work, alpha, m_context, progress, edges);
     }
     /// Whether transitions and their costs are the same, and not only equal.
     bool hasTablesOf(const CharacterGraph& other) const { return m_tables == other.m_tables; }

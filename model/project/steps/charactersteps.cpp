@@ -144,24 +144,33 @@ std::shared_ptr<const TransitionCosts> costsOf(const CharacterInputs& work, cons
 }
 
 std::shared_ptr<const MeasuredGraphs>
-graphsAt(const CharacterInputs& work, double alpha, const StepContext& context, const Progress& progress,
-         const std::function<void(std::shared_ptr<const GraphPair>)>& edges)
+sharedGraphs(const CharacterInputs& work, double alpha, const StepContext& context,
+             const std::function<MeasuredGraphs(std::shared_ptr<const CostMinima>)>& make,
+             const Progress& progress)
 {
-    using Minima = std::vector<FramePair>;
     const std::vector<std::string> inputs = costInputs(work);
     const nlohmann::json settings({costSettings(work.graph), static_cast<int>(work.graph.smoothing)});
     return context.shared<const MeasuredGraphs>(inputs, nlohmann::json({settings, alpha}).dump(), [&] {
-        const auto costs = costsOf(work, context);
-        auto minima = context.shared<const Minima>(inputs, settings.dump(), [&] {
-            return std::make_shared<const Minima>(
-                costMinima(*costs, work.graph.smoothing, progress.part(0, 0.05)));
-        });
+        return std::make_shared<const MeasuredGraphs>(
+            make(context.shared<const CostMinima>(inputs, settings.dump(), [&] {
+                return std::make_shared<const CostMinima>(
+                    costMinima(*costsOf(work, context), work.graph.smoothing, progress));
+            })));
+    });
+}
+
+std::shared_ptr<const MeasuredGraphs>
+graphsAt(const CharacterInputs& work, double alpha, const StepContext& context, const Progress& progress,
+         const std::function<void(std::shared_ptr<const GraphPair>)>& edges)
+{
+    const auto make = [&](std::shared_ptr<const CostMinima> minima) {
         const auto graphs = std::make_shared<const GraphPair>(
-            graphsAt(*costs, std::move(minima), alpha, progress.part(0.05, 0.3)));
+            graphsAt(*costsOf(work, context), std::move(minima), alpha, progress.part(0.05, 0.3)));
         if (edges)
             edges(graphs);
-        return std::make_shared<const MeasuredGraphs>(measured(graphs, progress.part(0.3, 1)));
-    });
+        return measured(graphs, progress.part(0.3, 1));
+    };
+    return sharedGraphs(work, alpha, context, make, progress.part(0, 0.05));
 }
 
 bool knowsDrifts(const GraphEntry& graph)

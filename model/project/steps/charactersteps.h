@@ -105,6 +105,14 @@ bool knowsDrifts(const GraphEntry& graph);
 /// What the graphs are made of, from the results of the steps that costInputs names; shared by all who want
 /// the same.
 std::shared_ptr<const TransitionCosts> costsOf(const CharacterInputs& work, const StepContext& context);
+/// The transitions of the motion graph.
+using CostMinima = std::vector<FramePair>;
+/// Both graphs at an α, shared by all who want them of the same costs. \param make  called where there are
+/// none. \throws Error Cancelled, what `make` throws.
+std::shared_ptr<const MeasuredGraphs>
+sharedGraphs(const CharacterInputs& work, double alpha, const StepContext& context,
+             const std::function<MeasuredGraphs(std::shared_ptr<const CostMinima>)>& make,
+             const Progress& progress = {});
 /// Both graphs at an α, and what is known of them, made once for the step of graphs and all who try this α.
 /// \param edges  receives the graphs before their paths are measured, where they were not yet; from this
 /// thread. \throws Error BadArgument (α), Cancelled.

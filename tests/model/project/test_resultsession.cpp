@@ -223,6 +223,26 @@ TEST_F(ResultSessionTest, MakesGraphsOnceForThoseWhoTryAnAlphaThatTheProjectThen
     EXPECT_TRUE(after->graph.hasTablesOf(opened->graph));
 }
 
+TEST_F(ResultSessionTest, ReadsTheGraphsOfTheProjectsAlphaAsTheirStepLeftThem)
+{
+    run("graph");
+    const auto opened = openCharacter(working(), "", GraphOpening::Compute);
+    const CharacterGraph& graph = opened->graph;
+    const auto read =
+        graph.at(graph.alpha(), {}, [](const auto&) { ADD_FAILURE() << "they were made anew"; });
+    const MeasuredGraphs made = measured(
+        std::make_shared<const GraphPair>(graphsAt(graph.costs(), read->graphs->minima, graph.alpha())));
+    EXPECT_EQ(read->graphs->alpha, graph.alpha());
+    EXPECT_EQ(read->graphs->essential, made.graphs->essential);
+    EXPECT_EQ(read->graphs->motion, made.graphs->motion);
+    for (auto statistics : {&MeasuredGraphs::essential, &MeasuredGraphs::motion}) {
+        EXPECT_EQ((*read.*statistics).pathCosts, (made.*statistics).pathCosts);
+        EXPECT_EQ((*read.*statistics).transitions, (made.*statistics).transitions);
+        EXPECT_EQ((*read.*statistics).connectivity.components, (made.*statistics).connectivity.components);
+    }
+    EXPECT_EQ(*read->graphs->minima, costMinima(graph.costs(), CostSmoothing::None));
+}
+
 TEST_F(ResultSessionTest, KeepsInMemoryOnlyWhatIsNotToBeStored)
 {
     const ProjectResults results(working());

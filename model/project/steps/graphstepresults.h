@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+//
+// What others read of the results of a graph's steps.
+#pragma once
+
+#include "model/graph/measuredgraphs.h"
+#include "model/project/steps/charactersteps.h"
+#include "model/synthesis/clips/rootposes.h"
+#include "model/transition/transitiontable.h"
+
+#include <memory>
+#include <string>
+
+namespace quadrille {
+
+/// One of both graphs, "essential-graph" or "motion-graph", from the result of the step of graphs.
+Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nodeCount);
+
+/// \param unit  of lengths.
+Result rootPosesResult(const RootPoses& roots, const std::string& unit);
+/// Takes the turns out of the result where nobody else has it.
+RootPoses rootPosesOf(ResultPointer result, UpAxis up);
+/// From the result of the step of transitions, out of which it is taken where nobody else has it.
+TransitionTable transitionTableOf(ResultPointer result);
+/// The same without costs.
+TransitionTable transitionWindowsOf(ResultPointer result);
+/// What transitions were sought by is at most so much.
+float greatestStepOf(const Result& transitions);
+
+/// Both graphs at the project's α, and what is known of them, as the step of graphs left them. Shared with
+/// those who want them by graphsAt. \throws Error Cancelled. Cost: O(frames² + edges).
+std::shared_ptr<const MeasuredGraphs> storedGraphs(const CharacterInputs& work, const StepContext& context,
+                                                   const Progress& progress = {});
+
+} // namespace quadrille
